@@ -125,16 +125,31 @@ def write_json(path: Path, content: Any) -> None:
 
 
 def plain(value: Any) -> Any:
-    """Arrays, tuples and data classes as lists and dictionaries; a number that does not exist is None."""
+    """What JSON can hold: lists, dictionaries, texts and numbers; a number that does not exist is None.
+
+    An object with ``as_dict`` is what that says, another data class its fields.
+    """
+    if type(value) in _PLAIN:
+        return value
+    if hasattr(value, "as_dict") and not isinstance(value, type):
+        return plain(value.as_dict())
     if isinstance(value, Mapping):
         return {str(key): plain(one) for key, one in value.items()}
     if isinstance(value, (list, tuple)):
         return [plain(one) for one in value]
     if is_dataclass(value) and not isinstance(value, type):
-        return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
+        return plain_fields(value)
     if hasattr(value, "tolist"):  # an array or a number of NumPy, which is not loaded for this
         return plain(value.tolist())
     return None if isinstance(value, float) and not isfinite(value) else value
+
+
+_PLAIN = (str, int, bool, type(None))
+
+
+def plain_fields(value: Any) -> dict[str, Any]:
+    """The fields of a data class, each as ``plain`` has it: what its own ``as_dict`` begins with."""
+    return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
 
 
 def json_text(content: Any) -> str:

@@ -6,8 +6,8 @@ from dataclasses import replace
 
 import numpy as np
 
-from benchmarks.hidden_effects.many import Made
-from benchmarks.hidden_effects.noise import disturb
+from blind_cases.many import Made
+from blind_cases.noise import disturb
 from pam_cosim.measurement import Run, Start
 from rig.played import PlayedSchedule
 from rig.schedule import Course, Schedule

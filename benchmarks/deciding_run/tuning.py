@@ -11,7 +11,7 @@ import numpy as np
 
 from benchmarks.deciding_run.play import played
 from benchmarks.deciding_run.scene import Scene
-from benchmarks.hidden_effects import many
+from blind_cases import many
 from pam_cosim import study
 from pam_cosim.diagnosis.planning import limits_of
 from pam_cosim.measurement import DataSet

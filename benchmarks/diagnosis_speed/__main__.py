@@ -17,7 +17,7 @@ from pathlib import Path
 from resource import RUSAGE_CHILDREN, getrusage
 from typing import Any
 
-from benchmarks.hidden_effects import many
+from blind_cases import many
 from rig.named import effect_of
 from rig.short import write_light_data
 

@@ -17,8 +17,8 @@ from contextlib import redirect_stdout
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.prepared import made_case
-from benchmarks.hidden_effects.sets import SETS, case_of, outline
+from blind_cases.prepared import made_case
+from blind_cases.sets import SETS, case_of, outline
 
 _RANKS = 5
 

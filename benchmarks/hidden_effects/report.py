@@ -31,7 +31,7 @@ from benchmarks.hidden_effects.calibration import calibration_table, draw_calibr
 from benchmarks.hidden_effects.goals import VISIBLE, goals_table, rate, single, visible, wilson
 from benchmarks.hidden_effects.outcome import INSTRUMENTS, OUTCOMES, excess, judged, size, stated_probability
 from benchmarks.hidden_effects.score import default_file, read_results
-from benchmarks.hidden_effects.table import FAMILIES
+from blind_cases.table import FAMILIES
 
 plt.switch_backend("Agg")
 

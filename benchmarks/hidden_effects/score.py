@@ -23,7 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.hidden_effects.outcome import judged
-from benchmarks.hidden_effects.sets import SETS, case_of, outline
+from blind_cases.sets import SETS, case_of, outline
 
 ROOT = Path(__file__).resolve().parents[2]
 Result = dict[str, Any]

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.hidden_effects import many
+from blind_cases import many
 from pam_cosim import study
 
 RESULTS = Path(__file__).resolve().parents[2] / "build" / "predictive-bands.jsonl"

@@ -15,9 +15,9 @@ from pathlib import Path
 from typing import Any
 
 import pam_cosim as pam
-from benchmarks.hidden_effects import many
 from benchmarks.starts.cutting import in_pieces, without_beginning
 from benchmarks.starts.sines import in_sines, last_period
+from blind_cases import many
 
 WAYS: dict[str, Callable[[Path, Path, int], Path]] = {
     "whole": lambda source, folder, seed: source,

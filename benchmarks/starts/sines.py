@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.hidden_effects.drives import SHUT
-from benchmarks.hidden_effects.setups import Setup
 from benchmarks.starts.cutting import Keep, cut_files
+from blind_cases.drives import SHUT
+from blind_cases.setups import Setup
 from rig.schedule import Course, Phase, SampledSchedule, Schedule
 from rig.trial import Trial
 

@@ -1,7 +1,8 @@
 """.fmu and a point or a measurement -> LinearModel: linear models, frequency responses, observers."""
 
 from pam_cosim.analysis.frequency_response import FrequencyResponse
-from pam_cosim.analysis.linear import LinearCourse, LinearModel, Mode
+from pam_cosim.analysis.linear import LinearModel, Mode
+from pam_cosim.analysis.linear_course import LinearCourse
 from pam_cosim.analysis.observation import Observation
 from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.analysis.tracking import Tracking

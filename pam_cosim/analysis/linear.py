@@ -291,7 +291,7 @@ class LinearModel(Exported):
 
     def modes_text(self) -> list[str]:
         """One line for each mode."""
-        return [f"mode {i}: {_told(mode)}" for i, mode in enumerate(self.modes, 1)]
+        return [f"mode {i}: {_mode_text(mode)}" for i, mode in enumerate(self.modes, 1)]
 
     def gain_text(self) -> list[str]:
         """One line for each output with its static gains; empty where there are none."""
@@ -319,43 +319,7 @@ class LinearModel(Exported):
         return f"<p><b>{escape(self.model)}</b> {point}</p><table><tr><th></th>{head}</tr>{body}</table>{text}"
 
 
-@dataclass(frozen=True)
-class LinearCourse:
-    """Linear models along a run, in the order of its times.
-
-    Attributes:
-        models: one for each time.
-    """
-
-    models: tuple[LinearModel, ...]
-
-    @property
-    def times(self) -> Array:
-        """(k,) [s]."""
-        return np.array([model.point.time for model in self.models])
-
-    @property
-    def poles(self) -> Array:
-        """(k, n) complex [1/s], each row the slowest first."""
-        return np.array([model.poles for model in self.models])
-
-    def __len__(self) -> int:
-        return len(self.models)
-
-    def __getitem__(self, i: int) -> LinearModel:
-        return self.models[i]
-
-    def as_dict(self) -> dict[str, Any]:
-        """``LinearModel.as_dict`` of each."""
-        return {"models": [model.as_dict() for model in self.models]}
-
-    def __str__(self) -> str:
-        return "\n\n".join(
-            "\n".join([f"{m.point.time:g} s", *(f"  {line}" for line in m.modes_text())]) for m in self.models
-        )
-
-
-def _told(mode: Mode) -> str:
+def _mode_text(mode: Mode) -> str:
     names = ", ".join(f"{name} {share:.0%}" for name, share in mode.shares.items() if share >= 0.1)
     if not np.isfinite(mode.time_constant):
         what = "integrates" if np.isnan(mode.damping) else f"swings undamped at {mode.frequency:.4g} Hz"

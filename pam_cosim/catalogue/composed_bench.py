@@ -9,10 +9,10 @@ that of the same name from another part. The frame around the parts is the least
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
-from html import escape
+from collections.abc import Container, Mapping, Sequence
+from dataclasses import dataclass
 
+from pam_cosim.catalogue.bench_drawing import BenchDrawing, PlacedPart
 from pam_cosim.catalogue.bench_parts import (
     FRAME,
     BenchPart,
@@ -26,10 +26,8 @@ from pam_cosim.catalogue.bench_parts import (
     split,
 )
 from pam_cosim.catalogue.place import surrounds
-from pam_cosim.catalogue.rig_signals import declarations
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_tree import ComponentInfo
-from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.model.references import BRANCH
 from pam_cosim.wording import did_you_mean
@@ -51,31 +49,6 @@ class ComposedBench:
     inputs: tuple[str, ...]
     outputs: tuple[str, ...]
     parts: tuple[BenchPart, ...]
-
-
-@dataclass(frozen=True)
-class _Placed:
-    """A part under the name that it has in the rig; ``number`` is that of its muscle, zero for what all share."""
-
-    part: BenchPart
-    name: str
-    number: int
-    corner: tuple[int, int]
-
-
-_End = tuple[_Placed, ComponentInfo]
-_Point = tuple[float, float]
-_HALF = 20  # of the width of a part in the diagram
-_CLEAR = 15  # below what stands side by side, for a line across
-
-
-@dataclass
-class _Draft:
-    """The lines of a rig."""
-
-    outputs: dict[str, ComponentInfo] = field(default_factory=dict)
-    components: list[str] = field(default_factory=list)
-    equations: list[str] = field(default_factory=list)
 
 
 def compose_bench(
@@ -128,7 +101,7 @@ class _Composer:
         if len({part.library for part in (feed, hold, held)}) > 1:
             raise InputError(f"{feed.name}, {hold.name} and {held.name} are parts of different libraries")
         self.taken: set[str] = set()
-        self.draft = _Draft()
+        self.drawing = BenchDrawing(tree)
         self.ends, outlets = connectors(tree, hold.qualified_name), connectors(tree, feed.qualified_name)
         for part, ends in ((hold, self.ends), (feed, outlets)):
             if not ends:
@@ -140,7 +113,7 @@ class _Composer:
         self.measured = self._measured(instruments, measure)
         self.taken |= {signal for signal, _, _ in self.measured}
 
-    # ---- what is told and what is read --------------------------------------------------------------------------
+    # ---- inputs and measured signals ------------------------------------------------------------------------------
 
     def _inputs(self) -> dict[str, tuple[BenchPart, int, ComponentInfo]]:
         inputs: dict[str, tuple[BenchPart, int, ComponentInfo]] = {}
@@ -196,16 +169,16 @@ class _Composer:
             raise InputError(f"'{imposed}' is imposed with {part}: it is an input of the rig and is not measured")
         return wanted
 
-    # ---- what stands where --------------------------------------------------------------------------------------
+    # ---- places of the parts ---------------------------------------------------------------------------------------
 
-    def _place(self, part: BenchPart, number: int, corner: tuple[int, int]) -> _Placed:
+    def _place(self, part: BenchPart, number: int, corner: tuple[int, int]) -> PlacedPart:
         wanted = _numbered(part.component_name, number)
         name, other = wanted, 1
         while name in self.taken:
             other += 1
             name = f"{wanted}_{other}"
         self.taken.add(name)
-        return _Placed(part, name, number, corner)
+        return PlacedPart(part, name, number, corner)
 
     def rig(self, wanted: str | None) -> ComposedBench:
         """All of it."""
@@ -231,9 +204,9 @@ class _Composer:
         outputs = tuple(signal for signal, _, _ in self.measured)
         return ComposedBench(name, text, inputs, outputs, tuple(dict.fromkeys(one.part for one in everything)))
 
-    def _instruments(self, columns: Mapping[int, int]) -> list[_Placed]:
+    def _instruments(self, columns: Mapping[int, int]) -> list[PlacedPart]:
         """One of each kind at each muscle, however many signals it reads."""
-        placed: list[_Placed] = []
+        placed: list[PlacedPart] = []
         for _, number, part in self.measured:
             if (part, number) not in [(one.part, one.number) for one in placed]:
                 placed.append(self._place(part, number, self._corner(part, columns[number], placed, number)))
@@ -245,7 +218,7 @@ class _Composer:
         own = "" if self.held.usual else names.last(self.held.qualified_name)
         return f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}{own}"
 
-    def _corner(self, part: BenchPart, x: int, placed: Sequence[_Placed], number: int) -> tuple[int, int]:
+    def _corner(self, part: BenchPart, x: int, placed: Sequence[PlacedPart], number: int) -> tuple[int, int]:
         """Lower left of an instrument: between the parts, or beside the muscle."""
         (first, *others) = connectors(self.tree, part.qualified_name)
         at_port = first.type == self.outlet.type
@@ -274,18 +247,9 @@ class _Composer:
         missing = ", ".join(sorted(name for name, _ in needed))
         raise ModelError(f"no class that extends {base} declares what these parts look for around them: {missing}")
 
-    # ---- lines --------------------------------------------------------------------------------------------------
+    # ---- components and connections --------------------------------------------------------------------------------
 
-    def _component(self, one: _Placed, everything: Sequence[_Placed]) -> None:
-        bound = [f"{d.name}={s}" for s, (part, n, d) in self.inputs.items() if (part, n) == (one.part, one.number)]
-        bound += self._bindings(one.part.qualified_name, everything, one)
-        modifier = f"({', '.join(bound)})" if bound else ""
-        (x, y) = one.corner
-        place = f"annotation (Placement(transformation(extent={{{{{x},{y}}},{{{x + 2 * _HALF},{y + 2 * _HALF}}}}})))"
-        says = string_text(one.part.description)
-        self.draft.components.append(f"{one.part.qualified_name} {one.name}{modifier} {says}\n    {place}")
-
-    def _bindings(self, of: str, everything: Sequence[_Placed], one: _Placed | None = None) -> list[str]:
+    def _bindings(self, of: str, everything: Sequence[PlacedPart], one: PlacedPart | None = None) -> list[str]:
         """Values for the parameters of a class that have none, from the parts that have one of that name."""
         bindings = []
         for parameter in (c.name for c in open_parameters(self.tree, of)):
@@ -297,10 +261,12 @@ class _Composer:
             bindings.append(f"{parameter}={donor.name}.{parameter}")
         return bindings
 
-    def _has(self, one: _Placed, parameter: str) -> bool:
+    def _has(self, one: PlacedPart, parameter: str) -> bool:
         return any(c.name == parameter for c in known_parameters(self.tree, one.part.qualified_name))
 
-    def _join(self, side: _Placed, end: ComponentInfo, muscle: _Placed, instruments: Sequence[_Placed]) -> None:
+    def _join(
+        self, side: PlacedPart, end: ComponentInfo, muscle: PlacedPart, instruments: Sequence[PlacedPart]
+    ) -> None:
         """Connects a part with the end of the muscle that has its type, through what lies between."""
         ends = [c for c in connectors(self.tree, muscle.part.qualified_name) if c.type == end.type]
         if not ends:
@@ -311,82 +277,27 @@ class _Composer:
             if not own or own[0].type != end.type:
                 continue
             if len(own) == 1:
-                self._connect(muscle_end, (instrument, own[0]))
+                self.drawing.connect(muscle_end, (instrument, own[0]))
             else:
-                self._connect(last, (instrument, own[0]))
+                self.drawing.connect(last, (instrument, own[0]))
                 last = (instrument, own[1])
-        self._connect(last, (side, end))
+        self.drawing.connect(last, (side, end))
 
-    def _connect(self, one: _End, other: _End) -> None:
-        joined = ", ".join(f"{placed.name}.{connector.name}" for placed, connector in (one, other))
-        points = ", ".join(f"{{{x:g},{y:g}}}" for x, y in _line(one, other))
-        self.draft.equations.append(f"connect({joined})\n    annotation (Line(points={{{points}}}))")
+    def _component(self, one: PlacedPart, everything: Sequence[PlacedPart]) -> None:
+        bound = [f"{d.name}={s}" for s, (part, n, d) in self.inputs.items() if (part, n) == (one.part, one.number)]
+        self.drawing.add(one, [*bound, *self._bindings(one.part.qualified_name, everything, one)])
 
-    def _signal(self, signal: str, reader: _Placed) -> None:
-        declared = next(
-            c
-            for c in measured_outputs(self.tree, reader.part.qualified_name)
-            if _numbered(c.name, reader.number) == signal
-        )
-        self.draft.outputs[signal] = declared
-        self.draft.equations.append(f"{signal} = {reader.name}.{declared.name}")
+    def _signal(self, signal: str, reader: PlacedPart) -> None:
+        outputs = measured_outputs(self.tree, reader.part.qualified_name)
+        declared = next(c for c in outputs if _numbered(c.name, reader.number) == signal)
+        self.drawing.read(signal, reader, declared)
 
-    def _text(self, name: str, frame: str, everything: Sequence[_Placed]) -> str:
-        draft = self.draft
+    def _text(self, name: str, frame: str, everything: Sequence[PlacedPart]) -> str:
+        inputs = {signal: declared for signal, (_, _, declared) in self.inputs.items()}
         low = (-190, min(one.corner[1] for one in everything) - 20)
         high = (160 + 320 * (len(self.numbers) - 1), 120)
-        imposed = {signal: declared for signal, (_, _, declared) in self.inputs.items()}
-        inputs = declarations(self.tree, "input", imposed, low, high)
-        outputs = declarations(self.tree, "output", draft.outputs, low, high)
-        says = "; ".join([self.hold.description, *map(_lower, (self.feed.description, self.held.description))])
         bindings = self._bindings(frame, everything)
-        lines = [f"model {name} {string_text(says)}"]
-        lines.append(f"  extends {frame}({', '.join(bindings)});" if bindings else f"  extends {frame};")
-        lines += [f"  {line};" for line in (*inputs, *outputs, *draft.components)]
-        lines += ["equation", *(f"  {line};" for line in draft.equations)]
-        experiment = self.tree.classes[frame].annotations.get("experiment")
-        info = string_text("\n".join(self._documentation()))
-        extent = f"{{{{{low[0]},{low[1]}}},{{{high[0]},{high[1]}}}}}"
-        diagram = f"Diagram(coordinateSystem(preserveAspectRatio=true, extent={extent}))"
-        notes = ",\n    ".join(filter(None, (diagram, experiment, f"Documentation(info={info})")))
-        return "\n".join([*lines, f"  annotation ({notes});", f"end {name};", ""])
-
-    def _documentation(self) -> Iterator[str]:
-        yield "<html>"
-        yield "".join(f"<p>{escape(part.description)}.</p>" for part in (self.feed, self.hold, self.held))
-        yield "<ul>"
-        for signal, (_, _, declared) in self.inputs.items():
-            yield f"<li>input <code>{escape(signal)}</code>: {escape(declared.description)}</li>"
-        for signal, declared in self.draft.outputs.items():
-            yield f"<li>output <code>{escape(signal)}</code>: {escape(declared.description)}</li>"
-        yield "</ul>"
-        used = ", ".join(f"<code>{escape(p.qualified_name)}</code>" for p in (self.feed, self.hold, self.held))
-        yield f"<p>Equations and sources: {used}.</p>"
-        yield "</html>"
-
-
-def _line(one: _End, other: _End) -> list[_Point]:
-    """Corners of a line between two connectors, level and upright, that leaves each away from its part."""
-    (a, a_up), (b, b_up) = _exit(one), _exit(other)
-    if a_up and b_up:
-        across = min(a[1], b[1]) + _CLEAR
-        points = [a, (a[0], across), (b[0], across), b]
-    elif a_up:
-        points = [a, (a[0], b[1]), b]
-    elif b_up:
-        points = [a, (b[0], a[1]), b]
-    else:
-        middle = (a[0] + b[0]) / 2
-        points = [a, (middle, a[1]), (middle, b[1]), b]
-    return [a, b] if a[0] == b[0] or a[1] == b[1] else points
-
-
-def _exit(end: _End) -> tuple[_Point, bool]:
-    """Where a connector stands in the diagram, and whether it is at the top or the bottom of its part."""
-    placed, connector = end
-    x, y = connector.position or (0.0, 0.0)
-    left, low = placed.corner
-    return (left + _HALF * (1 + x / 100), low + _HALF * (1 + y / 100)), abs(y) > abs(x)
+        return self.drawing.text(name, frame, bindings, (self.feed, self.hold, self.held), inputs, (low, high))
 
 
 def _numbered(name: str, number: int) -> str:
@@ -396,10 +307,6 @@ def _numbered(name: str, number: int) -> str:
 def _asked(measure: str | Sequence[str]) -> list[str]:
     listed = [measure] if isinstance(measure, str) else measure
     return [name for one in listed for name in split(one)]
-
-
-def _lower(text: str) -> str:
-    return text[:1].lower() + text[1:]
 
 
 def _outers(tree: ClassTree, name: str, seen: set[str]) -> set[tuple[str, str]]:

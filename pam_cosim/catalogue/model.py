@@ -6,7 +6,7 @@ import re
 from collections.abc import Sequence
 from pathlib import Path
 
-from pam_cosim.catalogue.place import meant, qualified
+from pam_cosim.catalogue.place import possible_names, qualified
 from pam_cosim.compiler import read_library
 from pam_cosim.resources import modelica_root
 
@@ -23,7 +23,7 @@ def full_name(model: str, files: Sequence[Path] = ()) -> str:
         return model
     root = modelica_root()
     packages = [file.parent.name for file in sorted(root.glob("*/package.mo"))]
-    for name in meant(model, packages):
+    for name in possible_names(model, packages):
         if root.joinpath(*name.split(".")).with_suffix(".mo").is_file():
             return name
     return qualified(read_library(files=files), model)

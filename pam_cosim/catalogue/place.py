@@ -51,11 +51,11 @@ def qualified(tree: ClassTree, model: str) -> str:
 
     ``Isotonic`` and ``Examples.ButylIsotonic`` will do, and a name that a package inherits; anything else as it is.
     """
-    found = (tree.resolve("", name) for name in meant(model, libraries(tree)))
+    found = (tree.resolve("", name) for name in possible_names(model, libraries(tree)))
     return next(filter(None, found), model)
 
 
-def meant(model: str, packages: Sequence[str]) -> list[str]:
+def possible_names(model: str, packages: Sequence[str]) -> list[str]:
     """What a name may stand for, the likeliest first."""
     return [*(f"{p}.{BENCHES}.{model}" for p in packages), model, *(f"{p}.{model}" for p in packages)]
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import re
 from collections.abc import Callable, Sequence
 from pathlib import Path
@@ -15,9 +14,10 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.description import model_identifier
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_file
-from pam_cosim.model.settings import settable, value_of
+from pam_cosim.model.settings import value_of
 from pam_cosim.sweeps import MOST_RUNS
-from pam_cosim.sweeps.patterns import varies_inputs
+from pam_cosim.sweeps.patterns import INPUTS
+from pam_cosim.sweeps.spans import alike
 
 TABLES = (".csv", ".nc", ".parquet")
 
@@ -70,51 +70,24 @@ def parse_named(words: Sequence[str]) -> dict[str, str]:
     return named
 
 
-def parse_variations(
-    words: Sequence[str], interface: Interface, *, ranges: bool = False
-) -> dict[str, list[float] | list[str]]:
-    """``NAME=FROM:TO:N`` or ``NAME=A,B,C`` words to lists of values [SI]; with ``ranges``, ``NAME=FROM:TO`` words.
+def parse_varied(words: Sequence[str]) -> dict[str, str | list[str]]:
+    """``NAME=FROM:TO:N``, ``NAME=FROM:TO`` and ``NAME=A,B,C`` words: spans and lists of texts by name.
 
-    ``inputs=A.csv,B.csv`` stays a list of texts, of files or of formulas.
+    ``inputs=A.csv,B.csv`` is a list of files or of formulas.
 
     Raises:
-        InputError: not of that form, a name twice, and as ``settings.value_of``.
+        InputError: not of that form, or a name twice.
     """
-    variations: dict[str, list[float] | list[str]] = {}
+    varied: dict[str, str | list[str]] = {}
     for word in words:
-        name, text = _split(word, "NAME=FROM:TO" if ranges else "NAME=FROM:TO:N or NAME=A,B,C")
-        if name in variations:
+        name, text = _split(word, "NAME=FROM:TO:N or NAME=A,B,C")
+        if name in varied:
             raise InputError(f"'{name}' is varied twice")
-        if varies_inputs({name: text}, interface):
-            variations[name] = [one.strip() for one in text.split(",")]
-        elif ranges:
-            variations[name] = _ends(text, word, settable(name, interface))
-        elif ":" in text:
-            variations[name] = _evenly(text, word, settable(name, interface))
+        if name == INPUTS:
+            varied[name] = [one.strip() for one in text.split(",")]
         else:
-            variable = settable(name, interface)
-            variations[name] = [value_of(part, variable) for part in _alike(text.split(","), word)]
-    return variations
-
-
-def _ends(text: str, word: str, variable: Variable) -> list[float]:
-    """``FROM:TO``."""
-    if text.count(":") != 1:
-        raise InputError(f"'{word}': write FROM:TO, such as 1:10; --runs says how many")
-    return [value_of(part, variable) for part in _alike(text.split(":"), word)]
-
-
-def _evenly(text: str, word: str, variable: Variable) -> list[float]:
-    """``FROM:TO:N``."""
-    parts = text.split(":")
-    if len(parts) != 3 or not parts[2].strip().isdecimal() or int(parts[2]) < 1:
-        raise InputError(f"'{word}': write FROM:TO:N, such as 1:10:5")
-    if int(parts[2]) > MOST_RUNS:
-        raise InputError(f"'{word}': a sweep has {MOST_RUNS} runs at most")
-    low, high = (value_of(part, variable) for part in _alike(parts[:2], word))
-    if not math.isfinite(high - low):
-        raise InputError(f"'{word}': its ends are too far apart")
-    return [float(value) for value in np.linspace(low, high, int(parts[2]))]
+            varied[name] = text if ":" in text else alike(text.split(","), word)
+    return varied
 
 
 def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list[float]:
@@ -166,7 +139,7 @@ def parse_limits(words: Sequence[str]) -> dict[str, tuple[str, str]]:
         ends = text.split(":")
         if len(ends) != 2:
             raise InputError(f"'{word}': write NAME=FROM:TO, such as u_in='0 A:0.35 A'")
-        low, high = _alike([end.strip() for end in ends], word)
+        low, high = alike([end.strip() for end in ends], word)
         limits[name] = (low, high)
     return limits
 
@@ -200,7 +173,7 @@ def parse_frequencies(text: str) -> list[float]:
         return [value_of(part, frequency) for part in text.split(",")]
     if len(parts) != 3 or not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST_RUNS:
         raise InputError(f"'{text}': write FROM:TO:N, such as 0.1:20:16")
-    low, high = (value_of(part, frequency) for part in _alike(parts[:2], text))
+    low, high = (value_of(part, frequency) for part in alike(parts[:2], text))
     if not 0 < low <= high:
         raise InputError(f"'{text}': frequencies must be above zero, the lower one first")
     return [float(v) for v in np.geomspace(low, high, int(parts[2]))]
@@ -209,23 +182,6 @@ def parse_frequencies(text: str) -> list[float]:
 def _parts(word: str) -> list[str]:
     """The parts between commas, but for those in brackets."""
     return [part for part in re.split(r",(?![^\[]*\])", word) if part.strip()]
-
-
-def _alike(texts: list[str], word: str) -> list[str]:
-    """The same texts; "138, 207 kPa" would be 138 Pa and 207 kPa."""
-    if not all(text.strip() for text in texts):
-        raise InputError(f"'{word}': a value is missing")
-    if len({_is_number(text) for text in texts}) > 1:
-        raise InputError(f"'{word}': some of the values have a unit and some have none; write it with each of them")
-    return texts
-
-
-def _is_number(text: str) -> bool:
-    try:
-        float(text)
-    except ValueError:
-        return False
-    return True
 
 
 def _split(word: str, form: str) -> tuple[str, str]:

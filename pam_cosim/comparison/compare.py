@@ -12,6 +12,7 @@ from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.errors import InputError
+from pam_cosim.files import plain
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
@@ -94,29 +95,26 @@ class Comparison(Printed):
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        roles = {
-            role: {"signals": {n: s.as_dict() for n, s in scores.items()}}
-            for role, scores in self.scores.items()
-            if scores
-        }
-        return {
+        content = {
             "model": self.model,
             "parameters": self.parameters,
-            "signals": {n: s.as_dict() for n, s in self.scores["all"].items()},
-            "roles": roles,
-            "runs": [
-                {
-                    "name": r.run.name,
-                    "role": r.run.role,
-                    "parameters": dict(r.run.parameters),
-                    **_start_of(r),
-                    **({"solver": r.solver} if r.solver else {}),
-                    "signals": {n: s.as_dict() for n, s in score([r], self.data.signals).items()},
-                }
-                for r in self.runs
-            ],
-            "where": [vars(rule) for rule in self.where],
-            "doubts": [vars(doubt) for doubt in self.doubts],
+            "signals": self.scores["all"],
+            "roles": {role: {"signals": scores} for role, scores in self.scores.items() if scores},
+            "runs": [self._run_as_dict(run) for run in self.runs],
+            "where": self.where,
+            "doubts": self.doubts,
+        }
+        return dict(plain(content))
+
+    def _run_as_dict(self, one: RunComparison) -> dict[str, object]:
+        solver = {"solver": one.solver} if one.solver else {}
+        return {
+            "name": one.run.name,
+            "role": one.run.role,
+            "parameters": one.run.parameters,
+            **_start_of(one),
+            **solver,
+            "signals": score([one], self.data.signals),
         }
 
     def __str__(self) -> str:

@@ -44,13 +44,13 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
         return unknown
     gains: dict[int, float] = {}
     total = 0.0
-    tables, parts = _features(runs), _parts(runs)
+    tables, parts = _features(runs), _left_out_parts(runs)
     for signal in signals.values():
         seen = [r if r.run.sample_count(signal.name) else None for r in runs]
         pieces = _pieces(tables, seen, parts, signal) if signal.fitted else {}
         if len(pieces) < 2:
             continue
-        total += sum(_samples(r.residual(signal.name), signal) for r in seen if r is not None)
+        total += sum(_effective_samples(r.residual(signal.name), signal) for r in seen if r is not None)
         for number, gain in _gains(pieces).items():
             gains[number] = gains.get(number, 0.0) + gain
     if total == 0 or len(gains) < 2:
@@ -68,9 +68,7 @@ def _pieces(
 ) -> dict[int, tuple[Array, Array]]:
     """Features and weighted residuals of each part that has samples, by its number."""
     name = signal.name
-    residuals = [
-        None if r is None else weighted(r.residual(name), signal, r.run.measurements[name]) for r in runs
-    ]
+    residuals = [None if r is None else weighted(r.residual(name), signal, r.run.measurements[name]) for r in runs]
     pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}
     return {number: piece for number, piece in pieces.items() if piece is not None}
 
@@ -88,12 +86,12 @@ def _gains(pieces: Mapping[int, tuple[Array, Array]]) -> dict[int, float]:
     return gains
 
 
-def _samples(error: Array, signal: Signal) -> float:
+def _effective_samples(error: Array, signal: Signal) -> float:
     """How many samples an error counts for, missing ones aside."""
     return float(np.sum(expected_squares(error[np.isfinite(error)], signal)))
 
 
-def _parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:
+def _left_out_parts(runs: Sequence[RunComparison]) -> list[tuple[int, slice]]:
     """What is left out in turn: whole runs, or thirds of the few there are."""
     if len(runs) >= CRITERIA.residuals.runs_to_leave_out:
         return [(i, slice(None)) for i in range(len(runs))]
@@ -132,7 +130,7 @@ def _rates(r: RunComparison) -> Array:
     """(n, outputs) of the model; of points at rest, in their place, what is imposed."""
     if r.run.is_static:
         return np.column_stack(list(r.run.inputs.values()))
-    return _each(_rate, r.run.time, list(r.model.values()))
+    return _column_by_column(_rate, r.run.time, list(r.model.values()))
 
 
 def _past(r: RunComparison, inputs: Sequence[str]) -> Array:
@@ -144,7 +142,7 @@ def _past(r: RunComparison, inputs: Sequence[str]) -> Array:
     )
 
 
-def _each(function: Callable[[Array, Array], Array], time: Array, columns: Sequence[Array]) -> Array:
+def _column_by_column(function: Callable[[Array, Array], Array], time: Array, columns: Sequence[Array]) -> Array:
     return np.column_stack([function(time, v) for v in columns])
 
 

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -11,6 +11,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residual_statistics import Series, lag_one
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.rounding import expected_squares, weighted
+from pam_cosim.files import plain_fields
 from pam_cosim.measurement import Signal
 
 
@@ -51,7 +52,7 @@ class SignalScore:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON; a number that does not exist is None."""
-        return {k: None if isinstance(v, float) and not np.isfinite(v) else v for k, v in asdict(self).items()}
+        return plain_fields(self)
 
 
 def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore | None:

@@ -11,7 +11,7 @@ _ROUNDING = 1e-12  # of the largest time: times that are closer are one
 _BEGUN = 1e-9  # of a step, after whose begin an input is on the line that it follows over the step
 
 
-class Courses:
+class InputLines:
     """The lines that inputs follow, by component and variable.
 
     Args:

@@ -10,7 +10,7 @@ from typing import Any, Literal
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.cosimulation.courses import Courses
+from pam_cosim.cosimulation.courses import InputLines
 from pam_cosim.cosimulation.loops import evaluation_order, torn
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, CoupledFmu, Port
 from pam_cosim.cosimulation.sampling import sampled
@@ -135,7 +135,7 @@ class Network:
         self._loop = list(dict.fromkeys(c.source for c in cut)) if loops == "iterate" else []
         self._passes = evaluation_order(components, kept, cut)
         self._feeds = {name: [c for c in connections if c.target.component == name] for name in components}
-        self._courses = Courses(inputs)
+        self._courses = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self._read = _to_read(components, observed)
         self._start = start_time

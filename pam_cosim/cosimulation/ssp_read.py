@@ -7,26 +7,21 @@ nothing in it becomes a path.
 from __future__ import annotations
 
 import math
-import posixpath
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
-from functools import cache
 from pathlib import Path
 from typing import Any
-from urllib.parse import unquote, urlsplit
 
-from fmpy.ssp.ssd import validate_tree
 from lxml import etree
 
 from pam_cosim.cosimulation.parts import Connection, CoupledFmu, Port, joined
+from pam_cosim.cosimulation.ssp_entries import SspEntries
 from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Setting
-from pam_cosim.wording import shown
 
-_MOST_BYTES = 2 << 30  # of one entry of an archive, unpacked
 _MOST_SYSTEMS = 50  # one inside the other
 _Place = tuple[str, ...]  # names of the systems around an element, and its own
 
@@ -85,8 +80,8 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
     """
     try:
         with zipfile.ZipFile(file) as archive:
-            description = _described(_Entries(archive, file))
-            parts = _unpacked(_Entries(archive, file), description, folder, made)
+            description = _described(SspEntries(archive, file))
+            parts = _unpacked(SspEntries(archive, file), description, folder, made)
     except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as problem:
         raise InputError(f"this is not an SSP archive: {problem}", file) from problem
     names = {place: _name(place) for place in description.sources}
@@ -98,63 +93,7 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
     return Archive(parts, connections, parameters, description.title, description.stop_time)
 
 
-class _Entries:
-    """The files in an archive, by their names there."""
-
-    def __init__(self, archive: zipfile.ZipFile, file: Path) -> None:
-        self._archive, self.file = archive, file
-        self._known = {name: name for name in archive.namelist()}
-
-    def read(self, source: str, what: str) -> bytes:
-        """The content of the entry that a relative URI names."""
-        parts = urlsplit(source)
-        name = posixpath.normpath(unquote(parts.path))
-        if parts.scheme or parts.netloc or name.startswith(("/", "..")) or name not in self._known:
-            raise InputError(f"{what} is {shown(source)}, which is not in the archive", self.file)
-        if self._archive.getinfo(name).file_size > _MOST_BYTES:
-            raise InputError(f"{shown(name)} has more than {_MOST_BYTES >> 30} GiB", self.file)
-        return self._archive.read(name)
-
-    def tree(self, source: str, what: str, schema: str) -> Any:
-        """An XML document, valid by the standard's schema."""
-        parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
-        try:
-            root = etree.fromstring(self.read(source, what), parser)
-        except etree.XMLSyntaxError as problem:
-            raise InputError(f"{shown(source)} is not XML: {problem}", self.file) from problem
-        if root.getroottree().docinfo.doctype:
-            raise InputError(f"{shown(source)} declares a document type, which SSP does not have", self.file)
-        version, fault_in = ("2.0", _later_fault) if root.get("version") == "2.0" else ("1.0", _first_fault)
-        fault = fault_in(root, schema)
-        if fault:
-            raise InputError(f"{shown(source)} is not valid by SSP {version}: {fault}", self.file)
-        if next(root.iter(f"{{{NAMESPACES['ssc']}}}Dimension"), None) is not None:
-            raise InputError(f"{shown(source)} has arrays; only single numbers are read", self.file)
-        return root
-
-
-def _first_fault(root: Any, schema: str) -> str:
-    """What is wrong by SSP 1.0; empty: nothing."""
-    try:
-        validate_tree(root, schema)
-    except Exception as problem:  # FMPy raises it bare
-        return str(problem).split("\n")[-1]
-    return ""
-
-
-def _later_fault(root: Any, schema: str) -> str:
-    """What is wrong by SSP 2.0; empty: nothing."""
-    read = _later_schema(schema)
-    return "" if read.validate(root) else str(read.error_log[-1].message)
-
-
-@cache
-def _later_schema(name: str) -> etree.XMLSchema:
-    """A schema of SSP 2.0.1, as the project published it under the 2-Clause BSD licence."""
-    return etree.XMLSchema(file=str(Path(__file__).parent / "ssp_schema" / name))
-
-
-def _described(entries: _Entries) -> _Description:
+def _described(entries: SspEntries) -> _Description:
     root = entries.tree(DESCRIPTION, "the description", "SystemStructureDescription.xsd")
     system = root.find("ssd:System", NAMESPACES)
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
@@ -168,7 +107,7 @@ def _described(entries: _Entries) -> _Description:
     return description
 
 
-def _system(entries: _Entries, system: Any, place: _Place, description: _Description) -> None:
+def _system(entries: SspEntries, system: Any, place: _Place, description: _Description) -> None:
     if len(place) > _MOST_SYSTEMS:
         raise InputError("systems are nested too deeply", entries.file)
     description.systems.add(place)
@@ -189,7 +128,7 @@ def _system(entries: _Entries, system: Any, place: _Place, description: _Descrip
         description.wires.append(_wire(entries, element, place))
 
 
-def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
+def _wire(entries: SspEntries, element: Any, place: _Place) -> _Wire:
     def end(which: str) -> tuple[_Place, str]:
         name = element.get(f"{which}Element")
         return ((*place, _plain(name)) if name else place), _plain(str(element.get(f"{which}Connector")))
@@ -205,7 +144,7 @@ def _wire(entries: _Entries, element: Any, place: _Place) -> _Wire:
     return _Wire(end("start"), end("end"), convert=not plain)
 
 
-def _bindings(entries: _Entries, element: Any, place: _Place, description: _Description) -> None:
+def _bindings(entries: SspEntries, element: Any, place: _Place, description: _Description) -> None:
     for binding in element.iterfind("ssd:ParameterBindings/ssd:ParameterBinding", NAMESPACES):
         mapping = _mapping(entries, binding.find("ssd:ParameterMapping", NAMESPACES))
         if binding.get("source"):
@@ -223,7 +162,7 @@ def _bindings(entries: _Entries, element: Any, place: _Place, description: _Desc
                     description.values.append((place, _plain(target), _transformed(entries, value, transformation)))
 
 
-def _mapping(entries: _Entries, element: Any) -> dict[str, list[tuple[str, Any]]] | None:
+def _mapping(entries: SspEntries, element: Any) -> dict[str, list[tuple[str, Any]]] | None:
     """Names of parameters to the names that they stand for, with how their values change; None: by their own names."""
     if element is None:
         return None
@@ -238,7 +177,7 @@ def _mapping(entries: _Entries, element: Any) -> dict[str, list[tuple[str, Any]]
     return targets
 
 
-def _transformed(entries: _Entries, value: Setting, transformation: Any) -> Setting:
+def _transformed(entries: SspEntries, value: Setting, transformation: Any) -> Setting:
     if transformation is None:
         return value
     if etree.QName(transformation).localname != "LinearTransformation" or isinstance(value, str):
@@ -254,7 +193,7 @@ def _plain(text: str) -> str:
     return "".join(c if c.isprintable() else "_" for c in text)
 
 
-def _value(entries: _Entries, parameter: Any) -> Setting:
+def _value(entries: SspEntries, parameter: Any) -> Setting:
     kinds = (parameter.find(f"ssv:{kind}", NAMESPACES) for kind in ("Real", "Float64", "Float32"))
     real = next((one for one in kinds if one is not None), None)
     try:
@@ -268,7 +207,7 @@ def _value(entries: _Entries, parameter: Any) -> Setting:
 
 
 def _unpacked(
-    entries: _Entries, description: _Description, folder: Path, made: Callable[[str, Path], CoupledFmu]
+    entries: SspEntries, description: _Description, folder: Path, made: Callable[[str, Path], CoupledFmu]
 ) -> dict[str, CoupledFmu]:
     parts: dict[str, CoupledFmu] = {}
     files: dict[str, Path] = {}

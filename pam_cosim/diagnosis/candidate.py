@@ -6,6 +6,7 @@ import math
 from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import SignalScore
+from pam_cosim.files import plain
 from pam_cosim.fitting import Estimate, Fit, WithoutPriors, without_priors
 from pam_cosim.measurement import ROLES
 from pam_cosim.units import format_quantity
@@ -57,15 +58,16 @@ class Candidate:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        content: dict[str, object] = {
             **_tried(self),
-            "delta_bic": None if self.delta_bic != self.delta_bic else self.delta_bic,
+            "delta_bic": self.delta_bic,
             "probability": self.probability,
             "failure": None,
             **{role: role_summary(self.fit, role) for role in ROLES},
-            "parameters": {n: e.as_dict() for n, e in self.fit.parameters.items()},
-            "own_parameters": list(self.own_parameters),
+            "parameters": self.fit.parameters,
+            "own_parameters": self.own_parameters,
         }
+        return dict(plain(content))
 
 
 @dataclass(frozen=True)

@@ -119,9 +119,8 @@ class Check(Printed):
 
     def _about_families(self) -> list[str]:
         best, visible, hidden = self.told.families, self.told.visible, self.told.hidden
-        limits = {family: _detection_limit_text(one) for family, one in best.items()}
-        shown = [text for family, text in limits.items() if family in visible]
-        faint = [text for family, text in limits.items() if family not in visible and family not in hidden]
+        shown = [_detection_limit_text(best[family]) for family in best if family in visible]
+        faint = [_detection_limit_text(best[family]) for family in best if family not in {*visible, *hidden}]
         lines = ["families of effects that would show, and from where on:", *(shown or ["  none"])]
         if faint:
             lines += ["families that would show only if they were stronger than usual:", *faint]

@@ -37,6 +37,7 @@ from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import Subject, subject_of
 from pam_cosim.diagnosis.verdict import Verdict, explained, judge, nearest, rivals, with_facts, with_posterior
 from pam_cosim.errors import InputError
+from pam_cosim.files import plain
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
@@ -128,34 +129,34 @@ class Diagnosis(Printed):
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         base = role_summary(self.base, "fit") or {}
-        base |= {"holdout": role_summary(self.base, "holdout"), "model": self.model}
-        base["parameters"] = {n: e.as_dict() for n, e in self.base.parameters.items()}
-        return {
+        base |= {"holdout": role_summary(self.base, "holdout"), "model": self.model, "parameters": self.base.parameters}
+        content = {
             "title": self.data.title,
             "base": base,
-            "where": [vars(r) for r in self.base.comparison.where],
+            "where": self.base.comparison.where,
             "balance": self.balance,
-            "candidates": [*(c.as_dict() for c in self.candidates), *(c.as_dict() for c in self.failed)],
-            "verdict": self.verdict.as_dict(),
+            "candidates": [*self.candidates, *self.failed],
+            "verdict": self.verdict,
             "final": self._final(),
-            "folds": self.folds.as_dict() if self.folds else None,
-            "doubts": [vars(doubt) for doubt in self.final.comparison.doubts],
+            "folds": self.folds,
+            "doubts": self.final.comparison.doubts,
             "outliers": self.outliers,
             "step_times": self.step_times,
-            "rivals": [list(effects) for effects in self.rivals],
-            "next_experiment": self.next_experiment.as_dict() if self.next_experiment else None,
+            "rivals": self.rivals,
+            "next_experiment": self.next_experiment,
             "missing_term": self._missing(),
-            "untried": [list(names) for names in self.untried],
+            "untried": self.untried,
             "not_tried": self.not_tried,
             "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
         }
+        return dict(plain(content))
 
     def _final(self) -> dict[str, object]:
         """The model that the verdict is about: what it is made of, its values and its scores."""
         return {
             "model": self.model,
             "effects": [c.effect for c in self.path],
-            "parameters": {n: e.as_dict() for n, e in self.final.parameters.items()},
+            "parameters": self.final.parameters,
             "constants": self.data.constants,
             **{role: role_summary(self.final, role) for role in ROLES},
         }

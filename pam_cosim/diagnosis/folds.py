@@ -18,7 +18,7 @@ from pam_cosim.diagnosis.search import FitRequest, Search
 from pam_cosim.diagnosis.subject import Subject
 from pam_cosim.diagnosis.verdict import Verdict
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.model.references import is_ratio
@@ -64,7 +64,7 @@ class Folds:
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         worst = {name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()}
-        return {**plain(self), "worst": worst}
+        return {**plain_fields(self), "worst": worst}
 
 
 @dataclass(frozen=True)

@@ -8,7 +8,7 @@ import numpy as np
 
 from pam_cosim.comparison import Rule
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.files import plain
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit
 
 
@@ -43,7 +43,7 @@ class MissingTerm:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return dict(plain(self))
+        return plain_fields(self)
 
 
 def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:

@@ -7,12 +7,13 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain
+from pam_cosim.files import plain_fields
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
@@ -52,7 +53,7 @@ class NextExperiment:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return dict(plain(self))
+        return plain_fields(self)
 
 
 RivalPlan = tuple[Candidate, NextExperiment | None]
@@ -74,17 +75,18 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
             return None
         evidence, run, change = max(usable, key=lambda entry: entry[0])
         samples = len(first.sigma) * len(run.time)
-        known = first.interface
+        variables = first.interface.inputs | first.interface.parameters
+    varied = _varied(data)
     return NextExperiment(
         run=run.name,
         change=change,
         separation=float(np.sqrt(evidence / samples)),
         evidence=evidence,
         between=(a.family, b.family),
-        parameters={n: run.parameters[n] for n in _varied(data)},
+        parameters={name: run.parameters[name] for name in varied},
         interpolation=run.interpolation,
         table=_table(run),
-        units={v: (known.inputs | known.parameters)[v].unit for v in [*run.inputs, *_varied(data)]},
+        units={name: variables[name].unit for name in (*run.inputs, *varied)},
     )
 
 
@@ -114,7 +116,8 @@ def _is_same_in_practice(best: Candidate, rival: Candidate, plan: NextExperiment
 
 def _varied(data: DataSet) -> list[str]:
     """Parameters that differ between runs: the experimenter can set them."""
-    return [n for n in data.runs[0].parameters if len({r.parameters.get(n) for r in data.runs}) > 1]
+    values = {name: {run.parameters.get(name) for run in data.runs} for name in data.runs[0].parameters}
+    return [name for name, different in values.items() if len(different) > 1]
 
 
 def variations(
@@ -127,32 +130,46 @@ def variations(
         runs: which to vary; default all.
         factors: on each input and parameter.
     """
+    varied = _varied(data)
     for run in data.runs if runs is None else runs:
         yield run, "repeat it as it is"
         for factor in factors:
-            for name, values in run.inputs.items():
-                if np.any(values != 0) and name != BRANCH:
-                    yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"
-            for name in _varied(data):
-                if name in run.parameters:
-                    value = run.parameters[name] * factor
-                    yield replace(run, parameters={**run.parameters, name: value}), f"{name} times {factor:g}"
+            yield from _scaled(run, factor, varied)
         if run.inputs and not run.is_static:
             for pace in CRITERIA.next_experiment.paces:
                 time = run.time[0] + (run.time - run.time[0]) * pace
                 yield replace(run, time=time), f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}"
 
 
+def _scaled(run: Run, factor: float, parameters: Sequence[str]) -> Iterator[tuple[Run, str]]:
+    """A run with one of its inputs, or of these parameters, times a factor."""
+    for name, values in run.inputs.items():
+        if np.any(values != 0) and name != BRANCH:
+            yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"
+    for name in parameters:
+        if name in run.parameters:
+            value = run.parameters[name] * factor
+            yield replace(run, parameters={**run.parameters, name: value}), f"{name} times {factor:g}"
+
+
 def _combined_changes(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
     """The two best changes of the best run in one."""
-    order = sorted((entry for entry in scored if entry[0] is not None), key=lambda entry: -(entry[0] or 0.0))
-    best = [entry for entry in order if order and entry[1].name == order[0][1].name]
-    best = best[: CRITERIA.next_experiment.joined]
-    original = next((run for _, run, change in scored if best and run.name == best[0][1].name), None)
-    for i, (_, one, change) in enumerate(best):
-        for _, two, other in best[:i]:
-            if original is not None and change.split(" times ")[0] != other.split(" times ")[0]:
+    usable = [(evidence, run, change) for evidence, run, change in scored if evidence is not None]
+    if not usable:
+        return
+    usable.sort(key=lambda entry: -entry[0])
+    name = usable[0][1].name
+    best = [(run, change) for _, run, change in usable if run.name == name][: CRITERIA.next_experiment.joined]
+    original = next(run for _, run, _ in scored if run.name == name)
+    for i, (one, change) in enumerate(best):
+        for two, other in best[:i]:
+            if _changed_thing(change) != _changed_thing(other):
                 yield _combined_run(original, one, two), f"{other} and {change}"
+
+
+def _changed_thing(change: str) -> str:
+    """What a change is of: an input, a parameter, or the pace."""
+    return change.split(" times ")[0]
 
 
 def _combined_run(original: Run, one: Run, two: Run) -> Run:
@@ -169,15 +186,19 @@ def _table(run: Run) -> dict[str, list[float]]:
         return {name: values.tolist() for name, values in run.inputs.items()}
     if not run.inputs:
         return {"time": [float(run.time[0]), float(run.time[-1])]}
-    columns = np.column_stack(list(run.inputs.values()))
-    kept = np.ones(len(run.time), dtype=bool)
+    bends = np.ones(len(run.time), dtype=bool)
     if len(run.time) > 2:
-        step = np.diff(run.time)[:, None]
-        slope = np.divide(np.diff(columns, axis=0), step, out=np.full_like(columns[1:], np.inf), where=step > 0)
-        held = run.interpolation == "previous"
-        change = (
-            np.diff(columns[:-1], axis=0) != 0 if held else ~np.isclose(slope[1:], slope[:-1], rtol=1e-6, atol=1e-12)
-        )
-        kept[1:-1] = change.any(axis=1)
-    values = {n: v[kept].tolist() for n, v in run.inputs.items()}
-    return {"time": run.time[kept].tolist(), **values}
+        bends[1:-1] = _bends(run).any(axis=1)
+    values = {name: column[bends].tolist() for name, column in run.inputs.items()}
+    return {"time": run.time[bends].tolist(), **values}
+
+
+def _bends(run: Run) -> NDArray[np.bool_]:
+    """(n - 2, inputs) whether each input changes its value, or its slope, at each row but the first and the last."""
+    columns = np.column_stack(list(run.inputs.values()))
+    rise = np.diff(columns, axis=0)
+    if run.interpolation == "previous":
+        return np.asarray(rise[:-1] != 0)
+    step = np.diff(run.time)[:, None]
+    slope = np.divide(rise, step, out=np.full_like(rise, np.inf), where=step > 0)
+    return np.asarray(~np.isclose(slope[1:], slope[:-1], rtol=1e-6, atol=1e-12))

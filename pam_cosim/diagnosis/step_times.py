@@ -188,12 +188,14 @@ class _StepTimes:
         residual, slopes, room = self._about(objective)
         parts = [slice(a, b) for a, b in itertools.pairwise(objective.ends)]
         fitted = [i for i, run in enumerate(self.data.runs) if run.role == "fit"]
-        rows = [slopes[parts[i]] for i in fitted]
-        change, times = self._solve(fitted, rows, [residual[parts[i]] for i in fitted], room)
-        for i in range(len(self.data.runs)):
-            if i not in times and len(self._rows[i]):
-                left = residual[parts[i]] - slopes[parts[i]] @ change
-                times |= self._solve([i], [slopes[parts[i]][:, :0]], [left], (room[0][:0], room[1][:0]))[1]
+        rows, residuals = [slopes[parts[i]] for i in fitted], [residual[parts[i]] for i in fitted]
+        change, times = self._solve(fitted, rows, residuals, room)
+        nothing = np.zeros(0)
+        for i, part in enumerate(parts):
+            if i not in times and len(self._rows[i]):  # a held-out run finds its own times beside these parameters
+                left = residual[part] - slopes[part] @ change
+                _, of_run = self._solve([i], [slopes[part][:, :0]], [left], (nothing, nothing))
+                times |= of_run
         self._times = [times.get(i, t) for i, t in enumerate(self._times)]
         self.data = self._with(self._times)
         return [f.starting_at(f.to_value(f.to_z(f.start) + float(c))) for f, c in zip(free, change, strict=True)]
@@ -202,21 +204,29 @@ class _StepTimes:
         self, runs: Sequence[int], rows: Sequence[Array], left: Sequence[Array], room: tuple[Array, Array]
     ) -> tuple[Array, dict[int, Array]]:
         """The change of the parameters and the times of the steps of some runs that leave least, all within bounds."""
-        counts = [len(self._rows[i]) for i in runs]
-        at = np.cumsum([rows[0].shape[1], *counts])
-        matrix = np.zeros((sum(map(len, left)), at[-1]))
-        row = 0
+        parameters = rows[0].shape[1]
+        first_time = parameters + np.cumsum([0, *(len(self._rows[i]) for i in runs)])
+        matrix = np.zeros((sum(map(len, left)), first_time[-1]))
+        ends = np.cumsum([0, *map(len, left)])
         for n, i in enumerate(runs):
-            here = slice(row, row + len(left[n]))
-            matrix[here, : at[0]], matrix[here, at[n] : at[n + 1]] = rows[n], self._slopes_of(i)
-            row += len(left[n])
+            of_run = slice(ends[n], ends[n + 1])
+            matrix[of_run, :parameters] = rows[n]
+            matrix[of_run, first_time[n] : first_time[n + 1]] = self._slopes_of(i)
+        earliest, latest = self._limits_of_times(runs)
         now = np.concatenate([np.zeros(0), *(self._times[i] for i in runs)])
-        edges = [(self._low[i], self._high[i], _INSIDE * (self._high[i] - self._low[i])) for i in runs]
-        low = np.concatenate([room[0], np.concatenate([a + e for a, _, e in edges]) - now])
-        high = np.concatenate([room[1], np.concatenate([b - e for _, b, e in edges]) - now])
-        step = bounded_least_squares(matrix, np.concatenate(left), np.minimum(low, 0.0), np.maximum(high, 0.0))
-        own = step[at[0] :] + now
-        return step[: at[0]], {i: own[at[n] - at[0] : at[n + 1] - at[0]] for n, i in enumerate(runs)}
+        low = np.minimum(np.concatenate([room[0], earliest - now]), 0.0)
+        high = np.maximum(np.concatenate([room[1], latest - now]), 0.0)
+        step = bounded_least_squares(matrix, np.concatenate(left), low, high)
+        times = step[parameters:] + now
+        parts = np.split(times, first_time[1:-1] - parameters)
+        return step[:parameters], dict(zip(runs, parts, strict=True))
+
+    def _limits_of_times(self, runs: Sequence[int]) -> tuple[Array, Array]:
+        """Between which each step of some runs can come [s]: inside its interval, off the samples at its ends."""
+        low = np.concatenate([self._low[i] for i in runs])
+        high = np.concatenate([self._high[i] for i in runs])
+        margin = _INSIDE * (high - low)
+        return low + margin, high - margin
 
 
 def _finite(objective: Objective, residual: Array) -> Array:

@@ -77,10 +77,23 @@ def take_bench(
     elif known.points:
         candidates = [one for one in candidates if _all_imposed(one)]
     choice = choose(candidates, known.columns, known.asked, known.formulas, len(known.sources), _stated_inputs(known))
-    if not choice.ports.parts:
-        return Bench(choice, choice.ports.name, describe(choice.ports.name), _why(choice), None, True)
-    file = place / f"{name}.mo"
-    file.write_text(_composed(choice, name, known, tree, muscle), encoding="utf-8", newline="\n")
+    if choice.ports.parts:
+        return _put_together(place / f"{name}.mo", choice, muscle, recorded, wishes, known, tree, describe)
+    return Bench(choice, choice.ports.name, describe(choice.ports.name), _why(choice), None, True)
+
+
+def _put_together(
+    file: Path,
+    choice: BenchChoice,
+    muscle: str | None,
+    recorded: Muscle | None,
+    wishes: DraftRequests,
+    known: ReadRecordings,
+    tree: ClassTree,
+    describe: Callable[[str], Interface],
+) -> Bench:
+    """The bench that is put together from parts, written to a file."""
+    file.write_text(_composed(choice, file.stem, known, tree, muscle), encoding="utf-8", newline="\n")
     made = _origin(file.name, choice, recorded)
     why = made if wishes.model else f"{_why(choice)}. {made}"
     return Bench(choice, file.name, describe(str(file)), why, recorded, muscle is None)

@@ -142,22 +142,21 @@ def meaning_of(variable: Variable) -> Meaning | None:
 def _feed(ports: Ports, given: _Feed) -> BenchChoice:
     """A bench with the columns that feed it best, and what that costs."""
     whole = [c for c in given.signals if len(c.values) == given.runs and c.whole]
-    free = [c for c in given.signals if not c.in_names]
     inputs, far_inputs = _assign(ports.inputs, whole, given)
     readable = _readable(ports)
-    outputs, far_outputs = _assign(readable, [c for c in free if c not in inputs.values()], given)
+    recorded = [c for c in given.signals if not c.in_names]
+    outputs, far_outputs = _assign(readable, [c for c in recorded if c not in inputs.values()], given)
     used = [*inputs.values(), *outputs.values()]
     fed = {*inputs, *given.formulas, *given.stated}
     unfed = tuple(name for name in ports.inputs if name not in fed and name != BRANCH)
-    left = _signals_among(free, used)
+    unread = readable.keys() - outputs.keys() - given.formulas.keys()
+    left = _signals_among(recorded, used)
     driven = _is_driven(ports, fed, left)
-    unread = [name for name in readable if name not in outputs and name not in given.formulas]
     measured = bool(outputs) or len(unread) < len(readable)
-    named = [name for name, column in inputs.items() if name == column.name]
     cost = _UNUSED * _unused(left, used) + _UNFED * len(unfed) + _ROUNDABOUT * (far_inputs + far_outputs)
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
-    cost -= _NAMED * len(named)
-    cost += _ISOMETRIC if _must_be_fixed(ports, used) else 0.0
+    cost -= _NAMED * sum(name == column.name for name, column in inputs.items())
+    cost += _ISOMETRIC * _must_be_fixed(ports, used)
     return BenchChoice(ports, inputs, outputs, unfed, (), cost, len(unread), driven and measured)
 
 

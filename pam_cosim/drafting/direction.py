@@ -21,23 +21,23 @@ SENSES = {1: "up", -1: "down", 0: "none"}
 """Directions as ``experiment.toml`` has them."""
 
 
-def with_senses(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
+def with_directions(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """The columns, of which those of a direction say which of their values is which way."""
-    return [_sensed(c, columns) if c.of("direction") else c for c in columns]
+    return [_with_directions(c, columns) if c.of("direction") else c for c in columns]
 
 
-def _sensed(column: RecordedColumn, columns: Sequence[RecordedColumn]) -> RecordedColumn:
+def _with_directions(column: RecordedColumn, columns: Sequence[RecordedColumn]) -> RecordedColumn:
     """A column of directions with the way that each of its values means; none, where it has more than three."""
     values = [float(v) for v in np.unique(column.every[np.isfinite(column.every)])]
     if len(values) > 3:
         return replace(column, meaning=None)
-    for kind, way in _TELLING:
+    for kind, sign in _TELLING:
         other = next((c for c in columns if c.of(kind)), None)
         if other is None:
             continue
-        senses = {v: _sign(way * _trend(column, other, v)) for v in values}
+        senses = {v: _sign(sign * _trend(column, other, v)) for v in values}
         if {1, -1} <= set(senses.values()):
-            verb = "rises" if way > 0 else "falls"
+            verb = "rises" if sign > 0 else "falls"
             up = next(v for v, sense in senses.items() if sense == 1)
             return replace(column, senses=senses, why=(f"'{other.name}' {verb} where it is {column.text_of(up)}",))
     if column.words:
@@ -74,24 +74,24 @@ def words_of(column: RecordedColumn) -> dict[str, str]:
     return {word: SENSES[column.senses.get(float(i), 0)] for i, word in enumerate(column.words)}
 
 
-def ordered(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
+def goes_up_and_down(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
     """Whether the rows go up and come back: then their order tells the direction of each."""
-    ways, fewest = _ways(inputs, units), CRITERIA.static.fewest
+    ways, fewest = _directions_of_rows(inputs, units), CRITERIA.static.fewest
     return int(np.sum(ways > 0)) >= fewest and int(np.sum(ways < 0)) >= fewest
 
 
-def moves(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
+def order_tells_direction(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
     """Whether the order of the rows tells any direction."""
-    return bool(_ways(inputs, units).any())
+    return bool(_directions_of_rows(inputs, units).any())
 
 
-def way(inputs: Mapping[str, Array], units: Mapping[str, str]) -> int:
+def common_direction(inputs: Mapping[str, Array], units: Mapping[str, str]) -> int:
     """1 where all rows go one way, -1 the other way; 0: neither."""
-    ways = _ways(inputs, units)
+    ways = _directions_of_rows(inputs, units)
     return 1 if bool((ways > 0).all()) else -1 if bool((ways < 0).all()) else 0
 
 
-def ways_in(files: Sequence[Path]) -> list[str]:
+def directions_in_names(files: Sequence[Path]) -> list[str]:
     """up or down for each file, where every name says one of them, and both are said; none where they do not."""
     said = [{w for word in split_words(file.stem) if len(word) > 1 and (w := direction_word(word))} for file in files]
     if not all(len(own) == 1 for own in said) or len(set.union(*said)) != 2:
@@ -99,6 +99,6 @@ def ways_in(files: Sequence[Path]) -> list[str]:
     return [SENSES[own.pop()] for own in said]
 
 
-def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
+def _directions_of_rows(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
     first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
     return directions(inputs, first) if first else np.zeros(1)

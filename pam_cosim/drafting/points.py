@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.direction import moves, ordered, way, ways_in
+from pam_cosim.drafting.direction import common_direction, directions_in_names, goes_up_and_down, order_tells_direction
 from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
@@ -63,7 +63,7 @@ def drafted(
     units = {name: variable.unit for name, variable in interface.inputs.items()}
     rows = [_imposed(course) for course in courses]
     known = any(BRANCH in course.inputs for course in courses)
-    branch = [""] * len(courses) if known else ways_in(files) or _by_order(rows, units)
+    branch = [""] * len(courses) if known else directions_in_names(files) or _by_order(rows, units)
     hold_out: list[dict[str, list[str]]] = [
         {} if by_run else _held_out(own, course.outputs, interface) for own, course in zip(rows, courses, strict=True)
     ]
@@ -72,9 +72,10 @@ def drafted(
 
 def _by_order(rows: Sequence[Mapping[str, Array]], units: Mapping[str, str]) -> list[str]:
     """ "order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
-    if not (any(ordered(own, units) for own in rows) or {1, -1} <= {way(own, units) for own in rows}):
+    between_files = {common_direction(own, units) for own in rows} >= {1, -1}
+    if not between_files and not any(goes_up_and_down(own, units) for own in rows):
         return [""] * len(rows)
-    return ["order" if moves(own, units) else "none" for own in rows]
+    return ["order" if order_tells_direction(own, units) else "none" for own in rows]
 
 
 def _imposed(course: MappedRecording) -> dict[str, Array]:

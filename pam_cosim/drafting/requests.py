@@ -12,7 +12,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from pam_cosim.drafting.columns import find_columns
-from pam_cosim.drafting.direction import with_senses
+from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import span
@@ -102,7 +102,7 @@ def _rows(source: RecordingSource) -> int:
 def _as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
     """The columns of tables of points at rest: directions have a sense, a pressure was reached, a mass was hung on."""
     set_, plain = Meaning("pressure", frozenset({"set"})), Meaning("pressure")
-    made = [replace(c, points=True) for c in with_senses(columns)]
+    made = [replace(c, points=True) for c in with_directions(columns)]
     made = _with_rest(made)
     made = _instead(made, set_, plain, "a set point, taken as reached")
     return _instead(made, Meaning("mass"), Meaning("force"), "the load of each row")

@@ -10,7 +10,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.noise import estimate_noise, record_step
+from pam_cosim.measurement.noise import record_step
+from pam_cosim.measurement.white_noise import estimate_noise
 
 _C = CRITERIA.recognition
 
@@ -114,11 +115,16 @@ def noise_at_rest(time: Array, values: Array, rest: Rest) -> tuple[float, float]
 
 def correlation(one: Mapping[int, Array], other: Mapping[int, Array]) -> float:
     """Between two signals of several recordings, each less its mean in the recording; 0 where one is constant."""
-    pairs = [(one[i] - np.nanmean(one[i]), other[i] - np.nanmean(other[i])) for i in other if i in one]
-    a, b = (np.concatenate(side) for side in zip(*pairs, strict=True)) if pairs else (np.zeros(1), np.zeros(1))
+    shared = [i for i in other if i in one]
+    a, b = (_deviations(signal, shared) for signal in (one, other))
     known = np.isfinite(a) & np.isfinite(b)
     norm = sqrt(float(np.sum(a[known] ** 2) * np.sum(b[known] ** 2)))
     return float(np.sum(a[known] * b[known])) / norm if norm else 0.0
+
+
+def _deviations(signal: Mapping[int, Array], recordings: Sequence[int]) -> Array:
+    """What a signal is off its mean in each recording, one recording after the other."""
+    return np.concatenate([np.zeros(0), *(signal[i] - np.nanmean(signal[i]) for i in recordings)])
 
 
 def is_constant(values: Array) -> bool:
@@ -130,9 +136,10 @@ def is_constant(values: Array) -> bool:
 def is_switch(values: Array) -> bool:
     """Whether a column has two values only."""
     present = values[np.isfinite(values)]
-    return (
-        bool(present.size) and len(np.unique(present[:: max(1, len(present) // 100_000)])) <= 2 and span(values) > 0.0
-    )
+    if not present.size or span(values) == 0.0:
+        return False
+    some = present[:: max(1, len(present) // 100_000)]
+    return len(np.unique(some)) <= 2
 
 
 def is_held(values: Array) -> bool:
@@ -140,8 +147,10 @@ def is_held(values: Array) -> bool:
     if span(values) == 0.0:
         return False
     changed = np.abs(np.diff(values[np.isfinite(values)])) > _C.still * span(values)
-    alone = int(changed.sum()) - int((changed[1:] & changed[:-1]).sum())
-    return bool(changed.any()) and float(np.mean(~changed)) >= _C.held and 2 * alone > int(changed.sum())
+    count = int(changed.sum())
+    in_a_row = int((changed[1:] & changed[:-1]).sum())
+    mostly_within_one_sample = 2 * (count - in_a_row) > count
+    return count > 0 and float(np.mean(~changed)) >= _C.held and mostly_within_one_sample
 
 
 def _filled(values: Array) -> Array:

@@ -18,6 +18,7 @@ from pam_cosim.comparison import (
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
+from pam_cosim.files import plain
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
@@ -116,21 +117,23 @@ class Fit(Printed):
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        starts = {"starts": self.starts} if self.starts else {}
+        content = {
             "model": self.model,
-            "parameters": {n: e.as_dict() for n, e in self.parameters.items()},
+            "parameters": self.parameters,
             "chi2_priors": self.chi2_priors,
             "evaluations": self.evaluations,
-            "failures": list(self.failures),
-            "combinations": [c.as_dict() for c in self.combinations],
+            "failures": self.failures,
+            "combinations": self.combinations,
             "method": self.method,
-            "search": self.search.as_dict() if self.search else None,
-            "correlation": [[float(c) for c in row] for row in self.correlation],
-            "convergence": self.convergence.as_dict(),
-            **({"starts": {n: e.as_dict() for n, e in self.starts.items()}} if self.starts else {}),
+            "search": self.search,
+            "correlation": self.correlation,
+            "convergence": self.convergence,
+            **starts,
             "chi2_reduced": self.residuals["fit"].chi2_reduced,
-            "comparison": self.comparison.as_dict(),
+            "comparison": self.comparison,
         }
+        return dict(plain(content))
 
     def confused(self) -> tuple[str, ...]:
         """A sentence for each pair of parameters that these data hardly tell apart."""

@@ -56,16 +56,16 @@ class Objective:
         self.failures: list[str] = []
         self._latest: tuple[bytes, Array, Array | None] | None = None  # where, residuals, exact Jacobian there
         self.starts: dict[int, StartValues] | None = None  # by number of the run; None: nothing was simulated yet
-        self._signals = [[s for s in data.fitted_signals if run.sample_count(s)] for run in self.runs]
-        measured = list(zip(self.runs, self._signals, strict=True))
-        self._sensitivities = [{name: self._sensitivities_of(run, name) for name in names} for run, names in measured]
+        self._signals = [_measured_signals(run, data) for run in self.runs]
+        self._sensitivities = [self._sensitivities_of_run(i) for i in range(len(self.runs))]
         self._outputs = [_outputs_of(slopes) for slopes in self._sensitivities]
         self._exact = self._have_sensitivities()
-        chosen = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
-        self.tolerance = chosen if tolerance is None else tolerance
-        self.series = [(run, name) for run, names in measured for name in names]
+        usual = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
+        self.tolerance = usual if tolerance is None else tolerance
+        self.series = [(run, name) for run, names in zip(self.runs, self._signals, strict=True) for name in names]
         self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
-        self.ends = np.cumsum([0, *(sum(map(run.sample_count, names)) for run, names in measured)])
+        counts = [sum(map(run.sample_count, names)) for run, names in zip(self.runs, self._signals, strict=True)]
+        self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
         self.samples = sum(run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series)
         self._errors: dict[str, float] = {}
@@ -110,6 +110,9 @@ class Objective:
             return free.parameter in run.parameters
         own = any(f.run == run.name and f.parameter == free.parameter for f in self.free)
         return free.parameter not in run.parameters and not own
+
+    def _sensitivities_of_run(self, i: int) -> dict[str, list[tuple[int, str]]]:
+        return {name: self._sensitivities_of(self.runs[i], name) for name in self._signals[i]}
 
     def _sensitivities_of(self, run: Run, signal: str) -> list[tuple[int, str]]:
         """Number of each free parameter that moves a run, and the model's sensitivity of a signal to it, where told."""
@@ -352,6 +355,11 @@ class Objective:
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column
         return np.zeros(len(at))
+
+
+def _measured_signals(run: Run, data: DataSet) -> list[str]:
+    """The fitted signals that have samples in a run."""
+    return [name for name in data.fitted_signals if run.sample_count(name)]
 
 
 def _outputs_of(slopes: Mapping[str, Sequence[tuple[int, str]]]) -> list[str]:

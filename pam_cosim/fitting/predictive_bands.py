@@ -13,6 +13,7 @@ from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.exports import Exported, Table, headed
+from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
@@ -49,6 +50,11 @@ class Band:
         inside = (self.measured >= self.reading_low) & (self.measured <= self.reading_high)
         return float(np.mean(inside[at]))
 
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON, SI units."""
+        columns = plain_fields(self)
+        return {"unit": columns.pop("unit"), "coverage": plain(self.coverage), **columns}
+
 
 @dataclass(frozen=True)
 class PredictiveBands(Printed, Exported):
@@ -74,15 +80,16 @@ class PredictiveBands(Printed, Exported):
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        content = {
             "model": self.model,
             "run": self.run,
-            "time": self.time.tolist(),
-            "inputs": {name: values.tolist() for name, values in self.inputs.items()},
-            "signals": {name: _plain(band) for name, band in self.bands.items()},
-            "parameters": self.posterior.as_dict(),
+            "time": self.time,
+            "inputs": self.inputs,
+            "signals": self.bands,
+            "parameters": self.posterior,
             "failed": self.failed,
         }
+        return dict(plain(content))
 
     def table(self) -> Table:
         """Time, and of each signal its value and the ends of both bands; SI units."""
@@ -170,11 +177,3 @@ def _quantile(drawn: Array, weights: Array, level: float) -> Array:
     below = np.cumsum(weights[order], axis=0) - 0.5 * weights[order]
     columns = np.take_along_axis(drawn, order, axis=0)
     return np.array([np.interp(level, below[:, i], columns[:, i]) for i in range(drawn.shape[1])])
-
-
-def _plain(band: Band) -> dict[str, object]:
-    columns = {end: getattr(band, end) for end in ("value", "low", "high", "reading_low", "reading_high", "measured")}
-    listed: dict[str, object] = {
-        end: [None if np.isnan(v) else float(v) for v in values] for end, values in columns.items()
-    }
-    return {"unit": band.unit, "coverage": None if np.isnan(band.coverage) else band.coverage, **listed}

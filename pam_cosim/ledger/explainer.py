@@ -15,7 +15,8 @@ from pam_cosim.ledger.explanation import Explanation
 from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.radau import further_nodes, integrate
-from pam_cosim.ledger.smoother import Point, SmoothingProblem, smooth, unknown_sizes
+from pam_cosim.ledger.smoother import smooth
+from pam_cosim.ledger.smoothing_problem import Point, SmoothingProblem, unknown_sizes
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
 

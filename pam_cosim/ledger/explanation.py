@@ -9,7 +9,8 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.augmented import AugmentedModel, UnknownInput
 from pam_cosim.ledger.sensor import SensorFault, Unaugmented
-from pam_cosim.ledger.smoother import Smoothed, SmoothingProblem, with_some
+from pam_cosim.ledger.smoother import Smoothed, with_some
+from pam_cosim.ledger.smoothing_problem import SmoothingProblem
 
 
 @dataclass(frozen=True)

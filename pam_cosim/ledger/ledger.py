@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.files import plain
+from pam_cosim.files import plain, plain_fields
 from pam_cosim.model.domain import Domain
 from pam_cosim.wording import Printed
 
@@ -36,7 +36,7 @@ class TermSeries:
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
         names = {"deviation": "standard_deviation"}
-        return {names.get(name, name): value for name, value in plain(self).items()}
+        return {names.get(name, name): value for name, value in plain_fields(self).items()}
 
 
 @dataclass(frozen=True)

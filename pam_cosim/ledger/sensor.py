@@ -15,7 +15,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.radau import integrate
-from pam_cosim.ledger.smoother import LinearisedProblem, Point, SmoothingProblem, linearise
+from pam_cosim.ledger.smoothing_problem import LinearisedProblem, Point, SmoothingProblem, linearise
 
 
 @dataclass(frozen=True)

@@ -9,8 +9,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.noise import estimate_noise
 from pam_cosim.measurement.recording import Recording, locked
+from pam_cosim.measurement.white_noise import estimate_noise
 from pam_cosim.simulation.inputs import Interpolation
 
 _COARSE = 2000  # Points of the longer recording by which offsets are looked for.
@@ -45,23 +45,23 @@ def estimate_offset(first: tuple[Array, Array], second: tuple[Array, Array]) -> 
     Raises:
         ClockError: the signals do not change, do not agree, or agree at several offsets.
     """
-    t, y = _present(*first)
-    s, z = _present(*second)
+    t, y = _finite_samples(*first)
+    s, z = _finite_samples(*second)
     if min(len(t), len(s)) < CRITERIA.noise.fewest_samples or not np.ptp(y) > 0 or not np.ptp(z) > 0:
         raise ClockError("the signal has too few samples, or does not change")
     step = max(t[-1] - t[0], s[-1] - s[0]) / _COARSE
-    offset = _coarse(t, y, s, z, step)
+    offset = _offset_on_grid(t, y, s, z, step)
     reach = max(_SLOPE * float(np.median(np.diff(t))), float(np.median(np.diff(s))))
     noise = float(np.nan_to_num(estimate_noise(t, y)))
     for _ in range(_STEPS):
-        change, sd = _newton(t, y, s + offset, z, reach, noise)
+        change, sd = _newton_step(t, y, s + offset, z, reach, noise)
         offset += _SHARE * change
         if abs(change) < _CLOSE * sd:
             return Offset(offset, sd)
     raise ClockError("the signals do not agree at one offset")
 
 
-def _newton(t: Array, y: Array, s: Array, z: Array, reach: float, noise: float) -> tuple[float, float]:
+def _newton_step(t: Array, y: Array, s: Array, z: Array, reach: float, noise: float) -> tuple[float, float]:
     """Change of the offset by linear least squares, and its standard deviation.
 
     Slopes are differences over samples apart from the one itself, whose noise they do not share; what the noise of
@@ -83,7 +83,7 @@ def _newton(t: Array, y: Array, s: Array, z: Array, reach: float, noise: float) 
     return float(slope @ left) / (gain * information), spread
 
 
-def together(first: Recording, second: Recording, offset: float, interpolation: Interpolation) -> Recording:
+def merged(first: Recording, second: Recording, offset: float, interpolation: Interpolation) -> Recording:
     """One recording on the first one's clock: all rows of both, while both know their inputs.
 
     What both have is taken from the first.
@@ -94,51 +94,54 @@ def together(first: Recording, second: Recording, offset: float, interpolation: 
         low, high = max(low, moved[0]), min(high, moved[-1])
     if not low < high:
         raise ClockError("the two files have no time in common")
-    one = np.flatnonzero((first.time >= low) & (first.time <= high))
-    two = np.flatnonzero((moved >= low) & (moved <= high))
-    if not len(two):
+    rows = np.flatnonzero((first.time >= low) & (first.time <= high))
+    further_rows = np.flatnonzero((moved >= low) & (moved <= high))
+    if not len(further_rows):
         raise ClockError("the two files have no time in common")
-    time = first.time[one]
-    same = np.searchsorted(time, moved[two], side="right") - 1
-    shared = (same >= 0) & (time[np.maximum(same, 0)] == moved[two])
-    new = two[~shared]
+    time = first.time[rows]
+    before = np.searchsorted(time, moved[further_rows], side="right") - 1
+    shared = (before >= 0) & (time[np.maximum(before, 0)] == moved[further_rows])
+    new = further_rows[~shared]
     times = np.concatenate([time, moved[new]])
     order = np.argsort(times, kind="stable")
 
     def joined(values: Array, others: Array) -> Array:
         return locked(np.concatenate([values, others])[order])
 
-    inputs = {n: joined(v[one], _at(first.time, v, moved[new], interpolation)) for n, v in first.inputs.items()}
+    inputs = {}
+    for name, values in first.inputs.items():
+        inputs[name] = joined(values[rows], _interpolated(first.time, values, moved[new], interpolation))
     for name, values in second.inputs.items():
         if name not in inputs:
-            inputs[name] = joined(_at(moved, values, time, interpolation), values[new])
-    measured = {n: joined(v[one], np.full(len(new), np.nan)) for n, v in first.measurements.items()}
+            inputs[name] = joined(_interpolated(moved, values, time, interpolation), values[new])
+    missing = np.full(len(new), np.nan)
+    measured = {name: joined(values[rows], missing) for name, values in first.measurements.items()}
     for name, values in second.measurements.items():
         if name not in measured:
-            there = np.full(len(time), np.nan)
-            there[same[shared]] = values[two[shared]]
-            measured[name] = joined(there, values[new])
+            at_rows = np.full(len(time), np.nan)
+            at_rows[before[shared]] = values[further_rows[shared]]
+            measured[name] = joined(at_rows, values[new])
     notes = (*first.notes, *second.notes)
     return replace(first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes)
 
 
-def _at(time: Array, values: Array, at: Array, interpolation: Interpolation) -> Array:
+def _interpolated(time: Array, values: Array, at: Array, interpolation: Interpolation) -> Array:
     if interpolation == "linear":
         return np.asarray(np.interp(at, time, values), dtype=float)
     return values[np.maximum(np.searchsorted(time, at, side="right") - 1, 0)]
 
 
-def _present(time: Array, values: Array) -> tuple[Array, Array]:
+def _finite_samples(time: Array, values: Array) -> tuple[Array, Array]:
     there = np.isfinite(values)
     return time[there], values[there]
 
 
-def _coarse(t: Array, y: Array, s: Array, z: Array, step: float) -> float:
+def _offset_on_grid(t: Array, y: Array, s: Array, z: Array, step: float) -> float:
     """The best offset on a grid; every other good one must be near it."""
     a, b = (np.interp(np.arange(u[0], u[-1], step), u, v) for u, v in ((t, y), (s, z)))
     least = max(3, int(_LEAST * min(len(a), len(b))))
     lags = np.arange(least - len(b), len(a) - least + 1)
-    like = np.array([_likeness(a[max(0, k) : k + len(b)], b[max(0, -k) : len(a) - k]) for k in lags])
+    like = np.array([_correlation(a[max(0, k) : k + len(b)], b[max(0, -k) : len(a) - k]) for k in lags])
     best = int(np.argmax(like))
     left = np.maximum(1.0 - like**2, 1e-12)
     peaks = np.flatnonzero((like[1:-1] >= like[:-2]) & (like[1:-1] >= like[2:])) + 1
@@ -153,7 +156,7 @@ def _coarse(t: Array, y: Array, s: Array, z: Array, step: float) -> float:
     return float(at[0])
 
 
-def _likeness(a: Array, b: Array) -> float:
+def _correlation(a: Array, b: Array) -> float:
     """Coefficient of correlation."""
     a, b = a - a.mean(), b - b.mean()
     size = sqrt(float(a @ a) * float(b @ b))

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, together
+from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
 from pam_cosim.measurement.columns import Renaming, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
 from pam_cosim.measurement.formats import read_table
@@ -43,7 +43,7 @@ def read_run(document: ExperimentFile, index: int, interface: Interface) -> tupl
             said = f"the clock of {logger.file} is put {offset.value:.4g} s on, ± {offset.sd:.2g} s, by {logger.match}"
             recording = replace(recording, notes=(*recording.notes, said))
         try:
-            recording = together(recording, other, offset.value, run.interpolation)
+            recording = merged(recording, other, offset.value, run.interpolation)
         except ClockError as error:
             raise document.error(f"{logger.file}: {error}", *where) from None
     stated = _stated(document, run)

@@ -17,6 +17,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import Run, Signal
+from pam_cosim.measurement.white_noise import estimate_noise
 
 
 def repeatability(runs: Sequence[Run], signal: str) -> float:
@@ -29,7 +30,7 @@ def repeatability(runs: Sequence[Run], signal: str) -> float:
         runs: the measurement.
         signal: its name.
     """
-    pairs = [p for a, b in _repeats(runs) if (p := _differences(a, b, signal)) is not None]
+    pairs = [p for a, b in _repeated_pairs(runs) if (p := _differences(a, b, signal)) is not None]
     differences = np.concatenate([d for d, _ in pairs] or [np.empty(0)])
     if len(differences) < CRITERIA.noise.fewest_repeated:
         return 0.0
@@ -42,10 +43,10 @@ def repeatability(runs: Sequence[Run], signal: str) -> float:
 
 def with_repeatability(signals: Mapping[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
     """The signals with their repeatability, stated or estimated, as their noise where it is larger."""
-    return {name: _raised(_estimated(signal, runs)) for name, signal in signals.items()}
+    return {name: _with_repeatability_as_noise(_with_estimate(signal, runs)) for name, signal in signals.items()}
 
 
-def _estimated(signal: Signal, runs: Sequence[Run]) -> Signal:
+def _with_estimate(signal: Signal, runs: Sequence[Run]) -> Signal:
     if signal.repeatability:
         return signal
     found = repeatability(runs, signal.name)
@@ -54,17 +55,17 @@ def _estimated(signal: Signal, runs: Sequence[Run]) -> Signal:
     return replace(signal, repeatability=found, repeats=True)
 
 
-def _raised(signal: Signal) -> Signal:
+def _with_repeatability_as_noise(signal: Signal) -> Signal:
     if signal.repeatability <= signal.sigma:
         return signal
     return replace(signal, sigma=signal.repeatability, estimated=False, assumed=False, sigma_of_reading=0.0)
 
 
-def _repeats(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
+def _repeated_pairs(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
     """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
     span = {name: _span(runs, name) for run in runs for name in run.inputs}
     for a, b in itertools.combinations(runs, 2):
-        if _alike(a, b) and all(_near(a, b, name, span[name]) for name in a.inputs):
+        if _are_same_test(a, b) and all(_has_near_input(a, b, name, span[name]) for name in a.inputs):
             yield a, b
 
 
@@ -73,20 +74,27 @@ def _span(runs: Sequence[Run], name: str) -> float:
     return float(np.ptp(values))
 
 
-def _alike(a: Run, b: Run) -> bool:
+def _are_same_test(a: Run, b: Run) -> bool:
     if (a.along, a.parameters, a.inputs.keys()) != (b.along, b.parameters, b.inputs.keys()) or not a.inputs:
         return False
     one, other = (float(np.ptp(run.time)) for run in (a, b))
     return abs(one - other) <= CRITERIA.noise.same_test * max(one, other)
 
 
-def _near(a: Run, b: Run, name: str, span: float) -> bool:
-    rows = _rows(a, b)
-    off = a.inputs[name] - b.inputs[name][rows]
-    return float(np.sqrt(np.mean(off**2))) <= CRITERIA.noise.same_test * span
+def _has_near_input(a: Run, b: Run, name: str, span: float) -> bool:
+    """Whether an input differs by little of what it goes through in all runs, and in these two: or by noise alone."""
+    near, other = a.inputs[name], b.inputs[name][_nearest_samples(a, b)]
+    square = float(np.mean((near - other) ** 2))
+    size = max(float(np.abs(near).max()), float(np.abs(other).max()))
+    if sqrt(square) > CRITERIA.noise.same_test * span:
+        return False
+    if sqrt(square) <= CRITERIA.noise.same_test * size:
+        return True
+    noise = estimate_noise(a.time, near - other)  # of an input that rests beside others and is recorded
+    return square <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2
 
 
-def _rows(a: Run, b: Run) -> Array:
+def _nearest_samples(a: Run, b: Run) -> Array:
     """(n,) for each sample of one run, the sample of the other that is nearest, counted from their beginnings."""
     at = a.time - a.time[0] * (not a.is_static)
     there = b.time - b.time[0] * (not b.is_static)
@@ -99,7 +107,7 @@ def _differences(a: Run, b: Run, signal: str) -> tuple[Array, Array] | None:
     """(n,) differences of a signal and (n, inputs) of the inputs, where both runs have samples."""
     if not (a.sample_count(signal) and b.sample_count(signal)):
         return None
-    rows = _rows(a, b)
+    rows = _nearest_samples(a, b)
     off = a.measurements[signal] - b.measurements[signal][rows]
     causes = np.column_stack([a.inputs[name] - b.inputs[name][rows] for name in a.inputs])
     present = np.isfinite(off)

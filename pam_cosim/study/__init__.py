@@ -14,11 +14,12 @@ if TYPE_CHECKING:
     from pam_cosim.study.coupling import couple, read_system, start, write_system
     from pam_cosim.study.data_sets import new, read
     from pam_cosim.study.diagnoses import check, diagnose, draw, live
-    from pam_cosim.study.dynamics import frequency_response, linearise, linearise_along, observe
+    from pam_cosim.study.dynamics import frequency_response, linearise, linearise_along
     from pam_cosim.study.fits import fit, profile
     from pam_cosim.study.judged_fmu import build_with_data, evidence
     from pam_cosim.study.library import bench, benches, effects, rig_parts
     from pam_cosim.study.many_runs import sweep
+    from pam_cosim.study.observing import observe
     from pam_cosim.study.plans import plan
     from pam_cosim.study.predictions import predict
     from pam_cosim.study.products import load, save
@@ -71,7 +72,8 @@ _MODULES = {
     "pam_cosim.study.coupling": ("couple", "read_system", "start", "write_system"),
     "pam_cosim.study.data_sets": ("new", "read"),
     "pam_cosim.study.diagnoses": ("check", "diagnose", "draw", "live"),
-    "pam_cosim.study.dynamics": ("frequency_response", "linearise", "linearise_along", "observe"),
+    "pam_cosim.study.dynamics": ("frequency_response", "linearise", "linearise_along"),
+    "pam_cosim.study.observing": ("observe",),
     "pam_cosim.study.judged_fmu": ("build_with_data", "evidence"),
     "pam_cosim.study.fits": ("fit", "profile"),
     "pam_cosim.study.library": ("bench", "benches", "effects", "rig_parts"),

@@ -56,8 +56,9 @@ def sweep(
         model: as in ``simulate``.
         vary: by name of a parameter, an input that is held constant or a start value: its values for a "grid", where
             every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
-            its lowest and highest value for "random" and "latin-hypercube". By the name "inputs": inputs over time, a
-            list of whatever ``inputs`` takes (files, mappings of arrays or functions, frames), or by their names.
+            its lowest and highest value for "random" and "latin-hypercube". A span may be a text, "0.2:0.35:16" or
+            "0.2:0.35". By the name "inputs": inputs over time, a list of whatever ``inputs`` takes (files, mappings of
+            arrays or functions, frames), or by their names.
         parameters: of every run, as in ``simulate``.
         inputs: of every run, as in ``simulate``.
         stop_time: of every run, as in ``simulate``.

@@ -12,11 +12,11 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting, resolve, settable, value_of
 from pam_cosim.sweeps.patterns import INPUTS, Pattern
+from pam_cosim.sweeps.spans import MOST_RUNS, values_in
 
-MOST_RUNS = 1_000_000
 DESIGNS = ("grid", "list", "random", "latin-hypercube")
 
 
@@ -70,7 +70,7 @@ def design_of(
     Args:
         vary: "grid": the values of each name; "list": those of each name, run by run, all equally many, or a mapping
             for each run, or a pandas frame; "random" and "latin-hypercube": for each name the lowest and the highest
-            value.
+            value. Values are a list, or a span as a text (``spans``).
         interface: of the model.
         kind: one of ``DESIGNS``.
         runs: how many, of "random" and "latin-hypercube".
@@ -81,27 +81,35 @@ def design_of(
         InputError: another design, an unknown name, a value that cannot be used, no run at all or too many.
     """
     sampled = kind in ("random", "latin-hypercube")
-    _check_kind(kind, runs, sampled)
+    if kind not in DESIGNS:
+        raise InputError(f"there is no design '{kind}'; there are {', '.join(DESIGNS)}")
     columns = _columns(vary, kind)
     if not columns:
         raise InputError("nothing is varied: name a parameter, an input or a start value and its values")
     if patterns and sampled:
         raise InputError(f"the design '{kind}' draws between two values, and '{INPUTS}' has none; use grid or list")
-    places = {INPUTS: np.arange(len(patterns), dtype=float)} if patterns else {}
-    values = {name: places[name] if name in places else _values(name, columns[name], interface) for name in columns}
-    units = {name: "1" if name in places else settable(name, interface).unit for name in values}
+    values: dict[str, Array] = {}
+    units: dict[str, str] = {}
+    for name, given in columns.items():
+        if patterns and name == INPUTS:
+            values[name], units[name] = np.arange(len(patterns), dtype=float), "1"
+        else:
+            variable = settable(name, interface)
+            values[name], units[name] = _values(name, given, variable, sampled), variable.unit
+    _check_count(kind, runs, sampled)
     if kind == "grid":
         return replace(_grid(values, units), patterns=patterns)
     points = _sampled(values, kind, runs or 0, seed) if sampled else _listed(values)
     for point in points:
-        resolve({n: v for n, v in zip(values, point.tolist(), strict=True) if n not in places}, interface)
+        settings = dict(zip(values, point.tolist(), strict=True))
+        if patterns:
+            settings.pop(INPUTS, None)
+        resolve(settings, interface)
     return Design(kind, units, points, {}, patterns)
 
 
-def _check_kind(kind: str, runs: int | None, sampled: bool) -> None:
-    """Raises InputError: another design, or a number of runs where the values say it, and none where they do not."""
-    if kind not in DESIGNS:
-        raise InputError(f"there is no design '{kind}'; there are {', '.join(DESIGNS)}")
+def _check_count(kind: str, runs: int | None, sampled: bool) -> None:
+    """Raises InputError: a number of runs where the values say it, and none where they do not."""
     if sampled and runs is None:
         raise InputError(f"the design '{kind}' says how many runs to make: give the number of runs")
     if not sampled and runs is not None:
@@ -122,10 +130,12 @@ def _columns(vary: Any, kind: str) -> dict[str, Any]:
     return {name: [row[name] for row in rows] for name in (rows[0] if rows else {})}
 
 
-def _values(name: str, given: Any, interface: Interface) -> Array:
+def _values(name: str, given: Any, variable: Variable, sampled: bool) -> Array:
+    """The values of one name [SI]."""
+    if isinstance(given, str) and ":" in given:
+        return np.array(values_in(given, name, variable, sampled))
     if isinstance(given, str) or not isinstance(given, Iterable):
         raise InputError(f"'{name}' is varied: give a list of values, not one")
-    variable = settable(name, interface)
     values = [value_of(value, variable) for value in given]
     if not values:
         raise InputError(f"'{name}' is varied over no value at all; give one at least")

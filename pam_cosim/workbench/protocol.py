@@ -25,7 +25,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.files import plain
+from pam_cosim.files import plain, plain_fields
 
 Json = dict[str, Any]
 
@@ -43,7 +43,7 @@ class PageEvent:
 
     def as_dict(self) -> Json:
         """Plain data for JSON."""
-        return {"event": self.event, **plain(self)}
+        return {"event": self.event, **plain_fields(self)}
 
     def message(self) -> str:
         """The message as it is sent."""
@@ -558,7 +558,7 @@ class DraftEvent(PageEvent):
 
 def answer(number: Any, result: Json | None = None, failed: FailedEvent | None = None) -> str:
     """The message to the window that sent a command with this ``id``."""
-    told = None if failed is None else plain(failed)
+    told = None if failed is None else plain_fields(failed)
     return json.dumps({"event": "answer", "id": number, "failed": told, **plain(result or {})}, allow_nan=False)
 
 

@@ -49,10 +49,10 @@ class _Place:
         self.model = f"{self.catalogue.composed(self.base, on).name}.mo"
         return self.model
 
-    def take_runs(self, told: Mapping[str, Any]) -> None:
+    def take_runs(self, arguments: Mapping[str, Any]) -> None:
         """How runs are cut, and begin, from a step on."""
-        self.cuts = told.get("cuts", self.cuts)
-        self.starts = told["starts"]
+        self.cuts = arguments.get("cuts", self.cuts)
+        self.starts = arguments["starts"]
 
     @property
     def files(self) -> list[str]:
@@ -94,45 +94,51 @@ _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
 
 
 def _python_step(step: Step, place: _Place) -> list[str]:
-    told = step.arguments
+    arguments = step.arguments
     match step.do:
         case "set" | "start":
-            return [f"values |= {_numbers(told['values'])}", _COMPARED]
+            return [f"values |= {_numbers(arguments['values'])}", _COMPARED]
         case "switch":
-            return [*_python_effects(told["effects"], place), f"values = {_numbers(told['values'])}", _COMPARED]
+            return [
+                *_python_effects(arguments["effects"], place),
+                f"values = {_numbers(arguments['values'])}",
+                _COMPARED,
+            ]
         case "choose":
-            place.base = told["model"]
+            place.base = arguments["model"]
             return [*_python_effects((), place), _python_read(place), "values = {}", _COMPARED]
         case "roles":
-            place.roles |= told["roles"]
+            place.roles |= arguments["roles"]
             return [_python_read(place), _COMPARED]
         case "cut" | "begin":
-            place.take_runs(told)
-            return [_python_read(place), f"values = {_numbers(told['values'])}", _COMPARED]
+            place.take_runs(arguments)
+            return [_python_read(place), f"values = {_numbers(arguments['values'])}", _COMPARED]
         case "fit":
-            options = f"method={told['method']!r}, free={told['free']!r}, start={_numbers(told['start'])}"
+            options = (
+                f"method={arguments['method']!r}, free={arguments['free']!r}, start={_numbers(arguments['start'])}"
+            )
             return [
                 f"fit = pam.fit(data, model, {options}, files=files)",
-                f"values |= {_numbers(told['start'])} | fit.values",
+                f"values |= {_numbers(arguments['start'])} | fit.values",
                 _COMPARED,
             ]
         case "diagnose":
             place.diagnosed = place.effects
-            known = {name: told[name] for name in _DIAGNOSED if told.get(name) or told.get(name) == 0}
+            known = {name: arguments[name] for name in _DIAGNOSED if arguments.get(name) or arguments.get(name) == 0}
             options = "".join(f"{name}={_value(v)}, " for name, v in known.items())
             return [f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)", "print(diagnosis)"]
         case "take":
-            effects = tuple(told["effects"])
+            effects = tuple(arguments["effects"])
             return [
                 f"candidate = next(c for c in diagnosis.candidates if c.effects == {effects!r})",
                 *_python_effects((*place.diagnosed, *effects), place),
-                f"values = {_numbers(told['kept'])} | candidate.fit.values",
+                f"values = {_numbers(arguments['kept'])} | candidate.fit.values",
                 _COMPARED,
             ]
         case "add":
             return [
-                f"pam.add({told['effects']!r}, to={place.base!r}, output={told['file']!r}, "
-                f"values={_numbers(told.get('values', {}))}, files=files)"
+                f"pam.add({arguments['effects']!r}, to={place.base!r}, output={arguments['file']!r}, "
+                f"values={_numbers(arguments.get('values', {}))}, files=files)"
             ]
     return []
 
@@ -174,49 +180,53 @@ def commands_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> 
 
 
 def _command_step(step: Step, place: _Place, data: str) -> list[str]:
-    told = step.arguments
+    arguments = step.arguments
     match step.do:
         case "set" | "start":
-            place.held |= told["values"]
+            place.held |= arguments["values"]
             return [_compare(data, place)]
         case "switch":
-            place.held, place.fitted = dict(told["values"]), ""
-            return [*_command_effects(told["effects"], place), _compare(data, place)]
+            place.held, place.fitted = dict(arguments["values"]), ""
+            return [*_command_effects(arguments["effects"], place), _compare(data, place)]
         case "choose":
-            place.base, place.held, place.fitted = told["model"], {}, ""
+            place.base, place.held, place.fitted = arguments["model"], {}, ""
             return [*_command_effects((), place), _compare(data, place)]
         case "roles":
-            place.roles |= told["roles"]
+            place.roles |= arguments["roles"]
             return [_compare(data, place)]
         case "cut" | "begin":
-            place.take_runs(told)
-            place.held, place.fitted = dict(told["values"]), ""
+            place.take_runs(arguments)
+            place.held, place.fitted = dict(arguments["values"]), ""
             return [_compare(data, place)]
         case "fit":
             place.fits += 1
             file = f"fit-{place.fits}.json"
-            options = [f"--method {quote(told['method'])}", *_free_words(told), f"-o {file}"]
+            options = [f"--method {quote(arguments['method'])}", *_free_words(arguments), f"-o {file}"]
             place.fitted = file
-            place.held = {n: v for n, v in {**place.held, **told["start"]}.items() if n not in told["free"]}
+            place.held = {n: v for n, v in {**place.held, **arguments["start"]}.items() if n not in arguments["free"]}
             return [_command("fit", data, place, *options), _compare(data, place)]
         case "diagnose":
             place.diagnosed = place.effects
             place.diagnoses += 1
-            words = [f"--{key} {quote(name)}" for key in ("exclude", "expect") for name in told.get(key, ())]
-            limit = [f"--time-limit {quote(str(told['time_limit']))}"] if told.get("time_limit") is not None else []
+            words = [f"--{key} {quote(name)}" for key in ("exclude", "expect") for name in arguments.get(key, ())]
+            limit = (
+                [f"--time-limit {quote(str(arguments['time_limit']))}"]
+                if arguments.get("time_limit") is not None
+                else []
+            )
             report = f"--report diagnosis-{place.diagnoses}.html"
-            return [_command("diagnose", data, place, *limit, *words, *_free_words(told), report)]
+            return [_command("diagnose", data, place, *limit, *words, *_free_words(arguments), report)]
         case "take":
-            place.held, place.fitted = {**told["kept"], **told["values"]}, ""
-            return [*_command_effects((*place.diagnosed, *told["effects"]), place), _compare(data, place)]
+            place.held, place.fitted = {**arguments["kept"], **arguments["values"]}, ""
+            return [*_command_effects((*place.diagnosed, *arguments["effects"]), place), _compare(data, place)]
         case "add":
-            return [_add(told["effects"], told["file"], place, told.get("values", {}))]
+            return [_add(arguments["effects"], arguments["file"], place, arguments.get("values", {}))]
     return []
 
 
-def _free_words(told: Mapping[str, Any]) -> list[str]:
-    free = [f"--free {quote(name)}" for name in told.get("free", ())]
-    return [*free, *(f"--start {quote(f'{name}={value!r}')}" for name, value in told.get("start", {}).items())]
+def _free_words(arguments: Mapping[str, Any]) -> list[str]:
+    free = [f"--free {quote(name)}" for name in arguments.get("free", ())]
+    return [*free, *(f"--start {quote(f'{name}={value!r}')}" for name, value in arguments.get("start", {}).items())]
 
 
 def _compare(data: str, place: _Place) -> str:

@@ -38,29 +38,29 @@ class Step:
         return {"do": self.do, **self.arguments}
 
     def __str__(self) -> str:
-        told = self.arguments
+        arguments = self.arguments
         match self.do:
             case "set":
-                return "set " + ", ".join(f"{name} = {value:.4g}" for name, value in told["values"].items())
+                return "set " + ", ".join(f"{name} = {value:.4g}" for name, value in arguments["values"].items())
             case "switch":
-                return "with " + " + ".join(told["effects"]) if told["effects"] else "without effects"
+                return "with " + " + ".join(arguments["effects"]) if arguments["effects"] else "without effects"
             case "choose":
-                return f"model {told['model']}"
+                return f"model {arguments['model']}"
             case "fit":
-                return f"fit ({told['method']}): {', '.join(told['free'])}"
+                return f"fit ({arguments['method']}): {', '.join(arguments['free'])}"
             case "take":
-                return f"took {' + '.join(told['effects'])} from the ranking"
+                return f"took {' + '.join(arguments['effects'])} from the ranking"
             case "add":
-                return f"added {' + '.join(told['effects'])}: {told['file']}"
+                return f"added {' + '.join(arguments['effects'])}: {arguments['file']}"
             case "roles":
-                return "roles: " + ", ".join(f"{run} {role}" for run, role in told["roles"].items())
+                return "roles: " + ", ".join(f"{run} {role}" for run, role in arguments["roles"].items())
             case "cut":
-                return f"cut {told['run']}: {_ends(*told['cuts'][told['run']])}"
+                return f"cut {arguments['run']}: {_ends(*arguments['cuts'][arguments['run']])}"
             case "begin":
-                mode = told["starts"].get(told["run"])
-                return f"begin {told['run']}: {mode or 'as the data set says'}"
+                mode = arguments["starts"].get(arguments["run"])
+                return f"begin {arguments['run']}: {mode or 'as the data set says'}"
             case "start":
-                return "start " + ", ".join(f"{name} = {told['values'][name]:.4g}" for name in told["moved"])
+                return "start " + ", ".join(f"{name} = {arguments['values'][name]:.4g}" for name in arguments["moved"])
         return self.do
 
 

@@ -1,4 +1,4 @@
-"""Forms of `rig/blind` by their limits and by what they conserve. Not to be read before their score is published."""
+"""Forms of `rig.blind` by their limits and by what they conserve. Not to be read before their score is published."""
 
 from __future__ import annotations
 

@@ -8,7 +8,7 @@ import pytest
 from benchmarks.deciding_run import muscle, tuning
 from benchmarks.deciding_run.play import played
 from benchmarks.deciding_run.table import table
-from benchmarks.hidden_effects import many
+from blind_cases import many
 from pam_cosim.comparison.initial_state import inputs_of_run
 from pam_cosim.measurement import further_run, rows_of
 from rig.measurement import TRUTH

@@ -1,6 +1,6 @@
 """Every form of the table in the rig: where it lies, that it runs, that it can be made as large as a score asks for.
 
-What single forms must give is tested by their limits elsewhere; those of `rig/blind` in `test_blind_forms.py`.
+What single forms must give is tested by their limits elsewhere; those of `rig.blind` in `test_blind_forms.py`.
 """
 
 from __future__ import annotations
@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.hidden_effects import many, table
-from benchmarks.hidden_effects.cases import _draw_bench, _fitting_noise
-from benchmarks.hidden_effects.noise import draw_sensors
-from benchmarks.hidden_effects.setups import SIGNALS, Design, draw
-from benchmarks.hidden_effects.sizes import Ruler, calibrated
+from blind_cases import many, table
+from blind_cases.cases import _draw_bench, _fitting_noise
+from blind_cases.noise import draw_sensors
+from blind_cases.setups import SIGNALS, Design, draw
+from blind_cases.sizes import Ruler, calibrated
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 

@@ -10,10 +10,10 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from benchmarks.hidden_effects import table
-from benchmarks.hidden_effects.cases import _draw_bench
-from benchmarks.hidden_effects.noise import draw_sensors
-from benchmarks.hidden_effects.sizes import Ruler
+from blind_cases import table
+from blind_cases.cases import _draw_bench
+from blind_cases.noise import draw_sensors
+from blind_cases.sizes import Ruler
 from rig import seen
 from rig.catalogue.creep import Creep
 from rig.catalogue.dry_friction import Coulomb

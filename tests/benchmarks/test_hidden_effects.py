@@ -12,14 +12,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks.hidden_effects import table
-from benchmarks.hidden_effects.cases import GROUPS, PERIOD, SEEDS, case_of, make, write
-from benchmarks.hidden_effects.noise import SIGNALS
 from benchmarks.hidden_effects.outcome import excess, judged
-from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
 from benchmarks.hidden_effects.report import main as report_main
 from benchmarks.hidden_effects.report import wilson
-from benchmarks.hidden_effects.sizes import Bench, Ruler
+from blind_cases import table
+from blind_cases.cases import GROUPS, PERIOD, SEEDS, case_of, make, write
+from blind_cases.noise import SIGNALS
+from blind_cases.plans import draw_muscle, draw_plan
+from blind_cases.sizes import Bench, Ruler
 from rig.catalogue.creep import Creep
 from rig.catalogue.elasticity import LinearSpring
 from rig.catalogue.leak import LaminarLeak
@@ -96,7 +96,7 @@ def test_every_family_has_a_form_of_either_kind_in_both_sets():
 
 def test_the_simulation_does_not_import_the_software():
     here = Path(__file__).parents[2]
-    for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "rig").rglob("*.py")]:
+    for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "refsim").rglob("*.py")]:
         if file.name in ("one.py", "posterior.py"):  # after the case is made: its diagnosis, and what was stated of it
             continue
         for node in ast.walk(ast.parse(file.read_text())):

@@ -13,13 +13,13 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from benchmarks.hidden_effects import cases, many, sets
 from benchmarks.hidden_effects.calibration import binned, brier, stated
-from benchmarks.hidden_effects.faults import FAULTS, ON_SOME_BENCH
 from benchmarks.hidden_effects.one import memory
 from benchmarks.hidden_effects.outcome import INSTRUMENTS, judged, names_instruments, stated_probability
 from benchmarks.hidden_effects.report import main as report_main
-from benchmarks.hidden_effects.setups import SHARES, Design, draw, draw_design
+from blind_cases import cases, many, sets
+from blind_cases.faults import FAULTS, ON_SOME_BENCH
+from blind_cases.setups import SHARES, Design, draw, draw_design
 from pam_cosim.catalogue import compose
 from rig.benches import BENCHES, hooks
 from rig.catalogue.elasticity import LinearSpring

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 
-from benchmarks.hidden_effects import prepared
+from blind_cases import prepared
 
 
 def _files(folder: Path) -> dict[str, bytes]:

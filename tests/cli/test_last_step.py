@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from benchmarks.hidden_effects import sets
+from blind_cases import sets
 from tests.cli.conftest import Outcome
 from tests.cli.test_commands import done
 

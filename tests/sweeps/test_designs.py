@@ -23,6 +23,12 @@ def test_a_grid_is_every_combination_the_last_name_fastest() -> None:
     assert design.units == {"p": "Pa", "m": "kg"} and list(design.axes["p"]) == [1e5, 2e5]
 
 
+def test_a_span_is_written_as_on_the_command_line() -> None:
+    assert design_of({"p": "1 bar:3 bar:3", "m": [1]}, FACE).points[:, 0].tolist() == [1e5, 2e5, 3e5]
+    drawn = design_of({"p": "1 bar:3 bar"}, FACE, "random", 9).points
+    assert np.array_equal(drawn, design_of({"p": (1e5, 3e5)}, FACE, "random", 9).points)
+
+
 @pytest.mark.parametrize(
     "vary",
     [
@@ -56,6 +62,8 @@ def test_a_latin_hypercube_has_one_run_in_each_slice_of_each_axis() -> None:
         ({}, {}, "nothing is varied"),
         ({"p": []}, {}, "'p' is varied over no value at all"),
         ({"p": 3.0}, {}, "give a list of values"),
+        ({"p": "1 bar:3 bar"}, {}, "p=1 bar:3 bar': write FROM:TO:N"),
+        ({"p": "1:3:3"}, {"kind": "random", "runs": 2}, "write FROM:TO"),
         ({"q": [1.0]}, {}, "no parameter or input 'q'"),
         ({"p": ["3 kg"]}, {}, "p=3 kg"),
         ({"p": [1.0, -1.0]}, {}, "must be at least 0"),

@@ -71,6 +71,8 @@ Philosophical Transactions of the Royal Society A 214 (1914) 373-432.</li>
 actuator: a new approach and a comparison to existing models</i>, Actuators 6 (2017) 33.</li>
 <li><b>McAdams 1954</b>: W. H. McAdams, <i>Heat transmission</i>, third edition, McGraw-Hill, New York 1954.</li>
 <li><b>Merritt 1967</b>: H. E. Merritt, <i>Hydraulic control systems</i>, Wiley, New York 1967.</li>
+<li><b>Olsson and others 1998</b>: H. Olsson, K. J. Astrom, C. Canudas de Wit, M. Gafvert, P. Lischinsky, <i>Friction
+models and friction compensation</i>, European Journal of Control 4 (1998) 176-195.</li>
 <li><b>Perry 1949</b>: J. A. Perry, <i>Critical flow through sharp-edged orifices</i>, Transactions of the ASME 71
 (1949) 757-764.</li>
 <li><b>Reynolds and others 2003</b>: D. B. Reynolds, D. W. Repperger, C. A. Phillips, G. Bandry, <i>Modeling the dynamic

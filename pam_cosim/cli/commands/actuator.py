@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
-from pam_cosim.cli.arguments import parse_pairs, parse_variations
+from pam_cosim.cli.arguments import parse_limits, parse_pairs
 from pam_cosim.cli.commands.common import FilesOption, SetOption, check_results, say_written
 from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
@@ -39,8 +39,8 @@ def actuator(
     if output is not None and output.suffix != ".xml":
         raise InputError("MuJoCo reads XML: name a file that ends in .xml", output)
     check_results(output, sources=[model, params, *(files or [])])
+    spans = parse_limits([pressure, contraction])
     interface = study.describe(model, files or [])
-    spans = parse_variations([pressure, contraction], interface, ranges=True)
     follows = None if time_constant is None else checked_time(seconds(time_constant))
     stated = study.read(data, files=files or []).parameters if data else {}
     known = {name: value for name, value in stated.items() if name in interface.parameters}
@@ -50,8 +50,8 @@ def actuator(
     made = study.actuator(
         model,
         values,
-        pressures=(pressures[0], pressures[1]),
-        contractions=(contractions[0], contractions[1]),
+        pressures=pressures,
+        contractions=contractions,
         length=length,
         names=(p, x, force),
         files=files or [],

@@ -17,7 +17,7 @@ from pam_cosim.cli.commands.common import (
     tell_and_write,
 )
 from pam_cosim.errors import InputError
-from pam_cosim.study import dynamics
+from pam_cosim.study import observing
 
 
 def observe(
@@ -49,7 +49,7 @@ def observe(
     point = parse_point([start]) if start else {}
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")
-    observation = dynamics.observe(
+    observation = observing.observe(
         model,
         recording,
         parse_pairs(settings or []),

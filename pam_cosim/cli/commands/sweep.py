@@ -9,7 +9,7 @@ import typer
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from pam_cosim import study
-from pam_cosim.cli.arguments import file_and_variables, parse_named, parse_pairs, parse_variations
+from pam_cosim.cli.arguments import file_and_variables, parse_named, parse_pairs, parse_varied
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
@@ -79,14 +79,12 @@ def sweep(
     if formerly:
         say_renamed("sweep --output VARIABLE")
     check_writable(partial_of(file))
-    interface = study.describe(model, files or [])
-    variations = parse_variations(vary, interface, ranges=design in ("random", "latin-hypercube"))
     remarks.append(lambda: _kept(file))
     with Progress(*_COLUMNS, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("sweep", total=None)
         made = study.sweep(
             model,
-            variations,
+            parse_varied(vary),
             parameters=parse_pairs(settings or []),
             inputs=inputs,
             outputs=[*(keep or []), *formerly],

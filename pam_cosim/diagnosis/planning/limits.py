@@ -71,17 +71,14 @@ def limits_of(data: DataSet, stated: Mapping[str, Range] | None = None, seconds:
     parameters = _varied_parameters(runs)
     outputs: dict[str, Range] = {}
     known = sorted(name for name in first.parameters if name not in data.free_names)
+    # a name that is of several is that of an input first, then of a parameter
     places = dict.fromkeys(inputs, inputs)
-    places |= {name: parameters for name in known if name not in places}
-    places |= {name: outputs for name in data.fitted_signals if name not in places}
-    for name, (low, high) in (stated or {}).items():
-        if not low <= high:
-            raise InputError(f"the limits of '{name}' begin above their end")
-        if name not in places:
-            raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, list(places))}")
-        places[name][name] = (low, high)
-    lengths = [float(run.time[-1] - run.time[0]) for run in runs]
-    length = float(np.median(lengths)) if seconds is None else seconds
+    for names, ranges in ((known, parameters), (data.fitted_signals, outputs)):
+        places |= {name: ranges for name in names if name not in places}
+    for name, limits in (stated or {}).items():
+        _check_limits(name, limits, list(places))
+        places[name][name] = limits
+    length = _usual_length(runs) if seconds is None else seconds
     if not length > 0:
         raise InputError("a run must last longer than nothing")
     interval = float(np.median(np.concatenate([_steps(run) for run in runs])))
@@ -95,6 +92,19 @@ def limits_of(data: DataSet, stated: Mapping[str, Range] | None = None, seconds:
         length,
         min(interval, length),
     )
+
+
+def _check_limits(name: str, limits: Range, known: Sequence[str]) -> None:
+    low, high = limits
+    if not low <= high:
+        raise InputError(f"the limits of '{name}' begin above their end")
+    if name not in known:
+        raise InputError(f"there is nothing '{name}' to limit; {did_you_mean(name, list(known))}")
+
+
+def _usual_length(runs: Sequence[Run]) -> float:
+    """The median length of the runs [s]."""
+    return float(np.median([run.time[-1] - run.time[0] for run in runs]))
 
 
 def _varied_parameters(runs: Sequence[Run]) -> dict[str, Range]:

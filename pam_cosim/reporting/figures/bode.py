@@ -7,7 +7,8 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from pam_cosim.analysis.linear import LinearCourse, LinearModel
+from pam_cosim.analysis.linear import LinearModel
+from pam_cosim.analysis.linear_course import LinearCourse
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.reporting.account.wording import unit_text

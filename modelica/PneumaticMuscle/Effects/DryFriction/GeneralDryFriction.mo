@@ -10,7 +10,7 @@ model GeneralDryFriction "Dry friction of any smooth dependence on pressure, con
     annotation (Dialog(group="Effect"));
   parameter Real share(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of the part that slips first"
     annotation (Dialog(group="Effect"));
-  parameter Real first(unit="1", min=0.03, max=0.6, nominal=0.1) = 0.1 "Travel of that part by the other's"
+  parameter Real at_once(unit="1", min=0, max=1, nominal=0.3) = 0.5 "Share of what presses that acts without slip"
     annotation (Dialog(group="Effect"));
   parameter Real rise(unit="1", min=-0.7, max=2, nominal=0.3) = 0 "What slow motion adds, by that of fast motion"
     annotation (Dialog(group="Effect"));
@@ -22,8 +22,8 @@ model GeneralDryFriction "Dry friction of any smooth dependence on pressure, con
     annotation (Dialog(group="Effect"));
   parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it"
     annotation (Dialog(group="Effect"));
-  Real r[2](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1)
-    "Shares of their forces that both parts carry";
+  Real h[2](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1)
+    "Forces of both parts by their size at 100 kPa and full length";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which F_p is added";
   constant Types.Velocity v_smooth = 1e-6 "Speed below which the size of v is rounded";
@@ -33,17 +33,27 @@ protected
   Real q(unit="1") = Functions.smoothMax(p_gauge/p_reference, 1e-3) "Gauge pressure by the reference, not below zero";
   Real s(unit="1") = Functions.smoothMax(x/(e_reference*L0), 0.02)
     "Contraction by the reference, zero beyond full length";
-  Real carried(unit="1") = share*r[1] + (1 - share)*r[2] "Share of the whole force";
+  constant Types.Force F_least = 1e-6 "Keeps what is absent a number";
+  Real pressing(unit="1") = (F_0 + F_p*exp(n*log(q)) + F_least)/(F_0 + F_p + F_least)*exp(s*(growth + bow*s))
+    "Level of the force by that at 100 kPa and full length";
+  Real acting(unit="1") = exp(at_once*log(pressing)) "What of it acts without slip";
+  Real slow(unit="1") = 1 + rise*exp(-(v/v_slow)^2) "Level in slow motion by that in fast motion";
+  Real r[2](each unit="1") = h*acting/(pressing*slow) "Forces by those at which the parts slip";
 equation
-  first*d*der(r[1]) = v_slip - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
-  d*der(r[2]) = v_slip - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
-  f = (F_0 + F_p*exp(n*log(q)))*exp(s*(growth + bow*s))*carried*(1 + side*carried)*(1 + rise*exp(-(v/v_slow)^2));
+  0.1*d*der(h[1]) = v_slip - v_size*r[1]*sqrt(r[1]^2 + r_smooth^2);
+  d*der(h[2]) = v_slip - v_size*r[2]*sqrt(r[2]^2 + r_smooth^2);
+  f = (F_0 + F_p)*acting*(share*h[1] + (1 - share)*h[2])*(1 + side*(share*r[1] + (1 - share)*r[2]));
   annotation (defaultComponentName="dryFriction", Documentation(info="<html>
-<p>f = (F_0 + F_p (p_gauge/100 kPa)^n) exp(growth s + bow s^2) r (1 + side r) (1 + rise exp(-(v/v_slow)^2)), r = share
-r_1 + (1 - share) r_2, d_i r_i_dot = v - |v| r_i |r_i|, d_1 = first d, d_2 = d, s = 8 x/L0. Source:
-<a href=\"modelica://PneumaticMuscle.Effects.DryFriction.FlexibleDryFriction\">FlexibleDryFriction</a>, see there, with
-a free exponent of the pressure, any growth with the contraction, a free Stribeck speed, and another force in extension
-than in contraction. Typical as there, v_slow 2 to 50 mm/s, n 0.5 to 2.</p>
+<p>f = (F_0 + F_p) a h (1 + side r), h = share h_1 + (1 - share) h_2, r = a h/(N S), d_i h_i_dot = v - |v| r_i |r_i|,
+d_1 = d/10, d_2 = d. N = (F_0 + F_p (p_gauge/100 kPa)^n)/(F_0 + F_p) exp(growth s + bow s^2), s = 8 x/L0, is the level
+by what presses the parts together, S = 1 + rise exp(-(v/v_slow)^2) that by the speed, a = N^at_once.</p>
+<p>Source: <a href=\"modelica://PneumaticMuscle.Effects.DryFriction.FlexibleDryFriction\">FlexibleDryFriction</a>, see
+there, with a free exponent of the pressure, any growth with the contraction, a free Stribeck speed, and another force
+in extension than in contraction. The levels stand inside the equation of the state, as in the LuGre model of <a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">Olsson and others 1998</a>: a part that sticks keeps its
+force when the level changes. Laws of muscles take the whole force from the pressure, also where nothing slips (<a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (68) and (71)): that is at_once = 1. Typical as
+there, v_slow 2 to 50 mm/s, n 0.5 to 2.</p>
 <p>Fingerprint: as
 <a href=\"modelica://PneumaticMuscle.Effects.DryFriction.FlexibleDryFriction\">FlexibleDryFriction</a>.</p>
 </html>"));

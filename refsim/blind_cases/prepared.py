@@ -1,6 +1,6 @@
 """Cases that were made before they are diagnosed, so that what is changed in the software is tried in less time.
 
-    python -m benchmarks.hidden_effects.prepared --set tuning2 --cases 80 --jobs 2
+    python -m blind_cases.prepared --set tuning2 --cases 80 --jobs 2
 
 makes them under build/, where `one` and `score` find them. A change in the rig or in what composes the cases makes
 others. The description of a case, which says what is hidden, lies beside its data set, not in it.
@@ -22,20 +22,18 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.sets import SETS, case_of, make, write
+from blind_cases.sets import SETS, case_of, make, write
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "build" / "hidden-effects-cases"
-_AFTER = ("breakdown", "calibration", "goals", "one", "outcome", "posterior", "prepared", "report", "same", "score")
-"""Modules of this package that work on cases which are made."""
 
 
 @cache
 def _version() -> str:
     """Changes with whatever a case is made by."""
-    own = [f for f in Path(__file__).parent.glob("*.py") if f.stem not in _AFTER]
+    own = [file for file in Path(__file__).parent.glob("*.py") if file != Path(__file__)]
     state = hashlib.sha256()
-    for file in sorted([*own, *(ROOT / "rig").rglob("*.py")]):
+    for file in sorted([*own, *(ROOT / "refsim" / "rig").rglob("*.py")]):
         state.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
     return state.hexdigest()[:16]
 

@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.hidden_effects import drives
-from benchmarks.hidden_effects.drives import HELD, JOINED, Clock
-from benchmarks.hidden_effects.sizes import FreeParameter, Signals
+from blind_cases import drives
+from blind_cases.drives import HELD, JOINED, Clock
+from blind_cases.sizes import FreeParameter, Signals
 from rig.benches import BENCHES, RigBench, turns_of
 from rig.control import Loop, closed_loop
 from rig.effect import Effect

@@ -1,6 +1,6 @@
 """Every set by its name: those of one bench (`cases`) and those of many (`many`).
 
-    python -m benchmarks.hidden_effects.sets FOLDER --set tuning2 --number 7
+    python -m blind_cases.sets FOLDER --set tuning2 --number 7
 
 writes one data set and prints what is hidden in it.
 """
@@ -14,7 +14,7 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects import cases, many
+from blind_cases import cases, many
 
 Case = cases.Case | many.Case
 Made = cases.Made | many.Made

@@ -116,6 +116,38 @@ class OddDryFriction(Effect):
         return float(normal * exp(self.g * x / 0.03) * slow * age * q[0] * (1 + self.side * q[0]))
 
 
+@dataclass(frozen=True)
+class OddBristle(Effect):
+    """A bristle that gives way at a level of its own: r' = (v - |v| r/g)/d, force F r.
+
+    g = (1 + f q^n) exp(c x/30 mm) (1 + rise exp(-(v/v_s)^2)), q the gauge pressure by 100 kPa: a bristle that sticks
+    keeps its force when its level changes, as in the LuGre model.
+    """
+
+    family = "dry_friction"
+    form = "random"
+    stiff = True
+    atol: ClassVar[tuple[float, ...]] = (1e-6,)
+    force_0: float = 6.0  # N
+    f: float = 0.0
+    n: float = 1.0
+    c: float = 0.0
+    rise: float = 0.0
+    v_s: float = 0.01  # m/s
+    d: float = 5e-4  # m
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        pressed = (1 + self.f * max(now.p_gauge / 1e5, 0.0) ** self.n) * exp(self.c * now.x / 0.03)
+        level = pressed * (1 + self.rise * exp(-((now.v / self.v_s) ** 2)))
+        return ((now.v - abs(now.v) * q[0] / level) / self.d,)
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return self.force_0 * q[0]
+
+
 def _travel(rng: Chance) -> float:
     return order(rng, 1e-4, 3e-3)
 
@@ -135,6 +167,9 @@ DRY: dict[str, Place] = {
     "time at rest": lambda rng: OddDryFriction(_force(rng), b=some(rng, 0.05, 0.2), d=_travel(rng)),
     "pressure and slow motion": lambda rng: OddDryFriction(
         _force(rng) / 2, f=order(rng, 0.5, 3), rise=some(rng, 0.2, 1), v_s=order(rng, 3e-3, 0.05), d=_travel(rng)),
+    "level of the bristle": lambda rng: OddBristle(
+        _force(rng) / 2, f=order(rng, 0.5, 3), n=some(rng, 0.6, 2), c=some(rng, -0.4, 0.4), rise=some(rng, 0.2, 1),
+        v_s=order(rng, 3e-3, 0.05), d=_travel(rng)),
 }  # fmt: skip
 
 

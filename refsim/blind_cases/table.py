@@ -15,8 +15,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.hidden_effects import blind
-from benchmarks.hidden_effects.form import (
+from blind_cases import blind
+from blind_cases.form import (
     SETS,
     Form,
     Make,

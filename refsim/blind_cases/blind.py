@@ -1,6 +1,6 @@
-"""The lines of the table for forms that nobody who works on the diagnosis has looked at: those of `rig/blind`.
+"""The lines of the table for forms that nobody who works on the diagnosis has looked at: those of `rig.blind`.
 
-Whoever works on the diagnosis does not read this file, nor `rig/blind` and its tests, until their score is published.
+Whoever works on the diagnosis does not read this file, nor `rig.blind` and its tests, until their score is published.
 Then the lines move to `table.py`, to the set `tuning`.
 """
 
@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from benchmarks.hidden_effects.form import Form, Make, fraction, gas_form, plain, spread, tube
+from blind_cases.form import Form, Make, fraction, gas_form, plain, spread, tube
 from rig import blind
 from rig.effect import Effect
 from rig.muscle import MuscleParameters

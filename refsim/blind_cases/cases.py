@@ -1,6 +1,6 @@
 """Case number and set -> a data set and what is hidden in it.
 
-    python -m benchmarks.hidden_effects.sets FOLDER --set tuning --number 7
+    python -m blind_cases.sets FOLDER --set tuning --number 7
 
 The composition repeats every 60 cases: 30 with one form of the catalogue, 12 with one form that it lacks, 6 pairs, 7
 with nothing hidden, 5 with an effect in no family; mixed, so that the first cases already are a fair sample.
@@ -15,10 +15,10 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.hidden_effects import table
-from benchmarks.hidden_effects.noise import SIGNALS, USUAL, Sensors, disturb, draw_sensors
-from benchmarks.hidden_effects.plans import draw_muscle, draw_plan
-from benchmarks.hidden_effects.sizes import Bench, FreeParameter, Ruler, Signals, calibrated
+from blind_cases import table
+from blind_cases.noise import SIGNALS, USUAL, Sensors, disturb, draw_sensors
+from blind_cases.plans import draw_muscle, draw_plan
+from blind_cases.sizes import Bench, FreeParameter, Ruler, Signals, calibrated
 from rig import data_set
 from rig.data_set import Description, Recording
 from rig.effect import Effect

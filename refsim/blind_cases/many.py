@@ -16,12 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from benchmarks.hidden_effects import table
-from benchmarks.hidden_effects.cases import CLASSES, _fitting_noise, _negative, _within, spread
-from benchmarks.hidden_effects.faults import FAULTS, ON_SOME_BENCH, FaultForm, Scene
-from benchmarks.hidden_effects.noise import Sensors, disturb, draw_sensors
-from benchmarks.hidden_effects.setups import SHARES, Design, Setup, draw, draw_design
-from benchmarks.hidden_effects.sizes import Ruler, Signals, calibrated
+from blind_cases import table
+from blind_cases.cases import CLASSES, _fitting_noise, _negative, _within, spread
+from blind_cases.faults import FAULTS, ON_SOME_BENCH, FaultForm, Scene
+from blind_cases.noise import Sensors, disturb, draw_sensors
+from blind_cases.setups import SHARES, Design, Setup, draw, draw_design
+from blind_cases.sizes import Ruler, Signals, calibrated
 from rig import tables
 from rig.effect import Effect
 from rig.instruments import Fault

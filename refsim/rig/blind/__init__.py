@@ -10,11 +10,11 @@ How a score is prepared:
 1. Whoever writes the forms does not work on the diagnosis; whoever works on the diagnosis does not read this package
    nor its lines of the table nor its tests until the score is published.
 2. Each form gets a test by its limits and conservation laws (`tests/benchmarks/test_blind_forms.py`), never by what a
-   diagnosis makes of it, and a line in `benchmarks/hidden_effects/blind.py` for the set `score` alone.
-3. `SEEDS["score"]` in `benchmarks/hidden_effects/cases.py` gets a new value. The criteria of the diagnosis are fixed
+   diagnosis makes of it, and a line in `refsim/blind_cases/blind.py` for the set `score` alone.
+3. `SEEDS["score"]` in `refsim/blind_cases/cases.py` gets a new value. The criteria of the diagnosis are fixed
    from then on, and the commit of both is noted with the score.
 4. `python -m benchmarks.hidden_effects.score --set score` runs once, to the end. Its report is published as it is.
-5. Once anyone looks at single cases, these forms are not blind any more: the modules move to `rig/seen`, the lines of
+5. Once anyone looks at single cases, these forms are not blind any more: the modules move to `rig.seen`, the lines of
    `blind.py` to `table.py` and the set `tuning`, and this package is empty again.
 """
 

@@ -8,8 +8,8 @@ from typing import Any, Protocol
 
 import numpy as np
 
-from benchmarks.hidden_effects.noise import SIGNALS
-from benchmarks.hidden_effects.plans import TestRun
+from blind_cases.noise import SIGNALS
+from blind_cases.plans import TestRun
 from rig.effect import Effect
 from rig.muscle import MuscleParameters, simulate_muscle
 

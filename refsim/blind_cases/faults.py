@@ -12,9 +12,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from benchmarks.hidden_effects.noise import USUAL
-from benchmarks.hidden_effects.setups import Design, Setup
-from benchmarks.hidden_effects.table import BOTH, Form
+from blind_cases.noise import USUAL
+from blind_cases.setups import Design, Setup
+from blind_cases.table import BOTH, Form
 from rig import instruments
 from rig.catalogue.rate_friction import LoadFrequency
 from rig.effect import Effect
