@@ -29,8 +29,11 @@ def imported(file: Path) -> set[str]:
 
 @pytest.mark.parametrize(
     ("package", "barred"),
-    [("refsim", OUTSIDE), ("pam_cosim", ("rig", "blind_cases", "tests", "benchmarks", "examples")),
-     ("benchmarks", ("tests",))],
+    [
+        ("refsim", OUTSIDE),
+        ("pam_cosim", ("rig", "blind_cases", "tests", "benchmarks", "examples")),
+        ("benchmarks", ("tests",)),
+    ],
 )
 def test_a_package_does_not_import_what_stands_on_it(package: str, barred: tuple[str, ...]) -> None:
     files = sorted((ROOT / package).rglob("*.py"))

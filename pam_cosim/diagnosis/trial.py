@@ -231,7 +231,7 @@ def every_parameter(data: DataSet, composition: Composition, interface: Interfac
     own = [name for names in composition.parameters.values() for name in names if name not in known]
     every = [model_parameter(name, interface) for name in own]
     typical = composition.typical
-    return [*free, *(f.typically(*typical[f.name]) if f.name in typical else f for f in every)]
+    return [*free, *(f.with_typical_range(*typical[f.name]) if f.name in typical else f for f in every)]
 
 
 def _start_points(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:

@@ -50,7 +50,7 @@ class Free:
         """The same with another first guess [unit], as near to it as the bounds allow."""
         return replace(self, start=min(max(value, self.low), self.high))
 
-    def typically(self, low: float, high: float) -> Free:
+    def with_typical_range(self, low: float, high: float) -> Free:
         """The same with a prior: 95 % of its distribution, normal as it is searched, lie between these ends [unit]."""
         width = 2 * CRITERIA.fit.interval
         if self.logarithmic:
