@@ -7,9 +7,9 @@ model GeneralRuler "The position reading is any smooth function of the position,
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.03) = 0.01 "Coefficient of the second power, by 50 mm"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
   parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, by 50 mm squared"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.0065, 0.0065}));
   parameter Types.Time tau(min=1e-4, max=5, nominal=0.05) = 0.02 "Time constant"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=1e-3, max=1, nominal=0.1) = 0.1 "Second time constant by the first"
@@ -36,7 +36,7 @@ equation
 <p>Y = offset + 50 mm (gain w + bend w^2 + c w^3), w = u/50 mm, tau z_dot = Y - z, r tau y_dot = z - y. Source:
 <a href=\"modelica://PneumaticMuscle.Effects.PositionSensor.FlexibleRuler\">FlexibleRuler</a> and
 <a href=\"modelica://PneumaticMuscle.Effects.PositionSensor.PositionLag\">PositionLag</a> in one, see there, with a
-third power and a second pole of the filter. Typical as there.</p>
+third power and a second pole of the filter. Typical as there, each power 1 % of 100 mm at most.</p>
 <p>Fingerprint: as those.</p>
 </html>"));
 end GeneralRuler;

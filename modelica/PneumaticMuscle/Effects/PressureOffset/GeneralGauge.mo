@@ -9,11 +9,11 @@ model GeneralGauge "The pressure reading is any smooth function of the pressure"
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.03) = 0.01 "Coefficient of the second power, per 100 kPa"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.016, 0.016}));
   parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, per 100 kPa squared"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.0042, 0.0042}));
   parameter Real d(unit="1", min=-0.1, max=0.1, nominal=0.01) = 0 "Coefficient of the fourth power, per 100 kPa cubed"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-0.00135, 0.00135}));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which the coefficients refer";
   Real q(unit="1") = (port.p - ambient.p)/p_reference "Gauge pressure by the reference";
@@ -22,7 +22,8 @@ equation
   annotation (Documentation(info="<html>
 <p>p = offset + 100 kPa (gain q + bend q^2 + c q^3 + d q^4), q = p_gauge/100 kPa. Source: zero, span and linearity error
 of a transducer's data sheet, the last as a polynomial. Typical as
-<a href=\"modelica://PneumaticMuscle.Effects.PressureOffset.FlexibleGauge\">FlexibleGauge</a>.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.PressureOffset.FlexibleGauge\">FlexibleGauge</a>,
+each power 1 % of 250 kPa at most.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.PressureOffset.FlexibleGauge\">FlexibleGauge</a>.</p>
 </html>"));
 end GeneralGauge;
