@@ -313,6 +313,7 @@ class SearchCriteria:
     starts: int = decides(12, "models", "that further effects are reckoned on top of, and effects combined to two")
     step: float = decides(0.6, "of the excess", "that a further effect is expected to leave at most, to be tried")
     most_effects: int = decides(3, "effects", "in one explanation, at most")
+    at_noise: float = decides(0.1, "noise variances", "excess that needs no further effect tried")
     evaluations: int = decides(40, "evaluations", "of each descent of a candidate: some valleys are long")
     precision: float = decides(1e-4, "of chi-square", "at which they end: creeping further leads nowhere")
     screening_evaluations: int = decides(6, "evaluations", "tell a promising effect from a hopeless one")

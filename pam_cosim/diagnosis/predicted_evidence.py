@@ -198,6 +198,11 @@ class PredictedEvidence:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
         excess = now.chi2 - noise_floor * now.samples
+        if (
+            len(p.prediction.effects) > len(best.effects)
+            and excess < CRITERIA.search.at_noise * noise_floor * now.samples
+        ):
+            return False  # the fitted runs have nothing left to tell a further effect by
         left = own.chi2 - trust * p.prediction.reduction - noise_floor * own.samples
         return left < CRITERIA.search.step * excess
 
