@@ -19,6 +19,7 @@ DECIDING = (
     *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in FITTING),
     *(ROOT / "pam_cosim/ledger" / f"{name}.py" for name in ("estimate", "explanation", "sensor")),
     ROOT / "pam_cosim/measurement/noise.py",
+    ROOT / "pam_cosim/measurement/white_noise.py",
 )
 DECIDE_NOTHING = {
     "_CLIPPED_VARIANCE": "follows from the clip",

@@ -172,7 +172,7 @@ def _observed_states(
 
 
 def first_of_run(run: Run, signal: str, sigma: float) -> FirstSamples | None:
-    """A signal at the first row of a run; None where it has no sample.
+    """A signal at the first row of a run; None where it has no sample, or the first comes after a pause.
 
     Args:
         run: what was recorded.
@@ -193,7 +193,8 @@ class StartProbe:
     def __init__(self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> None:
         self.simulator, self.data, self.run = simulator, data, run
         self.states, self.rates = simulator.interface.states, simulator.interface.rates
-        self.signals = [n for n, s in data.signals.items() if s.fitted and run.sample_count(n)]
+        fitted = [n for n, s in data.signals.items() if s.fitted and run.sample_count(n)]
+        self.signals = [n for n in fitted if first_of_run(run, n, data.signals[n].sigma) is not None]
         self._parameters = {n: v for n, v in parameters.items() if n not in self.states}
         self._start, self._inputs = start_time(run), inputs_of_run(run)
 

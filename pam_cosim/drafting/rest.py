@@ -10,7 +10,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.noise import estimate_noise, record_step
+from pam_cosim.measurement.noise import record_step
+from pam_cosim.measurement.white_noise import estimate_noise
 
 _C = CRITERIA.recognition
 

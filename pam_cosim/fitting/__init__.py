@@ -11,7 +11,7 @@ from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty
 from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.fitting.parameter_file import parameters_in, read_parameters, write_parameters
+from pam_cosim.fitting.parameter_file import check_parameter_file, parameters_in, read_parameters, write_parameters
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior, parameter_posterior
 from pam_cosim.fitting.predictive_bands import Band, PredictiveBands, predictive_bands
 from pam_cosim.fitting.profile import Profile, Profiles
@@ -38,6 +38,7 @@ __all__ = [
     "Record",
     "FitProgress",
     "base_parameters",
+    "check_parameter_file",
     "bounded_least_squares",
     "estimated_starts",
     "estimates",

@@ -16,7 +16,19 @@ from pam_cosim.wording import shown
 
 _SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
+_OTHER_FILES = (".mo", ".fmu", ".csv", ".npz", ".html", ".png", ".toml")  # what other commands write
 _REALS = tuple(f"{{{_SSV}}}{kind}" for kind in ("Real", "Float64", "Float32"))  # SSP 1.0, and 2.0 besides
+
+
+def check_parameter_file(path: Path) -> None:
+    """Finds out that a name is not one of something else than parameters.
+
+    Raises:
+        InputError: it is.
+    """
+    if path.suffix.lower() in _OTHER_FILES:
+        message = "parameters are written as .json or .ssv; 'pam-cosim add --from' writes a model that has them"
+        raise InputError(message, path)
 
 
 def write_parameters(path: Path, fit: Fit) -> None:
@@ -25,8 +37,9 @@ def write_parameters(path: Path, fit: Fit) -> None:
     A model has no place for what is of one run alone: an ``.ssv`` file holds the shared parameters.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the file cannot be written, or its name is one of something else.
     """
+    check_parameter_file(path)
     if path.suffix.lower() == ".ssv":
         write_text(path, _ssv(fit))
     else:

@@ -16,12 +16,13 @@ from pam_cosim.measurement.data_set import (
 from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.first_samples import FirstSamples, first_samples
 from pam_cosim.measurement.further_run import further_run, rows_of
-from pam_cosim.measurement.noise import complete_noise, estimate_noise, record_step
+from pam_cosim.measurement.noise import complete_noise, record_step
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
 from pam_cosim.measurement.start import START_MODES, Start, StartMode
 from pam_cosim.measurement.steps import between_samples, with_step_times
 from pam_cosim.measurement.text_file import any_text
+from pam_cosim.measurement.white_noise import estimate_noise
 from pam_cosim.measurement.write import write_data_set
 
 __all__ = [

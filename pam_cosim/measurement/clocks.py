@@ -9,8 +9,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.noise import estimate_noise
 from pam_cosim.measurement.recording import Recording, locked
+from pam_cosim.measurement.white_noise import estimate_noise
 from pam_cosim.simulation.inputs import Interpolation
 
 _COARSE = 2000  # Points of the longer recording by which offsets are looked for.

@@ -17,6 +17,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import Run, Signal
+from pam_cosim.measurement.white_noise import estimate_noise
 
 
 def repeatability(runs: Sequence[Run], signal: str) -> float:
@@ -81,9 +82,16 @@ def _are_same_test(a: Run, b: Run) -> bool:
 
 
 def _has_near_input(a: Run, b: Run, name: str, span: float) -> bool:
-    rows = _nearest_samples(a, b)
-    off = a.inputs[name] - b.inputs[name][rows]
-    return float(np.sqrt(np.mean(off**2))) <= CRITERIA.noise.same_test * span
+    """Whether an input differs by little of what it goes through in all runs, and in these two: or by noise alone."""
+    near, other = a.inputs[name], b.inputs[name][_nearest_samples(a, b)]
+    square = float(np.mean((near - other) ** 2))
+    size = max(float(np.abs(near).max()), float(np.abs(other).max()))
+    if sqrt(square) > CRITERIA.noise.same_test * span:
+        return False
+    if sqrt(square) <= CRITERIA.noise.same_test * size:
+        return True
+    noise = estimate_noise(a.time, near - other)  # of an input that rests beside others and is recorded
+    return square <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2
 
 
 def _nearest_samples(a: Run, b: Run) -> Array:

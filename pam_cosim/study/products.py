@@ -30,6 +30,7 @@ from pam_cosim.fitting import Fit, HoldoutUncertainty, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
+from pam_cosim.study.tables import write_planned_runs
 
 Product = (
     Trajectory
@@ -56,6 +57,8 @@ _DAMAGED = "is no saved product of a study, or was damaged"
 def save(product: Product, path: Path | str) -> Path:
     """Writes a trajectory, comparison or any other product of a study; whole or not at all.
 
+    Planned runs are written as the tables that a rig plays where the name ends in ``.csv``.
+
     Raises:
         InputError: another kind of thing, or the file cannot be written.
     """
@@ -64,6 +67,8 @@ def save(product: Product, path: Path | str) -> Path:
     kind = type(product).__name__
     if _KINDS.get(kind) is not type(product):
         raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
+    if isinstance(product, RunPlan) and target.suffix.lower() == ".csv":
+        return write_planned_runs(target, product)[0]
     arrays: dict[bytes, tuple[int, np.ndarray]] = {}
     with _at_hand(arrays):
         content = {"kind": kind, "version": _VERSION, "content": _converter().unstructure(product)}

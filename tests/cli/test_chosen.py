@@ -64,6 +64,7 @@ def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place:
         (["fit", "--start", "orifice.C_d=1 kPa"], "leave it out"),
         (["fit", "--start", "orifice.C_d"], "NAME=VALUE"),
         (["fit", "--role", "two=fit"], "no run 'two'"),
+        (["fit", "--output", "better.mo"], "'pam-cosim add --from' writes a model"),
         (["fit", "--role", "one=judge"], "no role"),
         (["compare", "--role", "one=holdout"], "no run would be left"),
         (["compare", "--set", "orifice.C_x=1"], "did you mean 'orifice.C_d'"),

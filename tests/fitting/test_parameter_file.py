@@ -30,6 +30,13 @@ def test_round_trip_to_the_last_bit(tmp_path: Path, name: str) -> None:
     assert [p.name for p in tmp_path.iterdir()] == [name]
 
 
+@pytest.mark.parametrize("name", ["better.mo", "p.CSV", "p.npz"])
+def test_a_name_of_something_else_is_refused(tmp_path: Path, name: str) -> None:
+    with pytest.raises(InputError, match="'pam-cosim add --from' writes a model"):
+        write_parameters(tmp_path / name, FOUND)
+    assert not list(tmp_path.iterdir())
+
+
 def test_json_carries_intervals_and_units(tmp_path: Path) -> None:
     write_parameters(tmp_path / "p.json", FOUND)
     content = json.loads((tmp_path / "p.json").read_text())

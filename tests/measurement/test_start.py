@@ -116,3 +116,11 @@ def test_first_samples_end_where_the_signal_bends() -> None:
     assert abs(first.value) < 4 * first.sd and abs(first.slope - 5.0) < 4 * first.slope_sd
     still = first_samples(t, 0.01 * rng.standard_normal(len(t)), 0.01, 0.0)
     assert still is not None and not still.moves and still.sd < 0.004
+
+
+def test_samples_that_come_after_a_pause_do_not_show_the_start() -> None:
+    t = np.arange(0.0, 2.0, 0.01)
+    late = np.where(t < 1.0, np.nan, 5.0 + 300.0 * (t - 1.0))  # nothing at first, then a steep rise
+    assert first_samples(t, late, 0.01, 0.0) is None
+    soon = np.where(t < 0.05, np.nan, 5.0 + 300.0 * t)
+    assert first_samples(t, soon, 0.01, 0.0) is not None

@@ -26,7 +26,7 @@ from pam_cosim.cli.commands.common import (
     say_written,
 )
 from pam_cosim.files import write_json
-from pam_cosim.fitting import METHODS, FitOptions, summary, write_parameters
+from pam_cosim.fitting import METHODS, FitOptions, check_parameter_file, summary, write_parameters
 
 
 def fit(
@@ -60,6 +60,8 @@ def fit(
 ) -> None:
     """Fit the parameters that the data set leaves free."""
     check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
+    if output:
+        check_parameter_file(output)
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("fitting") as status:
         fitted = study.fit(

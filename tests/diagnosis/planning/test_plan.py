@@ -15,6 +15,7 @@ from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, further_run, read_data_set, read_recording
+from pam_cosim.study.tables import write_planned_runs
 from rig.short import write_light_data
 from tests.diagnosis.test_next_experiment import rival
 from tests.reporting.synthetic import make_diagnosis
@@ -71,6 +72,13 @@ def test_the_table_alone_gives_the_run(diagnosis: Diagnosis, plan: RunPlan) -> N
         predictions = rivals.predictions(course)
         assert predictions is not None
         assert rivals.separations(predictions)[0] == pytest.approx(run.chi2, rel=1e-3)
+
+
+def test_it_is_saved_as_the_table_that_a_rig_plays(plan: RunPlan, tmp_path: Path) -> None:
+    write_planned_runs(tmp_path / "command.csv", plan)
+    assert study.save(plan, tmp_path / "python.csv") == tmp_path / "python.csv"
+    assert (tmp_path / "python.csv").read_bytes() == (tmp_path / "command.csv").read_bytes()
+    assert str(study.load(study.save(plan, tmp_path / "plan.npz"))) == str(plan)
 
 
 def test_two_searches_with_one_seed_are_one(diagnosis: Diagnosis, plan: RunPlan) -> None:
