@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections import Counter
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
@@ -19,6 +19,7 @@ from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.subject import subject_of
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting import base_parameters, linearised, rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet
@@ -50,6 +51,11 @@ class Help:
         """How many questions it settles."""
         return len(self.shows) + len(self.tells_apart) + len(self.determines)
 
+    def as_dict(self) -> dict[str, object]:
+        """Plain data for JSON."""
+        measures = {name: value for name, value in plain_fields(self).items() if name != "option"}
+        return {"kind": self.option.kind, "what": self.option.text, **measures}
+
 
 @dataclass(frozen=True)
 class Check(Printed):
@@ -75,30 +81,21 @@ class Check(Printed):
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        content = {
             "title": self.data.title,
             "model": self.model,
-            "parameters": {k.name: asdict(k) | {"determined": k.determined} for k in self.told.parameters},
-            "confused": [list(c) for c in self.told.confused],
-            "effects": [_finite(asdict(s)) for s in self.told.shown],
+            "parameters": {k.name: {**plain_fields(k), "determined": k.determined} for k in self.told.parameters},
+            "confused": self.told.confused,
+            "effects": self.told.shown,
             "visible": sorted(self.told.visible),
-            "alike": [_finite(asdict(a)) for a in self.told.alike],
-            "hidden": list(self.told.hidden),
-            "no_place": list(self.no_place),
-            "unmoved": list(self.unmoved),
-            "helps": [
-                {
-                    "kind": h.option.kind,
-                    "what": h.option.text,
-                    "shows": list(h.shows),
-                    "tells_apart": [list(pair) for pair in h.tells_apart],
-                    "determines": list(h.determines),
-                    "sharper": h.sharper,
-                }
-                for h in self.helps
-            ],
-            "failed": [c.as_dict() for c in self.failed],
+            "alike": self.told.alike,
+            "hidden": self.told.hidden,
+            "no_place": self.no_place,
+            "unmoved": self.unmoved,
+            "helps": self.helps,
+            "failed": self.failed,
         }
+        return dict(plain(content))
 
     def __str__(self) -> str:
         lines = [f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"]
@@ -183,10 +180,6 @@ def _benefit_text(h: Help) -> str:
     if h.sharper < CRITERIA.resolution.sharper:
         parts.append(f"the free parameters are known to {100 * h.sharper:.0f} % of the deviation")
     return "; ".join(parts)
-
-
-def _finite(content: dict[str, object]) -> dict[str, object]:
-    return content | {"least": content["least"] if content["least"] != float("inf") else None}
 
 
 @on_one_thread

@@ -91,10 +91,11 @@ def run_retiming(task: Retiming) -> Retimed | None:
 
 
 def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
-    free, own, numbers = every_parameter(task.data, task.composition, simulator.interface), task.fit, CRITERIA.search
-    clock = _StepTimes(simulator, task.data, own.values)
-    start = _at(free, own)
-    if not clock.explains_enough(start):
+    numbers, best = CRITERIA.search, task.fit
+    free = every_parameter(task.data, task.composition, simulator.interface)
+    step_times = _StepTimes(simulator, task.data, best.values)
+    start = _starting_at_fit(free, best)
+    if not step_times.explains_enough(start):
         return None
     options = FitOptions(
         evaluations=numbers.screening_evaluations,
@@ -104,13 +105,13 @@ def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
         holdout_uncertainty=True,
     )
     for _ in range(_ROUNDS):
-        start = clock.updated(start)
-        own = fit(simulator, clock.data, start, options=options)
-        start = _at(free, own)
-    return Retimed(task.effects, clock.steps, clock.data, own)
+        start = step_times.updated(start)
+        best = fit(simulator, step_times.data, start, options=options)
+        start = _starting_at_fit(free, best)
+    return Retimed(task.effects, step_times.steps, step_times.data, best)
 
 
-def _at(free: Sequence[Free], fit: Fit) -> list[Free]:
+def _starting_at_fit(free: Sequence[Free], fit: Fit) -> list[Free]:
     return [f.starting_at(fit.values.get(f.name, f.start)) for f in free]
 
 

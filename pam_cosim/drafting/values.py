@@ -14,7 +14,8 @@ from pam_cosim.drafting.bench_choice import meaning_of
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import is_constant, noise_of, span
-from pam_cosim.drafting.vocabulary import UNITS, Meaning, fits, read_variable
+from pam_cosim.drafting.vocabulary import Meaning, fits, read_variable
+from pam_cosim.drafting.words import UNITS
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
 

@@ -12,107 +12,22 @@ import unicodedata
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import lru_cache
-from math import inf
 
+from pam_cosim.drafting.words import (
+    ABSOLUTE,
+    DIRECTIONS,
+    KINDS,
+    NO_LOAD,
+    OF_VALVES,
+    ROLES,
+    SAID_IN_PASSING,
+    SPELLINGS,
+    UNITS,
+    USUAL_UNITS,
+    WITHOUT_ROLES,
+)
 from pam_cosim.measurement.table import is_unit
 from pam_cosim.units import UnitError, convert
-
-UNITS = {
-    "time": "s",
-    "pressure": "Pa",
-    "contraction": "m",
-    "length": "m",
-    "ratio": "1",
-    "force": "N",
-    "mass": "kg",
-    "temperature": "K",
-    "current": "A",
-    "command": "1",
-    "voltage": "V",
-    "angle": "rad",
-    "count": "1",
-    "direction": "1",
-}
-"""What can be measured, and its SI unit."""
-
-_KINDS = {
-    "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
-    "pressure": "=p =pm =pk pressure druck pression press",
-    "temperature": "=temp temperature temperatur thermo",
-    "current": "=i =u =strom =courant current strom courant intensite",
-    "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
-    "force": "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull =traction",
-    "ratio": "=eps epsilon strain ratio dehnung stauchung verhaltnis",
-    "contraction": "=x =s =z =y =dx =dl =weg =hub =pos =disp contraction kontraktion displacement "
-    "verschiebung verkurzung verkuerzung raccourcissement deplacement stroke position weggeber "
-    "wegsensor laser course travel shortening",
-    "length": "=l =len =lange length laenge lange longueur",
-    "mass": "=mass =masse =gewicht weight gewicht poids",
-    "angle": "angle winkel",
-    "voltage": "voltage spannung",
-    "count": "cycle zyklus takt index sample trial versuch number nummer numero =no =nr =n =id =point =punkt =lauf",
-    "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
-}
-_ROLES = {
-    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
-    "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
-    "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
-    "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
-    "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
-}
-_WITHOUT_ROLES = ("count", "direction")
-_OF_VALVES = ("inlet", "exhaust")
-_SAID_IN_PASSING = frozenset(
-    ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
-)
-# "unloading" and "entlasten" hold words of the other way: these come first.
-_WAYS = (
-    (
-        -1,
-        "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
-        "extend extension =ruck ruckhub descen degonfl =back backward return =out",
-    ),
-    (
-        1,
-        "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
-        "gonfl =forward =in",
-    ),
-)
-_NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
-_WRITTEN = {
-    "bar": "bara, bar(a), bar(g), bar a, bar g, bar abs, bar rel, bar abs., bar (abs), bar",
-    "kPa": "kpaa, kpa abs, kpa",
-    "psi": "psia, psi",
-    "s": "sec, sek, sek., secs, seconds, sekunden, secondes",
-    "ms": "msec",
-    "MPa": "mpa",
-    "mbar": "mbar",
-    "N": "newton, n",
-    "degC": "celsius, c, degc, grad c, deg c",
-    "A": "ampere, amp, a",
-    "V": "volt, volts, v",
-    "mm": "mm, millimeter",
-    "cm": "cm",
-    "%": "prozent, percent, pct",
-    "K": "kelvin",
-}
-"""How units are written beside their own way, folded."""
-_SPELLINGS = {written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")}
-_ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
-
-
-# Unit that numbers without one most likely have, by their largest magnitude: of a laboratory's muscle.
-_USUAL: dict[str, tuple[tuple[float, str], ...]] = {
-    "pressure": ((1.2, "MPa"), (15.0, "bar"), (2e3, "kPa"), (inf, "Pa")),
-    "contraction": ((0.7, "m"), (inf, "mm")),
-    "length": ((0.7, "m"), (inf, "mm")),
-    "ratio": ((1.0, ""), (inf, "%")),
-    "command": ((1.0, ""), (inf, "%")),
-    "force": ((inf, "N"),),
-    "mass": ((inf, "kg"),),
-    "temperature": ((200.0, "degC"), (inf, "K")),
-    "current": ((2.0, "A"), (inf, "mA")),
-}
 
 
 @dataclass(frozen=True)
@@ -164,14 +79,14 @@ def read_heading(name: str, unit: str) -> Heading:
     meaning = _meaning(small, stated)
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
-    absolute = bool(_ABSOLUTE.search(f"{name} {unit}"))
+    absolute = bool(ABSOLUTE.search(f"{name} {unit}"))
     return Heading(meaning, stated, bool(stated) and stated == unit.strip(), absolute, share)
 
 
 def direction_word(word: str) -> int:
     """1 where a word says that a muscle contracts or its pressure rises, -1 the other way; 0: it says neither."""
     text = folded(word)
-    for way, said in _WAYS:
+    for way, said in DIRECTIONS:
         if _among(text, said):
             return way
     return 0
@@ -180,21 +95,21 @@ def direction_word(word: str) -> int:
 def says_no_load(text: str) -> bool:
     """Whether a text, such as a file's name, says that a muscle pulled at nothing."""
     plain = re.sub(r"[\W_]+", "", folded(text))
-    return any(word in plain for word in _NO_LOAD)
+    return any(word in plain for word in NO_LOAD)
 
 
 @lru_cache(maxsize=4096)
 def read_variable(name: str, description: str, unit: str) -> Meaning | None:
     """What an input or output of a bench is, by its unit and what is said of it."""
     said = [folded(word) for word in split_words(description)]
-    words = [folded(word) for word in split_words(name)] + [word for word in said if word not in _SAID_IN_PASSING]
+    words = [folded(word) for word in split_words(name)] + [word for word in said if word not in SAID_IN_PASSING]
     return _meaning(words, unit or "1", exact=True)
 
 
 def known_unit(unit: str) -> str:
     """The unit as the registry of units has it; "" where it is none."""
     text = unit.strip()
-    usual = _SPELLINGS.get(folded(text), "")
+    usual = SPELLINGS.get(folded(text), "")
     if usual and not (is_unit(text) and folded(usual) == folded(text)):
         return usual
     return text if text and is_unit(text) and not text.isdigit() else usual
@@ -203,12 +118,12 @@ def known_unit(unit: str) -> str:
 @lru_cache(maxsize=4096)
 def kinds_of(word: str) -> tuple[str, ...]:
     """What a word in small letters means."""
-    return tuple(kind for kind, listed in _KINDS.items() if _among(word, listed))
+    return tuple(kind for kind, listed in KINDS.items() if _among(word, listed))
 
 
 def usual_unit(kind: str, largest: float) -> str:
     """The unit that numbers of a kind most likely have, by their largest magnitude."""
-    return next((unit for most, unit in _USUAL.get(kind, ()) if largest <= most), "")
+    return next((unit for most, unit in USUAL_UNITS.get(kind, ()) if largest <= most), "")
 
 
 @lru_cache(maxsize=4096)
@@ -262,9 +177,9 @@ def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | N
     kind = _kind_with_unit(named, unit, exact) if unit else _kind_without_unit(named)
     if kind is None:
         return None
-    if kind in _WITHOUT_ROLES:
+    if kind in WITHOUT_ROLES:
         return Meaning(kind)
-    of_valves = set(_OF_VALVES)
+    of_valves = set(OF_VALVES)
     roles = _roles_of(words)
     return Meaning(kind, frozenset(roles & of_valves if kind in ("command", "current") else roles - of_valves))
 
@@ -321,7 +236,7 @@ def _kinds_of(word: str, place: int) -> tuple[str, ...]:
 
 
 def _roles_of(words: list[str]) -> set[str]:
-    return {role for role, listed in _ROLES.items() if any(_among(word, listed) for word in words)}
+    return {role for role, listed in ROLES.items() if any(_among(word, listed) for word in words)}
 
 
 def _among(word: str, listed: str) -> bool:

@@ -1,0 +1,106 @@
+"""Words, in English, German and French, and how units are written: the tables that ``vocabulary`` reads by.
+
+A word with "=" stands alone; another may stand within a longer one.
+"""
+
+from __future__ import annotations
+
+import re
+from math import inf
+
+UNITS = {
+    "time": "s",
+    "pressure": "Pa",
+    "contraction": "m",
+    "length": "m",
+    "ratio": "1",
+    "force": "N",
+    "mass": "kg",
+    "temperature": "K",
+    "current": "A",
+    "command": "1",
+    "voltage": "V",
+    "angle": "rad",
+    "count": "1",
+    "direction": "1",
+}
+"""What can be measured, and its SI unit."""
+
+KINDS = {
+    "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
+    "pressure": "=p =pm =pk pressure druck pression press",
+    "temperature": "=temp temperature temperatur thermo",
+    "current": "=i =u =strom =courant current strom courant intensite",
+    "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
+    "force": "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull =traction",
+    "ratio": "=eps epsilon strain ratio dehnung stauchung verhaltnis",
+    "contraction": "=x =s =z =y =dx =dl =weg =hub =pos =disp contraction kontraktion displacement "
+    "verschiebung verkurzung verkuerzung raccourcissement deplacement stroke position weggeber "
+    "wegsensor laser course travel shortening",
+    "length": "=l =len =lange length laenge lange longueur",
+    "mass": "=mass =masse =gewicht weight gewicht poids",
+    "angle": "angle winkel",
+    "voltage": "voltage spannung",
+    "count": "cycle zyklus takt index sample trial versuch number nummer numero =no =nr =n =id =point =punkt =lauf",
+    "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
+}
+ROLES = {
+    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
+    "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
+    "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
+    "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
+    "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
+}
+WITHOUT_ROLES = ("count", "direction")
+OF_VALVES = ("inlet", "exhaust")
+SAID_IN_PASSING = frozenset(
+    ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
+)
+# "unloading" and "entlasten" hold words of the other way: these come first.
+DIRECTIONS = (
+    (
+        -1,
+        "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
+        "extend extension =ruck ruckhub descen degonfl =back backward return =out",
+    ),
+    (
+        1,
+        "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
+        "gonfl =forward =in",
+    ),
+)
+NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
+_WRITTEN = {
+    "bar": "bara, bar(a), bar(g), bar a, bar g, bar abs, bar rel, bar abs., bar (abs), bar",
+    "kPa": "kpaa, kpa abs, kpa",
+    "psi": "psia, psi",
+    "s": "sec, sek, sek., secs, seconds, sekunden, secondes",
+    "ms": "msec",
+    "MPa": "mpa",
+    "mbar": "mbar",
+    "N": "newton, n",
+    "degC": "celsius, c, degc, grad c, deg c",
+    "A": "ampere, amp, a",
+    "V": "volt, volts, v",
+    "mm": "mm, millimeter",
+    "cm": "cm",
+    "%": "prozent, percent, pct",
+    "K": "kelvin",
+}
+"""How units are written beside their own way, folded."""
+SPELLINGS = {written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")}
+ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
+
+
+# Unit that numbers without one most likely have, by their largest magnitude: of a laboratory's muscle.
+USUAL_UNITS: dict[str, tuple[tuple[float, str], ...]] = {
+    "pressure": ((1.2, "MPa"), (15.0, "bar"), (2e3, "kPa"), (inf, "Pa")),
+    "contraction": ((0.7, "m"), (inf, "mm")),
+    "length": ((0.7, "m"), (inf, "mm")),
+    "ratio": ((1.0, ""), (inf, "%")),
+    "command": ((1.0, ""), (inf, "%")),
+    "force": ((inf, "N"),),
+    "mass": ((inf, "kg"),),
+    "temperature": ((200.0, "degC"), (inf, "K")),
+    "current": ((2.0, "A"), (inf, "mA")),
+}
