@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison.initial_state import (
     InitialState,
     StartProbe,
@@ -17,7 +18,9 @@ from pam_cosim.comparison.initial_state import (
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.first_offsets import FirstOffset, first_offsets
+from pam_cosim.fitting.free import base_parameters
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, Run, StartMode
 from pam_cosim.simulation import AnySimulator
@@ -162,16 +165,28 @@ class _Choice:
         return _begun(run, "estimated", f"{_first_samples_text(run, first)}: estimated, {reason}")
 
     def _leaves_less(self, runs: Sequence[Run]) -> bool:
-        """Whether estimated starts explain much of the residuals: an offset of an instrument remains."""
-        squares = []
-        for mode in _MODES:
-            begun = [replace(run, start=replace(run.start, mode=mode)) for run in runs]
-            try:
-                objective = Objective(self._simulator, self._data, begun, (), self._stated)
-                squares.append(objective.squares(np.zeros(0)))
-            except SimulationFailure:
-                return False
-        return squares[0] > CRITERIA.starts.worth * squares[1]
+        """Whether estimated starts explain much of the residuals, which an offset of each instrument does not.
+
+        Either beside the free parameters, to first order: these have not been fitted yet.
+        """
+        try:
+            resting, estimated = (self._linearised(runs, mode) for mode in _MODES)
+            with_offsets = _remaining_squares(resting, _offset_columns(resting))
+            return with_offsets > CRITERIA.starts.worth * _remaining_squares(estimated)
+        except SimulationFailure:
+            return False
+
+    def _linearised(self, runs: Sequence[Run], mode: StartMode) -> _Linearised:
+        begun = [replace(run, start=replace(run.start, mode=mode)) for run in runs]
+        declared = base_parameters(self._data, self._simulator.interface)
+        free = [one for one in declared if one.name not in self._stated]
+        objective = Objective(self._simulator, self._data, begun, free, self._stated)
+        z = np.array([one.to_z(one.start) for one in free])
+        residuals = objective.residuals(z)
+        if not np.isfinite(residuals).all():
+            raise SimulationFailure(objective.first_failure)
+        low, high = objective.bounds
+        return _Linearised(objective, residuals, objective.jacobian(z, residuals), low - z, high - z)
 
     def _repeated(self, run: Run) -> Run:
         """The run with so many periods before it that one more would change nothing that is measured."""
@@ -228,6 +243,38 @@ class _Choice:
             if float(np.max(np.abs(high - low) / size, initial=0.0)) > CRITERIA.starts.own_parameter:
                 return True
         return False
+
+
+@dataclass(frozen=True)
+class _Linearised:
+    """An objective about the start values of its free parameters: (m,) residuals, (m, n) slopes, (n,) bounds."""
+
+    objective: Objective
+    residuals: Array
+    slopes: Array
+    low: Array
+    high: Array
+
+
+def _remaining_squares(linear: _Linearised, further: Array | None = None) -> float:
+    """The sum of squares that the free parameters leave within their bounds, and further columns without bounds."""
+    count = 0 if further is None else further.shape[1]
+    slopes = linear.slopes if further is None else np.column_stack([linear.slopes, further])
+    low, high = np.append(linear.low, np.full(count, -np.inf)), np.append(linear.high, np.full(count, np.inf))
+    step = bounded_least_squares(slopes, -linear.residuals, low, high)
+    return float(np.sum((linear.residuals + slopes @ step) ** 2))
+
+
+def _offset_columns(linear: _Linearised) -> Array:
+    """(m, signals) ones where a residual is of a signal: an offset that is the same in all runs."""
+    series = linear.objective.series
+    signals = list(dict.fromkeys(signal for _, signal in series))
+    columns, row = np.zeros((len(linear.residuals), len(signals))), 0
+    for (_, signal), kept in zip(series, linear.objective.kept, strict=True):
+        count = int(kept.sum())
+        columns[row : row + count, signals.index(signal)] = 1.0
+        row += count
+    return columns
 
 
 def _first_samples_text(run: Run, first: Sequence[FirstOffset]) -> str:

@@ -19,6 +19,7 @@ from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
+from rig import short
 from rig.measurement import measure, write_data_set
 from rig.plan import default_plan
 
@@ -125,6 +126,14 @@ def test_steady_is_right_where_the_rig_rested(data: Callable[..., DataSet]) -> N
     data_set = data(cut=3.3, start="steady")
     first = replace(data_set, runs=(replace(data_set.runs[0], role="fit"),))
     assert _chi2(pam.fit(first), "fit") < 1.2
+
+
+def test_two_runs_with_a_ruler_that_is_off_begin_at_rest(tmp_path: Path) -> None:
+    """An offset of the ruler explains both runs, beside the free parameters, better than starts that they forget."""
+    words = [str(tmp_path / "ruler"), "--fault", "offset:signal=x,offset=1.5e-3", "--seed", "1"]
+    assert short.main(words) == 0
+    compared = pam.compare(pam.read(tmp_path / "ruler"))
+    assert [run.start.mode for run in compared.data.runs] == ["rest", "rest"]
 
 
 def test_an_unknown_start_is_refused(data: Callable[..., DataSet]) -> None:
