@@ -93,7 +93,7 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, retime
                 break
         if 1 < count < CRITERIA.search.most_effects:
             models.probe_again()
-    models.challenge()
+    models.try_removing_one()
     return Selection(
         models.search,
         models.base,
@@ -257,21 +257,6 @@ class _Models:
             if len(self.fitted) == before:
                 return
             self.improve(len(best.effects))
-
-    def challenge(self) -> None:
-        """What is chosen against all that lacks one of its effects, and against what may take the place of each.
-
-        The first set that leaves noise need not be the best of its size: what is expected of the others beside the
-        models that lack one effect decides which of them are fitted.
-        """
-        for _ in range(CRITERIA.search.most_effects):
-            self.try_removing_one()
-            best = self.ranking.answer()
-            if best is None or len(best.effects) < 2 or self.ranking.has_structure(best):
-                return
-            self.improve(len(best.effects))
-            if self.ranking.answer() is best:
-                return
 
     def try_removing_one(self) -> None:
         """What is chosen without each of its effects, to the end, until each of them is needed.

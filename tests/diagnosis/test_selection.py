@@ -115,22 +115,6 @@ def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     assert answer is not None and set(answer.effects) == set(needed)
 
 
-def test_what_leaves_noise_first_makes_place_for_what_fits_better_in_its_place() -> None:
-    """Two members of a family are so alike that either leaves noise; nobody fitted the right pair."""
-    pair = world({"YoungBladder": 1.0, "ThermocoupleLag": 5.0})
-    models = _Models(pair, pair.fitted(()), math.inf)
-    models.probe()
-    for names in (("LinearBladder",), ("ThermocoupleLag",), ("LinearBladder", "ThermocoupleLag")):
-        models.fitted[names] = pair.candidate(names)
-    models.ranking.update_scale()
-    chosen = models.ranking.answer()
-    assert chosen is not None and chosen.effects == ("LinearBladder", "ThermocoupleLag")
-    assert not models.ranking.has_structure(chosen)
-    models.challenge()
-    answer = models.ranking.answer()
-    assert answer is not None and set(answer.effects) == {"YoungBladder", "ThermocoupleLag"}
-
-
 def test_whatever_is_chosen_is_compared_with_all_that_lacks_one_of_its_effects() -> None:
     triple = world({"LinearBladder": 8.0, "ThermocoupleLag": 5.0, "OrificeLeak": 3.0})
     selection = select_effects(triple, triple.fitted(()))
