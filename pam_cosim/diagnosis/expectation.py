@@ -18,7 +18,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.fitting import Linear, bounded_least_squares
+from pam_cosim.fitting import Linear, bounded_step, prior_rows, reduction_by
 from pam_cosim.measurement import Prior
 
 _NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
@@ -108,16 +108,6 @@ def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> EffectShape:
     return EffectShape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at], priors)
 
 
-def _prior_terms(names: Sequence[str], values: Array, priors: Mapping[str, Prior]) -> tuple[Array, Array]:
-    """(k,) what priors add to the diagonal of a quadratic form about values of parameters, and (k,) to its slope."""
-    known = [
-        (priors[n].surprise(v), priors[n].slope(v)) if n in priors else (0.0, 0.0)
-        for n, v in zip(names, values.tolist(), strict=True)
-    ]
-    off, by_value = np.array(known).reshape(-1, 2).T
-    return by_value**2, -off * by_value
-
-
 def _orthonormal(columns: Array) -> Array:
     size = np.linalg.norm(columns, axis=0)
     kept = columns[:, size > _WEAK * max(size.max(initial=0.0), 1e-300)]
@@ -131,14 +121,7 @@ def reduction(linear: Linear) -> float:
 
     As far as what is known of them beforehand lets them go.
     """
-    low, high = linear.low - linear.values, linear.high - linear.values
-    square, along = _prior_terms(linear.names, linear.values, linear.priors)
-    known = np.sqrt(square)
-    rows = np.vstack([linear.slopes, np.diag(known)])
-    wanted = np.append(linear.residual, along / np.where(known > 0, known, 1.0))
-    step = bounded_least_squares(rows, wanted, np.minimum(low, 0.0), np.maximum(high, 0.0))
-    moved = linear.slopes @ step
-    return max(float(moved @ (2 * linear.residual - moved)), 0.0)
+    return reduction_by(linear, bounded_step(linear))
 
 
 def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
@@ -259,8 +242,8 @@ class LinearisedNeighbourhood:
         high = np.concatenate([own.high, *(s.high for s in shapes)]) - values
         names = (*own.names, *(n for s in shapes for n in s.names))
         priors = {**own.priors, **{n: prior for s in shapes for n, prior in s.priors.items()}}
-        known, pull = _prior_terms(names, values, priors)
-        step = _boxed(square + np.diag(known), along + pull, low, high)
+        known, pull = prior_rows(names, values, priors)
+        step = _boxed(square + np.diag(known**2), along + known * pull, low, high)
         whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
         gained = whole + float(step @ (2 * along - square @ step))
         by_name = dict(zip(names, (values + step).tolist(), strict=True))

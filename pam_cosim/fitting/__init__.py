@@ -8,7 +8,15 @@ from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
 from pam_cosim.fitting.free_selection import with_free
 from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty
-from pam_cosim.fitting.linear import Linear, linearised, residual_rows, rows_of_series
+from pam_cosim.fitting.linear import (
+    Linear,
+    bounded_step,
+    linearised,
+    prior_rows,
+    reduction_by,
+    residual_rows,
+    rows_of_series,
+)
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import check_parameter_file, parameters_in, read_parameters, write_parameters
@@ -42,6 +50,7 @@ __all__ = [
     "base_parameters",
     "check_parameter_file",
     "bounded_least_squares",
+    "bounded_step",
     "estimated_starts",
     "estimates",
     "fit",
@@ -50,8 +59,10 @@ __all__ = [
     "parameter_posterior",
     "parameters_in",
     "predictive_bands",
+    "prior_rows",
     "profile",
     "read_parameters",
+    "reduction_by",
     "residual_rows",
     "rows_of_series",
     "runs_without_start",

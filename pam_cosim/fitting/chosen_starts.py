@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 
@@ -18,9 +18,9 @@ from pam_cosim.comparison.initial_state import (
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.first_offsets import FirstOffset, first_offsets
 from pam_cosim.fitting.free import base_parameters
+from pam_cosim.fitting.linear import Linear, bounded_step, linearised, reduction_by, rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, Run, StartMode
 from pam_cosim.simulation import AnySimulator
@@ -170,23 +170,21 @@ class _Choice:
         Either beside the free parameters, to first order: these have not been fitted yet.
         """
         try:
-            resting, estimated = (self._linearised(runs, mode) for mode in _MODES)
-            with_offsets = _remaining_squares(resting, _offset_columns(resting))
-            return with_offsets > CRITERIA.starts.worth * _remaining_squares(estimated)
+            (resting, offsets), (estimated, _) = (self._linearised(runs, mode) for mode in _MODES)
         except SimulationFailure:
             return False
+        return _remaining_squares(resting, offsets) > CRITERIA.starts.worth * _remaining_squares(estimated)
 
-    def _linearised(self, runs: Sequence[Run], mode: StartMode) -> _Linearised:
+    def _linearised(self, runs: Sequence[Run], mode: StartMode) -> tuple[Linear, Array]:
+        """About the start values of the free parameters, and the slopes by an offset of each signal."""
         begun = [replace(run, start=replace(run.start, mode=mode)) for run in runs]
         declared = base_parameters(self._data, self._simulator.interface)
         free = [one for one in declared if one.name not in self._stated]
         objective = Objective(self._simulator, self._data, begun, free, self._stated)
-        z = np.array([one.to_z(one.start) for one in free])
-        residuals = objective.residuals(z)
-        if not np.isfinite(residuals).all():
+        linear = linearised(objective, np.array([one.to_z(one.start) for one in free]), objective.size)
+        if linear is None:
             raise SimulationFailure(objective.first_failure)
-        low, high = objective.bounds
-        return _Linearised(objective, residuals, objective.jacobian(z, residuals), low - z, high - z)
+        return linear, _offset_slopes(objective)
 
     def _repeated(self, run: Run) -> Run:
         """The run with so many periods before it that one more would change nothing that is measured."""
@@ -245,36 +243,26 @@ class _Choice:
         return False
 
 
-@dataclass(frozen=True)
-class _Linearised:
-    """An objective about the start values of its free parameters: (m,) residuals, (m, n) slopes, (n,) bounds."""
-
-    objective: Objective
-    residuals: Array
-    slopes: Array
-    low: Array
-    high: Array
-
-
-def _remaining_squares(linear: _Linearised, further: Array | None = None) -> float:
-    """The sum of squares that the free parameters leave within their bounds, and further columns without bounds."""
-    count = 0 if further is None else further.shape[1]
-    slopes = linear.slopes if further is None else np.column_stack([linear.slopes, further])
-    low, high = np.append(linear.low, np.full(count, -np.inf)), np.append(linear.high, np.full(count, np.inf))
-    step = bounded_least_squares(slopes, -linear.residuals, low, high)
-    return float(np.sum((linear.residuals + slopes @ step) ** 2))
+def _remaining_squares(linear: Linear, offsets: Array | None = None) -> float:
+    """What the free parameters leave within their bounds, with offsets of the signals if these are given."""
+    if offsets is not None:
+        free = np.full(offsets.shape[1], np.inf)
+        linear = replace(
+            linear,
+            names=(*linear.names, *(f"offset {i}" for i in range(len(free)))),
+            values=np.append(linear.values, np.zeros(len(free))),
+            low=np.append(linear.low, -free),
+            high=np.append(linear.high, free),
+            slopes=np.column_stack([linear.slopes, offsets]),
+        )
+    return float(linear.residual @ linear.residual) - reduction_by(linear, bounded_step(linear))
 
 
-def _offset_columns(linear: _Linearised) -> Array:
-    """(m, signals) ones where a residual is of a signal: an offset that is the same in all runs."""
-    series = linear.objective.series
-    signals = list(dict.fromkeys(signal for _, signal in series))
-    columns, row = np.zeros((len(linear.residuals), len(signals))), 0
-    for (_, signal), kept in zip(series, linear.objective.kept, strict=True):
-        count = int(kept.sum())
-        columns[row : row + count, signals.index(signal)] = 1.0
-        row += count
-    return columns
+def _offset_slopes(objective: Objective) -> Array:
+    """(m, signals) ones at the samples of each signal: an offset that is the same in all runs."""
+    signals = np.array([signal for _, signal in objective.series])[rows_of_series(objective, objective.size)]
+    is_present = np.concatenate(objective.kept)
+    return np.asarray((signals[:, None] == np.unique(signals)) & is_present[:, None], dtype=float)
 
 
 def _first_samples_text(run: Run, first: Sequence[FirstOffset]) -> str:

@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import Prior
 
@@ -43,6 +44,32 @@ class Linear:
         wanted = self.slopes.T @ self.residual
         low, high = self.values <= self.low + near, self.values >= self.high - near
         return self.slopes[:, ~((low & (wanted < 0)) | (high & (wanted > 0)))]
+
+
+def bounded_step(linear: Linear) -> Array:
+    """(k,) by how much the parameters move within their bounds to leave the least squares, priors among them."""
+    low, high = np.minimum(linear.low - linear.values, 0.0), np.maximum(linear.high - linear.values, 0.0)
+    rows, wanted = linear.slopes, linear.residual
+    if linear.priors:
+        known, pull = prior_rows(linear.names, linear.values, linear.priors)
+        rows, wanted = np.vstack([rows, np.diag(known)]), np.append(wanted, pull)
+    return bounded_least_squares(rows, wanted, low, high)
+
+
+def prior_rows(names: Sequence[str], values: Array, priors: Mapping[str, Prior]) -> tuple[Array, Array]:
+    """(k,) slopes of what priors say of parameters, and (k,) what would take it away; zeros where they say nothing."""
+    known = [
+        (priors[n].slope(v), -priors[n].surprise(v)) if n in priors else (0.0, 0.0)
+        for n, v in zip(names, values.tolist(), strict=True)
+    ]
+    slopes, wanted = np.array(known).reshape(-1, 2).T
+    return slopes, wanted
+
+
+def reduction_by(linear: Linear, step: Array) -> float:
+    """By how much the sum of squares of the samples falls with a step (k,), to first order."""
+    moved = linear.slopes @ step
+    return max(float(moved @ (2 * linear.residual - moved)), 0.0)
 
 
 def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:

@@ -3,12 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
-import numpy as np
-
-from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.fit import Fit
+from pam_cosim.fitting.linear import bounded_step, reduction_by
 
 
 @dataclass(frozen=True)
@@ -30,10 +28,6 @@ def without_priors(fit: Fit) -> WithoutPriors:
     linear = fit.linear
     if linear is None or not known:
         return WithoutPriors(values=known)
-    low, high = np.minimum(linear.low - linear.values, 0.0), np.maximum(linear.high - linear.values, 0.0)
-    step = bounded_least_squares(linear.slopes, linear.residual, low, high)
-    moved = linear.slopes @ step
+    step = bounded_step(replace(linear, priors={}))
     values = dict(zip(linear.names, (linear.values + step).tolist(), strict=True))
-    return WithoutPriors(
-        max(float(moved @ (2 * linear.residual - moved)), 0.0), {n: values.get(n, v) for n, v in known.items()}
-    )
+    return WithoutPriors(reduction_by(linear, step), {n: values.get(n, v) for n, v in known.items()})
