@@ -45,10 +45,14 @@ def solve(number: int) -> dict[str, Any]:
 
         def diagnosed(feeds: Sequence[Any]) -> Any:
             rig["write"](place / "data", law, feeds, number)
-            return pam.diagnose(pam.read(place / "data", files=[LIBRARY]), files=[LIBRARY], workers=1, explain=False)
+            return pam.diagnose(
+                pam.read(place / "data", files=[LIBRARY]), files=[LIBRARY], workers=1, explain=False
+            )
 
         def designed(diagnosis: Any) -> Any:
-            write_planned_runs(place / "next.csv", pam.plan(diagnosis, limits=LIMITS, files=[LIBRARY]))
+            write_planned_runs(
+                place / "next.csv", pam.plan(diagnosis, limits=LIMITS, files=[LIBRARY])
+            )
             return rig["feed_of"](place / "next.csv")
 
         def followed(next_feed: Callable[[Any], Any]) -> list[dict[str, Any]]:
@@ -77,7 +81,9 @@ def _outcome(diagnosis: Any, law: str) -> dict[str, Any]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--cases", type=int, default=0)
     parser.add_argument("--results", type=Path, required=True)
     options = parser.parse_args(arguments)

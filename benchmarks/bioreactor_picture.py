@@ -30,7 +30,9 @@ def draw(diagnosis: Path, results: Path, target: Path) -> None:
     left = pam.load(diagnosis)
     assert isinstance(left, pam.Diagnosis)
     _run(axes[0], left)
-    _shares(axes[1], [json.loads(line) for line in results.read_text(encoding="utf-8").splitlines()])
+    _shares(
+        axes[1], [json.loads(line) for line in results.read_text(encoding="utf-8").splitlines()]
+    )
     figure.tight_layout()
     figure.savefig(target, dpi=110)
 
@@ -43,7 +45,9 @@ def _run(axis: Axes, left: pam.Diagnosis) -> None:
     rig = runpy.run_path(str(FOLDER / "rig.py"))
     feed = np.array(run.table["time"]) / 3600, np.array(run.table["Q_in"]) * rig["FLOWS"]["m3/s"]
     noise = rig["NOISE"] * np.random.default_rng((1, 2)).standard_normal(len(rig["HOURS"]))
-    axis.plot(rig["HOURS"], rig["substrate"](rig["RATES"]["monod"], feed) + noise, "k.", label="samples")
+    axis.plot(
+        rig["HOURS"], rig["substrate"](rig["RATES"]["monod"], feed) + noise, "k.", label="samples"
+    )
     axis.set_title("The run that was designed", fontsize=10)
     axis.set_xlabel("time [h]")
     axis.set_ylabel("substrate [g/l]")
@@ -55,8 +59,16 @@ def _shares(axis: Axes, results: list[dict[str, Any]]) -> None:
     asked = [r for r in results if r["designed"]]
     for kind, colour in COLOURS.items():
         right = [sum(r["before"]["outcome"] == "right" for r in asked)]
-        right += [sum(r[kind][:n][-1]["outcome"] == "right" for r in asked) for n in range(1, MOST + 1)]
-        axis.plot(range(MOST + 1), 100 * np.array(right) / len(asked), "o-", color=colour, label=f"{kind} feeds")
+        right += [
+            sum(r[kind][:n][-1]["outcome"] == "right" for r in asked) for n in range(1, MOST + 1)
+        ]
+        axis.plot(
+            range(MOST + 1),
+            100 * np.array(right) / len(asked),
+            "o-",
+            color=colour,
+            label=f"{kind} feeds",
+        )
     axis.set_xticks(range(MOST + 1))
     axis.set_xlabel("further runs")
     axis.set_ylabel(f"right law [% of {len(asked)} cases]")

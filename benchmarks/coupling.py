@@ -42,7 +42,12 @@ def system() -> Any:
     """The isotonic bench in two FMUs."""
     return pam.couple(
         {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad"},
-        ["gas.p -> muscle.p", "muscle.V -> gas.V", "muscle.V_flow -> gas.V_flow", "muscle.A -> gas.A"],
+        [
+            "gas.p -> muscle.p",
+            "muscle.V -> gas.V",
+            "muscle.V_flow -> gas.V_flow",
+            "muscle.A -> gas.A",
+        ],
     )
 
 
@@ -63,7 +68,10 @@ class Monolith:
     def error(self, trajectory: pam.Trajectory) -> float:
         """Largest difference at any communication point, in parts of the signal's range."""
         exact = self._simulator.run(
-            trajectory.time, inputs=self._inputs, outputs=list(SIGNALS.values()), tolerance=_REFERENCE
+            trajectory.time,
+            inputs=self._inputs,
+            outputs=list(SIGNALS.values()),
+            tolerance=_REFERENCE,
         )
         worst = 0.0
         for signal, name in SIGNALS.items():
@@ -98,7 +106,9 @@ def orders(steps: Sequence[float] = STEPS) -> dict[str, Points]:
     return by_method
 
 
-def costs(rests: bool, fixed: Sequence[float] = FIXED, tolerances: Sequence[float] = TOLERANCES) -> dict[str, Points]:
+def costs(
+    rests: bool, fixed: Sequence[float] = FIXED, tolerances: Sequence[float] = TOLERANCES
+) -> dict[str, Points]:
     """Error and cost with fixed steps, and with steps chosen by their error; Gauss-Seidel, linear."""
     course = courses() if rests else {"time": np.array([0.0])}
     at = course.pop("time")
@@ -106,9 +116,12 @@ def costs(rests: bool, fixed: Sequence[float] = FIXED, tolerances: Sequence[floa
     coupled = pam.Inputs(at, {f"gas.{name}": values for name, values in course.items()})
     common = {"stop_time": 10.0 if rests else 0.48, "inputs": coupled}
     return {
-        FIXED_STEPS: [{"step": s, **_measured(monolith, step=s, **common)} for s in steps_of(fixed, "fixed")],
+        FIXED_STEPS: [
+            {"step": s, **_measured(monolith, step=s, **common)} for s in steps_of(fixed, "fixed")
+        ],
         CHOSEN: [
-            {"tolerance": t, **_measured(monolith, tolerance=t, **common)} for t in steps_of(tolerances, "chosen")
+            {"tolerance": t, **_measured(monolith, tolerance=t, **common)}
+            for t in steps_of(tolerances, "chosen")
         ],
     }
 
@@ -116,7 +129,9 @@ def costs(rests: bool, fixed: Sequence[float] = FIXED, tolerances: Sequence[floa
 def order_of(points: Points) -> float:
     """The slope of log error over log step, of the three smallest steps."""
     last = sorted(points, key=lambda p: p["step"])[:3]
-    return float(np.polyfit([math.log(p["step"]) for p in last], [math.log(p["error"]) for p in last], 1)[0])
+    return float(
+        np.polyfit([math.log(p["step"]) for p in last], [math.log(p["error"]) for p in last], 1)[0]
+    )
 
 
 def error_at_cost(points: Points, cost: float, of: str = "cost") -> float | None:
@@ -132,7 +147,16 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
     """The picture of ``docs/co-simulation.md``."""
     from pathlib import Path
 
-    from pam_cosim.reporting.style import BLUE, GREEN, ORANGE, SOFT, VERMILLION, drawing, new_figure, png
+    from pam_cosim.reporting.style import (
+        BLUE,
+        GREEN,
+        ORANGE,
+        SOFT,
+        VERMILLION,
+        drawing,
+        new_figure,
+        png,
+    )
 
     target = Path(__file__).resolve().parents[1] / "docs" / "pictures" / "coupling.png"
     colours = dict(zip(order, (VERMILLION, ORANGE, BLUE, GREEN), strict=True))
@@ -146,9 +170,13 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
         left.set_xlabel("communication step [ms]")
         left.set_title("fixed steps, filling for 0.48 s", loc="left", fontweight="bold")
         for (case, by_steps), colour in zip(cost.items(), (SOFT, BLUE), strict=True):
-            for (name, points), line, marker in zip(by_steps.items(), ("--", "-"), "so", strict=True):
+            for (name, points), line, marker in zip(
+                by_steps.items(), ("--", "-"), "so", strict=True
+            ):
                 x, y = [p["cost"] for p in points], [p["error"] for p in points]
-                right.loglog(x, y, line, marker=marker, ms=4, lw=1.2, color=colour, label=f"{case}, {name}")
+                right.loglog(
+                    x, y, line, marker=marker, ms=4, lw=1.2, color=colour, label=f"{case}, {name}"
+                )
         right.set_xlabel("steps of both FMUs, all that were made")
         right.set_title("Gauss-Seidel, linear", loc="left", fontweight="bold")
         for axes in (left, right):
@@ -172,7 +200,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     say(f"{machine()['processor']}, {machine()['cores']} cores")
     order = orders()
     heads = ["method", *(f"{1e3 * step:g} ms" for step in STEPS), "order"]
-    rows = [[n, *(f"{p['error']:.1e}" for p in points), f"{order_of(points):.2f}"] for n, points in order.items()]
+    rows = [
+        [n, *(f"{p['error']:.1e}" for p in points), f"{order_of(points):.2f}"]
+        for n, points in order.items()
+    ]
     show("coupling error by step, part of the range", heads, rows)
     cost = {"filling": costs(False), "ten seconds with rests": costs(True)}
     for case, by_steps in cost.items():
@@ -183,14 +214,30 @@ def main(arguments: Sequence[str] | None = None) -> None:
 
 
 def _show_costs(case: str, by_steps: dict[str, Points]) -> None:
-    columns = ["steps", "error", "cost", "taken back", "rollbacks", "smallest", "largest", "processor time"]
+    columns = [
+        "steps",
+        "error",
+        "cost",
+        "taken back",
+        "rollbacks",
+        "smallest",
+        "largest",
+        "processor time",
+    ]
     columns += ["fixed/this, equal cost", "equal time"]
     rows = []
     for name, what in ((FIXED_STEPS, "step"), (CHOSEN, "tolerance")):
         for p in by_steps[name]:
-            sizes = (f"{1e3 * p['smallest']:.2g} ms", f"{1e3 * p['largest']:.3g} ms", f"{p['seconds']:.2f} s")
+            sizes = (
+                f"{1e3 * p['smallest']:.2g} ms",
+                f"{1e3 * p['largest']:.3g} ms",
+                f"{p['seconds']:.2f} s",
+            )
             counts = (f"{p[key]:.0f}" for key in ("cost", "rejected", "rollbacks"))
-            other = [error_at_cost(by_steps[FIXED_STEPS], p[of], of) if name == CHOSEN else None for of in _COSTS]
+            other = [
+                error_at_cost(by_steps[FIXED_STEPS], p[of], of) if name == CHOSEN else None
+                for of in _COSTS
+            ]
             ratios = (f"{error / p['error']:.2g}" if error else "-" for error in other)
             rows.append([f"{what} {p[what]:g}", f"{p['error']:.1e}", *counts, *sizes, *ratios])
     show(f"{case}: error and cost", columns, rows)

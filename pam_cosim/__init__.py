@@ -16,7 +16,14 @@ from importlib import import_module
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, OperatingPoint, Tracking
+    from pam_cosim.analysis import (
+        FrequencyResponse,
+        LinearCourse,
+        LinearModel,
+        Observation,
+        OperatingPoint,
+        Tracking,
+    )
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.diagnosis import Check, Diagnosis
     from pam_cosim.errors import InputError, ModelError, SimulationFailure

@@ -21,7 +21,9 @@ def checked(value: int | None, what: str, least: int, most: int) -> int | None:
     if value is None:
         return None
     if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-        raise InputError(f"{what} must be a whole number from {least} to {most}, not {str(value)[:30]}")
+        raise InputError(
+            f"{what} must be a whole number from {least} to {most}, not {str(value)[:30]}"
+        )
     return value
 
 

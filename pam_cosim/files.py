@@ -51,8 +51,12 @@ def written_whole(path: Path) -> Iterator[Path]:
     """
     target = _target(path)
     try:
-        mode = stat.S_IMODE(os.stat(target).st_mode) & 0o777 if target.exists() else 0o666 & ~_umask()
-        handle, name = tempfile.mkstemp(prefix=f".{target.name[:_LONGEST_PREFIX]}.", dir=target.parent)
+        mode = (
+            stat.S_IMODE(os.stat(target).st_mode) & 0o777 if target.exists() else 0o666 & ~_umask()
+        )
+        handle, name = tempfile.mkstemp(
+            prefix=f".{target.name[:_LONGEST_PREFIX]}.", dir=target.parent
+        )
         os.close(handle)
     except OSError as problem:
         raise InputError(f"cannot be written: {problem.strerror}", path) from problem
@@ -69,7 +73,9 @@ def written_whole(path: Path) -> Iterator[Path]:
 def _reason(problem: OSError) -> str:
     """In the system's words; those of HDF5 and Arrow hold them among others."""
     number = problem.errno or next(iter(re.findall(r"errno[ =]+(\d+)", str(problem))), None)
-    return os.strerror(int(number)) if number else " ".join((problem.strerror or str(problem)).split())
+    return (
+        os.strerror(int(number)) if number else " ".join((problem.strerror or str(problem)).split())
+    )
 
 
 def _umask() -> int:
@@ -174,7 +180,9 @@ def read_file(path: Path, most: int = MOST_BYTES) -> bytes:
         _check_kind(status, path)
         _check_size(status, path, most)
         content = file.read(status.st_size + 1)
-        while len(content) <= most and (more := file.read(_AT_ONCE)):  # it grows, or does not say its size
+        while len(content) <= most and (
+            more := file.read(_AT_ONCE)
+        ):  # it grows, or does not say its size
             content += more
     if len(content) > most:
         raise InputError(f"has more than {most / 1e6:.0f} MB, which cannot be taken", path)
@@ -192,19 +200,25 @@ def check_regular(path: Path, most: int = MOST_BYTES) -> None:
     except FileNotFoundError:
         raise InputError("there is no such file", path) from None
     except (OSError, ValueError) as problem:
-        raise InputError(f"cannot be read: {getattr(problem, 'strerror', None) or problem}", path) from problem
+        raise InputError(
+            f"cannot be read: {getattr(problem, 'strerror', None) or problem}", path
+        ) from problem
     _check_kind(status, path)
     _check_size(status, path, most)
 
 
 def _check_kind(status: os.stat_result, path: Path) -> None:
     if not stat.S_ISREG(status.st_mode):
-        raise InputError(f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path)
+        raise InputError(
+            f"is {_KINDS.get(stat.S_IFMT(status.st_mode), 'no file')}; name a file", path
+        )
 
 
 def _check_size(status: os.stat_result, path: Path, most: int) -> None:
     if status.st_size > most:
-        raise InputError(f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path)
+        raise InputError(
+            f"has {status.st_size / 1e6:.0f} MB; {most / 1e6:.0f} MB can be taken", path
+        )
 
 
 def read_json(path: Path) -> Any:
@@ -220,9 +234,16 @@ def read_json(path: Path) -> Any:
     except UnicodeDecodeError as problem:
         raise InputError("cannot be read: it is not UTF-8 text", path) from problem
     except json.JSONDecodeError as problem:
-        raise InputError(f"not JSON: {problem.msg}", path, problem.lineno, problem.colno) from problem
-    except (RecursionError, ValueError) as problem:  # nested too deeply; an integer of thousands of digits
-        raise InputError("not JSON that can be read: nested too deeply, or a number too long", path) from problem
+        raise InputError(
+            f"not JSON: {problem.msg}", path, problem.lineno, problem.colno
+        ) from problem
+    except (
+        RecursionError,
+        ValueError,
+    ) as problem:  # nested too deeply; an integer of thousands of digits
+        raise InputError(
+            "not JSON that can be read: nested too deeply, or a number too long", path
+        ) from problem
 
 
 def check_writable(path: Path, *, new_folder: bool = False) -> None:
@@ -274,7 +295,9 @@ def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None
     read = {os.path.realpath(source) for source in sources}
     for path in results:
         if str(_target(path)) in read:
-            raise InputError("this file is read by the command; name another one for the result", path)
+            raise InputError(
+                "this file is read by the command; name another one for the result", path
+            )
 
 
 def make_folder(folder: Path) -> None:

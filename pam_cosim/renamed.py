@@ -24,7 +24,9 @@ class Renaming:
 
     def message(self, old: str) -> str:
         """What the old name answers."""
-        return f"{old} is called {self.new} since {self.since}; the old name is gone in {self.until}"
+        return (
+            f"{old} is called {self.new} since {self.since}; the old name is gone in {self.until}"
+        )
 
 
 PYTHON: dict[str, Renaming] = {}

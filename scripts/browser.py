@@ -24,14 +24,26 @@ PATIENCE = 20  # s, for the server to end
 
 def chromium() -> str | None:
     """The program of a Chromium that is installed; none is downloaded."""
-    return os.environ.get(VARIABLE) or next((path for path in map(shutil.which, NAMES) if path), None)
+    return os.environ.get(VARIABLE) or next(
+        (path for path in map(shutil.which, NAMES) if path), None
+    )
 
 
 @contextmanager
 def serving(folder: Path, *further: str) -> Iterator[tuple[str, int]]:
     """Address and process of ``pam-cosim workbench`` on a folder, for as long as it runs."""
-    command = [sys.executable, "-m", "pam_cosim", "workbench", str(folder), "--no-browser", *further]
-    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True) as server:
+    command = [
+        sys.executable,
+        "-m",
+        "pam_cosim",
+        "workbench",
+        str(folder),
+        "--no-browser",
+        *further,
+    ]
+    with subprocess.Popen(
+        command, stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True
+    ) as server:
         assert server.stdout is not None
         told = []
         try:

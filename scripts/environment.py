@@ -28,10 +28,15 @@ PYTHON = HOME / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
 
 def main(extra: str) -> int:
     if sys.version_info < (3, 11):  # noqa: UP036 - this script is what tells people
-        print(f"pam-cosim needs Python 3.11 or newer; this is {sys.version.split()[0]}", file=sys.stderr)
+        print(
+            f"pam-cosim needs Python 3.11 or newer; this is {sys.version.split()[0]}",
+            file=sys.stderr,
+        )
         return 2
     stamp = HOME / f"ready-{extra or 'base'}"
-    locks = b"".join(file.read_bytes() for file in sorted((ROOT / "scripts" / "locks").glob("*.txt")))
+    locks = b"".join(
+        file.read_bytes() for file in sorted((ROOT / "scripts" / "locks").glob("*.txt"))
+    )
     content = (ROOT / "pyproject.toml").read_bytes() + locks + sys.version.encode()
     wanted = hashlib.sha256(content).hexdigest()
     if stamp.exists() and stamp.read_text() == wanted:
@@ -48,7 +53,10 @@ def main(extra: str) -> int:
         else:
             install([*quiet, "--editable", f"{ROOT}[{extra}]" if extra else str(ROOT)])
     except (subprocess.CalledProcessError, OSError) as problem:
-        print(f"setting up failed: {problem}; is a Python package index within reach?", file=sys.stderr)
+        print(
+            f"setting up failed: {problem}; is a Python package index within reach?",
+            file=sys.stderr,
+        )
         return 1
     # an installed package has its bytecode; without it a command takes three times as long to start
     subprocess.run([str(PYTHON), "-m", "compileall", "-q", str(ROOT / "pam_cosim")])
@@ -74,7 +82,9 @@ def fetch_pip(folder: Path) -> Path:
     index = os.environ.get("PIP_INDEX_URL", "https://pypi.org/simple").rstrip("/") + "/pip/"
     with urllib.request.urlopen(index) as answer:
         page = answer.read().decode()
-    links = re.findall(r'href="([^"#]*?/?(pip-(\d+)\.(\d+)(?:\.(\d+))?-py3-none-any\.whl))[#"]', page)
+    links = re.findall(
+        r'href="([^"#]*?/?(pip-(\d+)\.(\d+)(?:\.(\d+))?-py3-none-any\.whl))[#"]', page
+    )
     if not links:
         raise SystemExit(f"no pip found at {index}; set PIP_INDEX_URL to a package index")
     newest = max(links, key=lambda link: [int(n or 0) for n in link[2:]])

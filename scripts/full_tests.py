@@ -24,11 +24,16 @@ def main(words: Sequence[str]) -> int:
     if list(words) != ["--full"]:
         return 0
     if git("status", "--porcelain", "--untracked-files=no"):
-        print("not recorded in docs/full-tests.md: there are changes that are not committed", file=sys.stderr)
+        print(
+            "not recorded in docs/full-tests.md: there are changes that are not committed",
+            file=sys.stderr,
+        )
         return 0
     on = f"Python {platform.python_version()}, {platform.system()} {platform.machine()}"
     day = datetime.datetime.now(datetime.UTC).strftime("%Y-%m-%d")
-    PAGE.write_text(f"{TITLE}`./scripts/test --full` passed on {day} at commit `{git('rev-parse', 'HEAD')}` ({on}).\n")
+    PAGE.write_text(
+        f"{TITLE}`./scripts/test --full` passed on {day} at commit `{git('rev-parse', 'HEAD')}` ({on}).\n"
+    )
     return 0
 
 

@@ -104,21 +104,29 @@ class Pictures:
         inherited = (self._stated_extent(base) for base in self.lookup.bases(of))
         return written or next((extent for extent in inherited if extent is not None), None)
 
-    def parts(self, of: Class, unplaced: list[str] | None = None, layer: str = "Diagram") -> list[Placed]:
+    def parts(
+        self, of: Class, unplaced: list[str] | None = None, layer: str = "Diagram"
+    ) -> list[Placed]:
         """Components with a Placement, inherited ones first, where they stand in the diagram or in the icon.
 
         Names of models, blocks and connectors without one go to a list; not those of ``outer`` ones, which refer to a
         component of an enclosing class.
         """
-        parts = [part for base in self.lookup.bases(of) for part in self.parts(base, unplaced, layer)]
+        parts = [
+            part for base in self.lookup.bases(of) for part in self.parts(base, unplaced, layer)
+        ]
         for component in of.definition.components.values():
             kind = self.lookup.find(self.lookup.inside(of), component.type.names)
             where = _transformation(component, layer)
-            extent, origin, rotation = (_argument(where, key) for key in ("extent", "origin", "rotation"))
+            extent, origin, rotation = (
+                _argument(where, key) for key in ("extent", "origin", "rotation")
+            )
             if kind is not None and extent is not None:
                 start = np.array(value(origin) if origin else (0, 0), dtype=float)
                 angle = float(value(rotation)) if rotation else 0.0
-                parts.append(Placed(component.name, kind, np.array(value(extent), dtype=float), start, angle))
+                parts.append(
+                    Placed(component.name, kind, np.array(value(extent), dtype=float), start, angle)
+                )
             elif kind is not None and _must_be_placed(kind, component) and unplaced is not None:
                 unplaced.append(component.name)
         return parts
@@ -203,18 +211,33 @@ def draw(axes: Axes, shapes: Sequence[Shape], at: Map, name: str, scale: float) 
             low, high = at(np.array(given["extent"], dtype=float))
             size = abs(high[1] - low[1]) * scale * (0.9 if "%name" in given["textString"] else 1.3)
             text = given["textString"].replace("%name", name)
-            axes.text(*(low + high) / 2, text, ha="center", va="center", size=size, color=_colour(given["textColor"]))
+            axes.text(
+                *(low + high) / 2,
+                text,
+                ha="center",
+                va="center",
+                size=size,
+                color=_colour(given["textColor"]),
+            )
         elif kind == "Line":
             points = at(_smooth(given))
             colour = _colour(given.get("color", [0, 0, 0]))
             axes.plot(*points.T, color=colour, lw=width, ls=style, solid_capstyle="butt")
-            for end, ends in zip(given.get("arrow", ()), (points[:2], points[:-3:-1]), strict=False):
+            for end, ends in zip(
+                given.get("arrow", ()), (points[:2], points[:-3:-1]), strict=False
+            ):
                 if end != "Arrow.None":
                     _arrow(axes, ends, colour, width, scale)
         else:
-            fill = _colour(given["fillColor"]) if "Solid" in given.get("fillPattern", "") else "none"
+            fill = (
+                _colour(given["fillColor"]) if "Solid" in given.get("fillPattern", "") else "none"
+            )
             edge = _colour(given.get("lineColor", [0, 0, 0]))
-            axes.add_patch(patches.Polygon(at(_outline(kind, given)), fc=fill, ec=edge, lw=width, ls=style, zorder=2))
+            axes.add_patch(
+                patches.Polygon(
+                    at(_outline(kind, given)), fc=fill, ec=edge, lw=width, ls=style, zorder=2
+                )
+            )
 
 
 def _colour(rgb: Sequence[float]) -> tuple[float, ...]:
@@ -244,12 +267,21 @@ def _outline(kind: str, given: dict[str, Any]) -> Points:
     angle = np.linspace(0, 2 * np.pi, 61)[:-1] + np.pi / 60
     circle = np.stack([np.cos(angle), np.sin(angle)], axis=-1)
     radius = half if kind == "Ellipse" else np.full(2, min(given.get("radius", 0), *half))
-    points: Points = np.array([x0 + x1, y0 + y1]) / 2 + np.sign(circle) * (half - radius) + circle * radius
+    points: Points = (
+        np.array([x0 + x1, y0 + y1]) / 2 + np.sign(circle) * (half - radius) + circle * radius
+    )
     return points
 
 
 def _arrow(axes: Axes, ends: Points, colour: tuple[float, ...], width: float, scale: float) -> None:
-    head = {"arrowstyle": "-|>", "color": colour, "lw": width, "shrinkA": 0, "shrinkB": 0, "mutation_scale": 12 * scale}
+    head = {
+        "arrowstyle": "-|>",
+        "color": colour,
+        "lw": width,
+        "shrinkA": 0,
+        "shrinkB": 0,
+        "mutation_scale": 12 * scale,
+    }
     axes.annotate("", ends[0], ends[1], arrowprops=head)
 
 
@@ -258,7 +290,13 @@ def draw_icon(axes: Axes, pictures: Pictures, of: Class, at: Map, name: str, sca
     draw(axes, pictures.shapes(of), at, name, scale)
     for part in pictures.parts(of, layer="Icon"):
         if part.of.definition.kind == "connector":
-            draw(axes, pictures.shapes(part.of), lambda p, part=part: at(part.at(p)), part.name, scale)
+            draw(
+                axes,
+                pictures.shapes(part.of),
+                lambda p, part=part: at(part.at(p)),
+                part.name,
+                scale,
+            )
 
 
 def diagram(pictures: Pictures, name: str, wide: float = 8.0) -> Figure:
@@ -275,7 +313,9 @@ def diagram(pictures: Pictures, name: str, wide: float = 8.0) -> Figure:
     return figure
 
 
-def gallery(pictures: Pictures, names: Sequence[str], columns: int = 8, wide: float = 8.0) -> Figure:
+def gallery(
+    pictures: Pictures, names: Sequence[str], columns: int = 8, wide: float = 8.0
+) -> Figure:
     """The icons of classes side by side."""
     rows = -(-len(names) // columns)
     figure = Figure((wide, rows * wide / columns))
@@ -283,7 +323,9 @@ def gallery(pictures: Pictures, names: Sequence[str], columns: int = 8, wide: fl
         box = (i % columns / columns, 1 - (i // columns + 1) / rows, 1 / columns, 1 / rows)
         axes = _frame(figure.add_axes(box), (-150, -130), (150, 170))
         of = pictures.of(name)
-        draw_icon(axes, pictures, of, lambda p: p, of.definition.name, wide / columns * 72 / 300 / 1.5)
+        draw_icon(
+            axes, pictures, of, lambda p: p, of.definition.name, wide / columns * 72 / 300 / 1.5
+        )
     return figure
 
 
@@ -301,7 +343,11 @@ def main() -> None:
     kinds = [pictures.of(name).definition for name in names]
     if len(kinds) == 1 and kinds[0].kind == "package":
         names = [node.qualified_name for node in kinds[0].classes.values()]
-    figure = diagram(pictures, names[0]) if [k.kind for k in kinds] == ["model"] else gallery(pictures, names)
+    figure = (
+        diagram(pictures, names[0])
+        if [k.kind for k in kinds] == ["model"]
+        else gallery(pictures, names)
+    )
     figure.savefig(file, dpi=110)
 
 

@@ -27,7 +27,9 @@ from pam_cosim.fmu.odes import write_archives
 SHIPPED = Path(__file__).resolve().parents[1] / "shipped"
 
 
-def models_of(tree: ClassTree, bench: str, effects: Sequence[str], library: str) -> Iterator[tuple[str, bytes]]:
+def models_of(
+    tree: ClassTree, bench: str, effects: Sequence[str], library: str
+) -> Iterator[tuple[str, bytes]]:
     """Key and content of the bench and of its compositions with one effect each."""
     yield flat_hash(bench, library=library), ode_bytes(compile_model(bench))
     structure = read_structure(bench)
@@ -40,7 +42,9 @@ def models_of(tree: ClassTree, bench: str, effects: Sequence[str], library: str)
             file.write_bytes(composition.text.encode())
             try:
                 ode = compile_model(composition.name, files=[file])
-            except ModelError as problem:  # a bench may lack the rate of an input; a diagnosis says so
+            except (
+                ModelError
+            ) as problem:  # a bench may lack the rate of an input; a diagnosis says so
                 print(f"  {effect}: {problem.message}", file=sys.stderr)
                 continue
             yield flat_hash(composition.name, files=[file], library=library), ode_bytes(ode)

@@ -23,13 +23,18 @@ class RepositoryFiles(Files):
     def get_file_from_path(self, path: str) -> File | None:
         """The file at ``path``, which may leave ``docs`` and come back."""
         path = _from_docs(path)
-        return super().get_file_from_path(path) or super().get_file_from_path(posixpath.join(path, "README.md"))
+        return super().get_file_from_path(path) or super().get_file_from_path(
+            posixpath.join(path, "README.md")
+        )
 
 
 def on_config(config: MkDocsConfig) -> MkDocsConfig:
     """Entries of the navigation that end in a slash become the pages of that folder."""
     sections = [(title, entry) for item in config.nav or [] for title, entry in item.items()]
-    expanded = [(title, _pages_of(config, entry) if str(entry).endswith("/") else entry) for title, entry in sections]
+    expanded = [
+        (title, _pages_of(config, entry) if str(entry).endswith("/") else entry)
+        for title, entry in sections
+    ]
     config.nav = [{title: entry} for title, entry in expanded if entry]
     return config
 
@@ -44,7 +49,9 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
         page = waiting.pop()
         for link in relative_links(page.content_string):
             if link.path:
-                waiting += _added(whole, config, posixpath.join(posixpath.dirname(page.src_uri), link.path))
+                waiting += _added(
+                    whole, config, posixpath.join(posixpath.dirname(page.src_uri), link.path)
+                )
     return whole
 
 
@@ -58,7 +65,9 @@ def _added(files: RepositoryFiles, config: MkDocsConfig, path: str) -> list[File
         path, source = posixpath.join(path, "README.md"), source / "README.md"
     if not source.is_file() or ROOT not in source.resolve().parents:
         return []  # mkdocs reports the link
-    file = File.generated(config, path, abs_src_path=str(source), inclusion=InclusionLevel.NOT_IN_NAV)
+    file = File.generated(
+        config, path, abs_src_path=str(source), inclusion=InclusionLevel.NOT_IN_NAV
+    )
     file.dest_uri = posixpath.join("repository", file.dest_uri.removeprefix("../"))
     files.append(file)
     return [file] if file.is_documentation_page() else []
@@ -71,7 +80,10 @@ def _from_docs(path: str) -> str:
 
 
 def _pages_of(config: MkDocsConfig, folder: str) -> list[str]:
-    return sorted(file.relative_to(config.docs_dir).as_posix() for file in Path(config.docs_dir, folder).glob("*.md"))
+    return sorted(
+        file.relative_to(config.docs_dir).as_posix()
+        for file in Path(config.docs_dir, folder).glob("*.md")
+    )
 
 
 def _leaves(entry: object) -> Iterator[str]:

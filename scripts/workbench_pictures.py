@@ -40,7 +40,11 @@ class Film:
 
     def take(self, stands: int = MOVE) -> None:
         """Adds the page as it is, to stand for some milliseconds."""
-        picture = Image.open(io.BytesIO(self.page.screenshot())).convert("RGB").resize(SMALL, Image.Resampling.LANCZOS)
+        picture = (
+            Image.open(io.BytesIO(self.page.screenshot()))
+            .convert("RGB")
+            .resize(SMALL, Image.Resampling.LANCZOS)
+        )
         if self.frames and ImageChops.difference(self.frames[-1], picture).getbbox() is None:
             self.times[-1] += stands
             return
@@ -57,11 +61,15 @@ class Film:
     def save(self, path: Path) -> None:
         """Writes a GIF; all its pictures share one set of colours."""
         several = Image.new("RGB", (SMALL[0], 3 * SMALL[1]))
-        for k, frame in enumerate((self.frames[0], self.frames[len(self.frames) // 2], self.frames[-1])):
+        for k, frame in enumerate(
+            (self.frames[0], self.frames[len(self.frames) // 2], self.frames[-1])
+        ):
             several.paste(frame, (0, k * SMALL[1]))
         palette = several.quantize(COLOURS, dither=Image.Dither.NONE)
         flat = [frame.quantize(palette=palette, dither=Image.Dither.NONE) for frame in self.frames]
-        flat[0].save(path, save_all=True, append_images=flat[1:], duration=self.times, loop=0, optimize=True)
+        flat[0].save(
+            path, save_all=True, append_images=flat[1:], duration=self.times, loop=0, optimize=True
+        )
 
 
 def main() -> int:
@@ -192,7 +200,11 @@ def still(page: Any, name: str) -> None:
     """A picture of the page as it is."""
     page.mouse.move(5, 5)
     page.wait_for_timeout(400)
-    picture = Image.open(io.BytesIO(page.screenshot())).convert("RGB").quantize(128, dither=Image.Dither.NONE)
+    picture = (
+        Image.open(io.BytesIO(page.screenshot()))
+        .convert("RGB")
+        .quantize(128, dither=Image.Dither.NONE)
+    )
     picture.save(PICTURES / f"{name}.png", optimize=True)
     print(f"docs/pictures/{name}.png", flush=True)
 

@@ -40,7 +40,9 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 def _group(item: pytest.Item) -> str:
     """Tests that share a process, with what they keep in memory: those of a file; of every effect, those of one."""
     effect = getattr(getattr(item, "callspec", None), "params", {}).get("effect")
-    return str(item.path.relative_to(item.config.rootpath)) + (f":{effect.name}" if hasattr(effect, "name") else "")
+    return str(item.path.relative_to(item.config.rootpath)) + (
+        f":{effect.name}" if hasattr(effect, "name") else ""
+    )
 
 
 @pytest.fixture(scope="session")

@@ -59,20 +59,34 @@ def test_no_number_decides_elsewhere(file: Path) -> None:
     """No module that judges has a constant of its own, nor compares with a number that is not plain arithmetic."""
     tree = ast.parse(file.read_text())
     for node in tree.body:
-        if isinstance(node, ast.Assign) and any(isinstance(n, ast.Constant) and _number(n) for n in ast.walk(node)):
+        if isinstance(node, ast.Assign) and any(
+            isinstance(n, ast.Constant) and _number(n) for n in ast.walk(node)
+        ):
             names = [t.id for t in node.targets if isinstance(t, ast.Name)]
-            if not any(isinstance(n, ast.Name) and n.id == "CRITERIA" for n in ast.walk(node.value)):
+            if not any(
+                isinstance(n, ast.Name) and n.id == "CRITERIA" for n in ast.walk(node.value)
+            ):
                 assert set(names) <= set(DECIDE_NOTHING), f"{file.name}:{node.lineno}"
     for node in ast.walk(tree):
         if isinstance(node, ast.Compare):
             for side in (node.left, *node.comparators):
-                value = side.operand.value if isinstance(side, ast.UnaryOp) and _number(side.operand) else None
+                value = (
+                    side.operand.value
+                    if isinstance(side, ast.UnaryOp) and _number(side.operand)
+                    else None
+                )
                 value = side.value if isinstance(side, ast.Constant) and _number(side) else value
-                assert value in (None, 0, 1, 2, 3), f"{file.name}:{node.lineno} compares with {value}"
+                assert value in (None, 0, 1, 2, 3), (
+                    f"{file.name}:{node.lineno} compares with {value}"
+                )
 
 
 def _number(node: ast.AST) -> bool:
-    return isinstance(node, ast.Constant) and isinstance(node.value, (int, float)) and not isinstance(node.value, bool)
+    return (
+        isinstance(node, ast.Constant)
+        and isinstance(node.value, (int, float))
+        and not isinstance(node.value, bool)
+    )
 
 
 def test_page_is_made_from_the_code() -> None:

@@ -39,25 +39,35 @@ def test_a_package_does_not_import_what_stands_on_it(package: str, barred: tuple
     files = sorted((ROOT / package).rglob("*.py"))
     assert len(files) > 15
     assert {
-        str(f.relative_to(ROOT)): sorted(imported(f) & set(barred)) for f in files if imported(f) & set(barred)
+        str(f.relative_to(ROOT)): sorted(imported(f) & set(barred))
+        for f in files
+        if imported(f) & set(barred)
     } == {}
 
 
 def test_the_rig_is_no_part_of_the_wheel() -> None:
     import tomllib
 
-    wheel = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["hatch"]["build"]["targets"]["wheel"]
+    wheel = tomllib.loads((ROOT / "pyproject.toml").read_text())["tool"]["hatch"]["build"][
+        "targets"
+    ]["wheel"]
     assert not {"rig", "refsim"} & set(wheel["only-include"])
 
 
 def test_the_rig_is_a_distribution_of_its_own(tmp_path: Path) -> None:
     """Its wheel makes data in an empty folder, with nothing of the checkout but what the wheel holds."""
-    (wheel,) = WheelBuilder(str(ROOT / "refsim")).build(directory=str(tmp_path), versions=["standard"])
+    (wheel,) = WheelBuilder(str(ROOT / "refsim")).build(
+        directory=str(tmp_path), versions=["standard"]
+    )
     with zipfile.ZipFile(wheel) as archive:
         names = archive.namelist()
         archive.extractall(tmp_path / "site")
-    modules = {file.relative_to(ROOT / "refsim").as_posix() for file in (ROOT / "refsim").rglob("*.py")}
-    assert modules | {"rig/effect_sizes.json"} == {name for name in names if ".dist-info/" not in name}
+    modules = {
+        file.relative_to(ROOT / "refsim").as_posix() for file in (ROOT / "refsim").rglob("*.py")
+    }
+    assert modules | {"rig/effect_sizes.json"} == {
+        name for name in names if ".dist-info/" not in name
+    }
     words = [sys.executable, "-m", "rig.short", "data", "--effect", "elasticity:linear"]
     environment = {**os.environ, "PYTHONPATH": str(tmp_path / "site")}
     subprocess.run(words, cwd=tmp_path, env=environment, check=True, capture_output=True)

@@ -22,7 +22,8 @@ PRODUCTS = {
     "comparison": make_comparison(DATA, 2.0),
     "fit": make_fit(DATA, 2.0),
     "fit with leeway": replace(
-        make_fit(DATA, 2.0), holdout_uncertainty=HoldoutUncertainty({("run", "x"): np.array([0.1, 0.0])}, 0.3)
+        make_fit(DATA, 2.0),
+        holdout_uncertainty=HoldoutUncertainty({("run", "x"): np.array([0.1, 0.0])}, 0.3),
     ),
     "ledger": make_ledger(),
     "ambiguous": make_diagnosis("ambiguous", DATA),
@@ -64,7 +65,11 @@ def test_real_products(tmp_path: Path) -> None:
     fit = pam.fit(vessel_data(), method="particle-swarm")
     again = pam.load(pam.save(fit, tmp_path / "fit.npz"))
     same(again, fit)
-    assert str(again) == str(fit) and "swarm of 50 particles" in str(again) and again.as_dict() == fit.as_dict()
+    assert (
+        str(again) == str(fit)
+        and "swarm of 50 particles" in str(again)
+        and again.as_dict() == fit.as_dict()
+    )
     for product in (run, again):
         pam.draw(product, tmp_path / "picture.png")
         assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
@@ -82,14 +87,20 @@ def test_a_formula_with_a_shape(tmp_path: Path) -> None:
     from pam_cosim.diagnosis.learning import FittedAddend, LearnedTerm
 
     q = Quantity("x", "m", 0.05, False)
-    form = Form("(exp(x/x_1) - 1)", (q,), FormConstant("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)")
-    term = LearnedTerm("T", "force", "f", "m", "N", (FittedAddend(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01})
+    form = Form(
+        "(exp(x/x_1) - 1)", (q,), FormConstant("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)"
+    )
+    term = LearnedTerm(
+        "T", "force", "f", "m", "N", (FittedAddend(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01}
+    )
     learned = make_learned(DATA)
     diagnosis = make_diagnosis("unknown", DATA, learned=type(learned)(term, learned.model))
     same(pam.load(pam.save(diagnosis, tmp_path / "d.npz")), diagnosis)
 
 
-@pytest.mark.parametrize("damage", ["text", "empty", "cut", "pickle", "other npz", "unknown kind", "missing"])
+@pytest.mark.parametrize(
+    "damage", ["text", "empty", "cut", "pickle", "other npz", "unknown kind", "missing"]
+)
 def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
     file = tmp_path / "product.npz"
     pam.save(PRODUCTS["fit"], file)
@@ -105,7 +116,10 @@ def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
     elif damage == "other npz":
         np.savez(file, a=np.zeros(3))
     elif damage == "unknown kind":
-        np.savez(file, product=np.frombuffer(b'{"kind": "Path", "content": "/etc/passwd"}', dtype=np.uint8))
+        np.savez(
+            file,
+            product=np.frombuffer(b'{"kind": "Path", "content": "/etc/passwd"}', dtype=np.uint8),
+        )
     else:
         file.unlink()
     with pytest.raises(pam.InputError, match="product.npz"):

@@ -40,7 +40,16 @@ from rig.flow import (
     flow_function,
     mass_flow,
 )
-from rig.measurement import SIZES, TRUTH, Noise, effect_size, main, measure, simulate_plan, write_data_set
+from rig.measurement import (
+    SIZES,
+    TRUTH,
+    Noise,
+    effect_size,
+    main,
+    measure,
+    simulate_plan,
+    write_data_set,
+)
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.named import EFFECTS, effect_name, effect_of
 from rig.plan import default_plan, random_plan
@@ -116,7 +125,10 @@ def test_flow_constant_is_the_textbook_value_of_air():
 def test_flow_function_is_smooth_at_its_edges(edge):
     h = 1e-7
     assert flow_function(edge + h) == pytest.approx(flow_function(edge - h), abs=1e-4)
-    left, right = flow_function(edge) - flow_function(edge - h), flow_function(edge + h) - flow_function(edge)
+    left, right = (
+        flow_function(edge) - flow_function(edge - h),
+        flow_function(edge + h) - flow_function(edge),
+    )
     assert right / h == pytest.approx(left / h, abs=1e-2)
 
 
@@ -160,9 +172,13 @@ def test_vessel_with_orifice_agrees_with_quadrature():
 def test_adiabatic_filling_with_energy_balance_has_the_textbook_temperature():
     times = np.linspace(0.0, 20.0, 11)
     schedule = Schedule.of([Phase(20.0, u_in=0.35)])
-    full = simulate_vessel(Vessel(), valve_ports(207e3, 0.699), times, 0.0, schedule, [GasEnergy(h=0.0)])
+    full = simulate_vessel(
+        Vessel(), valve_ports(207e3, 0.699), times, 0.0, schedule, [GasEnergy(h=0.0)]
+    )
     p = full.p + P_ATM
-    exact = p / (P_ATM / T_ATM + (p - P_ATM) / (1.4 * T_ATM))  # m c_v T - m_0 c_v T_0 = (m - m_0) c_p T_0
+    exact = p / (
+        P_ATM / T_ATM + (p - P_ATM) / (1.4 * T_ATM)
+    )  # m c_v T - m_0 c_v T_0 = (m - m_0) c_p T_0
     assert full.temperature[-1] > T_ATM + 30
     assert full.temperature == pytest.approx(exact, rel=1e-6)
 
@@ -206,7 +222,9 @@ def test_steady_state_balances_the_forces():
 
 # --- effects -----------------------------------------------------------------------------------------------
 
-FORCES = [kind for kind in EFFECTS if kind.family in ("elasticity", "dry_friction", "rate_friction")]
+FORCES = [
+    kind for kind in EFFECTS if kind.family in ("elasticity", "dry_friction", "rate_friction")
+]
 
 
 @pytest.mark.parametrize("kind", [k for k in FORCES if k is not Dahl], ids=effect_name)
@@ -250,7 +268,9 @@ def test_dahl_friction_builds_up_exponentially_with_travel(speed):
     def rate(t: float, q: np.ndarray) -> tuple[float, ...]:
         return dahl.rates(q, Now(0.0, speed, 0.0, T_ATM, (0.0, 0.0), 0.0, 0.0))
 
-    q = solve_ivp(rate, (0.0, 0.02), dahl.initial(Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))), rtol=1e-9, atol=1e-14).y[:, -1]
+    q = solve_ivp(
+        rate, (0.0, 0.02), dahl.initial(Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))), rtol=1e-9, atol=1e-14
+    ).y[:, -1]
     expected = math.copysign(8.0 * (1 - math.exp(-2e4 * abs(travel) / 8.0)), speed)
     assert dahl.force(q, 0.0, speed, 0.0) == pytest.approx(expected, rel=1e-6)
 
@@ -263,7 +283,9 @@ def test_dead_time_shifts_the_whole_filling():
 
 def test_a_fast_lag_comes_close_to_a_dead_time_of_the_same_length():
     late = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveDeadTime(dead_time=0.004)])
-    lag = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveLag(tau=0.004 * 0.214 / 0.35)])
+    lag = simulate_muscle(
+        MuscleParameters(), 207e3, FILL, TIMES, [ValveLag(tau=0.004 * 0.214 / 0.35)]
+    )
     plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
     assert np.abs(lag.p - late.p).max() < np.abs(plain.p - late.p).max()
 
@@ -301,7 +323,9 @@ def test_gas_energy_keeps_the_mass_of_gas_in_a_closed_muscle():
 def test_creep_that_never_relaxes_is_a_spring():
     spring = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [LinearSpring(k=250.0)])
     creep = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [Creep(k=250.0, tau=1e7)])
-    assert creep.x == pytest.approx(spring.x, abs=2e-5)  # the creep's spring is slack at the stop, not at 0
+    assert creep.x == pytest.approx(
+        spring.x, abs=2e-5
+    )  # the creep's spring is slack at the stop, not at 0
 
 
 def test_creep_that_relaxes_at_once_is_viscous_only_for_a_moment():
@@ -328,7 +352,9 @@ def test_warm_wall_has_the_base_model_and_an_insulated_one_as_limits():
     cold = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
     massive = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e6)])
     assert massive.p == pytest.approx(cold.p, abs=2.0)
-    hot = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e-3, g_out=0.0)])
+    hot = simulate_muscle(
+        MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e-3, g_out=0.0)]
+    )
     insulated = simulate_muscle(MuscleParameters(h_film=1e-6), 207e3, STEP, TIMES)
     assert np.abs(hot.p - insulated.p).max() < 0.1 * np.abs(cold.p - insulated.p).max()
 
@@ -350,11 +376,15 @@ def test_pressure_gain_changes_the_reading_alone():
 def test_choked_filling_keeps_the_energy_of_gas_and_dead_volume(dead):
     tight = MuscleParameters(h_film=1e-6)
     times = np.linspace(0.0, 0.2, 2001)
-    run = simulate_muscle(tight, 207e3, Schedule.of([Phase(0.2, u_in=0.35)]), times, [DeadVolume(dead)])
+    run = simulate_muscle(
+        tight, 207e3, Schedule.of([Phase(0.2, u_in=0.35)]), times, [DeadVolume(dead)]
+    )
     p, volume = run.p + P_ATM, np.array([tight.volume(x) for x in run.x])
     assert p.max() < R_CRITICAL * (207e3 + P_ATM)
     area = 0.699 * (1.80e-6 * 0.35 - 2.61e-7)
-    enthalpy = 1.4 / 0.4 * R * T_ATM * mass_flow(area, 207e3 + P_ATM, T_ATM, p[0], T_ATM) * times[-1]
+    enthalpy = (
+        1.4 / 0.4 * R * T_ATM * mass_flow(area, 207e3 + P_ATM, T_ATM, p[0], T_ATM) * times[-1]
+    )
     stored = (p[-1] * (volume[-1] + dead) - p[0] * (volume[0] + dead)) / 0.4
     assert stored + np.trapezoid(p, volume) == pytest.approx(enthalpy, rel=1e-5)
 
@@ -417,7 +447,9 @@ def test_data_set_has_the_agreed_form(tmp_path):
     ]  # fmt: skip
     assert len(tables[0]) == 1001
     assert float(tables[0][500]["p [kPa]"]) == pytest.approx(measured[0].signals["p"][500] / 1e3)
-    assert float(tables[0][500]["T [degC]"]) == pytest.approx(measured[0].signals["T"][500] - 273.15)
+    assert float(tables[0][500]["T [degC]"]) == pytest.approx(
+        measured[0].signals["T"][500] - 273.15
+    )
     assert (tables[0][349]["u_in [A]"], tables[0][350]["u_in [A]"]) == ("0.35", "0")
 
 
@@ -467,4 +499,6 @@ def test_command_line_writes_the_same_bytes_again(tmp_path, capsys):
     assert told["families"] == ["elasticity"]
     files = sorted(path.name for path in (tmp_path / "a").iterdir())
     assert len(files) == 7
-    assert all((tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files)
+    assert all(
+        (tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files
+    )

@@ -26,10 +26,14 @@ FOLDER = Path(__file__).resolve().parents[2] / "build"
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--set", dest="which", choices=SETS, default="muscle")
     parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--cases", type=int, default=0, help="numbers of cases that are looked at, from --first on")
+    parser.add_argument(
+        "--cases", type=int, default=0, help="numbers of cases that are looked at, from --first on"
+    )
     parser.add_argument("--results", type=Path, help="default: a file of the set in build/")
     parser.add_argument("--table", type=Path, help="write what came out as Markdown")
     options = parser.parse_args(arguments)
@@ -59,7 +63,10 @@ def _line(result: dict) -> str:
     first, further = result["first"], result.get("further")
     text = f"{result['number']}: {first['verdict']['kind']} ({first['outcome']})"
     if further:
-        parts = (f"{name} {further[name]['outcome']} ({further[name]['expected_chi2']:.3g})" for name in RUNS)
+        parts = (
+            f"{name} {further[name]['outcome']} ({further[name]['expected_chi2']:.3g})"
+            for name in RUNS
+        )
         text += f" -> {', '.join(parts)}"
     return f"{text}, {result['seconds']} s"
 

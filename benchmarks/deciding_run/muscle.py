@@ -38,10 +38,22 @@ def scene(number: int) -> Scene:
     (run,) = random_plan(number, fits=1, holdouts=0)
     time = np.arange(round(SECONDS / INTERVAL) + 1) * INTERVAL
     times, currents = _stepped(run.schedule, time)
-    inputs = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(times), run.p_supply)}
+    inputs = {
+        "u_in": currents[:, 0],
+        "u_out": currents[:, 1],
+        "p_supply": np.full(len(times), run.p_supply),
+    }
     blank = {name: np.full(len(times), np.nan) for name in signals}
     first = Run(
-        "run-01", Path("run-01.csv"), "fit", "linear", {"load.m": run.load}, times, inputs, blank, start=Start("rest")
+        "run-01",
+        Path("run-01.csv"),
+        "fit",
+        "linear",
+        {"load.m": run.load},
+        times,
+        inputs,
+        blank,
+        start=Start("rest"),
     )
     recorded = _played(effect, signals, first, [number, 1])
     sigma = Noise().as_dict()
@@ -55,9 +67,22 @@ def scene(number: int) -> Scene:
         (recorded,),
     )
     infinite, nothing = dict.fromkeys(LIMITS, np.inf), dict.fromkeys(LIMITS, 0.0)
-    limits = Limits(LIMITS, frozenset({"p_supply"}), infinite, nothing, {"load.m": LOADS}, {}, SECONDS, INTERVAL)
-    description = {"group": "catalogue", "families": [effect.family], "hidden": [effect.form], "bench": "Isotonic"}
-    return Scene(description, data, limits, lambda further: _played(effect, signals, further, [number, 2]), number)
+    limits = Limits(
+        LIMITS, frozenset({"p_supply"}), infinite, nothing, {"load.m": LOADS}, {}, SECONDS, INTERVAL
+    )
+    description = {
+        "group": "catalogue",
+        "families": [effect.family],
+        "hidden": [effect.form],
+        "bench": "Isotonic",
+    }
+    return Scene(
+        description,
+        data,
+        limits,
+        lambda further: _played(effect, signals, further, [number, 2]),
+        number,
+    )
 
 
 def _stepped(schedule: Schedule, time: Array) -> tuple[Array, Array]:
@@ -65,7 +90,10 @@ def _stepped(schedule: Schedule, time: Array) -> tuple[Array, Array]:
     switches = np.array([t for t in schedule.starts if 0 < t < time[-1]])
     times = np.sort(np.concatenate([time, switches, switches]))
     first_of_two = np.append(np.diff(times) == 0, False)
-    currents = [schedule.at(t - 1e-6 if before else t) for t, before in zip(times, first_of_two, strict=True)]
+    currents = [
+        schedule.at(t - 1e-6 if before else t)
+        for t, before in zip(times, first_of_two, strict=True)
+    ]
     return times, np.array(currents)
 
 
@@ -74,10 +102,16 @@ def _played(effect: Effect, signals: tuple[str, ...], run: Run, seed: list[int])
     last = np.append(np.diff(run.time) > 0, True)
     on_grid = np.isclose(run.time / INTERVAL, np.round(run.time / INTERVAL), atol=1e-6) & last
     samples = run.time[on_grid]
-    schedule = PlayedSchedule.of_table(run.time, list(zip(run.inputs["u_in"], run.inputs["u_out"], strict=True)))
+    schedule = PlayedSchedule.of_table(
+        run.time, list(zip(run.inputs["u_in"], run.inputs["u_out"], strict=True))
+    )
     muscle = replace(TRUTH, load=run.parameters["load.m"])
     t = simulate_muscle(muscle, float(run.inputs["p_supply"][0]), schedule, samples, [effect])
-    clean, rng, sigma = {"p": t.p, "x": t.x, "T": t.temperature}, np.random.default_rng(seed), Noise().as_dict()
+    clean, rng, sigma = (
+        {"p": t.p, "x": t.x, "T": t.temperature},
+        np.random.default_rng(seed),
+        Noise().as_dict(),
+    )
     measurements = {}
     for name in signals:
         column = np.full(len(run.time), np.nan)

@@ -21,7 +21,9 @@ def table(results: Sequence[Result]) -> str:
         f"{len(asked)} cases were diagnosed from their first recording; {sum('further' in r for r in asked)} "
         f"verdicts left rivals; {len(results) - len(asked)} cases could not be run.",
         "",
-        "| verdict before | the truth among those named | one run more | cases | " + " | ".join(OUTCOMES) + " |",
+        "| verdict before | the truth among those named | one run more | cases | "
+        + " | ".join(OUTCOMES)
+        + " |",
         "|---|---|---|---|" + "---|" * len(OUTCOMES),
     ]
     for kind in ("ambiguous", "unknown"):
@@ -30,7 +32,9 @@ def table(results: Sequence[Result]) -> str:
             for run in RUNS if chosen else ():
                 counts = [sum(r["further"][run]["outcome"] == o for r in chosen) for o in OUTCOMES]
                 said = "yes" if named else "no"
-                lines.append(f"| {kind} | {said} | {run} | {len(chosen)} | {' | '.join(map(str, counts))} |")
+                lines.append(
+                    f"| {kind} | {said} | {run} | {len(chosen)} | {' | '.join(map(str, counts))} |"
+                )
     lines += ["", *_summary([r for r in asked if "further" in r])]
     return "\n".join(lines) + "\n"
 

@@ -49,7 +49,9 @@ def _scarce(whole: DataSet) -> DataSet:
     count = int(kept.sum())
     at = np.zeros(count, dtype=bool)
     at[:: max(1, count // SAMPLES)] = True
-    measurements = {name: np.where(at, values[kept], np.nan) for name, values in run.measurements.items()}
+    measurements = {
+        name: np.where(at, values[kept], np.nan) for name, values in run.measurements.items()
+    }
     inputs = {name: values[kept] for name, values in run.inputs.items()}
     part = replace(run, role="fit", time=run.time[kept], inputs=inputs, measurements=measurements)
     return replace(whole, runs=(part,))

@@ -23,7 +23,11 @@ from rig.short import write_light_data
 
 ROOT = Path(__file__).parents[2]
 BENCHES = ("TankFilling", "Isotonic", "Antagonistic")
-COMMANDS = (("--version",), ("describe", "Isotonic"), ("simulate", "Isotonic", "--stop-time", "0.1"))
+COMMANDS = (
+    ("--version",),
+    ("describe", "Isotonic"),
+    ("simulate", "Isotonic", "--stop-time", "0.1"),
+)
 PARTS = ("start", "building", "predicting", "fitting", "choosing and judging", "ledger")
 REPEATS = 3
 
@@ -34,15 +38,23 @@ def write_data(bench: str, folder: Path) -> None:
         write_light_data(folder, [effect_of("leak:orifice")], seed=1)
         return
     cases = (many.case_of("tuning2", n) for n in range(400))
-    many.write(many.make(next(c for c in cases if c.design.bench == bench and c.group == "catalogue")), folder)
+    many.write(
+        many.make(next(c for c in cases if c.design.bench == bench and c.group == "catalogue")),
+        folder,
+    )
 
 
 def measured(package: Path, words: Sequence[str], cache: Path) -> tuple[float, str]:
     """Processor seconds and output of a process."""
     begin = getrusage(RUSAGE_CHILDREN)
     environment = {**os.environ, "PYTHONPATH": f"{package}:{ROOT}", "PAM_COSIM_CACHE": str(cache)}
-    command, place = [sys.executable, *words], cache.parent  # not where another version lies, which would come first
-    run = subprocess.run(command, cwd=place, env=environment, capture_output=True, text=True, check=True)
+    command, place = (
+        [sys.executable, *words],
+        cache.parent,
+    )  # not where another version lies, which would come first
+    run = subprocess.run(
+        command, cwd=place, env=environment, capture_output=True, text=True, check=True
+    )
     end = getrusage(RUSAGE_CHILDREN)
     return end.ru_utime + end.ru_stime - begin.ru_utime - begin.ru_stime, run.stdout
 
@@ -53,18 +65,28 @@ def measure(package: Path, benches: Sequence[str]) -> dict[str, Any]:
     with tempfile.TemporaryDirectory() as place:
         cache = Path(place, "cache")
         for words in COMMANDS:
-            times = [measured(package, ["-m", "pam_cosim", *words], cache)[0] for _ in range(REPEATS + 1)]
+            times = [
+                measured(package, ["-m", "pam_cosim", *words], cache)[0] for _ in range(REPEATS + 1)
+            ]
             result["start"][words[0]] = min(times[1:])
             print(f"{words[0]:12} {min(times[1:]):6.2f} s", flush=True)
         for bench in benches:
             write_data(bench, Path(place, bench))
-            words = ["-m", "benchmarks.diagnosis_speed.one", str(Path(place, bench)), str(Path(place, f"of-{bench}"))]
+            words = [
+                "-m",
+                "benchmarks.diagnosis_speed.one",
+                str(Path(place, bench)),
+                str(Path(place, f"of-{bench}")),
+            ]
             own = {}
             for when in ("first", "next"):
                 own[when] = json.loads(measured(package, words, cache)[1].splitlines()[-1])
             result["diagnosis"][bench] = own
             first, later = own["first"]["total"], own["next"]["total"]
-            print(f"{bench:12} first {first:6.1f} s, next {later:6.1f} s, ratio {first / later:.1f}", flush=True)
+            print(
+                f"{bench:12} first {first:6.1f} s, next {later:6.1f} s, ratio {first / later:.1f}",
+                flush=True,
+            )
             for when, one in own.items():
                 parts = ", ".join(f"{part} {one['parts'].get(part, 0.0):.2f}" for part in PARTS)
                 print(f"  {when:6} {parts}", flush=True)
@@ -98,7 +120,9 @@ def picture(path: Path, before: Mapping[str, Any], after: Mapping[str, Any]) -> 
 
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("files", nargs="+", type=Path)
     parser.add_argument("--package", type=Path, default=ROOT)
     parser.add_argument("--benches", default=",".join(("short", *BENCHES)))

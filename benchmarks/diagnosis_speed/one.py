@@ -55,7 +55,11 @@ def main(data: str, cache: str) -> None:
     explanation.keep_ledger = timed("ledger", explanation.keep_ledger)
     read = timed("building", pam.read)(data)
     found = timed("choosing and judging", diagnose)(read, workers=0)
-    print(json.dumps({"parts": dict(spent), "total": processor_time(), "verdict": found.verdict.as_dict()}))
+    print(
+        json.dumps(
+            {"parts": dict(spent), "total": processor_time(), "verdict": found.verdict.as_dict()}
+        )
+    )
 
 
 if __name__ == "__main__":

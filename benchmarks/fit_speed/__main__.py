@@ -76,7 +76,11 @@ def write_data(folder: Path) -> Path:
     runs = []
     for m in simulate_plan(default_plan(), (), muscle):
         noisy = {n: y + noise[n] * rng.standard_normal(len(y)) for n, y in m.signals.items()}
-        runs.append(data_set.Recording(m.run.schedule, m.run.p_supply, m.run.role, m.time, noisy, m.run.load))
+        runs.append(
+            data_set.Recording(
+                m.run.schedule, m.run.p_supply, m.run.role, m.time, noisy, m.run.load
+            )
+        )
     free = {name: bounds for name, (_, _, bounds) in FREE.items()}
     about = data_set.Description("isotonic, six free", noise, ("p", "x", "T"), {}, free)
     data_set.write(folder, runs, about)
@@ -87,7 +91,9 @@ def ours(name: str, data: DataSet, fmu: Path) -> Outcome:
     """pam-cosim's fit."""
     clock = perf_counter()
     fit = pam.fit(data, str(fmu))
-    return Outcome(name, perf_counter() - clock, fit.evaluations, fit.residuals["fit"].chi2_reduced, fit.values)
+    return Outcome(
+        name, perf_counter() - clock, fit.evaluations, fit.residuals["fit"].chi2_reduced, fit.values
+    )
 
 
 class _TimeUp(Exception):
@@ -137,7 +143,9 @@ def theirs(
                 validate=False, solver=solver, model_description=self._model_description, fmu_instance=self._fmu,
                 terminate=False, input=table,
             )  # fmt: skip
-            return estim8.datatypes.Simulation({"time": raw["time"], **{n: raw[n] for n in observe}})
+            return estim8.datatypes.Simulation(
+                {"time": raw["time"], **{n: raw[n] for n in observe}}
+            )
 
     model = DrivenModel(str(fmu), fmi_type=kind, r_tol=1e-6)
     model.parameters["run"] = 0.0
@@ -147,15 +155,24 @@ def theirs(
     experiments, mapping = {}, []
     for k, run in enumerate(data.fit_runs):
         values = pd.DataFrame({n: run.measurements[n] for n in data.signals}, index=run.time)
-        errors = pd.DataFrame({n: np.full(len(run.time), s.sigma) for n, s in data.signals.items()}, index=run.time)
-        experiments[run.name] = estim8.datatypes.Experiment(values, replicate_ID=run.name, errors=errors)
+        errors = pd.DataFrame(
+            {n: np.full(len(run.time), s.sigma) for n, s in data.signals.items()}, index=run.time
+        )
+        experiments[run.name] = estim8.datatypes.Experiment(
+            values, replicate_ID=run.name, errors=errors
+        )
         for parameter, value in {"run": float(k), "load.m": run.parameters["load.m"]}.items():
             mapping.append(ModelHelpers.ParameterMapper(parameter, names[k], value=value))
     bounds = {n: [f.min, f.max] for n, f in data.fit.items()}
     time = data.fit_runs[0].time
     step = float(np.median(np.diff(time)))
     estimator = estim8.Estimator(
-        model, bounds, experiments, t=[0.0, float(time[-1]), step], metric="WSS", parameter_mapping=mapping
+        model,
+        bounds,
+        experiments,
+        t=[0.0, float(time[-1]), step],
+        metric="WSS",
+        parameter_mapping=mapping,
     )
     samples = sum(run.sample_count(n) for run in data.fit_runs for n in data.signals)
     plain, seen, best = estimator.objective, [0], [np.inf, dict(start)]
@@ -176,7 +193,9 @@ def theirs(
     if method == "local":
         options = {"x0": np.array([start[n] for n in bounds]), **options}
     try:
-        estimator.estimate(method=method, max_iter=how.get("max_iter", 1000), optimizer_kwargs=options)
+        estimator.estimate(
+            method=method, max_iter=how.get("max_iter", 1000), optimizer_kwargs=options
+        )
     except _TimeUp:
         finished, note = False, f"ended after {limit:g} s"
     except Exception as problem:  # what does not work is told with its reason
@@ -223,15 +242,21 @@ def table(outcomes: list[Outcome], best: float) -> str:
     lines = [f"{'':42} {'time':>9} {'runs of 4':>9} {'chi2':>10}  same optimum"]
     for o in outcomes:
         same = "yes" if o.chi2_reduced <= SAME * best else "no"
-        ratio = f", {o.seconds / first.seconds:.0f} times pam-cosim's time" if o is not first else ""
+        ratio = (
+            f", {o.seconds / first.seconds:.0f} times pam-cosim's time" if o is not first else ""
+        )
         note = f" ({o.note})" if o.note else ""
-        lines.append(f"{o.name:42} {o.seconds:7.2f} s {o.evaluations:9} {o.chi2_reduced:10.5g}  {same}{ratio}{note}")
+        lines.append(
+            f"{o.name:42} {o.seconds:7.2f} s {o.evaluations:9} {o.chi2_reduced:10.5g}  {same}{ratio}{note}"
+        )
     return "\n".join(lines)
 
 
 def main() -> None:
     """Runs all contenders."""
-    words = argparse.ArgumentParser(prog="python -m benchmarks.fit_speed", description=__doc__.split("\n")[0])
+    words = argparse.ArgumentParser(
+        prog="python -m benchmarks.fit_speed", description=__doc__.split("\n")[0]
+    )
     words.add_argument("--limit", type=float, default=300.0, help="time [s] for each contender")
     words.add_argument("--json", type=Path, help="write the figures")
     words.add_argument("--only", default="", help="contenders whose name has this")
@@ -247,7 +272,9 @@ def main() -> None:
         start = {n: float(interface.parameters[n].start or 0.0) for n in data.fit}
         contenders: dict[str, Callable[[], Outcome]] = {
             "pam-cosim, the same FMU": lambda: ours("pam-cosim, the same FMU", data, plain),
-            "pam-cosim, FMU with sensitivities": lambda: ours("pam-cosim, FMU with sensitivities", data, slopes),
+            "pam-cosim, FMU with sensitivities": lambda: ours(
+                "pam-cosim, FMU with sensitivities", data, slopes
+            ),
         }
         for name, how in THEIRS.items():
             contenders[name] = lambda name=name, how=how: theirs(  # type: ignore[misc]
@@ -258,11 +285,16 @@ def main() -> None:
             if asked.only in name or name.startswith("pam-cosim"):
                 outcomes.append(run())
                 print(
-                    outcomes[-1].name, f"{outcomes[-1].seconds:.2f} s", f"{outcomes[-1].chi2_reduced:.6g}", flush=True
+                    outcomes[-1].name,
+                    f"{outcomes[-1].seconds:.2f} s",
+                    f"{outcomes[-1].chi2_reduced:.6g}",
+                    flush=True,
                 )
     print(table(outcomes, min(o.chi2_reduced for o in outcomes)))
     if asked.json:
-        asked.json.write_text(json.dumps([asdict(o) for o in outcomes], indent=1) + "\n", encoding="utf-8")
+        asked.json.write_text(
+            json.dumps([asdict(o) for o in outcomes], indent=1) + "\n", encoding="utf-8"
+        )
 
 
 if __name__ == "__main__":

@@ -42,7 +42,10 @@ KEYS: dict[str, Key] = {"bench": _bench, "measured": _signals, "rate": _rate, "r
 
 def _order(names: Sequence[str]) -> list[str]:
     """Numbers by size, the rest by the alphabet."""
-    return sorted(names, key=lambda name: (float(first) if (first := name.split(" ")[0]).isdigit() else -1.0, name))
+    return sorted(
+        names,
+        key=lambda name: (float(first) if (first := name.split(" ")[0]).isdigit() else -1.0, name),
+    )
 
 
 def _by(results: Sequence[Result], key: Key) -> dict[str, list[Result]]:
@@ -54,10 +57,20 @@ def _by(results: Sequence[Result], key: Key) -> dict[str, list[Result]]:
 
 def _columns(chosen: Sequence[Result]) -> list[tuple[int, int]]:
     """Right and all: single effects, combinations, instruments (visible ones each), nothing hidden, no family."""
-    parts = (("catalogue", "new_form"), ("pair", "triple"), ("instrument",), ("null",), ("none_of_these",))
+    parts = (
+        ("catalogue", "new_form"),
+        ("pair", "triple"),
+        ("instrument",),
+        ("null",),
+        ("none_of_these",),
+    )
     counted = []
     for groups in parts:
-        some = [r for r in chosen if r["case"].get("group") in groups and (groups[0] not in _HIDES or visible(r))]
+        some = [
+            r
+            for r in chosen
+            if r["case"].get("group") in groups and (groups[0] not in _HIDES or visible(r))
+        ]
         counted.append((sum(right(r) for r in some), len(some)))
     return counted
 
@@ -98,10 +111,17 @@ def time_table(results: Sequence[Result], groups: dict[str, str]) -> list[str]:
 
 def combination_table(results: Sequence[Result]) -> list[str]:
     """Markdown: of combinations, how often each hidden family was named, and each that is not hidden."""
-    lines = ["| family | hidden in | named there | named where it is not hidden |", "|---|---|---|---|"]
+    lines = [
+        "| family | hidden in | named there | named where it is not hidden |",
+        "|---|---|---|---|",
+    ]
     chosen = [r for r in results if r["case"].get("group") in ("pair", "triple")]
-    named = {id(r): set(r.get("diagnosis", {}).get("verdict", {}).get("families", [])) for r in chosen}
-    families = sorted({f for r in chosen for f in r["case"]["families"]} | set().union(*named.values(), set()))
+    named = {
+        id(r): set(r.get("diagnosis", {}).get("verdict", {}).get("families", [])) for r in chosen
+    }
+    families = sorted(
+        {f for r in chosen for f in r["case"]["families"]} | set().union(*named.values(), set())
+    )
     for family in families:
         inside = [r for r in chosen if family in r["case"]["families"]]
         seen = sum(family in named[id(r)] for r in inside)
@@ -115,12 +135,22 @@ def instrument_table(results: Sequence[Result]) -> list[str]:
     lines = ["| instrument | cases | right | named as an instrument | ambiguous | unknown | missed | wrong or error |",
              "|---|---|---|---|---|---|---|---|"]  # fmt: skip
     for family in INSTRUMENTS:
-        some = [r for r in results if r["case"].get("group") == "instrument" and r["case"]["families"] == [family]]
+        some = [
+            r
+            for r in results
+            if r["case"].get("group") == "instrument" and r["case"]["families"] == [family]
+        ]
         if some:
             said = [judged(r) for r in some]
             counts = [said.count(o) for o in ("ambiguous", "unknown", "missed")]
             rest = said.count("wrong") + said.count("error")
-            cells = [len(some), said.count("right"), sum(names_instruments(r) for r in some), *counts, rest]
+            cells = [
+                len(some),
+                said.count("right"),
+                sum(names_instruments(r) for r in some),
+                *counts,
+                rest,
+            ]
             lines.append(f"| {family} | {' | '.join(str(c) for c in cells)} |")
     return lines
 
@@ -139,7 +169,11 @@ def draw_breakdown(results: Sequence[Result], file: Path) -> None:
             share, ends = hits / len(some), wilson(hits, len(some))
             axis.barh(k, share, color="#8fb4d6")
             axis.errorbar(
-                share, k, xerr=np.maximum([[share - ends[0]], [ends[1] - share]], 0.0), color="0.3", capsize=3
+                share,
+                k,
+                xerr=np.maximum([[share - ends[0]], [ends[1] - share]], 0.0),
+                color="0.3",
+                capsize=3,
             )
             axis.text(0.01, k, str(len(some)), va="center", fontsize=8)
         axis.set_yticks(range(len(chosen)), list(chosen))

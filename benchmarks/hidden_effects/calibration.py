@@ -31,7 +31,8 @@ def binned(pairs: np.ndarray) -> list[tuple[float, float, np.ndarray]]:
     """(low, high, pairs) of the classes that have cases; the upper end belongs to the last class alone."""
     ends = list(zip(EDGES[:-1], EDGES[1:], strict=True))
     chosen = [
-        (low, high, pairs[(pairs[:, 0] >= low) & ((pairs[:, 0] < high) | (high == EDGES[-1]))]) for low, high in ends
+        (low, high, pairs[(pairs[:, 0] >= low) & ((pairs[:, 0] < high) | (high == EDGES[-1]))])
+        for low, high in ends
     ]
     return [one for one in chosen if len(one[2])]
 
@@ -75,7 +76,11 @@ def draw_calibration(results: Sequence[Result], file: Path) -> bool:
         bars = np.maximum([[share - ends[0]], [ends[1] - share]], 0.0)
         axes.errorbar(some[:, 0].mean(), share, bars, marker="o", capsize=3, color="#2a5f8f")
         axes.annotate(
-            str(len(some)), (some[:, 0].mean(), share), xytext=(6, -10), textcoords="offset points", fontsize=8
+            str(len(some)),
+            (some[:, 0].mean(), share),
+            xytext=(6, -10),
+            textcoords="offset points",
+            fontsize=8,
         )
     axes.set(xlabel="probability that the verdict states", ylabel="share that was right", xlim=(-0.03, 1.03),
              ylim=(-0.03, 1.03), title=f"Brier score {brier(pairs):.3f}, {len(pairs)} cases")  # fmt: skip

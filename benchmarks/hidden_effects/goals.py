@@ -111,7 +111,13 @@ class Limit:
 
 LIMITS = (
     Limit("time of a diagnosis, in the middle", "s", 5.0, "seconds", lambda y: float(np.median(y))),
-    Limit("time of a diagnosis, 95 % of cases", "s", 30.0, "seconds", lambda y: float(np.quantile(y, 0.95))),
+    Limit(
+        "time of a diagnosis, 95 % of cases",
+        "s",
+        30.0,
+        "seconds",
+        lambda y: float(np.quantile(y, 0.95)),
+    ),
     Limit("time of a diagnosis, longest", "s", 60.0, "seconds", max),
     Limit("memory, most", "MB", 1000.0, "megabytes", max),
 )
@@ -124,12 +130,20 @@ def goals_table(results: Sequence[Result]) -> list[str]:
         chosen = [r for r in results if goal.cases(r)]
         hits = sum(goal.hit(r) for r in chosen)
         wanted = "-" if goal.share is None else f"{100 * goal.share:.0f} %"
-        met = "-" if not chosen or goal.share is None else "yes" if hits >= goal.share * len(chosen) else "no"
+        met = (
+            "-"
+            if not chosen or goal.share is None
+            else "yes"
+            if hits >= goal.share * len(chosen)
+            else "no"
+        )
         lines.append(f"| {goal.text} | {wanted} | {rate(hits, len(chosen))} | {met} |")
     for limit in LIMITS:
         known = [float(r[limit.quantity]) for r in results if limit.quantity in r]
         if known:
             reached = limit.statistic(known)
             met = "yes" if reached <= limit.bound else "no"
-            lines.append(f"| {limit.text} | {limit.bound:g} {limit.unit} | {reached:.3g} {limit.unit} | {met} |")
+            lines.append(
+                f"| {limit.text} | {limit.bound:g} {limit.unit} | {reached:.3g} {limit.unit} | {met} |"
+            )
     return lines

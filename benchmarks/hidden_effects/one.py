@@ -25,7 +25,11 @@ _RANKS = 5
 
 def solve(which: str, number: int, folder: Path, workers: int) -> dict[str, Any]:
     """The result of one case. An exception of the generator or of the software becomes `error` with its place."""
-    result: dict[str, Any] = {"set": which, "number": number, "case": outline(case_of(which, number))}
+    result: dict[str, Any] = {
+        "set": which,
+        "number": number,
+        "case": outline(case_of(which, number)),
+    }
     start = time.perf_counter()
     try:
         description = result["case"] = made_case(which, number, folder)
@@ -53,7 +57,10 @@ def memory() -> float:
 
     Workers are counted by the largest of them: Linux keeps no sum.
     """
-    peaks = [resource.getrusage(who).ru_maxrss for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)]
+    peaks = [
+        resource.getrusage(who).ru_maxrss
+        for who in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN)
+    ]
     return round(max(peaks) / 1024, 1)
 
 
@@ -82,16 +89,24 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
         "evaluations": _evaluations(diagnosis),
         "path": [c.effect for c in diagnosis.path],
         "ranks": [[c.effect, c.family, c.delta_bic] for c in diagnosis.candidates[:_RANKS]],
-        "parameters": {name: estimate.value for name, estimate in diagnosis.final.parameters.items()},
+        "parameters": {
+            name: estimate.value for name, estimate in diagnosis.final.parameters.items()
+        },
     }
 
 
-def _floor(noise: Mapping[str, Mapping[str, float]], sigma: Mapping[str, float], coarse: Collection[str] = ()) -> float:
+def _floor(
+    noise: Mapping[str, Mapping[str, float]],
+    sigma: Mapping[str, float],
+    coarse: Collection[str] = (),
+) -> float:
     """The reduced chi-square that the truth itself would have: recorded minus true, weighed as the software weighs.
 
     Readings in coarse steps are counted by what rounding leaves of the truth: one.
     """
-    squares = {n: 1.0 if n in coarse else one["mean_square"] / sigma[n] ** 2 for n, one in noise.items()}
+    squares = {
+        n: 1.0 if n in coarse else one["mean_square"] / sigma[n] ** 2 for n, one in noise.items()
+    }
     total = sum(squares[n] * one["samples"] for n, one in noise.items())
     return total / sum(one["samples"] for one in noise.values())
 
@@ -111,7 +126,9 @@ def _evaluations(diagnosis: Any) -> int | None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--set", dest="which", choices=SETS, required=True)
     parser.add_argument("--number", type=int, required=True)
     parser.add_argument("--workers", type=int, default=0)

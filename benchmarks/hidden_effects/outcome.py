@@ -80,7 +80,11 @@ def stated_probability(result: Result) -> tuple[float, bool] | None:
     value = result["diagnosis"].get("probability")
     if value is None:
         return None
-    right = ("right", "ambiguous") if result["diagnosis"]["verdict"]["kind"] == "ambiguous" else ("right",)
+    right = (
+        ("right", "ambiguous")
+        if result["diagnosis"]["verdict"]["kind"] == "ambiguous"
+        else ("right",)
+    )
     return float(value), judged(result) in right
 
 

@@ -71,7 +71,9 @@ def _true(result: Result) -> set[frozenset[str]]:
     """The sets of families that are right; none where something else was hidden."""
     case, said = result["case"], result["diagnosis"]["verdict"]["families"]
     if case["group"] == "none_of_these":
-        return {frozenset(said)} if said and judged(result) == "right" and _claims(result) else set()
+        return (
+            {frozenset(said)} if said and judged(result) == "right" and _claims(result) else set()
+        )
     same = {frozenset(case["families"]), *(frozenset(f) for f in case.get("same_as", []))}
     return same | ({frozenset()} if set(case["families"]) == {"quantisation"} else set())
 
@@ -103,9 +105,14 @@ def fitted(cases: Sequence[Case]) -> Array:
     prior = in_force()
 
     def cost(numbers: Array) -> float:
-        return sum(surprise(c, numbers) for c in cases) + float(np.sum(((numbers - prior) / _SPREAD) ** 2)) / 2
+        return (
+            sum(surprise(c, numbers) for c in cases)
+            + float(np.sum(((numbers - prior) / _SPREAD) ** 2)) / 2
+        )
 
-    found: Array = minimize(cost, prior, method="Nelder-Mead", options={"maxiter": 20000, "xatol": 1e-4}).x
+    found: Array = minimize(
+        cost, prior, method="Nelder-Mead", options={"maxiter": 20000, "xatol": 1e-4}
+    ).x
     return found
 
 
@@ -130,17 +137,28 @@ def _judgement(what: str, some: Array) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("results", type=Path, help="JSON lines, as `score` writes them")
-    results = [json.loads(line) for line in parser.parse_args(arguments).results.read_text().splitlines()]
+    results = [
+        json.loads(line) for line in parser.parse_args(arguments).results.read_text().splitlines()
+    ]
     cases = [case_of(r) for r in results if "error" not in r]
     halves = [[c for c in cases if c.number % 2 == parity] for parity in (0, 1)]
     own = fitted(cases)
-    logits = ", ".join(f"{name} {v:+.2f}" for name, v in zip(("always", *DOUBTS), own[1:], strict=True))
+    logits = ", ".join(
+        f"{name} {v:+.2f}" for name, v in zip(("always", *DOUBTS), own[1:], strict=True)
+    )
     print(f"fitted to {len(cases)} cases: temperature {np.exp(own[0]):.2f}; {logits}")
     others = [fitted(half) for half in reversed(halves)]
     crossed = list(zip(halves, others, strict=True))
-    print(_judgement("fitted to the other half", np.vstack([pairs(half, numbers) for half, numbers in crossed])))
+    print(
+        _judgement(
+            "fitted to the other half",
+            np.vstack([pairs(half, numbers) for half, numbers in crossed]),
+        )
+    )
     print(_judgement("by the numbers in force", pairs(cases, in_force())))
     print(_judgement("as the verdicts stated", pairs(cases, None)))
     mean = np.mean([surprise(c, numbers) for half, numbers in crossed for c in half])

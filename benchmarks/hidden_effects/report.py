@@ -29,7 +29,14 @@ from benchmarks.hidden_effects.breakdown import (
 )
 from benchmarks.hidden_effects.calibration import calibration_table, draw_calibration
 from benchmarks.hidden_effects.goals import VISIBLE, goals_table, rate, single, visible, wilson
-from benchmarks.hidden_effects.outcome import INSTRUMENTS, OUTCOMES, excess, judged, size, stated_probability
+from benchmarks.hidden_effects.outcome import (
+    INSTRUMENTS,
+    OUTCOMES,
+    excess,
+    judged,
+    size,
+    stated_probability,
+)
 from benchmarks.hidden_effects.score import default_file, read_results
 from blind_cases.table import FAMILIES
 
@@ -54,26 +61,36 @@ _COLOURS = {
 
 def outcome_table(results: Sequence[Result]) -> list[str]:
     """Markdown: outcomes by group."""
-    lines = ["| hidden | cases | " + " | ".join(OUTCOMES) + " |", "|---|---|" + "---|" * len(OUTCOMES)]
+    lines = [
+        "| hidden | cases | " + " | ".join(OUTCOMES) + " |",
+        "|---|---|" + "---|" * len(OUTCOMES),
+    ]
     for group, text in GROUPS.items():
         chosen = [r for r in results if r["case"].get("group") == group]
         if not chosen:
             continue
         count = Counter(judged(r) for r in chosen)
-        lines.append(f"| {text} | {len(chosen)} | " + " | ".join(str(count[o]) for o in OUTCOMES) + " |")
+        lines.append(
+            f"| {text} | {len(chosen)} | " + " | ".join(str(count[o]) for o in OUTCOMES) + " |"
+        )
     return lines
 
 
 def strength_table(results: Sequence[Result]) -> list[str]:
     """Markdown: share of right verdicts by size, for groups that hide something."""
     names = [_bin_name(low, high) for low, high in zip(EDGES[:-1], EDGES[1:], strict=True)]
-    lines = ["| size in noise standard deviations | " + " | ".join(names) + " |", "|---|" + "---|" * len(names)]
+    lines = [
+        "| size in noise standard deviations | " + " | ".join(names) + " |",
+        "|---|" + "---|" * len(names),
+    ]
     for group, text in GROUPS.items():
         if group == "null" or not any(r["case"].get("group") == group for r in results):
             continue
         cells = []
         for chosen in _binned(results, group):
-            cells.append(rate(sum(judged(r) == "right" for r in chosen), len(chosen)) if chosen else "")
+            cells.append(
+                rate(sum(judged(r) == "right" for r in chosen), len(chosen)) if chosen else ""
+            )
         lines.append(f"| {text} | " + " | ".join(cells) + " |")
     return lines
 
@@ -86,7 +103,10 @@ def _bin_name(low: float, high: float) -> str:
 
 def _binned(results: Sequence[Result], group: str) -> list[list[Result]]:
     chosen = [r for r in results if r["case"].get("group") == group]
-    return [[r for r in chosen if low <= size(r) < high] for low, high in zip(EDGES[:-1], EDGES[1:], strict=True)]
+    return [
+        [r for r in chosen if low <= size(r) < high]
+        for low, high in zip(EDGES[:-1], EDGES[1:], strict=True)
+    ]
 
 
 def confusion(results: Sequence[Result]) -> tuple[list[str], list[str], np.ndarray]:
@@ -99,15 +119,31 @@ def confusion(results: Sequence[Result]) -> tuple[list[str], list[str], np.ndarr
     if any(r["case"].get("group") in ("instrument", "triple") for r in results):
         families += [family for family in INSTRUMENTS if family not in families]
     # a family that nobody knew of when this was written stands in a column of its own as well
-    named = {f for r in results for f in r.get("diagnosis", {}).get("verdict", {}).get("families", [])}
+    named = {
+        f for r in results for f in r.get("diagnosis", {}).get("verdict", {}).get("families", [])
+    }
     rows = [*families, "none_of_these", "nothing"]
-    columns = [*families, *sorted(named - set(families)), "several", "ambiguous", "unknown", "none_missing", "error"]
+    columns = [
+        *families,
+        *sorted(named - set(families)),
+        "several",
+        "ambiguous",
+        "unknown",
+        "none_missing",
+        "error",
+    ]
     counts = np.zeros((len(rows), len(columns)), dtype=int)
     for r in results:
         group = r["case"].get("group")
         if group in ("pair", "triple"):
             continue
-        row = "nothing" if group == "null" else group if group == "none_of_these" else r["case"]["families"][0]
+        row = (
+            "nothing"
+            if group == "null"
+            else group
+            if group == "none_of_these"
+            else r["case"]["families"][0]
+        )
         counts[rows.index(row), columns.index(_found(r))] += 1
     return rows, columns, counts
 
@@ -144,7 +180,9 @@ def family_table(results: Sequence[Result]) -> list[str]:
         chosen = groups[family, form]
         seen = [r for r in chosen if visible(r)]
         right = [sum(judged(r) == "right" for r in some) for some in (chosen, seen)]
-        lines.append(f"| {family} | {form} | {right[0]} of {len(chosen)} | {right[1]} of {len(seen)} |")
+        lines.append(
+            f"| {family} | {form} | {right[0]} of {len(chosen)} | {right[1]} of {len(seen)} |"
+        )
     return lines
 
 
@@ -152,21 +190,40 @@ def failures_table(results: Sequence[Result]) -> list[str]:
     """Markdown: every case of the goals that was not right, for the reader who wants to look."""
     lines = ["| case | bench | hidden | size | verdict | named |", "|---|---|---|---|---|---|"]
     for r in sorted(results, key=lambda r: int(r["number"])):
-        if judged(r) == "right" or ((single(r) or r["case"].get("group") == "instrument") and not visible(r)):
+        if judged(r) == "right" or (
+            (single(r) or r["case"].get("group") == "instrument") and not visible(r)
+        ):
             continue
-        hidden = " + ".join(f"{h['family']}:{h['form']}" for h in r["case"].get("hidden", [])) or "nothing"
-        verdict = r.get("diagnosis", {}).get("verdict", {"kind": f"error: {r.get('error', {}).get('where')}"})
+        hidden = (
+            " + ".join(f"{h['family']}:{h['form']}" for h in r["case"].get("hidden", []))
+            or "nothing"
+        )
+        verdict = r.get("diagnosis", {}).get(
+            "verdict", {"kind": f"error: {r.get('error', {}).get('where')}"}
+        )
         named = " + ".join(verdict.get("effects", []))
         bench = r["case"].get("bench", "Isotonic")
-        lines.append(f"| {r['number']} | {bench} | {hidden} | {size(r):.1f} | {verdict['kind']} | {named} |")
+        lines.append(
+            f"| {r['number']} | {bench} | {hidden} | {size(r):.1f} | {verdict['kind']} | {named} |"
+        )
     return lines
 
 
 def draw_hit_rate(results: Sequence[Result], file: Path) -> None:
     """Share of right verdicts over size, with Wilson's intervals, for what is hidden alone and for combinations."""
     figure, axes = plt.subplots(figsize=(7.0, 4.2), layout="constrained")
-    marks = (("catalogue", "o"), ("new_form", "s"), ("pair", "^"), ("triple", "v"), ("instrument", "D"))
-    shown = [(group, marker) for group, marker in marks if any(r["case"].get("group") == group for r in results)]
+    marks = (
+        ("catalogue", "o"),
+        ("new_form", "s"),
+        ("pair", "^"),
+        ("triple", "v"),
+        ("instrument", "D"),
+    )
+    shown = [
+        (group, marker)
+        for group, marker in marks
+        if any(r["case"].get("group") == group for r in results)
+    ]
     for k, (group, marker) in enumerate(shown):
         shift = 1.04 ** (k - len(shown) // 2)
         x, y, low, high = [], [], [], []
@@ -174,7 +231,9 @@ def draw_hit_rate(results: Sequence[Result], file: Path) -> None:
             if chosen:
                 hits = sum(judged(r) == "right" for r in chosen)
                 ends = wilson(hits, len(chosen))
-                x.append(shift * float(np.exp(np.mean(np.log([max(size(r), 0.05) for r in chosen])))))
+                x.append(
+                    shift * float(np.exp(np.mean(np.log([max(size(r), 0.05) for r in chosen]))))
+                )
                 y.append(hits / len(chosen))
                 low.append(y[-1] - ends[0])
                 high.append(ends[1] - y[-1])
@@ -201,7 +260,14 @@ def draw_confusion(results: Sequence[Result], file: Path) -> None:
     axes.imshow(shares, cmap="Blues", vmin=0, vmax=1)
     for (i, j), count in np.ndenumerate(counts):
         if count:
-            axes.text(j, i, str(count), ha="center", va="center", color="white" if shares[i, j] > 0.6 else "black")
+            axes.text(
+                j,
+                i,
+                str(count),
+                ha="center",
+                va="center",
+                color="white" if shares[i, j] > 0.6 else "black",
+            )
     axes.set_xticks(range(len(columns)), columns, rotation=60, ha="right")
     axes.set_yticks(range(len(rows)), rows)
     axes.set(xlabel="found", ylabel="hidden (visible at 3 standard deviations or more)")
@@ -218,7 +284,9 @@ def draw_outcomes(results: Sequence[Result], file: Path) -> None:
         count, left = Counter(judged(r) for r in chosen), 0.0
         for outcome in OUTCOMES:
             share = count[outcome] / max(len(chosen), 1)
-            axes.barh(k, share, left=left, color=_COLOURS[outcome], label=outcome if k == 0 else None)
+            axes.barh(
+                k, share, left=left, color=_COLOURS[outcome], label=outcome if k == 0 else None
+            )
             left += share
     axes.set_yticks(range(len(groups)), [GROUPS[group] for group in groups])
     axes.invert_yaxis()
@@ -231,8 +299,16 @@ def draw_outcomes(results: Sequence[Result], file: Path) -> None:
 def report(results: Sequence[Result], note: str = "") -> str:
     """The page as Markdown, with a note at its top."""
     times = [float(r["seconds"]) for r in results if "seconds" in r]
-    middle = f"{np.median(times):.0f} s in the middle, {max(times):.0f} s at most" if times else "not known"
-    away = [e for r in results if (e := excess(r)) is not None and r["diagnosis"]["verdict"]["kind"] == "identified"]
+    middle = (
+        f"{np.median(times):.0f} s in the middle, {max(times):.0f} s at most"
+        if times
+        else "not known"
+    )
+    away = [
+        e
+        for r in results
+        if (e := excess(r)) is not None and r["diagnosis"]["verdict"]["kind"] == "identified"
+    ]
     spread = (
         f"Holdout chi-square of identified cases over that of the truth's own noise: {1 + np.median(away):.3f} in the "
         f"middle, {1 + np.quantile(away, 0.9):.3f} at the 90 % quantile."
@@ -283,10 +359,16 @@ def _broken_down(results: Sequence[Result]) -> list[str]:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("results", type=Path, nargs="?", default=default_file("score"))
-    parser.add_argument("--out", type=Path, default=None, help="folder; default: beside the results")
-    parser.add_argument("--note", default="", help="what else must be known, such as how times were measured")
+    parser.add_argument(
+        "--out", type=Path, default=None, help="folder; default: beside the results"
+    )
+    parser.add_argument(
+        "--note", default="", help="what else must be known, such as how times were measured"
+    )
     options = parser.parse_args(arguments)
     results = list(read_results(options.results).values())
     if not results:

@@ -42,13 +42,18 @@ def _equal(before: Any, after: Any) -> bool:
 def compared(before: dict[int, Result], after: dict[int, Result]) -> Iterator[str]:
     """Differences of the cases that both have, with the case's number in front."""
     for number in sorted(before.keys() & after.keys()):
-        first, second = ({key: result.get(key) for key in _COMPARED} for result in (before[number], after[number]))
+        first, second = (
+            {key: result.get(key) for key in _COMPARED}
+            for result in (before[number], after[number])
+        )
         yield from (f"case {number}: {text}" for text in differences(first, second))
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Reads two files of results and compares them."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("before", type=Path)
     parser.add_argument("after", type=Path)
     chosen = parser.parse_args(arguments)

@@ -50,7 +50,15 @@ def read_results(file: Path) -> dict[int, Result]:
 def run_case(which: str, number: int, limit: float, workers: int = 0) -> Result:
     """One case in a process of its own, with all that it starts ended after `limit` seconds."""
     start = time.perf_counter()
-    command = [sys.executable, "-m", "benchmarks.hidden_effects.one", "--set", which, "--number", str(number)]
+    command = [
+        sys.executable,
+        "-m",
+        "benchmarks.hidden_effects.one",
+        "--set",
+        which,
+        "--number",
+        str(number),
+    ]
     command += ["--workers", str(workers)]
     environment = os.environ | {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}
     process = subprocess.Popen(
@@ -93,15 +101,21 @@ def _end(process: subprocess.Popen[str]) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--set", dest="which", choices=SETS, default="score")
     parser.add_argument("--cases", type=int, default=300, help="how many, from --first on")
     parser.add_argument("--first", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=2)
-    parser.add_argument("--workers", type=int, default=0, help="processes of one diagnosis; times: 2, with --jobs 1")
+    parser.add_argument(
+        "--workers", type=int, default=0, help="processes of one diagnosis; times: 2, with --jobs 1"
+    )
     parser.add_argument("--time-limit", type=float, default=900.0, help="seconds for one case")
     parser.add_argument("--out", type=Path)
-    parser.add_argument("--again", action="store_true", help="repeat cases that ended with an error")
+    parser.add_argument(
+        "--again", action="store_true", help="repeat cases that ended with an error"
+    )
     options = parser.parse_args(arguments)
     file = options.out or default_file(options.which)
     file.parent.mkdir(parents=True, exist_ok=True)
@@ -116,17 +130,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with ThreadPoolExecutor(options.jobs) as pool, file.open("a") as out:
         if out.tell() and not file.read_text().endswith("\n"):
             out.write("\n")  # the last run was stopped within a line
-        waiting = [pool.submit(run_case, options.which, n, options.time_limit, options.workers) for n in numbers]
+        waiting = [
+            pool.submit(run_case, options.which, n, options.time_limit, options.workers)
+            for n in numbers
+        ]
         try:
             for count, future in enumerate(as_completed(waiting), start=1):
                 result = future.result()
                 out.write(json.dumps(result) + "\n")
                 out.flush()
                 left = (time.perf_counter() - begin) / count * (len(numbers) - count)
-                print(f"{_line(result)}   {count}/{len(numbers)}, {left / 60:.0f} min left", flush=True)
+                print(
+                    f"{_line(result)}   {count}/{len(numbers)}, {left / 60:.0f} min left",
+                    flush=True,
+                )
         except KeyboardInterrupt:
             pool.shutdown(wait=False, cancel_futures=True)
-            for process in list(_RUNNING.values()):  # they have sessions of their own, which Ctrl-C does not reach
+            for process in list(
+                _RUNNING.values()
+            ):  # they have sessions of their own, which Ctrl-C does not reach
                 with suppress(ProcessLookupError):
                     os.killpg(process.pid, signal.SIGKILL)
             print("stopped; the same command goes on", flush=True)
@@ -136,7 +158,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _line(result: Result) -> str:
     case = result.get("case", {})
-    hidden = "+".join(f"{h['family']}:{h['form']}" for h in case.get("hidden", [])) or case.get("group", "?")
+    hidden = "+".join(f"{h['family']}:{h['form']}" for h in case.get("hidden", [])) or case.get(
+        "group", "?"
+    )
     size = max(case["size"]["projected"].values()) if "size" in case else float("nan")
     if "error" in result:
         said = f"ERROR in the {result['error']['where']}"

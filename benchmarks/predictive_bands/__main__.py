@@ -76,13 +76,17 @@ def solve(number: int) -> dict[str, Any]:
 
 def table(results: Sequence[Mapping[str, Any]]) -> str:
     """Markdown: by the colour of the noise."""
-    lines = ["| noise | cases | runs and signals | readings within | truth within | half width, sd of the noise |"]
+    lines = [
+        "| noise | cases | runs and signals | readings within | truth within | half width, sd of the noise |"
+    ]
     lines.append("|---|---|---|---|---|---|")
     done = [r for r in results if "runs" in r]
     for colour in (*sorted({r["colour"] for r in done}), "all"):
         chosen = [r for r in done if colour in (r["colour"], "all")]
         rows = [row for r in chosen for row in r["runs"]]
-        readings = np.average([row["readings"] for row in rows], weights=[row["samples"] for row in rows])
+        readings = np.average(
+            [row["readings"] for row in rows], weights=[row["samples"] for row in rows]
+        )
         truth = np.mean([row["truth"] for row in rows if row["truth"] is not None])
         width = np.median([row["half_width"] for row in rows])
         lines.append(
@@ -93,9 +97,13 @@ def table(results: Sequence[Mapping[str, Any]]) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--first", type=int, default=0)
-    parser.add_argument("--cases", type=int, default=0, help="numbers of cases that are looked at, from --first on")
+    parser.add_argument(
+        "--cases", type=int, default=0, help="numbers of cases that are looked at, from --first on"
+    )
     parser.add_argument("--results", type=Path, default=RESULTS)
     parser.add_argument("--table", action="store_true", help="print what came out as Markdown")
     options = parser.parse_args(arguments)

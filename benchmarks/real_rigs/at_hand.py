@@ -85,8 +85,18 @@ def vessel() -> Rig:
     """Pressure of a steel vessel that empties, and that is filled."""
     folder = EXAMPLES / "tank-discharge" / "carried-on" / "both-ways"
     out, into = (read_columns(folder / f"{n}.csv") for n in ("discharge", "filling"))
-    hot = {"tank.p_start": "688.675 kPa", "tank.T_start": "298 K", "ambient.T": "298 K", "p_outside": "-1.325 kPa"}
-    cold = {"tank.p_start": "-97.625 kPa", "tank.T_start": "295 K", "ambient.T": "295 K", "p_outside": "-0.775 kPa"}
+    hot = {
+        "tank.p_start": "688.675 kPa",
+        "tank.T_start": "298 K",
+        "ambient.T": "298 K",
+        "p_outside": "-1.325 kPa",
+    }
+    cold = {
+        "tank.p_start": "-97.625 kPa",
+        "tank.T_start": "295 K",
+        "ambient.T": "295 K",
+        "p_outside": "-0.775 kPa",
+    }
     p = _pressure(out)
     half = float(p["time [s]"][-1]) / 2
     early = p["time [s]"] <= half
@@ -114,10 +124,16 @@ def _pressure(table: dict[str, Array]) -> dict[str, Array]:
 
 def chamber() -> Rig:
     """Pressure of a printed chamber that empties itself; the table is in bar."""
-    table = _pressure(read_columns(EXAMPLES / "chamber-leak" / "chambers" / "Ultimaker_020" / "pressure.csv"))
+    table = _pressure(
+        read_columns(EXAMPLES / "chamber-leak" / "chambers" / "Ultimaker_020" / "pressure.csv")
+    )
     time = table["time [s]"] - table["time [s]"][0]
-    head = LEAK.replace("0.8 kPa", "0.18 kPa").replace("0.77 kPa; its noise is about one step", "0.63 kPa")
-    return free_course("chamber-leak", "A printed chamber that empties itself", time, 100 * table["p [kPa]"], head)
+    head = LEAK.replace("0.8 kPa", "0.18 kPa").replace(
+        "0.77 kPa; its noise is about one step", "0.63 kPa"
+    )
+    return free_course(
+        "chamber-leak", "A printed chamber that empties itself", time, 100 * table["p [kPa]"], head
+    )
 
 
 def printed_map() -> Rig:

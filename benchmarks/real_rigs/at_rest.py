@@ -24,7 +24,9 @@ def run_static(method: str, courses: Mapping[str, Sequence[Course]]) -> Fitted:
     else:
         model, size = _polynomial(x, y)
         count = model[-1].coef_.size + 1
-    predicted = {r: {c.name: np.asarray(model.predict(c.inputs)) for c in own} for r, own in courses.items()}
+    predicted = {
+        r: {c.name: np.asarray(model.predict(c.inputs)) for c in own} for r, own in courses.items()
+    }
     return Fitted(size, count, predicted)
 
 
@@ -36,9 +38,14 @@ def _polynomial(x: Any, y: Any) -> tuple[Any, str]:
 
     def made(degree: int) -> Any:
         features = PolynomialFeatures(degree, include_bias=False)
-        return make_pipeline(StandardScaler(), features, StandardScaler(), RidgeCV(np.logspace(-8, 2, 21)))
+        return make_pipeline(
+            StandardScaler(), features, StandardScaler(), RidgeCV(np.logspace(-8, 2, 21))
+        )
 
     folds = KFold(5, shuffle=True, random_state=0)
-    scores = {d: cross_val_score(made(d), x, y, cv=folds, scoring="neg_mean_squared_error").mean() for d in (2, 3, 4)}
+    scores = {
+        d: cross_val_score(made(d), x, y, cv=folds, scoring="neg_mean_squared_error").mean()
+        for d in (2, 3, 4)
+    }
     degree = max(scores, key=lambda d: scores[d])
     return made(degree).fit(x, y), f"degree {degree}"

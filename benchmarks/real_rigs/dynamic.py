@@ -80,7 +80,9 @@ def narx(degree: int, lags: int, terms: int | None, outputs: bool = True) -> Fit
 
         def seamless(x: Array, y: Array, xlag: object, ylag: object, model_type: str) -> Array:
             parts = [
-                np.asarray(build_lagged_matrix(u if inputs else None, v[:, None], xlag, ylag, model_type))
+                np.asarray(
+                    build_lagged_matrix(u if inputs else None, v[:, None], xlag, ylag, model_type)
+                )
                 for u, v in data
             ]
             return np.concatenate([p if i == 0 else p[lags:] for i, p in enumerate(parts)])
@@ -113,7 +115,11 @@ def network(units: int, lags: int, seed: int, outputs: bool = True) -> Fitter:
         rows = np.array([features(u, y, i) for u, y in data for i in range(lags, len(y))])
         target = np.concatenate([y[lags:] for _, y in data])
         net = MLPRegressor(
-            hidden_layer_sizes=(units,), activation="tanh", solver="lbfgs", max_iter=1000, random_state=seed
+            hidden_layer_sizes=(units,),
+            activation="tanh",
+            solver="lbfgs",
+            max_iter=1000,
+            random_state=seed,
         )
         net.fit(rows, target)
         (first, last), (a, b) = net.coefs_, net.intercepts_
@@ -137,7 +143,9 @@ def sindy(threshold: float) -> Fitter:
         from scipy.integrate import solve_ivp
 
         inputs = data[0][0].shape[1]
-        model = ps.SINDy(feature_library=ps.PolynomialLibrary(degree=2), optimizer=ps.STLSQ(threshold=threshold))
+        model = ps.SINDy(
+            feature_library=ps.PolynomialLibrary(degree=2), optimizer=ps.STLSQ(threshold=threshold)
+        )
         controls = [u for u, _ in data] if inputs else None
         model.fit([y[:, None] for _, y in data], t=step, u=controls)
 
@@ -149,7 +157,9 @@ def sindy(threshold: float) -> Fitter:
                 rates: Array = np.asarray(model.predict(np.clip(y, -50, 50)[None, :], u=held))[0]
                 return rates
 
-            done = solve_ivp(rate, (0, time[-1]), begun[:1], t_eval=time, max_step=step, method="RK23", rtol=1e-2)
+            done = solve_ivp(
+                rate, (0, time[-1]), begun[:1], t_eval=time, max_step=step, method="RK23", rtol=1e-2
+            )
             out = np.full(len(u), np.nan)
             out[: len(done.t)] = done.y[0]
             return out
@@ -184,7 +194,9 @@ class Fitted:
     predicted: dict[str, dict[str, Array]]
 
 
-def run_method(sizes: dict[str, Fitter], courses: Mapping[str, Sequence[Course]], step: float) -> Fitted:
+def run_method(
+    sizes: dict[str, Fitter], courses: Mapping[str, Sequence[Course]], step: float
+) -> Fitted:
     """Chooses the size by what is held back, fits all rows with it and simulates every course."""
     even = [c.even(step) for c in courses["fitted"]]
     scale = Scale.of(even)
@@ -192,13 +204,21 @@ def run_method(sizes: dict[str, Fitter], courses: Mapping[str, Sequence[Course]]
     if not even[0].inputs.shape[1]:
         sizes = {name: fit for name, fit in sizes.items() if not name.endswith(_of_both(False))}
     errors = {name: _error_of(fit, kept, back, scale, step) for name, fit in sizes.items()}
-    best, model = _first_stable(sizes, sorted(errors, key=lambda name: errors[name]), even, scale, step)
-    predicted = {r: {c.name: free_run(model, c, scale, step) for c in own} for r, own in courses.items()}
+    best, model = _first_stable(
+        sizes, sorted(errors, key=lambda name: errors[name]), even, scale, step
+    )
+    predicted = {
+        r: {c.name: free_run(model, c, scale, step) for c in own} for r, own in courses.items()
+    }
     return Fitted(best, model.count, predicted)
 
 
 def _first_stable(
-    sizes: dict[str, Fitter], order: Sequence[str], even: Sequence[Course], scale: Scale, step: float
+    sizes: dict[str, Fitter],
+    order: Sequence[str],
+    even: Sequence[Course],
+    scale: Scale,
+    step: float,
 ) -> tuple[str, Model]:
     """The best size whose free run does not leave the fitted rows by their own range; else the best of all."""
     first: tuple[str, Model] | None = None
@@ -227,7 +247,9 @@ def free_run(model: Model, course: Course, scale: Scale, step: float) -> Array:
             out = np.asarray(model.simulate(u, y[: model.lags]), dtype=float)
     out = scale.output(np.nan_to_num(out, nan=1e9, posinf=1e9, neginf=-1e9))
     values = np.interp(course.time, even.time, out)
-    return np.where(course.time < even.time[min(model.lags, len(even.time) - 1)] - 1e-12, np.nan, values)
+    return np.where(
+        course.time < even.time[min(model.lags, len(even.time) - 1)] - 1e-12, np.nan, values
+    )
 
 
 def _held_back(even: Sequence[Course]) -> tuple[list[Course], Course]:
@@ -235,10 +257,14 @@ def _held_back(even: Sequence[Course]) -> tuple[list[Course], Course]:
         return list(even[:-1]), even[-1]
     (one,) = even
     cut = max(2 * len(one.time) // 3, min(FEWEST, len(one.time) - 4))
-    return [Course(one.name, one.time[:cut], one.inputs[:cut], one.measured[:cut], one.score_from)], one
+    return [
+        Course(one.name, one.time[:cut], one.inputs[:cut], one.measured[:cut], one.score_from)
+    ], one
 
 
-def _error_of(fit: Fitter, kept: Sequence[Course], back: Course, scale: Scale, step: float) -> float:
+def _error_of(
+    fit: Fitter, kept: Sequence[Course], back: Course, scale: Scale, step: float
+) -> float:
     try:
         model = fit([scale.scaled(c) for c in kept], step)
         values = free_run(model, back, scale, step)

@@ -35,7 +35,9 @@ def rigs(hose: Store, muscle: Store, bench: str) -> Iterator[Rig]:
 def used(store: Store, folders: Sequence[str]) -> list[str]:
     """The files of a source that are read."""
     starts = ("tube_l", "20mm_30cm_", "20mm_40cm_", "Experiment")
-    return [p for f in folders for p in store.paths(f) if p.removeprefix(f"{f}/").startswith(starts)]
+    return [
+        p for f in folders for p in store.paths(f) if p.removeprefix(f"{f}/").startswith(starts)
+    ]
 
 
 def print_sums(stores: Sequence[tuple[Store, Sequence[str]]]) -> None:

@@ -100,9 +100,15 @@ def isometric(store: Store, bench: str, tests: Sequence[int] = (3, 7), name: str
         signal="F",
         inputs=("p", "s"),
         head=HEAD.replace("REST", str(REST[30])),
-        runs={"fitted": fitted, "within": within, "outside": [run_of(store, 30, 33, t) for t in (3, 7)]},
+        runs={
+            "fitted": fitted,
+            "within": within,
+            "outside": [run_of(store, 30, 33, t) for t in (3, 7)],
+        },
         step=BIN,
-        repeats=tuple((f"x{x}-test{a}", f"x{x}-test{b}") for x in (0, 22) for a, b in ((3, 4), (7, 8))),
+        repeats=tuple(
+            (f"x{x}-test{a}", f"x{x}-test{b}") for x in (0, 22) for a, b in ((3, 4), (7, 8))
+        ),
         files={BENCH: bench},
     )
 
@@ -121,7 +127,9 @@ def static_map(store: Store) -> Rig:
                     rows.append([p + float(np.mean(near[:, 1] - p)), float(np.mean(near[:, 2]))])
         table = np.array(rows)
         held = np.full(len(table), float(contraction))
-        return Run(f"x{contraction}", {"p [kPa]": table[:, 0], "x [mm]": held, "F [N]": table[:, 1]})
+        return Run(
+            f"x{contraction}", {"p [kPa]": table[:, 0], "x [mm]": held, "F [N]": table[:, 1]}
+        )
 
     return Rig(
         name="map-398",
@@ -137,10 +145,18 @@ def static_map(store: Store) -> Rig:
 
 def leak(store: Store, experiment: int) -> Rig:
     """The shut muscle that empties itself: the run down to a part of its first pressure, and all of it."""
-    data = loadmat(io.BytesIO(store.read(f"{LEAKS}/Experiment{experiment}Leak.mat")), variable_names=["data"])["data"]
+    data = loadmat(
+        io.BytesIO(store.read(f"{LEAKS}/Experiment{experiment}Leak.mat")), variable_names=["data"]
+    )["data"]
     shut = data[np.asarray(data[:, 1]) == 0].astype(float)
     time, p = (shut[:, 0] - shut[0, 0]) / 1e3, GAIN * shut[:, 2] + ZERO
-    return free_course(f"muscle-leak-{experiment}", f"Leak of a shut muscle, experiment {experiment}", time, p, LEAK)
+    return free_course(
+        f"muscle-leak-{experiment}",
+        f"Leak of a shut muscle, experiment {experiment}",
+        time,
+        p,
+        LEAK,
+    )
 
 
 def free_course(name: str, title: str, time: Array, p: Array, head: str) -> Rig:
@@ -159,6 +175,9 @@ def free_course(name: str, title: str, time: Array, p: Array, head: str) -> Rig:
         signal="p",
         inputs=(),
         head=head,
-        runs={"fitted": [Run("first", first)], "outside": [Run("whole", columns, score_from=float(time[cut]))]},
+        runs={
+            "fitted": [Run("first", first)],
+            "outside": [Run("whole", columns, score_from=float(time[cut]))],
+        },
         step=float(np.median(np.diff(time))),
     )

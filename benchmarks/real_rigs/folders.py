@@ -52,7 +52,10 @@ def write_rig(folder: Path, rig: Rig) -> None:
         "step": rig.step,
         "static": rig.static,
         "repeats": rig.repeats,
-        "runs": {role: {r.name: max(r.score_from, -1e9) for r in rig.runs.get(role, ())} for role in ROLES},
+        "runs": {
+            role: {r.name: max(r.score_from, -1e9) for r in rig.runs.get(role, ())}
+            for role in ROLES
+        },
     }
     for role in ROLES:
         runs = rig.runs.get(role, ())
@@ -70,7 +73,9 @@ def write_rig(folder: Path, rig: Rig) -> None:
 
 def read_columns(path: Path) -> dict[str, Array]:
     """The columns of a table by their names without units; an empty cell is not a number."""
-    lines = [line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    lines = [
+        line for line in path.read_text(encoding="utf-8").splitlines() if not line.startswith("#")
+    ]
     names = [c.split("[")[0].strip() for c in lines[0].split(",")]
     cells = [[float(c) if c.strip() else np.nan for c in line.split(",")] for line in lines[1:]]
     return dict(zip(names, np.array(cells).T, strict=True))

@@ -34,7 +34,9 @@ def fitted(formula: Formula, courses: Sequence[Course]) -> Array:
         return np.nan_to_num(np.concatenate(parts), nan=1e6, posinf=1e6, neginf=-1e6)
 
     bounds = (np.asarray(formula.low, float), np.asarray(formula.high, float))
-    best = least_squares(error, formula.start, bounds=bounds, x_scale=np.maximum(np.abs(formula.start), 1e-6))
+    best = least_squares(
+        error, formula.start, bounds=bounds, x_scale=np.maximum(np.abs(formula.start), 1e-6)
+    )
     return np.asarray(best.x)
 
 
@@ -58,7 +60,9 @@ def robot(course: Course, c: Array) -> Array:
     u_out = np.interp(t - c[3], t, course.inputs[:, 1])
     zero = p[0] = _first(course)
     for i in range(1, len(t)):
-        rate = u_in[i] * (course.inputs[i, 2] - p[i - 1]) / c[0] + u_out[i] * (zero - p[i - 1]) / c[1]
+        rate = (
+            u_in[i] * (course.inputs[i, 2] - p[i - 1]) / c[0] + u_out[i] * (zero - p[i - 1]) / c[1]
+        )
         p[i] = p[i - 1] + rate * (t[i] - t[i - 1])
     return p
 
@@ -76,7 +80,12 @@ def orifice(course: Course, c: Array) -> Array:
 
     def flow(p_a: float, t_a: float, p_b: float) -> float:
         ratio = max(p_b / p_a, (2 / (KAPPA + 1)) ** (KAPPA / (KAPPA - 1)))
-        psi = 2 * KAPPA / (KAPPA - 1) * max(ratio ** (2 / KAPPA) - ratio ** ((KAPPA + 1) / KAPPA), 0.0)
+        psi = (
+            2
+            * KAPPA
+            / (KAPPA - 1)
+            * max(ratio ** (2 / KAPPA) - ratio ** ((KAPPA + 1) / KAPPA), 0.0)
+        )
         return float(c[0] * area * p_a * np.sqrt(psi / (AIR * t_a)))
 
     def rate(_: float, y: Array) -> list[float]:
@@ -107,7 +116,9 @@ def hildebrandt(rest: float, branches: bool = False) -> Callable[[Course, Array]
 
     def value(course: Course, c: Array) -> Array:
         p, k = course.inputs[:, 0] / 100, 10 * course.inputs[:, 1] / rest
-        pull = p * (c[0] + c[1] * k + c[2] * k**2) - (c[3] * k**2 + c[4] * k + c[5] + c[6] * k ** (2 / 3))
+        pull = p * (c[0] + c[1] * k + c[2] * k**2) - (
+            c[3] * k**2 + c[4] * k + c[5] + c[6] * k ** (2 / 3)
+        )
         if branches:
             pull = pull - c[7] * np.tanh(np.gradient(p, course.time) / 0.05)
         return np.asarray(pull)
@@ -124,10 +135,24 @@ def formulas(rig: str) -> list[Formula]:
     """The formulas of a rig; the better one counts."""
     if rig.startswith("hose"):
         return [
-            Formula("time constants and dead times", hose, (0.1, 0.02, 0.1, 0.02), (1e-3, 0, 1e-3, 0), (9, 1, 9, 1))
+            Formula(
+                "time constants and dead times",
+                hose,
+                (0.1, 0.02, 0.1, 0.02),
+                (1e-3, 0, 1e-3, 0),
+                (9, 1, 9, 1),
+            )
         ]
     if rig == "robot":
-        return [Formula("time constants", robot, (0.05, 0.05, 0.02, 0.02), (1e-3, 1e-3, 0, 0), (9, 9, 0.1, 0.1))]
+        return [
+            Formula(
+                "time constants",
+                robot,
+                (0.05, 0.05, 0.02, 0.02),
+                (1e-3, 1e-3, 0, 0),
+                (9, 9, 0.1, 0.1),
+            )
+        ]
     if "leak" in rig:
         return [Formula("exponential", decay, (600.0, 100.0), (1, 1e-2), (2000, 1e7))]
     if rig == "vessel":
@@ -136,12 +161,16 @@ def formulas(rig: str) -> list[Formula]:
     dynamic = rig.startswith("muscle")
     start = _HILDEBRANDT[0][: 8 if dynamic else 7]
     free = [np.inf] * len(start)
-    listed = [Formula("Hildebrandt 2005", hildebrandt(rest, dynamic), start, [-f for f in free], free)]
+    listed = [
+        Formula("Hildebrandt 2005", hildebrandt(rest, dynamic), start, [-f for f in free], free)
+    ]
     if not dynamic:
         listed.append(Formula("Sarosi 2012", sarosi(rest), _SAROSI[0], [-np.inf] * 6, _SAROSI[1]))
     return listed
 
 
-def predictions(formula: Formula, c: Array, courses: Mapping[str, Sequence[Course]]) -> dict[str, dict[str, Array]]:
+def predictions(
+    formula: Formula, c: Array, courses: Mapping[str, Sequence[Course]]
+) -> dict[str, dict[str, Array]]:
     """All courses by role."""
     return {role: {k.name: formula.value(k, c) for k in own} for role, own in courses.items()}

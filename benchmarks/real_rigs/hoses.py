@@ -122,9 +122,16 @@ def rig(store: Store, length: int) -> Rig:
     """The rig of one hose."""
 
     def group(bars: Sequence[int], halves: str) -> list[Run]:
-        return [run_of(store, length, b, phase, h) for b in bars for phase in ("start", "end") for h in halves]
+        return [
+            run_of(store, length, b, phase, h)
+            for b in bars
+            for phase in ("start", "end")
+            for h in halves
+        ]
 
-    repeats = tuple((f"l{length}-p{b}-{w}-a", f"l{length}-p{b}-{w}-b") for b in (2, 4) for w in ("fill", "vent"))
+    repeats = tuple(
+        (f"l{length}-p{b}-{w}-a", f"l{length}-p{b}-{w}-b") for b in (2, 4) for w in ("fill", "vent")
+    )
     return Rig(
         name="hose" if length == 8 else f"hose-{length}m",
         title=f"Closed end of {length} m of hose",

@@ -21,7 +21,14 @@ from pam_cosim.study.fitted_model import fitted_model
 
 RESULTS = Path(__file__).with_name("results.json")
 OPEN = ("Flexible", "General")
-RIGS = ("hose", "robot", "muscle", *(f"muscle-leak-{n}" for n in (1, 2, 4, 5, 6, 7)), "chamber-leak", "vessel")
+RIGS = (
+    "hose",
+    "robot",
+    "muscle",
+    *(f"muscle-leak-{n}" for n in (1, 2, 4, 5, 6, 7)),
+    "chamber-leak",
+    "vessel",
+)
 MAPS = ("map-20", "map-398")
 
 
@@ -36,7 +43,9 @@ def named(folder: Path) -> tuple[str, dict[str, float]]:
     ratios = {n: v for n, v in fitted_model(diagnosis).of_the_data.items() if "@" not in n}
     scores = score(rows, predictions(rows, folder, model, files, ratios))
     effects = " + ".join(c.effect for c in diagnosis.path) or "none"
-    return f"{diagnosis.verdict.kind}: {effects}", {r: 100 * overall(s) for r, s in scores.items() if s}
+    return f"{diagnosis.verdict.kind}: {effects}", {
+        r: 100 * overall(s) for r, s in scores.items() if s
+    }
 
 
 def main(folder: Path, names: Sequence[str]) -> None:
@@ -47,7 +56,10 @@ def main(folder: Path, names: Sequence[str]) -> None:
         said, errors = named(folder / name)
         was = before[f"{name}.verdict"]
         old = {role: 100 * overall(s) for role, s in was["scores"].items() if s}
-        print(f"{name}: {said} {_text(errors)}; before: {' + '.join(was['effects'])} {_text(old)}", flush=True)
+        print(
+            f"{name}: {said} {_text(errors)}; before: {' + '.join(was['effects'])} {_text(old)}",
+            flush=True,
+        )
         if name.startswith("muscle-leak"):
             leaks.append(errors["outside"])
     if leaks:

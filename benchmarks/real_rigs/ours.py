@@ -40,7 +40,9 @@ def predictions(
     for role in ROLES:
         if rows.courses[role]:
             try:
-                compared = pam.compare(pam.read(folder / role, files=files), str(model), values, files=files)
+                compared = pam.compare(
+                    pam.read(folder / role, files=files), str(model), values, files=files
+                )
             except (InputError, SimulationFailure) as error:
                 print(f"{rows.name} {role}: {error}", file=sys.stderr)
                 continue
@@ -50,11 +52,17 @@ def predictions(
 
 def _of_course(course: Course, compared: Comparison) -> Array:
     """(n,) at the course's rows; points at rest are found again by what was imposed and measured."""
-    own = [r for r in compared.runs if r.run.name == course.name or r.run.name.startswith(f"{course.name} ")]
+    own = [
+        r
+        for r in compared.runs
+        if r.run.name == course.name or r.run.name.startswith(f"{course.name} ")
+    ]
     (signal,) = own[0].run.measurements
     measured = np.concatenate([r.run.measurements[signal] for r in own])
     values = np.concatenate([r.model[signal] for r in own])
-    unit = 10 ** np.round(np.log10(np.nanmax(np.abs(measured)) / np.nanmax(np.abs(course.measured))))
+    unit = 10 ** np.round(
+        np.log10(np.nanmax(np.abs(measured)) / np.nanmax(np.abs(course.measured)))
+    )
     if len(own) == 1 and len(values) == len(course.time) and np.any(course.time):
         return np.asarray(values / unit)
     imposed = np.concatenate([np.column_stack(list(r.run.inputs.values())) for r in own])
@@ -94,13 +102,20 @@ def run_rig(folder: Path, results: Path) -> None:
         return
     write_text(place / f"{learned.term.name}.mo", learned.term.modelica_source)
     pam.add(diagnosis, output=place / "Learned.mo", files=files, learned=True)
-    said = _said(learned.model.fit, 0.0, learned.term.formula) | {"effects": list(learned.model.effects)}
+    said = _said(learned.model.fit, 0.0, learned.term.formula) | {
+        "effects": list(learned.model.effects)
+    }
     ratios = {n: v for n, v in learned.model.fit.values.items() if is_ratio(n)}
     _write(results, rows, "learned", place / "Learned.mo", files, said, ratios)
 
 
 def _said(fit: Fit, seconds: float, reading: str) -> dict[str, object]:
-    return {"version": VERSION, "coefficients": len(fit.parameters), "seconds": seconds, "reading": reading}
+    return {
+        "version": VERSION,
+        "coefficients": len(fit.parameters),
+        "seconds": seconds,
+        "reading": reading,
+    }
 
 
 def _write(
@@ -131,7 +146,9 @@ def timed(folder: Path, name: str) -> None:
     for method in ("verdict", "learned"):
         path = folder / "results" / f"{name}.{method}.json"
         if path.is_file():
-            said = json.loads(path.read_text(encoding="utf-8")) | {"seconds": used.ru_utime + used.ru_stime}
+            said = json.loads(path.read_text(encoding="utf-8")) | {
+                "seconds": used.ru_utime + used.ru_stime
+            }
             path.write_text(json.dumps(said, indent=1) + "\n", encoding="utf-8")
 
 

@@ -62,7 +62,15 @@ def draw_course(axis: Axes, folder: Path, rows: Rows, course: Course, key: str) 
     at = course.inputs[:, 0] if rows.static else course.time
     order = np.argsort(at, kind="stable")
     every = max(1, len(at) // 400)
-    axis.plot(at[order][::every], course.measured[order][::every], ".", color="0.25", ms=4, label="measured", zorder=1)
+    axis.plot(
+        at[order][::every],
+        course.measured[order][::every],
+        ".",
+        color="0.25",
+        ms=4,
+        label="measured",
+        zorder=1,
+    )
     rival = best_rival(folder, rows.name, role)
     for method in ("base", rival, "verdict", "learned"):
         values = predicted(folder, rows.name, method, key)
@@ -80,7 +88,9 @@ def draw_course(axis: Axes, folder: Path, rows: Rows, course: Course, key: str) 
     if np.isfinite(course.score_from) and course.score_from > course.time[0]:
         axis.axvspan(course.time[0], course.score_from, color="0.92", zorder=0, label="fitted")
     span = np.nanmax(course.measured) - np.nanmin(course.measured)
-    axis.set_ylim(np.nanmin(course.measured) - 0.15 * span, np.nanmax(course.measured) + 0.25 * span)
+    axis.set_ylim(
+        np.nanmin(course.measured) - 0.15 * span, np.nanmax(course.measured) + 0.25 * span
+    )
     axis.set_title(f"{role}: {course.name} (best rival: {rival})", fontsize=9)
     axis.set_xlabel("pressure [kPa]" if rows.static else "time [s]")
     axis.grid(alpha=0.3)
@@ -90,7 +100,9 @@ def draw(folder: Path, rig: str) -> None:
     """The picture of one rig."""
     rows = read_rows(folder / rig)
     keys = SHOWN[rig]
-    figure, axes = plt.subplots(1, len(keys), figsize=(4.2 * len(keys) + 1, 3.4), layout="constrained", squeeze=False)
+    figure, axes = plt.subplots(
+        1, len(keys), figsize=(4.2 * len(keys) + 1, 3.4), layout="constrained", squeeze=False
+    )
     for axis, key in zip(axes[0], keys, strict=True):
         role, name = key.split("/")
         draw_course(axis, folder, rows, next(c for c in rows.courses[role] if c.name == name), key)

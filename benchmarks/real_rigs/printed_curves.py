@@ -26,7 +26,10 @@ def picture(notebook: bytes, cell: int) -> Array:
     """
     for output in json.loads(notebook)["cells"][cell].get("outputs", []):
         if "image/png" in output.get("data", {}):
-            pixels = np.asarray(matplotlib.image.imread(BytesIO(base64.b64decode(output["data"]["image/png"]))), float)
+            pixels = np.asarray(
+                matplotlib.image.imread(BytesIO(base64.b64decode(output["data"]["image/png"]))),
+                float,
+            )
             opaque = pixels[..., 3:]
             return pixels[..., :3] * opaque + (1 - opaque)
     raise ValueError(f"cell {cell} of the notebook shows no picture")

@@ -38,7 +38,9 @@ def by_formula(rows: Rows, courses: Mapping[str, Sequence[Course]]) -> Fitted:
     for formula in formulas.formulas(rows.name):
         c = formulas.fitted(formula, courses["fitted"])
         predicted = formulas.predictions(formula, c, courses)
-        left = [np.nanmean((predicted["fitted"][k.name] - k.measured) ** 2) for k in courses["fitted"]]
+        left = [
+            np.nanmean((predicted["fitted"][k.name] - k.measured) ** 2) for k in courses["fitted"]
+        ]
         found.append((float(np.mean(left)), Fitted(formula.title, len(c), predicted)))
     return min(found, key=lambda f: f[0])[1]
 
@@ -48,19 +50,29 @@ def methods(rows: Rows) -> dict[str, Callable[[], Fitted]]:
     courses = {role: rows.courses[role] for role in ROLES}
     listed: dict[str, Callable[[], Fitted]] = {"formula": lambda: by_formula(rows, courses)}
     if rows.static:
-        return listed | {m: (lambda m=m: run_static(m, courses)) for m in ("boosting", "polynomial")}
+        return listed | {
+            m: (lambda m=m: run_static(m, courses)) for m in ("boosting", "polynomial")
+        }
     return listed | {m: (lambda s=s: run_method(s, courses, rows.step)) for m, s in SHELF.items()}
 
 
 def write_result(
-    folder: Path, rows: Rows, method: str, about: Mapping[str, object], predicted: Mapping[str, Mapping[str, Array]]
+    folder: Path,
+    rows: Rows,
+    method: str,
+    about: Mapping[str, object],
+    predicted: Mapping[str, Mapping[str, Array]],
 ) -> None:
     """``RIG.METHOD.json`` with the scores, and the predictions beside it."""
     folder.mkdir(exist_ok=True)
     scores = score(rows, predicted)
     said = {"rig": rows.name, "method": method, **about, "scores": scores}
-    (folder / f"{rows.name}.{method}.json").write_text(json.dumps(said, indent=1) + "\n", encoding="utf-8")
-    flat = {f"{role}/{name}": values for role, own in predicted.items() for name, values in own.items()}
+    (folder / f"{rows.name}.{method}.json").write_text(
+        json.dumps(said, indent=1) + "\n", encoding="utf-8"
+    )
+    flat = {
+        f"{role}/{name}": values for role, own in predicted.items() for name, values in own.items()
+    }
     np.savez_compressed(folder / f"{rows.name}.{method}.npz", **flat)  # type: ignore[arg-type]
 
 
@@ -70,7 +82,9 @@ def main(folder: Path, names: Sequence[str]) -> None:
         rows = read_rows(folder / name)
         for method, run in methods(rows).items():
             begun = time.process_time()
-            about: dict[str, object] = {"version": f"{PACKAGES[method]} {version(PACKAGES[method])}"}
+            about: dict[str, object] = {
+                "version": f"{PACKAGES[method]} {version(PACKAGES[method])}"
+            }
             predicted: Mapping[str, Mapping[str, Array]] = {}
             try:
                 with warnings.catch_warnings():

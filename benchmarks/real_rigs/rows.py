@@ -29,7 +29,9 @@ class Course:
         """The same at equal intervals, missing samples bridged by straight lines."""
         there = ~np.isnan(self.measured)
         grid = np.arange(self.time[0], self.time[-1] + 1e-9, step)
-        inputs = np.array([np.interp(grid, self.time, u) for u in self.inputs.T]).T.reshape(len(grid), -1)
+        inputs = np.array([np.interp(grid, self.time, u) for u in self.inputs.T]).T.reshape(
+            len(grid), -1
+        )
         measured = np.interp(grid, self.time[there], self.measured[there])
         return Course(self.name, grid, inputs, measured, self.score_from)
 
@@ -61,7 +63,12 @@ class Rows:
             # repeats differ in when a valve was switched too: over time, as a free run is scored
             end = min(a.time[-1], b.time[-1])
             kept = a.time <= end
-            squares.append(float(np.mean((a.measured[kept] - np.interp(a.time[kept], b.time, b.measured)) ** 2) / 2))
+            squares.append(
+                float(
+                    np.mean((a.measured[kept] - np.interp(a.time[kept], b.time, b.measured)) ** 2)
+                    / 2
+                )
+            )
         return float(np.sqrt(np.mean(squares))) / self.range if squares else None
 
 
@@ -80,7 +87,9 @@ def read_rows(folder: Path) -> Rows:
             own.append(Course(run, time, inputs, table[about["signal"]], score_from))
         courses[role] = tuple(own)
     repeats = tuple((a, b) for a, b in about["repeats"])
-    return Rows(folder.name, about["title"], about["step"], about["static"], names, courses, repeats)
+    return Rows(
+        folder.name, about["title"], about["step"], about["static"], names, courses, repeats
+    )
 
 
 def score(rows: Rows, predicted: Mapping[str, Mapping[str, Array]]) -> dict[str, dict[str, float]]:
@@ -108,7 +117,9 @@ def _error(course: Course, values: Array | None, span: float) -> float:
         return LOST
     kept = ~np.isnan(course.measured) & (course.time >= course.score_from)
     error = (values - course.measured)[kept] / span
-    started = np.isnan(values[kept]) & (np.cumsum(~np.isnan(values[kept])) == 0)  # first samples, which it was given
+    started = np.isnan(values[kept]) & (
+        np.cumsum(~np.isnan(values[kept])) == 0
+    )  # first samples, which it was given
     error = error[~started]
     value = float(np.sqrt(np.mean(error**2))) if len(error) else LOST
     return min(value, LOST) if np.isfinite(value) else LOST

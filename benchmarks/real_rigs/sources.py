@@ -58,7 +58,9 @@ class Store:
 
     def paths(self, folder: str) -> list[str]:
         """All files below a folder."""
-        listed = _git(self.directory, "ls-tree", "-r", "-z", "--name-only", self.source.commit, folder)
+        listed = _git(
+            self.directory, "ls-tree", "-r", "-z", "--name-only", self.source.commit, folder
+        )
         return [p for p in listed.decode("utf-8").split("\0") if p]
 
     def content(self, path: str) -> bytes:
@@ -97,7 +99,15 @@ def opened(source: Source, cache: Path, mirror: Path | None) -> Store:
         directory.mkdir(parents=True)
         _git(directory, "init", "--quiet")
         _git(directory, "remote", "add", "origin", source.address)
-        _git(directory, "fetch", "--quiet", "--depth=1", "--filter=blob:none", "origin", source.commit)
+        _git(
+            directory,
+            "fetch",
+            "--quiet",
+            "--depth=1",
+            "--filter=blob:none",
+            "origin",
+            source.commit,
+        )
     return Store(source, directory, _sums())
 
 
@@ -107,7 +117,11 @@ def _sums() -> dict[str, str]:
 
 
 def _git(directory: Path, *arguments: str) -> bytes:
-    done = subprocess.run(["git", "-C", str(directory), *arguments], capture_output=True, check=False)
+    done = subprocess.run(
+        ["git", "-C", str(directory), *arguments], capture_output=True, check=False
+    )
     if done.returncode:
-        raise FetchError(f"git {arguments[0]} in {directory}: {done.stderr.decode(errors='replace').strip()}")
+        raise FetchError(
+            f"git {arguments[0]} in {directory}: {done.stderr.decode(errors='replace').strip()}"
+        )
     return done.stdout

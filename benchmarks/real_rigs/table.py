@@ -28,7 +28,9 @@ REPEATS = {
     "leak of the muscle, experiments 4 to 7": LEAKS[2:],
 }
 NAMES = {"base": "**base**", "verdict": "**verdict**", "learned": "**+ learned**"}
-AS_GOOD = 1.05  # of the best rival's error within the range that still counts as no worse; the protocol
+AS_GOOD = (
+    1.05  # of the best rival's error within the range that still counts as no worse; the protocol
+)
 
 Result = dict[str, Any]
 
@@ -39,7 +41,9 @@ def collect(folder: Path) -> dict[str, Result]:
     for path in sorted((folder / "results").glob("*.json")):
         said = json.loads(path.read_text(encoding="utf-8"))
         said["repeatability"] = read_rows(folder / said["rig"]).repeatability
-        said["scores"] = {role: {k: round(v, 6) for k, v in own.items()} for role, own in said["scores"].items()}
+        said["scores"] = {
+            role: {k: round(v, 6) for k, v in own.items()} for role, own in said["scores"].items()
+        }
         said["seconds"] = round(said["seconds"], 2)
         kept[path.stem] = said
     return kept
@@ -63,7 +67,11 @@ def line(results: Mapping[str, Result], rig: str, method: str) -> list[str] | No
     """One row of the table; None where the method was not run on the rig."""
     own = [r for m in members(rig) if (r := results.get(f"{m}.{method}")) is not None]
     if not own:
-        return ["", NAMES[method], "-", "-", "-", "-", "nothing is written"] if method == "learned" else None
+        return (
+            ["", NAMES[method], "-", "-", "-", "-", "nothing is written"]
+            if method == "learned"
+            else None
+        )
     cells = []
     for role in ("within", "outside"):
         value = error(results, rig, method, role)
@@ -93,7 +101,9 @@ def _short(text: str, most: int = 110) -> str:
     return text if len(text) <= most else text[: most - 3] + "..."
 
 
-def best(results: Mapping[str, Result], rig: str, methods: Sequence[str], role: str) -> tuple[float, str] | None:
+def best(
+    results: Mapping[str, Result], rig: str, methods: Sequence[str], role: str
+) -> tuple[float, str] | None:
     """The smallest error of some methods, and whose it is."""
     found = [(e, m) for m in methods if (e := error(results, rig, m, role)) is not None]
     return min(found, default=None)
@@ -109,7 +119,9 @@ def goal(results: Mapping[str, Result], rig: str) -> tuple[list[str], bool]:
             continue
         ratio = ours[0] / rival[0]
         repeatability = results[f"{members(rig)[0]}.verdict"]["repeatability"]
-        met &= ratio <= bound or (role == "within" and repeatability is not None and ours[0] <= repeatability)
+        met &= ratio <= bound or (
+            role == "within" and repeatability is not None and ours[0] <= repeatability
+        )
         cells.append(f"{ratio:.2f} ({rival[1]})")
     return [*cells, "yes" if met else "no"], met
 
@@ -138,7 +150,15 @@ def markdown(head: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
 
 def page(results: Mapping[str, Result]) -> str:
     """TABLE.md."""
-    head = ["rig", "method", "within [%]", "outside [%]", "time [s]", "numbers", "what one can read"]
+    head = [
+        "rig",
+        "method",
+        "within [%]",
+        "outside [%]",
+        "time [s]",
+        "numbers",
+        "what one can read",
+    ]
     parts = []
     for title, rigs in (("Over time", DYNAMIC), ("At rest", STATIC)):
         rows = []

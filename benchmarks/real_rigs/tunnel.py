@@ -87,10 +87,16 @@ def rig(store: Store) -> Rig:
     """Fitted: ``zero_load``, and ``steps`` up to the sample 149 with the current; outside: ``steps`` from 150 on."""
     notebook = store.read(NOTEBOOK)
     off, steps = picture(notebook, 21), picture(notebook, 19)
-    power = _run(_speeds(off, OFF, BLUE, 233), _loads((100, 1.0), (150, 0.01)), _loads((125, 0.0), (200, 0.01)))
+    power = _run(
+        _speeds(off, OFF, BLUE, 233),
+        _loads((100, 1.0), (150, 0.01)),
+        _loads((125, 0.0), (200, 0.01)),
+    )
     dead = np.arange(125, 206)
     power["w_out [rpm]"][dead] = np.nan
-    stepped = _run(_speeds(steps, SPEEDS, ORANGE, 254), _loads((50, 1.0), (250, 0.01)), _loads((150, 1.0)))
+    stepped = _run(
+        _speeds(steps, SPEEDS, ORANGE, 254), _loads((50, 1.0), (250, 0.01)), _loads((150, 1.0))
+    )
     stepped["hatch [1]"] = _loads((100, 1.0), (200, 0.0), idle=0.0)
     pressure = PRESSURES.course(steps, YELLOW, [ORANGE, VIOLET], 199)
     stepped["p [Pa]"] = pressure - np.nanmean(pressure[:IDLE])

@@ -32,14 +32,23 @@ def draw(folder: Path, verdict: Path, target: Path) -> None:
     figure, axes = plt.subplots(2, 3, figsize=(12, 5.5), gridspec_kw={"width_ratios": [3, 3, 2]})
     for column, (role, name, title, signals) in enumerate(COLUMNS):
         data = pam.read(folder / "tunnel" / role, files=[LIBRARY])
-        for model, label, style in ((None, "published model", "0.55"), (str(verdict), "verdict", "#0072b2")):
+        for model, label, style in (
+            (None, "published model", "0.55"),
+            (str(verdict), "verdict", "#0072b2"),
+        ):
             compared = pam.compare(data, model, files=[LIBRARY])
             (run,) = (one for one in compared.runs if Path(one.run.name).stem == name)
-            for axis, (signal, (words, factor)) in zip(axes[:, column], signals.items(), strict=False):
-                axis.plot(run.run.time, factor * run.model[signal], color=style, lw=1.3, label=label)
+            for axis, (signal, (words, factor)) in zip(
+                axes[:, column], signals.items(), strict=False
+            ):
+                axis.plot(
+                    run.run.time, factor * run.model[signal], color=style, lw=1.3, label=label
+                )
                 axis.set_ylabel(words)
         for axis, (signal, (_, factor)) in zip(axes[:, column], signals.items(), strict=False):
-            axis.plot(run.run.time, factor * run.run.measurements[signal], "k.", ms=2.5, label="measured")
+            axis.plot(
+                run.run.time, factor * run.run.measurements[signal], "k.", ms=2.5, label="measured"
+            )
             axis.grid(alpha=0.25)
             axis.set_xlabel("time [s]")
         axes[0, column].set_title(title, fontsize=10)

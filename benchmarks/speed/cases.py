@@ -92,7 +92,12 @@ class Case:
         held = np.array([v.start or 0.0 for v in self.ode.interface.inputs.values()])
         if known is None or not names:
             return np.zeros(1), held[None, :], np.zeros((1, len(names)))
-        table = np.stack([known.values.get(n, np.full(known.time.size, h)) for n, h in zip(names, held, strict=True)])
+        table = np.stack(
+            [
+                known.values.get(n, np.full(known.time.size, h))
+                for n, h in zip(names, held, strict=True)
+            ]
+        )
         length = np.diff(known.time)
         real = np.flatnonzero(length > 0.0)
         slopes = ((table[:, real + 1] - table[:, real]) / length[real]).T
@@ -104,7 +109,9 @@ def courses(end: float, **levels: tuple[tuple[float, float], ...]) -> Inputs:
     steps = sorted({time for course in levels.values() for time, _ in course} - {0.0})
     time = np.array([0.0, *np.repeat(steps, 2), end])
     before = np.arange(time.size) % 2 == 1
-    return Inputs(time, {name: _held(np.array(course), time, before) for name, course in levels.items()})
+    return Inputs(
+        time, {name: _held(np.array(course), time, before) for name, course in levels.items()}
+    )
 
 
 def _held(course: Array, time: Array, before: NDArray[np.bool_]) -> Array:
@@ -154,7 +161,11 @@ def _isometric() -> Inputs:
     """The filling, while the end is moved back and forth along straight lines."""
     currents = courses(10.0, **_filling(10.0))
     time = np.unique(np.concatenate((currents.time, [2.0, 4.0, 5.5, 7.5])))
-    bends = np.interp(np.arange(0.0, 10.1, 0.5), [0.0, 2.0, 4.0, 5.5, 7.5, 10.0], [0.0, 0.02, 0.005, 0.03, 0.03, 0.0])
+    bends = np.interp(
+        np.arange(0.0, 10.1, 0.5),
+        [0.0, 2.0, 4.0, 5.5, 7.5, 10.0],
+        [0.0, 0.02, 0.005, 0.03, 0.03, 0.0],
+    )
     time = np.sort(np.concatenate((currents.time, np.setdiff1d(time, currents.time))))
     values = {n: _at(currents, n, time) for n in currents.values}
     return Inputs(time, values | {"s": np.interp(time, np.arange(0.0, 10.1, 0.5), bends)})
@@ -182,7 +193,10 @@ def _antagonistic() -> Inputs:
 
 def _regulated() -> Inputs:
     """Steps and a ramp of the pressure that the regulator is told."""
-    return Inputs(np.array([0.0, 0.5, 0.5, 1.0, 1.5, 2.0]), {"p_in": np.array([4.5e5, 4.5e5, 2e5, 2e5, 5e5, 5e5])})
+    return Inputs(
+        np.array([0.0, 0.5, 0.5, 1.0, 1.5, 2.0]),
+        {"p_in": np.array([4.5e5, 4.5e5, 2e5, 2e5, 5e5, 5e5])},
+    )
 
 
 def _grid() -> Inputs:
@@ -222,6 +236,8 @@ def bench(name: str) -> Case:
         SystemExit: a bench that has no inputs here yet.
     """
     if name not in _BENCH_INPUTS:
-        raise SystemExit(f"benchmarks/speed/cases.py has no inputs for the bench '{name}': add them to _BENCH_INPUTS")
+        raise SystemExit(
+            f"benchmarks/speed/cases.py has no inputs for the bench '{name}': add them to _BENCH_INPUTS"
+        )
     inputs, end = _BENCH_INPUTS[name]
     return Case(name, f"{_BENCHES}.{name}", inputs(), end)

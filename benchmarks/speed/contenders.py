@@ -34,7 +34,9 @@ def pam_cosim(case: Case) -> Iterator[Callable[[float], Run]]:
 
         def prepare(tolerance: float) -> Run:
             def run() -> Array:
-                trajectory = simulator.run(case.times, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance)
+                trajectory = simulator.run(
+                    case.times, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance
+                )
                 return np.stack([trajectory[name] for name in case.outputs], axis=1)
 
             return run
@@ -78,7 +80,9 @@ def _signals(case: Case) -> NDArray[Any] | None:
     if case.inputs is None:
         return None
     names = list(case.inputs.values)
-    signals = np.empty(case.inputs.time.size, dtype=[("time", float), *((name, float) for name in names)])
+    signals = np.empty(
+        case.inputs.time.size, dtype=[("time", float), *((name, float) for name in names)]
+    )
     signals["time"] = case.inputs.time
     for name in names:
         signals[name] = case.inputs.values[name]
@@ -102,14 +106,18 @@ def casadi_cvodes(case: Case, inputs: str = "controls") -> Iterator[Callable[[fl
         at = _piece(begins, case.times)
         u_outputs = (values[at] + slopes[at] * (case.times - begins[at])[:, None]).T
         outputs = measured.map(case.times.size)
-        make = {"controls": _with_controls, "restarts": _with_restarts, "table": _with_table}[inputs]
+        make = {"controls": _with_controls, "restarts": _with_restarts, "table": _with_table}[
+            inputs
+        ]
 
         def prepare(tolerance: float) -> Run:
             options = {"reltol": tolerance, "abstol": tolerance, "max_num_steps": _MANY_STEPS}
             states = make(case, right, options)
 
             def run() -> Array:
-                return np.asarray(outputs(case.times[None, :], states(), u_outputs, case.parameters)).T
+                return np.asarray(
+                    outputs(case.times[None, :], states(), u_outputs, case.parameters)
+                ).T
 
             return run
 
@@ -131,7 +139,11 @@ def _line(case: Case, t: ca.MX) -> tuple[ca.MX, ca.MX]:
 def _with_controls(case: Case, right: ca.Function, options: dict[str, Any]) -> Callable[[], ca.DM]:
     begins, values, slopes = case.lines()
     piece = _piece(begins, case.times[:-1])
-    t, z, p = ca.MX.sym("t"), ca.MX.sym("z", case.nominals.size), ca.MX.sym("p", case.parameters.size)
+    t, z, p = (
+        ca.MX.sym("t"),
+        ca.MX.sym("z", case.nominals.size),
+        ca.MX.sym("p", case.parameters.size),
+    )
     control, u = _line(case, t)
     controls = np.vstack((values[piece].T, slopes[piece].T, begins[piece]))
     dae = {"t": t, "x": z, "u": control, "p": p, "ode": right(t, z, u, p)}
@@ -139,7 +151,11 @@ def _with_controls(case: Case, right: ca.Function, options: dict[str, Any]) -> C
 
 
 def _with_table(case: Case, right: ca.Function, options: dict[str, Any]) -> Callable[[], ca.DM]:
-    t, z, p = ca.MX.sym("t"), ca.MX.sym("z", case.nominals.size), ca.MX.sym("p", case.parameters.size)
+    t, z, p = (
+        ca.MX.sym("t"),
+        ca.MX.sym("z", case.nominals.size),
+        ca.MX.sym("p", case.parameters.size),
+    )
     dae = {"t": t, "x": z, "p": p, "ode": right(t, z, _table(case)(t), p)}
     return _one_integrator(case, dae, {}, options)
 
@@ -158,7 +174,11 @@ def _with_restarts(case: Case, right: ca.Function, options: dict[str, Any]) -> C
     Only for cases whose lines begin at output points.
     """
     begins, values, slopes = case.lines()
-    t, z, p = ca.MX.sym("t"), ca.MX.sym("z", case.nominals.size), ca.MX.sym("p", case.parameters.size)
+    t, z, p = (
+        ca.MX.sym("t"),
+        ca.MX.sym("z", case.nominals.size),
+        ca.MX.sym("p", case.parameters.size),
+    )
     control, u = _line(case, t)
     ends = np.append(begins[1:], case.end)
     # t counts from the begin of the line.
@@ -190,7 +210,9 @@ def _table(case: Case) -> ca.Function:
     """The samples as a function of time [s]; only for inputs without steps."""
     begins, values, slopes = case.lines()
     last = values[-1] + slopes[-1] * (case.end - begins[-1])
-    looked_up = ca.interpolant("table", "linear", [np.append(begins, case.end)], np.vstack((values, last)).ravel())
+    looked_up = ca.interpolant(
+        "table", "linear", [np.append(begins, case.end)], np.vstack((values, last)).ravel()
+    )
     t = ca.MX.sym("t")
     return ca.Function("u", [t], [looked_up(t)])
 

@@ -21,13 +21,22 @@ plt.rcParams.update({"font.size": 8, "axes.grid": True, "grid.alpha": 0.3})
 def draw_run(measured: Mapping[str, Mapping[str, Sequence[Mapping[str, float]]]]) -> Path:
     """Time against error: case to solver to points as ``run.measure`` returns them."""
     names = list(dict.fromkeys(solver for solvers in measured.values() for solver in solvers))
-    picture, axes = plt.subplots(1, len(measured), figsize=(9.0, 3.4), layout="constrained", sharey=True, squeeze=False)
+    picture, axes = plt.subplots(
+        1, len(measured), figsize=(9.0, 3.4), layout="constrained", sharey=True, squeeze=False
+    )
     shown = {}
     for ax, (case, solvers) in zip(axes[0], measured.items(), strict=True):
         for solver, points in solvers.items():
             number = names.index(solver)
-            style = {"color": _COLOURS[number % len(_COLOURS)], "marker": "osv^Dx"[number % 6], "ms": 3.5, "lw": 1.2}
-            (shown[solver],) = ax.loglog([p["error"] for p in points], [p["least"] * 1e3 for p in points], **style)
+            style = {
+                "color": _COLOURS[number % len(_COLOURS)],
+                "marker": "osv^Dx"[number % 6],
+                "ms": 3.5,
+                "lw": 1.2,
+            }
+            (shown[solver],) = ax.loglog(
+                [p["error"] for p in points], [p["least"] * 1e3 for p in points], **style
+            )
         ax.set_title(case, loc="left", fontweight="bold")
         ax.set_xlabel("error, part of the output's range [-]")
         ax.set_xlim(1e-1, 1e-9)
@@ -48,19 +57,43 @@ def draw_precision(measured: Mapping[str, Sequence[Mapping[str, float]]]) -> Pat
         points = measured[name]
         tolerances = [p["tolerance"] for p in points]
         ax.loglog(tolerances, tolerances, color="0.6", lw=1, label="error = tolerance")
-        ax.loglog(tolerances, [p["outputs"] for p in points], "o-", ms=4, color="#0072b2", label="error, outputs")
-        ax.loglog(tolerances, [p["states"] for p in points], "s--", ms=4, color="#009e73", label="error, states")
+        ax.loglog(
+            tolerances,
+            [p["outputs"] for p in points],
+            "o-",
+            ms=4,
+            color="#0072b2",
+            label="error, outputs",
+        )
+        ax.loglog(
+            tolerances,
+            [p["states"] for p in points],
+            "s--",
+            ms=4,
+            color="#009e73",
+            label="error, states",
+        )
         ax.set_title(name, loc="left", fontweight="bold")
         ax.set_ylim(1e-11, 1e-3)
         time = ax.twinx()
-        time.plot(tolerances, [p["seconds"] * 1e3 for p in points], "^:", ms=4, color="#d55e00", label="time of a run")
+        time.plot(
+            tolerances,
+            [p["seconds"] * 1e3 for p in points],
+            "^:",
+            ms=4,
+            color="#d55e00",
+            label="time of a run",
+        )
         time.set_ylim(0, None)
         time.grid(False)
         time.tick_params(axis="y", colors="#d55e00")
         ax.set_ylabel("relative error [-]")
         time.set_ylabel("time [ms]", color="#d55e00")
         handles, labels = (
-            a + b for a, b in zip(ax.get_legend_handles_labels(), time.get_legend_handles_labels(), strict=True)
+            a + b
+            for a, b in zip(
+                ax.get_legend_handles_labels(), time.get_legend_handles_labels(), strict=True
+            )
         )
     axes[0, 0].invert_xaxis()
     for ax in axes.flat[len(names) :]:

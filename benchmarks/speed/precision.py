@@ -61,7 +61,9 @@ def measure(case: cases.Case, rounds: int) -> list[Point]:
     with Simulator(case.fmu) as simulator:
 
         def run(tolerance: float, names: Sequence[str]) -> np.ndarray:
-            trajectory = simulator.run(case.times, inputs=case.inputs, outputs=names, tolerance=tolerance)
+            trajectory = simulator.run(
+                case.times, inputs=case.inputs, outputs=names, tolerance=tolerance
+            )
             columns = [trajectory[name] for name in names]
             return np.stack(columns, axis=1) if names else np.empty((case.times.size, 0))
 
@@ -72,10 +74,14 @@ def measure(case: cases.Case, rounds: int) -> list[Point]:
             statistics = simulator.statistics
             errors.append((outputs, states))
             steps.append(statistics.steps if statistics is not None else 0)
-        runs = [lambda tolerance=tolerance: run(tolerance, case.outputs) for tolerance in TOLERANCES]
+        runs = [
+            lambda tolerance=tolerance: run(tolerance, case.outputs) for tolerance in TOLERANCES
+        ]
         times = interleaved(runs, rounds, case.name)
     measured = zip(TOLERANCES, errors, times, steps, strict=True)
-    return [Point(tolerance, *error, time.least, count) for tolerance, error, time, count in measured]
+    return [
+        Point(tolerance, *error, time.least, count) for tolerance, error, time, count in measured
+    ]
 
 
 def _state_error(case: cases.Case, exact: Reference, states: np.ndarray) -> float:
@@ -96,21 +102,40 @@ def main(arguments: Sequence[str] | None = None) -> None:
         by_case[_LONGER.get(case.name, case.name)] = measure(case, given.rounds)
     _print(by_case)
     if given.picture:
-        say(f"drawn: {draw_precision({name: [asdict(p) for p in points] for name, points in by_case.items()})}")
-    write(given.json, {name: [asdict(p) | {"excess": p.excess} for p in points] for name, points in by_case.items()})
+        say(
+            f"drawn: {draw_precision({name: [asdict(p) for p in points] for name, points in by_case.items()})}"
+        )
+    write(
+        given.json,
+        {
+            name: [asdict(p) | {"excess": p.excess} for p in points]
+            for name, points in by_case.items()
+        },
+    )
 
 
 def _print(by_case: dict[str, list[Point]]) -> None:
     heads = ["bench", *(f"{tolerance:.0e}" for tolerance in TOLERANCES)]
     for kind in ("outputs", "states"):
-        rows = [[name, *(f"{getattr(p, kind) / p.tolerance:.2g}" for p in points)] for name, points in by_case.items()]
+        rows = [
+            [name, *(f"{getattr(p, kind) / p.tolerance:.2g}" for p in points)]
+            for name, points in by_case.items()
+        ]
         show(f"error of the {kind} / tolerance", heads, rows)
-    rows = [[name, *(f"{p.seconds * 1e3:.3g} ({p.steps})" for p in points)] for name, points in by_case.items()]
+    rows = [
+        [name, *(f"{p.seconds * 1e3:.3g} ({p.steps})" for p in points)]
+        for name, points in by_case.items()
+    ]
     show("least ms a run (steps)", heads, rows)
     every = [(name, p) for name, points in by_case.items() for p in points]
-    met, near = sum(p.excess <= 1.0 for _, p in every), sum(1.0 < p.excess <= NEAR for _, p in every)
+    met, near = (
+        sum(p.excess <= 1.0 for _, p in every),
+        sum(1.0 < p.excess <= NEAR for _, p in every),
+    )
     far = len(every) - met - near
-    say(f"{len(every)} runs: {met} meet the tolerance, {near} are within {NEAR:g} times, {far} beyond")
+    say(
+        f"{len(every)} runs: {met} meet the tolerance, {near} are within {NEAR:g} times, {far} beyond"
+    )
     for name, p in every:
         if p.excess > NEAR:
             say(f"beyond: {name} at {p.tolerance:.0e}: error {p.excess:.3g} times the tolerance")

@@ -53,7 +53,9 @@ def reference(case: Case, method: Method = "DOP853") -> Reference:
 
         if scale.size:
             stops = np.append(times[here], [] if last else [end])
-            states_at_stops, work = _solve(case, right, slope, u, (begin, end), state, stops, method)
+            states_at_stops, work = _solve(
+                case, right, slope, u, (begin, end), state, stops, method
+            )
             states[here] = states_at_stops[: here.size] * scale
             state, evaluations = states_at_stops[-1], evaluations + work
         for i in here:

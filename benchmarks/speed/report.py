@@ -23,12 +23,16 @@ _console = Console(highlight=False, width=None if Console().is_terminal else 150
 
 def steps_of(items: Sequence[Item] | range, what: str) -> Iterator[Any]:
     """The items, with a bar on a terminal."""
-    yield from track(items, what, console=_progress, transient=True, disable=not _progress.is_terminal)
+    yield from track(
+        items, what, console=_progress, transient=True, disable=not _progress.is_terminal
+    )
 
 
 def parser(text: str | None) -> argparse.ArgumentParser:
     """Arguments that every benchmark takes."""
-    made = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+    made = argparse.ArgumentParser(
+        description=text, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     made.add_argument("--json", type=Path, default=None, metavar="FILE", help="write the figures")
     return made
 
@@ -65,13 +69,18 @@ def _processor() -> str:
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines()
     except OSError:
         return platform.processor() or "unknown"
-    return next((line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")), "unknown")
+    return next(
+        (line.split(":", 1)[1].strip() for line in lines if line.startswith("model name")),
+        "unknown",
+    )
 
 
 def write(path: Path | None, figures: dict[str, Any]) -> None:
     """Writes the figures and the machine as JSON where a file was asked for."""
     if path is not None:
-        path.write_text(json.dumps({"machine": machine(), **figures}, indent=2) + "\n", encoding="utf-8")
+        path.write_text(
+            json.dumps({"machine": machine(), **figures}, indent=2) + "\n", encoding="utf-8"
+        )
 
 
 def milliseconds(seconds: float | None) -> str:

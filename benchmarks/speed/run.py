@@ -61,7 +61,9 @@ def measure(case: cases.Case, rounds: int) -> dict[str, list[dict[str, float]]]:
     exact = reference(case).outputs
     tolerances = [10.0**-exponent for exponent in _EXPONENTS]
     with ExitStack() as stack:
-        prepared = {name: stack.enter_context(context) for name, context in contenders(case).items()}
+        prepared = {
+            name: stack.enter_context(context) for name, context in contenders(case).items()
+        }
         runs: dict[tuple[str, float], Run] = {}
         errors: dict[tuple[str, float], float] = {}
         for name, prepare in prepared.items():
@@ -70,16 +72,25 @@ def measure(case: cases.Case, rounds: int) -> dict[str, list[dict[str, float]]]:
                 with contextlib.suppress(RuntimeError):  # a solver that gives up at this tolerance
                     errors[name, tolerance] = scaled_error(run(), exact)
                     runs[name, tolerance] = run
-        times = interleaved(list(runs.values()), rounds, f"{case.name}: {len(runs)} settings, {rounds} rounds")
+        times = interleaved(
+            list(runs.values()), rounds, f"{case.name}: {len(runs)} settings, {rounds} rounds"
+        )
     measured: dict[str, list[dict[str, float]]] = {name: [] for name in prepared}
     for (name, tolerance), time in zip(runs, times, strict=True):
         measured[name].append(
-            {"tolerance": tolerance, "error": errors[name, tolerance], "median": time.median, "least": time.least}
+            {
+                "tolerance": tolerance,
+                "error": errors[name, tolerance],
+                "median": time.median,
+                "least": time.least,
+            }
         )
     return measured
 
 
-def at_equal_error(points: list[dict[str, float]], target: float, kind: str = "least") -> float | None:
+def at_equal_error(
+    points: list[dict[str, float]], target: float, kind: str = "least"
+) -> float | None:
     """Time [s] of a contender at an error."""
     return time_at_error([p["error"] for p in points], [p[kind] for p in points], target)
 
@@ -89,7 +100,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
     options = parser(__doc__)
     options.add_argument("--cases", default=",".join(CASES))
     options.add_argument("--rounds", type=int, default=15)
-    options.add_argument("--points", action="store_true", help="also print every tolerance's error and time")
+    options.add_argument(
+        "--points", action="store_true", help="also print every tolerance's error and time"
+    )
     options.add_argument("--picture", action="store_true", help="draw docs/pictures/speed-run.png")
     given = options.parse_args(arguments)
     figures: dict[str, Any] = {}
@@ -111,7 +124,9 @@ def _table(name: str, measured: dict[str, list[dict[str, float]]]) -> dict[str, 
     ours = {target: at_equal_error(measured[_OURS], target) for target in TARGETS}
     for contender, points in measured.items():
         times = {target: at_equal_error(points, target) for target in TARGETS}
-        ratios = {t: time / mine if time and (mine := ours[t]) else None for t, time in times.items()}
+        ratios = {
+            t: time / mine if time and (mine := ours[t]) else None for t, time in times.items()
+        }
         best = min(p["error"] for p in points)
         figures[contender] = {
             "least seconds": {f"{t:g}": v for t, v in times.items()},
@@ -132,7 +147,13 @@ def _ratio(ratio: float | None) -> str:
 
 def _points(name: str, measured: dict[str, list[dict[str, float]]]) -> None:
     rows = [
-        [contender, f"{p['tolerance']:.0e}", f"{p['error']:.1e}", milliseconds(p["median"]), milliseconds(p["least"])]
+        [
+            contender,
+            f"{p['tolerance']:.0e}",
+            f"{p['error']:.1e}",
+            milliseconds(p["median"]),
+            milliseconds(p["least"]),
+        ]
         for contender, points in measured.items()
         for p in points
     ]

@@ -37,10 +37,16 @@ TOLERANCES = (1e-4, 1e-6, 1e-8)
 _STEPS = tuple(10.0**-exponent for exponent in range(1, 7))
 
 
-def values(simulator: Simulator, case: cases.Case, tolerance: float, changed: dict[str, float]) -> Array:
+def values(
+    simulator: Simulator, case: cases.Case, tolerance: float, changed: dict[str, float]
+) -> Array:
     """(n, outputs) of a run with some parameters changed."""
     trajectory = simulator.run(
-        case.times, parameters=changed, inputs=case.inputs, outputs=case.outputs, tolerance=tolerance
+        case.times,
+        parameters=changed,
+        inputs=case.inputs,
+        outputs=case.outputs,
+        tolerance=tolerance,
     )
     return np.stack([trajectory[name] for name in case.outputs], axis=1)
 
@@ -50,7 +56,9 @@ def derivatives(simulator: Simulator, case: cases.Case, tolerance: float) -> Arr
     return values(simulator, case, tolerance, {})[:, len(case.outputs) // (1 + len(PARAMETERS)) :]
 
 
-def differences(simulator: Simulator, case: cases.Case, tolerance: float, step: float, central: bool) -> Array:
+def differences(
+    simulator: Simulator, case: cases.Case, tolerance: float, step: float, central: bool
+) -> Array:
     """The same from runs of the plain FMU with each parameter changed by a part ``step`` of its value."""
     run = partial(values, simulator, case, tolerance)
     here = None if central else run({})
@@ -83,7 +91,9 @@ def main(arguments: Sequence[str] | None = None) -> None:
             }
             for name, central in (("forward differences", False), ("central differences", True)):
                 step = _best_step(one, plain, exact, tolerance, central)
-                runs[f"{name}, step {step:.0e}"] = partial(differences, one, plain, tolerance, step, central)
+                runs[f"{name}, step {step:.0e}"] = partial(
+                    differences, one, plain, tolerance, step, central
+                )
             times = interleaved(list(runs.values()), given.rounds, f"tolerance {tolerance:g}")
             for (name, run), time in zip(runs.items(), times, strict=True):
                 plain_run = name == "run without"
@@ -119,8 +129,13 @@ def _usual_error(values_of_run: Array, exact: Array) -> float:
     return float((np.median(np.abs(values_of_run - exact), axis=0) / np.ptp(exact, axis=0)).max())
 
 
-def _best_step(simulator: Simulator, case: cases.Case, exact: Array, tolerance: float, central: bool) -> float:
-    errors = [scaled_error(differences(simulator, case, tolerance, step, central), exact) for step in _STEPS]
+def _best_step(
+    simulator: Simulator, case: cases.Case, exact: Array, tolerance: float, central: bool
+) -> float:
+    errors = [
+        scaled_error(differences(simulator, case, tolerance, step, central), exact)
+        for step in _STEPS
+    ]
     return _STEPS[int(np.argmin(errors))]
 
 

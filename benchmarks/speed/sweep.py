@@ -28,7 +28,11 @@ from benchmarks.speed.report import parser, say, show, write
 from pam_cosim.sweeps import same
 
 MODEL, DURATION = "Isotonic", 10.0
-SCALARS = {"filling time": "time_to(p, 90 %)", "steady contraction": "steady(x)", "peak temperature": "max(T)"}
+SCALARS = {
+    "filling time": "time_to(p, 90 %)",
+    "steady contraction": "steady(x)",
+    "peak temperature": "max(T)",
+}
 _SAMPLE = 50  # runs of the loop over FMPy
 
 
@@ -87,12 +91,16 @@ def main(arguments: Sequence[str] | None = None) -> int:
     from distributed import Client, LocalCluster
 
     with (
-        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50) as cluster,  # type: ignore[no-untyped-call]
+        LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, silence_logs=50
+        ) as cluster,  # type: ignore[no-untyped-call]
         Client(cluster) as client,  # type: ignore[no-untyped-call]
     ):
         times["Dask, two processes"], dask = timed(lambda: sweep(executor=client))
     equal = same(one, two) and same(one, dask)
-    settings = [one.design.settings(i) for i in np.linspace(0, len(one) - 1, _SAMPLE).round().astype(int)]
+    settings = [
+        one.design.settings(i) for i in np.linspace(0, len(one) - 1, _SAMPLE).round().astype(int)
+    ]
     times["loop over FMPy, one process (scaled up)"] = fmpy_loop(settings) * len(one)
     best = times["one process"]
     rows = [
@@ -100,7 +108,9 @@ def main(arguments: Sequence[str] | None = None) -> int:
         for name, seconds in times.items()
     ]
     show(f"{len(one)} runs of 10 s", ["way", "all [s]", "a run [ms]", "times one process"], rows)
-    say(f"memory of the asking process {memory:.0f} MB; numbers {'equal' if equal else 'DIFFERENT'}")
+    say(
+        f"memory of the asking process {memory:.0f} MB; numbers {'equal' if equal else 'DIFFERENT'}"
+    )
     write(chosen.json, {"runs": len(one), "seconds": times, "memory_MB": memory, "equal": equal})
     return 0 if equal else 1
 

@@ -89,11 +89,15 @@ def _result(way: str, make: Callable[[], Path], diagnosed: bool) -> dict[str, An
 
 def main() -> None:
     """Command line."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("out", type=Path)
     parser.add_argument("--set", default="tuning2")
     parser.add_argument("--numbers", type=int, nargs="+", required=True)
-    parser.add_argument("--diagnose", action="store_true", help="also the verdicts, but of the pieces")
+    parser.add_argument(
+        "--diagnose", action="store_true", help="also the verdicts, but of the pieces"
+    )
     options = parser.parse_args()
     options.out.parent.mkdir(parents=True, exist_ok=True)
     for number in options.numbers:

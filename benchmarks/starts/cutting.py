@@ -16,7 +16,9 @@ PAUSE = 0.2  # of a run's duration
 EARLIEST, LATEST = 0.15, 0.6  # of a run's duration, between which it is cut
 
 
-def cut_files(source: Path, folder: Path, keep: Callable[[np.random.Generator], Keep], seed: int) -> Path:
+def cut_files(
+    source: Path, folder: Path, keep: Callable[[np.random.Generator], Keep], seed: int
+) -> Path:
     """A copy of a data set whose recordings lack rows; the same seed cuts the same rows."""
     folder.mkdir(parents=True)
     shutil.copy(source / "experiment.toml", folder)

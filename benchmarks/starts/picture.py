@@ -20,7 +20,11 @@ from rig.measurement import measure, write_data_set
 from rig.plan import default_plan
 
 CUT = 2.5  # s
-STARTS: dict[StartMode, str] = {"rest": "tab:red", "measured": "tab:orange", "estimated": "tab:blue"}
+STARTS: dict[StartMode, str] = {
+    "rest": "tab:red",
+    "measured": "tab:orange",
+    "estimated": "tab:blue",
+}
 KNOWN = {"valve.C_A": 0.72, "muscle.mu_fb": 0.018}  # of the rig: the start alone is not
 
 
@@ -35,9 +39,13 @@ def drawn(file: Path) -> None:
         write_data_set(whole, measure(default_plan()[3:4], seed=1))
         data = pam.read(cut_files(whole, late, _late, 0))
     figure, axes = plt.subplots(2, 1, sharex=True, figsize=(8, 5))
-    for panel, (signal, factor, label) in zip(axes, (("p", 1e-3, "p [kPa]"), ("x", 1e3, "x [mm]")), strict=True):
+    for panel, (signal, factor, label) in zip(
+        axes, (("p", 1e-3, "p [kPa]"), ("x", 1e3, "x [mm]")), strict=True
+    ):
         run = data.runs[0]
-        panel.plot(run.time, run.measurements[signal] * factor, ".", color="0.75", ms=3, label="measured")
+        panel.plot(
+            run.time, run.measurements[signal] * factor, ".", color="0.75", ms=3, label="measured"
+        )
         panel.set_ylabel(label)
         panel.grid(True, color="0.9")
     for mode, colour in STARTS.items():
@@ -46,7 +54,13 @@ def drawn(file: Path) -> None:
         left = compared.chi2_reduced()
         for panel, (signal, factor) in zip(axes, (("p", 1e-3), ("x", 1e3)), strict=True):
             modelled = compared.runs[0].model[signal] * factor
-            panel.plot(compared.runs[0].run.time, modelled, color=colour, lw=1.3, label=f"{mode}: chi2 {left:.3g}")
+            panel.plot(
+                compared.runs[0].run.time,
+                modelled,
+                color=colour,
+                lw=1.3,
+                label=f"{mode}: chi2 {left:.3g}",
+            )
     axes[0].legend(loc="upper right", fontsize=8)
     axes[1].set_xlabel("time [s]")
     figure.tight_layout()

@@ -25,9 +25,13 @@ def in_sines(setup: Setup) -> Setup:
 
 
 def _driven(trial: Trial) -> Trial:
-    knot = max(1, (trial.samples - 1) // (PERIODS * KNOTS))  # samples: corners fall on them, so that they are recorded
+    knot = max(
+        1, (trial.samples - 1) // (PERIODS * KNOTS)
+    )  # samples: corners fall on them, so that they are recorded
     count = (trial.samples - 1) // (PERIODS * knot)
-    schedules = tuple(_periodic(schedule, count, knot / trial.rate, trial.held) for schedule in trial.schedules)
+    schedules = tuple(
+        _periodic(schedule, count, knot / trial.rate, trial.held) for schedule in trial.schedules
+    )
     course = trial.course and _sine(trial.course, count, knot / trial.rate)
     return replace(trial, samples=PERIODS * count * knot + 1, schedules=schedules, course=course)
 
@@ -42,7 +46,9 @@ def _periodic(schedule: Schedule, count: int, knot: float, switched: bool) -> Sc
         move, rest = round(0.35 * count), round(0.15 * count)
         left = count - 2 * move - rest
         filled = [Phase(move * knot, u_in=largest), Phase(rest * knot)]
-        return Schedule.of([*filled, Phase(move * knot, u_out=largest), Phase(left * knot)] * PERIODS)
+        return Schedule.of(
+            [*filled, Phase(move * knot, u_out=largest), Phase(left * knot)] * PERIODS
+        )
     values = (largest - SHUT) * (np.sin(2 * pi * _turns(count)) + UP)
     currents = [(SHUT + v, 0.0) if v > 0 else (0.0, SHUT - v) for v in values.tolist()]
     return SampledSchedule.joined(currents, knot)
@@ -50,7 +56,9 @@ def _periodic(schedule: Schedule, count: int, knot: float, switched: bool) -> Sc
 
 def _sine(course: Course, count: int, knot: float) -> Course:
     low, high = min(course.values), max(course.values)
-    return Course(tuple((low + (high - low) * (1 - np.cos(2 * pi * _turns(count))) / 2).tolist()), knot)
+    return Course(
+        tuple((low + (high - low) * (1 - np.cos(2 * pi * _turns(count))) / 2).tolist()), knot
+    )
 
 
 def _turns(count: int) -> np.ndarray:

@@ -70,7 +70,9 @@ def main() -> int:
             before = memory(process)
             told("slider to redrawn curves [ms]", moves(page, options.moves))
             after = memory(process)
-            print(f"memory of the server over {options.moves} moves: {before:.0f} MB -> {after:.0f} MB")
+            print(
+                f"memory of the server over {options.moves} moves: {before:.0f} MB -> {after:.0f} MB"
+            )
             for _ in range(options.fits):
                 fit(page)
             print(f"and over {options.fits} fits: -> {memory(process):.0f} MB")

@@ -81,7 +81,9 @@ async (moves) => {
 
 def main() -> int:
     """Prints a line for each part."""
-    parser = argparse.ArgumentParser(prog="python -m benchmarks.workbench.parts", description=__doc__)
+    parser = argparse.ArgumentParser(
+        prog="python -m benchmarks.workbench.parts", description=__doc__
+    )
     parser.add_argument("--moves", type=int, default=300)
     options = parser.parse_args()
     program = chromium()
@@ -136,7 +138,9 @@ def on_the_server(folder: Path, moves: int) -> dict[str, list[float]]:
             "simulation of six runs": run,
             "curves as a frame": lambda i: frame("model", i, model_curves(runs, state.data)),
             "scores, after the curves": lambda i: session._scored(moved(i), opened, runs),
-            "scores as an event, likewise": lambda i: scores_event(moved(i), opened, comparison, i).message(),
+            "scores as an event, likewise": lambda i: scores_event(
+                moved(i), opened, comparison, i
+            ).message(),
         }
         return {what: timed(part, moves) for what, part in parts.items()}
 

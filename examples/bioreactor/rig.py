@@ -36,7 +36,9 @@ RATES: dict[str, Rate] = {
 }
 """What the rate of growth is; the paper's is the first."""
 
-Feed = tuple[Array, Array]  # times [h] in order, flow [l/h]: lines between them, a step where a time stands twice
+Feed = tuple[
+    Array, Array
+]  # times [h] in order, flow [l/h]: lines between them, a step where a time stands twice
 NO_FEED: Feed = (HOURS[[0, -1]], np.zeros(2))
 CAREFUL: Feed = (np.array([0.0, 5.0, 5.0, 15.0]), np.array([0.0, 0.0, 0.1, 0.1]))
 
@@ -57,7 +59,9 @@ def substrate(rate: Rate, feed: Feed) -> Array:
             continue
         inside = np.logical_and(begin < HOURS, end >= HOURS)
         at = np.unique([*HOURS[inside], end])
-        done = solve_ivp(slope, (begin, end), state, "LSODA", at, args=(first,), rtol=1e-9, atol=1e-10)
+        done = solve_ivp(
+            slope, (begin, end), state, "LSODA", at, args=(first,), rtol=1e-9, atol=1e-10
+        )
         found[inside] = (done.y[0] / done.y[2])[np.isin(at, HOURS[inside])]
         state = done.y[:, -1]
     return found
@@ -65,12 +69,16 @@ def substrate(rate: Rate, feed: Feed) -> Array:
 
 def feed_of(file: Path) -> Feed:
     """The feed of a table with columns ``time [s]`` and ``Q_in [UNIT]``."""
-    lines = [line for line in file.read_text(encoding="utf-8").splitlines() if not line.startswith("#")]
+    lines = [
+        line for line in file.read_text(encoding="utf-8").splitlines() if not line.startswith("#")
+    ]
     header, *rows = csv.reader(lines)
     values = np.array(rows, dtype=float).T
     named = dict(zip(header, values, strict=True))
     (head,) = (name for name in header if name.startswith("Q_in ["))
-    return named["time [s]"] / 3600, named[head] * FLOWS[head.removeprefix("Q_in [").removesuffix("]")]
+    return named["time [s]"] / 3600, named[head] * FLOWS[
+        head.removeprefix("Q_in [").removesuffix("]")
+    ]
 
 
 def drawn(rng: np.random.Generator) -> Feed:
@@ -78,13 +86,17 @@ def drawn(rng: np.random.Generator) -> Feed:
     return np.repeat(HOURS, 2)[1:-1], np.repeat(rng.uniform(0, 10, len(HOURS) - 1), 2)
 
 
-def write(folder: Path, hidden: str = "monod", feeds: Sequence[Feed] = (NO_FEED, CAREFUL), seed: int = 1) -> None:
+def write(
+    folder: Path, hidden: str = "monod", feeds: Sequence[Feed] = (NO_FEED, CAREFUL), seed: int = 1
+) -> None:
     """The runs as a data set; every run has noise of its own, the same in whatever set it stands."""
     folder.mkdir(parents=True, exist_ok=True)
     text = ['title = "A bioreactor"', 'model = "Bioreactor.Benches.FedBatch"', ""]
     text += ["[signals.C_S]", f'sigma = "{NOISE} g/l"']
     text += ["", "[parameters]"]
-    text += [f'"vessel.{name}_start" = "{START} g/l"' for name in "SX"] + [f'"vessel.V_start" = "{VOLUME} l"']
+    text += [f'"vessel.{name}_start" = "{START} g/l"' for name in "SX"] + [
+        f'"vessel.V_start" = "{VOLUME} l"'
+    ]
     text += [f'"feed.S_in" = "{S_IN} g/l"', f'"cells.Y" = {YIELD}', "", "[fit]"]
     text += ['"cells.mu_max" = { min = "0.01 1/h", max = "3 1/h" }']
     for number, feed in enumerate(feeds):
@@ -110,10 +122,16 @@ def _write_run(file: Path, feed: Feed, times: Array, samples: dict[float, float]
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("folder", type=Path, help="where the data set goes")
-    parser.add_argument("--hidden", choices=RATES, default="monod", help="law of the rate of growth")
-    parser.add_argument("--further", type=Path, action="append", default=[], help="table of a further run's feed")
+    parser.add_argument(
+        "--hidden", choices=RATES, default="monod", help="law of the rate of growth"
+    )
+    parser.add_argument(
+        "--further", type=Path, action="append", default=[], help="table of a further run's feed"
+    )
     parser.add_argument("--seed", type=int, default=1, help="of the noise")
     words = parser.parse_args()
     write(words.folder, words.hidden, [NO_FEED, CAREFUL, *map(feed_of, words.further)], words.seed)

@@ -12,7 +12,13 @@ from examples.raw_data import write_table
 MIDDLE = (8.0, 30.0)  # mm
 SMOOTH = 15  # samples of 10 ms
 MOVING = 1.0  # mm/s
-HEAD = ["pressure out, back [bar]", "speed out, back [mm/s]", "force out, back [N]", "area [mm2]", "friction [N]"]
+HEAD = [
+    "pressure out, back [bar]",
+    "speed out, back [mm/s]",
+    "force out, back [N]",
+    "area [mm2]",
+    "friction [N]",
+]
 SOURCE = """Means over the middle of the stroke (8 to 30 mm), out and back: measured by E. Zillen, TU Delft (github.com/
 EvaZillen/3D-printed-pneumatic-actuator, CC0-1.0, commit 6e0bcb4, friction_O-ring_*.csv)."""
 

@@ -17,7 +17,9 @@ VALVE_SHUT = 5.5  # s, in the run of that chamber; before it the supply holds th
 SOURCE = """Leak test of a closed chamber, {name}: measured by E. Zillen, TU Delft (github.com/EvaZillen/
 3D-printed-pneumatic-actuator, CC0-1.0, commit 6e0bcb4, chamber_leak_{name}.csv). Means of {samples} samples of 0.1 s;
 gauge pressure less 0.033 bar, the reading of the empty chamber."""
-EXPONENT = '"tank.n" = { min = 1.0, max = 1.4 }'  # a run that empties the chamber shows how its gas cools
+EXPONENT = (
+    '"tank.n" = { min = 1.0, max = 1.4 }'  # a run that empties the chamber shows how its gas cools
+)
 EXPERIMENT = """title = "Leak test of a closed chamber: {name}"
 model = "PneumaticMuscle.Benches.ClosedVessel"
 
@@ -61,10 +63,18 @@ def write_chamber(path: Path, folder: Path) -> None:
     samples = 4 if name == EMPTIED else 20
     kept = (time >= VALVE_SHUT) & (time < 50) if name == EMPTIED else time >= 0
     t, y = means(time[kept] - time[kept][0], samples), means(p[kept], samples) - ZERO
-    write_table(folder / "pressure.csv", {"time [s]": t, "p [bar]": y}, SOURCE.format(name=name, samples=samples))
+    write_table(
+        folder / "pressure.csv",
+        {"time [s]": t, "p [bar]": y},
+        SOURCE.format(name=name, samples=samples),
+    )
     start = float(y[0])
     text = EXPERIMENT.format(
-        name=name, start=start, low=start * 0.98, high=start * 1.1, exponent=EXPONENT if name == EMPTIED else ""
+        name=name,
+        start=start,
+        low=start * 0.98,
+        high=start * 1.1,
+        exponent=EXPONENT if name == EMPTIED else "",
     )
     (folder / "experiment.toml").write_text(text, encoding="utf-8")
 

@@ -107,12 +107,21 @@ def draw(chambers: list[Chamber], strokes: list[friction.Stroke]) -> None:
         start = r.run.measurements["p"][0]
         b.plot(r.run.time, (r.run.measurements["p"] - start) / 100, ".", color=f"C{i}", ms=3)
         b.plot(r.run.time, (r.model["p"] - start) / 100, color=f"C{i}", label=chamber.name)
-    b.set(xlabel="time [s]", ylabel="pressure since the start [mbar]", title="tight chambers, laminar leak")
+    b.set(
+        xlabel="time [s]",
+        ylabel="pressure since the start [mbar]",
+        title="tight chambers, laminar leak",
+    )
     b.legend(fontsize=7)
     p = [s.pressure for s in strokes]
     slope, base = friction.line(strokes)
     c.plot(p, [s.friction for s in strokes], "o", color="0.3")
-    c.plot([0, 7.5], [base, base + 7.5 * slope], color="#0072b2", label=f"{base:.1f} N + {slope:.2f} N/bar")
+    c.plot(
+        [0, 7.5],
+        [base, base + 7.5 * slope],
+        color="#0072b2",
+        label=f"{base:.1f} N + {slope:.2f} N/bar",
+    )
     c.set(
         xlabel="pressure [bar]",
         ylabel="friction of the O-ring [N]",
@@ -126,7 +135,9 @@ def draw(chambers: list[Chamber], strokes: list[friction.Stroke]) -> None:
     plt.close(picture)
 
 
-def report(chambers: list[Chamber], diagnosis: pam.Diagnosis, strokes: list[friction.Stroke]) -> str:
+def report(
+    chambers: list[Chamber], diagnosis: pam.Diagnosis, strokes: list[friction.Stroke]
+) -> str:
     """The report in Markdown."""
     slope, base = friction.line(strokes)
     emptied = next(x for x in chambers if x.name == leak_tests.EMPTIED)
@@ -167,7 +178,9 @@ def main() -> None:
             print(*row(chambers[-1]), sep="  ", flush=True)
     strokes = friction.read_strokes(HERE / "friction.csv")
     draw(chambers, strokes)
-    diagnosis = pam.diagnose(pam.read(CHAMBERS / leak_tests.EMPTIED), say=lambda line: print(line, flush=True))
+    diagnosis = pam.diagnose(
+        pam.read(CHAMBERS / leak_tests.EMPTIED), say=lambda line: print(line, flush=True)
+    )
     print(diagnosis)
     write_text(HERE / "report.md", report(chambers, diagnosis, strokes))
 

@@ -14,7 +14,9 @@ with pam.start("Isotonic", {"load.m": "5 kg"}) as rig:
     print(rig)
 
     rig.step(1, u_in=0)
-    print(f"valves shut: {rig.readings}, length of the muscle {rig.read('muscle.braid.L', 'mm'):.1f} mm")
+    print(
+        f"valves shut: {rig.readings}, length of the muscle {rig.read('muscle.braid.L', 'mm'):.1f} mm"
+    )
 
     rig.restore(lifted)
     rig.step(1, u_in=0, u_out="300 mA")

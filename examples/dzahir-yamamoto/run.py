@@ -45,22 +45,38 @@ def tabled(comparison: Comparison, statistic: Statistic) -> str:
 def rounded(comparison: Comparison) -> list[str]:
     """Rms errors [mm], two decimals, a row of Markdown for each load."""
     runs = by_condition(comparison)
-    errors = {at: f"{1e3 * np.sqrt(np.nanmean(run.residual('x') ** 2)):.2f}" for at, run in runs.items()}
-    return [f"| {load:g} kg | {' | '.join(errors[load, f] for f in rig.FREQUENCIES)} |" for load in rig.LOADS]
+    errors = {
+        at: f"{1e3 * np.sqrt(np.nanmean(run.residual('x') ** 2)):.2f}" for at, run in runs.items()
+    }
+    return [
+        f"| {load:g} kg | {' | '.join(errors[load, f] for f in rig.FREQUENCIES)} |"
+        for load in rig.LOADS
+    ]
 
 
 def draw(diagnosis: Diagnosis, picture: Path) -> None:
     """Loops at the lowest and the highest frequency: measured, by the existing model, with the effect found."""
     models = [("existing model", by_condition(diagnosis.base.comparison))]
     models += [("with the effect found", by_condition(diagnosis.final.comparison))]
-    figure, axes = plt.subplots(2, 2, figsize=(10, 7.4), layout="constrained", sharex=True, sharey="row")
+    figure, axes = plt.subplots(
+        2, 2, figsize=(10, 7.4), layout="constrained", sharex=True, sharey="row"
+    )
     for row, frequency in zip(axes, (rig.FREQUENCIES[0], rig.FREQUENCIES[-1]), strict=True):
         for axis, (name, runs) in zip(row, models, strict=True):
             for load, colour in list(zip(rig.LOADS, COLOURS, strict=True))[::2]:
                 run = runs[load, frequency]
                 p, late = run.run.inputs["p"] / 1e3, run.run.time > 1
-                axis.plot(p[late], run.run.measurements["x"][late] / 3e-3, ".", color=colour, ms=2, alpha=0.6)
-                axis.plot(p[late], run.model["x"][late] / 3e-3, color=colour, lw=0.9, label=f"{load:g} kg")
+                axis.plot(
+                    p[late],
+                    run.run.measurements["x"][late] / 3e-3,
+                    ".",
+                    color=colour,
+                    ms=2,
+                    alpha=0.6,
+                )
+                axis.plot(
+                    p[late], run.model["x"][late] / 3e-3, color=colour, lw=0.9, label=f"{load:g} kg"
+                )
             axis.set_title(f"{name}, {frequency:g} Hz", fontsize=10)
             axis.grid(alpha=0.3)
         row[0].set_ylabel("contraction ratio [%]")

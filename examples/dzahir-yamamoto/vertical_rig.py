@@ -48,7 +48,9 @@ class Muscle:
     ab: float = 0.12  # s2
     rounded_sign: Callable[[float], float] = algebraic
     sign_width: float = 8e-4  # 1/s, rate of strain over which the sign is rounded
-    stiffness: float = 1e10  # N/m3, of the stretched sleeve, DY (12) with the cube over the whole stretch
+    stiffness: float = (
+        1e10  # N/m3, of the stretched sleeve, DY (12) with the cube over the whole stretch
+    )
     lag: float = 2e-3  # s, of the pressure regulator
 
     def static_force(self, p: float, eps: float) -> float:
@@ -109,7 +111,14 @@ class Rig:
 
         rest = m.length + (load * GRAVITY / m.stiffness) ** (1 / 3)
         solution = solve_ivp(
-            rates, (0, time[-1]), [rest, 0.0, 0.0], "LSODA", time, rtol=1e-7, atol=ACCURACY, max_step=2 / RATE
+            rates,
+            (0, time[-1]),
+            [rest, 0.0, 0.0],
+            "LSODA",
+            time,
+            rtol=1e-7,
+            atol=ACCURACY,
+            max_step=2 / RATE,
         )
         random = np.random.default_rng([self.seed, 1, round(10 * frequency), round(load)])
         reading = m.length - solution.y[0] + self.noise * random.standard_normal(len(time))
@@ -163,17 +172,26 @@ def write_data_set(
     for (load, frequency), role in conditions(loads, frequencies).items():
         run = (rig or Rig()).run(load, frequency)
         file = f"{load:g}kg-{frequency:g}Hz.csv"
-        rows = [f"{t:.2f},{p / 1e3:.2f},{x * 1e3:.4f}" for t, p, x in zip(run.time, run.p, run.x, strict=True)]
-        (folder / file).write_text("\n".join(["time [s],p [kPa],x [mm]", *rows]) + "\n", encoding="utf-8")
+        rows = [
+            f"{t:.2f},{p / 1e3:.2f},{x * 1e3:.4f}"
+            for t, p, x in zip(run.time, run.p, run.x, strict=True)
+        ]
+        (folder / file).write_text(
+            "\n".join(["time [s],p [kPa],x [mm]", *rows]) + "\n", encoding="utf-8"
+        )
         runs += RUN.format(file=file, role=role, load=load, frequency=frequency)
-    (folder / "experiment.toml").write_text(EXPERIMENT.format(title=title, runs=runs), encoding="utf-8")
+    (folder / "experiment.toml").write_text(
+        EXPERIMENT.format(title=title, runs=runs), encoding="utf-8"
+    )
     return folder
 
 
 def main() -> None:
     """Writes the data set into the folder named on the command line."""
     if len(sys.argv) != 2:
-        raise SystemExit("name one folder for the data set: python examples/dzahir-yamamoto/vertical_rig.py FOLDER")
+        raise SystemExit(
+            "name one folder for the data set: python examples/dzahir-yamamoto/vertical_rig.py FOLDER"
+        )
     print(write_data_set(Path(sys.argv[1])))
 
 

@@ -25,7 +25,9 @@ from pam_cosim.fitting import METHODS, Fit  # noqa: E402
 
 def fits(folder: Path) -> dict[str, Fit]:
     """One fit by each method."""
-    data = pam.read(rig.write_data_set(folder, loads=(5.0, 20.0), frequencies=(0.5, 2.0), title="four waves"))
+    data = pam.read(
+        rig.write_data_set(folder, loads=(5.0, 20.0), frequencies=(0.5, 2.0), title="four waves")
+    )
     return {method: pam.fit(data, method=method) for method in METHODS}
 
 
@@ -36,11 +38,18 @@ def draw(made: dict[str, Fit], picture: Path) -> None:
     for method, fit in made.items():
         course = fit.convergence
         width = widths.get(method, 1.5)
-        (line,) = axes.step(course.evaluations, course.chi2_reduced, where="post", label=method, linewidth=width)
+        (line,) = axes.step(
+            course.evaluations, course.chi2_reduced, where="post", label=method, linewidth=width
+        )
         if fit.search is not None:
             own = fit.search.as_dict()
             axes.plot(own["evaluations"], own["chi2_reduced"], "x", color=line.get_color(), ms=9)
-    axes.set(xscale="log", yscale="log", xlabel="simulations of the fitted runs", ylabel="lowest reduced chi-square")
+    axes.set(
+        xscale="log",
+        yscale="log",
+        xlabel="simulations of the fitted runs",
+        ylabel="lowest reduced chi-square",
+    )
     axes.grid(alpha=0.3)
     axes.legend(title="cross: what a search finds by itself")
     figure.savefig(picture, dpi=100)
@@ -51,7 +60,9 @@ def told(made: dict[str, Fit]) -> str:
     """What each method finds."""
     lines = []
     for method, fit in made.items():
-        lines.append(f"{method}: chi2 {fit.residuals['fit'].chi2_reduced:.5g} after {fit.evaluations} simulations")
+        lines.append(
+            f"{method}: chi2 {fit.residuals['fit'].chi2_reduced:.5g} after {fit.evaluations} simulations"
+        )
         lines += [str(fit.search)] * (fit.search is not None)
     return "\n".join(lines)
 

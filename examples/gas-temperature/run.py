@@ -40,7 +40,9 @@ LADDER = {
     "wall with films, balance of energy": (FILMS, ("EnergyGas",)),
     "wall as printed, balance of energy": (PRINTED, ("EnergyGas",)),
 }
-FILM = FreeParameter("muscle.gas.h", 0.01, 500, 10)  # as in Effects.GasEnergy.EnergyGas; the printed wall has no film
+FILM = FreeParameter(
+    "muscle.gas.h", 0.01, 500, 10
+)  # as in Effects.GasEnergy.EnergyGas; the printed wall has no film
 SIGNALS = {"p": ("kPa", 1e-3), "x": ("mm", 1e3), "T": ("K", 1.0)}
 AXES = (
     ("p", "gauge pressure [kPa]", 1e-3, 0.0),
@@ -74,9 +76,13 @@ def write_data(folder: Path, seed: int = 1) -> None:
     muscle = measurement.TRUTH
     hidden = GasEnergy(h=muscle.k_wall / muscle.t_wall)  # DP (45) as printed, without films
     measured = measurement.measure(PLAN, [hidden], seed=seed)
-    measurement.write_data_set(folder, measured, title="Latex muscle, wall as printed, balances of mass and energy")
+    measurement.write_data_set(
+        folder, measured, title="Latex muscle, wall as printed, balances of mass and energy"
+    )
     description = folder / "experiment.toml"
-    description.write_text(description.read_text(encoding="utf-8").replace(FILMS, PRINTED), encoding="utf-8")
+    description.write_text(
+        description.read_text(encoding="utf-8").replace(FILMS, PRINTED), encoding="utf-8"
+    )
 
 
 def fitted(folder: Path, rung: str, work: Path) -> Fit:
@@ -103,23 +109,34 @@ def row(rung: str, fit: Fit) -> list[str]:
 def holdout_row(rung: str, fit: Fit) -> str:
     """Errors of a model on the run that was never fitted, two digits each, as a row of Markdown."""
     scores = fit.comparison.scores["holdout"]
-    cells = [f"{scores[name].rmse * factor:#.2g}".rstrip(".") for name, (_, factor) in SIGNALS.items()]
+    cells = [
+        f"{scores[name].rmse * factor:#.2g}".rstrip(".") for name, (_, factor) in SIGNALS.items()
+    ]
     return f"| {' | '.join([rung, *cells])} |"
 
 
 def draw(fits: dict[str, Fit], picture: Path) -> None:
     """The holdout run: pressure, contraction and temperature, measured and by each model."""
     page, axes = plt.subplots(1, 3, figsize=(12, 3.9), layout="constrained")
-    holdout = {rung: next(r for r in fit.comparison.runs if r.run.role == "holdout") for rung, fit in fits.items()}
+    holdout = {
+        rung: next(r for r in fit.comparison.runs if r.run.role == "holdout")
+        for rung, fit in fits.items()
+    }
     run = next(iter(holdout.values())).run
     for axis, (name, label, factor, zero) in zip(axes, AXES, strict=True):
         for (rung, simulated), colour in zip(holdout.items(), COLOURS, strict=True):
-            axis.plot(run.time, (simulated.model[name] - zero) * factor, color=colour, lw=1.4, label=rung)
+            axis.plot(
+                run.time, (simulated.model[name] - zero) * factor, color=colour, lw=1.4, label=rung
+            )
         t, measured = run.time[::12], run.measurements[name][::12]
-        axis.plot(t, (measured - zero) * factor, "k.", ms=2.5, label="measured on the simulated rig")
+        axis.plot(
+            t, (measured - zero) * factor, "k.", ms=2.5, label="measured on the simulated rig"
+        )
         axis.set(xlabel="time [s]", ylabel=label)
         axis.grid(alpha=0.3)
-    page.legend(*axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=5, fontsize=8)
+    page.legend(
+        *axes[0].get_legend_handles_labels(), loc="outside upper center", ncols=5, fontsize=8
+    )
     page.savefig(picture, dpi=100)
     plt.close(page)
 
@@ -134,7 +151,11 @@ def main() -> None:
     print(diagnosis)
     print(pam.diagnose(pam.read(folder), FILMS))
     print(*(holdout_row(rung, fit) for rung, fit in fits.items()), sep="\n")
-    head = ["model", *(f"{n}, {role} [{u}]" for role in ("fit", "holdout") for n, (u, _) in SIGNALS.items()), "fitted"]
+    head = [
+        "model",
+        *(f"{n}, {role} [{u}]" for role in ("fit", "holdout") for n, (u, _) in SIGNALS.items()),
+        "fitted",
+    ]
     table = markdown_table(head, [row(rung, fit) for rung, fit in fits.items()])
     text = (HERE / "report.template.md").read_text(encoding="utf-8")
     write_text(HERE / "report.md", text.format(table=table, verdict=diagnosis))

@@ -15,7 +15,9 @@ from examples.raw_data import write_table
 Array = NDArray[np.float64]
 
 JOINTS = ("knee_r", "hip_r", "hip_l", "knee_l")
-EXHAUST = 0.30  # s, command; not documented: the curves break at 0.32 s, and the inlet valves need 0.02 s
+EXHAUST = (
+    0.30  # s, command; not documented: the curves break at 0.32 s, and the inlet valves need 0.02 s
+)
 END = 0.45  # s
 STEP = 0.004  # s
 PULLEY = 45.0  # mm, robot_config_2021-04-05.yaml
@@ -94,7 +96,13 @@ def pull(p: float, x: float) -> float:
     Source: SmoothActuatorFactor of GTDynamics (PneumaticActuatorFactors.h): a cubic in x that has the force 1.966 p
     and the slope -0.3554 p at x = 0 and no force and no slope at the contraction without load.
     """
-    free = 3.05583930 + 7.58361626e-2 * p - 4.91579771e-4 * p**2 + 1.42792618e-6 * p**3 - 1.54817477e-9 * p**4
+    free = (
+        3.05583930
+        + 7.58361626e-2 * p
+        - 4.91579771e-4 * p**2
+        + 1.42792618e-6 * p**3
+        - 1.54817477e-9 * p**4
+    )
     f_0, k = 1.966409 * p, 0.35541599 * p
     if p <= 0 or x >= free:
         return 0.0
@@ -107,7 +115,13 @@ def pull(p: float, x: float) -> float:
 
 def free_contraction(p: float) -> float:
     """The contraction without load [cm] of the same law."""
-    return 3.05583930 + 7.58361626e-2 * p - 4.91579771e-4 * p**2 + 1.42792618e-6 * p**3 - 1.54817477e-9 * p**4
+    return (
+        3.05583930
+        + 7.58361626e-2 * p
+        - 4.91579771e-4 * p**2
+        + 1.42792618e-6 * p**3
+        - 1.54817477e-9 * p**4
+    )
 
 
 def contraction(run: Recording, joint: str) -> Array:
@@ -115,7 +129,9 @@ def contraction(run: Recording, joint: str) -> Array:
     p = bridged(cleaned(run, joint)) - zero_of(run, joint)
     angle = run.angle[joint]
     travel = PULLEY / 10 * np.abs(angle - np.mean(angle[:5]))
-    contractions = np.array([_held(max(0.0, float(a)), float(b)) for a, b in zip(p, travel, strict=True)])
+    contractions = np.array(
+        [_held(max(0.0, float(a)), float(b)) for a, b in zip(p, travel, strict=True)]
+    )
     smooth: Array = savgol_filter(10 * contractions, 11, 2)
     return np.maximum(smooth, 0.0)
 
@@ -123,7 +139,9 @@ def contraction(run: Recording, joint: str) -> Array:
 def _held(p: float, travel: float) -> float:
     if p < 1.0 or travel >= free_contraction(p):
         return min(travel, free_contraction(p))
-    return float(brentq(lambda x: x - travel - pull(p, x) / (10 * TENDON), travel - 1.0, travel + 20.0))
+    return float(
+        brentq(lambda x: x - travel - pull(p, x) / (10 * TENDON), travel - 1.0, travel + 20.0)
+    )
 
 
 def columns(run: Recording, joint: str) -> dict[str, Array]:
@@ -131,7 +149,9 @@ def columns(run: Recording, joint: str) -> dict[str, Array]:
     kept = (run.time <= END) & (np.arange(len(run.time)) % 2 == 0)
     p = cleaned(run, joint)
     source, s = bridged(without_outliers(run.source)), contraction(run, joint)
-    switches = np.array([t + d for t in (run.opens[joint], run.closes[joint], EXHAUST) for d in (0.0, 1e-5)])
+    switches = np.array(
+        [t + d for t in (run.opens[joint], run.closes[joint], EXHAUST) for d in (0.0, 1e-5)]
+    )
     switches = switches[switches > run.time[0]]
     time = np.unique(np.concatenate([run.time[kept], np.round(switches, 5)]))
     at = {float(t): float(v) for t, v in zip(run.time[kept], p[kept], strict=True)}
@@ -156,5 +176,8 @@ def write_runs(folder: Path, runs: list[Recording]) -> None:
 
 def file_name(run: str, joint: str) -> str:
     """0p00_0p09_hipknee-80source, hip_l -> 0p09-80-hip_l.csv"""
-    timing, source = run.removesuffix("source").split("-")[0], run.removesuffix("source").split("-")[-1]
+    timing, source = (
+        run.removesuffix("source").split("-")[0],
+        run.removesuffix("source").split("-")[-1],
+    )
     return f"{timing.split('_')[1] if timing.startswith('0p00') else '0p02'}-{source}-{joint}.csv"

@@ -57,7 +57,12 @@ STAGES = (
     Stage("+ tube, one orifice and one volume (`LongLine`)", ("LongLine",), LINE),
     Stage("+ tube with wall friction (`FrictionLine`)", FULL[:1], LINE),
     Stage("+ dead time of the valves (`ValveDelay`)", FULL[:2], (*LINE, DELAY)),
-    Stage("+ zero of the sensor (`PressureOffset`, as read before the start)", FULL[:3], (*LINE, DELAY), True),
+    Stage(
+        "+ zero of the sensor (`PressureOffset`, as read before the start)",
+        FULL[:3],
+        (*LINE, DELAY),
+        True,
+    ),
     Stage("+ volume at the muscle's end (`DeadVolume`)", FULL, (*LINE, DELAY, DEAD_VOLUME), True),
 )
 FINAL = STAGES[-1]
@@ -92,7 +97,9 @@ def prepared(run: Run, stage: Stage) -> Run:
         early = run.time < run.time[np.argmax(run.inputs["u_in"] > 0)] + DEAD
         parameters["manometer.offset"] = float(np.nanmedian(run.measurements["p"][early]))
     if not stage.drooping:
-        inputs["p_supply"] = np.full_like(run.time, np.median(run.inputs["p_supply"][run.time < DEAD]))
+        inputs["p_supply"] = np.full_like(
+            run.time, np.median(run.inputs["p_supply"][run.time < DEAD])
+        )
     if not stage.contracting:
         inputs["s"] = np.zeros_like(run.time)
     return replace(run, inputs=inputs, parameters=parameters)
@@ -123,12 +130,22 @@ def estimate(fit: Fit, name: str, scale: float, unit: str) -> str:
 
 def draw(first: Fit, last: Fit) -> None:
     """Every run with the first and the last model."""
-    picture, axes = plt.subplots(2, 4, figsize=(13, 5.6), layout="constrained", sharex=True, sharey=True)
+    picture, axes = plt.subplots(
+        2, 4, figsize=(13, 5.6), layout="constrained", sharex=True, sharey=True
+    )
     for axis, a, b in zip(axes.flat, first.comparison.runs, last.comparison.runs, strict=False):
         t, zero = a.run.time, b.run.parameters["manometer.offset"] / 1e3
         axis.plot(t, a.run.measurements["p"] / 1e3 - zero, ".", color="0.4", ms=3, label="measured")
-        axis.plot(t, a.model["p"] / 1e3 - zero, color="#d55e00", lw=1, ls="--", label="valve and muscle")
-        axis.plot(t, b.model["p"] / 1e3 - zero, color="#0072b2", lw=1.5, label="with tube, dead time, zero")
+        axis.plot(
+            t, a.model["p"] / 1e3 - zero, color="#d55e00", lw=1, ls="--", label="valve and muscle"
+        )
+        axis.plot(
+            t,
+            b.model["p"] / 1e3 - zero,
+            color="#0072b2",
+            lw=1.5,
+            label="with tube, dead time, zero",
+        )
         axis.set_title(f"{a.run.name.removeprefix('recordings/')} ({a.run.role})", fontsize=9)
         axis.grid(alpha=0.3)
     for axis in list(axes.flat)[len(first.comparison.runs) :]:
@@ -167,7 +184,9 @@ def tank_balance(data: DataSet) -> list[list[str]]:
         if "knee" in run.name:
             continue
         p = run.inputs["p_supply"]
-        drop = float(np.median(p[run.time < DEAD]) - np.median(p[(run.time > 0.2) & (run.time < 0.3)]))
+        drop = float(
+            np.median(p[run.time < DEAD]) - np.median(p[(run.time > 0.2) & (run.time < 0.3)])
+        )
         low, high = (f"{1e3 * drop * volume / (gas * k):.2f}" for k in (1.4, 1.0))
         rows.append([run.name.removeprefix("recordings/"), f"{drop / 1e3:.0f}", low, high])
     return rows
@@ -178,22 +197,35 @@ def report(diagnosis: pam.Diagnosis, stages: Sequence[Fit], counter: Sequence[Fi
     last = stages[-1]
     area = last.parameters["line.A"].value
     friction = (np.pi / 4 * 0.004**2 / area) ** 2 * 0.004 / (74 * 0.0254)
-    steps = [[s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(STAGES, stages, strict=True)]
-    others = [[s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(COUNTER, counter, strict=True)]
-    added = [[c.effect, c.family, f"{c.fit.comparison.scores['fit']['p'].rmse / 1e3:.1f}"] for c in diagnosis.path]
+    steps = [
+        [s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(STAGES, stages, strict=True)
+    ]
+    others = [
+        [s.title, rms(f, "fit"), rms(f, "holdout")] for s, f in zip(COUNTER, counter, strict=True)
+    ]
+    added = [
+        [c.effect, c.family, f"{c.fit.comparison.scores['fit']['p'].rmse / 1e3:.1f}"]
+        for c in diagnosis.path
+    ]
     return (
         (HERE / "report.template.md")
         .read_text(encoding="utf-8")
         .format(
             verdict=diagnosis.verdict.kind,
             probability=f"{100 * diagnosis.verdict.probability:.0f} %",
-            named=", ".join(f"{name} = {value}" for name, value in diagnosis.final.parameters.items()),
+            named=", ".join(
+                f"{name} = {value}" for name, value in diagnosis.final.parameters.items()
+            ),
             reason=diagnosis.verdict.reason,
             added=markdown_table(["added", "family", "fit [kPa]"], added),
             hold=rms(diagnosis.final, "holdout"),
             steps=markdown_table(["model", "fit [kPa]", "holdout [kPa]"], steps),
-            others=markdown_table(["changed in the last model", "fit [kPa]", "holdout [kPa]"], others),
-            phases=markdown_table(["phase", "fit rms", "fit mean", "holdout rms", "holdout mean"], phases(last)),
+            others=markdown_table(
+                ["changed in the last model", "fit [kPa]", "holdout [kPa]"], others
+            ),
+            phases=markdown_table(
+                ["phase", "fit rms", "fit mean", "holdout rms", "holdout mean"], phases(last)
+            ),
             line=estimate(last, "line.A", 1e6, "mm2"),
             friction=f"{friction:.3f}",
             volume=estimate(last, "line.V", 1e6, "mL"),
@@ -202,7 +234,8 @@ def report(diagnosis: pam.Diagnosis, stages: Sequence[Fit], counter: Sequence[Fi
             valve=estimate(last, "valve.C_A", 10, "mm2"),
             exponent=estimate(last, "muscle.n_g", 1, ""),
             tank=markdown_table(
-                ["run", "droop [kPa]", "adiabatic [g]", "isothermal [g]"], tank_balance(last.comparison.data)
+                ["run", "droop [kPa]", "adiabatic [g]", "isothermal [g]"],
+                tank_balance(last.comparison.data),
             ),
         )
     )
@@ -218,7 +251,9 @@ def main() -> None:
         stages = [fitted(stage, Path(place)) for stage in STAGES]
         counter = [fitted(stage, Path(place)) for stage in COUNTER]
     for stage, fit in zip((*STAGES, *COUNTER), (*stages, *counter), strict=True):
-        print(f"{stage.title}: fit {rms(fit, 'fit')}, holdout {rms(fit, 'holdout')} kPa", flush=True)
+        print(
+            f"{stage.title}: fit {rms(fit, 'fit')}, holdout {rms(fit, 'holdout')} kPa", flush=True
+        )
     draw(stages[0], stages[-1])
     diagnosis = pam.diagnose(pam.read(HERE), say=lambda line: print(line, flush=True))
     print(diagnosis)

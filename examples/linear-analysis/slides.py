@@ -27,7 +27,11 @@ def coefficients(p: str, eps: str = "10 %") -> tuple[float, float, float]:
 def pulls(bars: np.ndarray, strains: np.ndarray) -> np.ndarray:
     """The force equation itself [N]: each sample of the inputs is a point."""
     course = np.arange(bars.size, dtype=float)
-    run = pam.simulate("StaticForce", inputs=pam.Inputs(course, {"p": bars * 1e5, "eps": strains / 100}), interval=1.0)
+    run = pam.simulate(
+        "StaticForce",
+        inputs=pam.Inputs(course, {"p": bars * 1e5, "eps": strains / 100}),
+        interval=1.0,
+    )
     return run["F"]
 
 
@@ -45,12 +49,20 @@ def about_a_point(folder: Path) -> None:
 
     figure, (by_pressure, by_length) = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
     bars, strains = np.linspace(1, 8, 29), np.linspace(2, 18, 33)
-    by_pressure.plot(bars, pulls(bars, np.full(bars.size, 10.0)), color=BLUE, label="force equation")
-    by_pressure.plot(bars, pull + c_1 * (bars - 6) * 1e5, "--", color=RED, label="its slope about 6 bar")
-    by_pressure.plot(bars, pull + PRINTED["C_1"] * (bars - 6) * 1e5, ":", color=GREEN, label="slope as printed")
+    by_pressure.plot(
+        bars, pulls(bars, np.full(bars.size, 10.0)), color=BLUE, label="force equation"
+    )
+    by_pressure.plot(
+        bars, pull + c_1 * (bars - 6) * 1e5, "--", color=RED, label="its slope about 6 bar"
+    )
+    by_pressure.plot(
+        bars, pull + PRINTED["C_1"] * (bars - 6) * 1e5, ":", color=GREEN, label="slope as printed"
+    )
     by_pressure.axvspan(2.5, 4.5, color="#e4e7ea", zorder=0)
     by_pressure.set(xlabel="gauge pressure [bar], at 10 %; grey: the step", ylabel="pull [N]")
-    by_length.plot(strains, pulls(np.full(strains.size, 6.0), strains), color=BLUE, label="force equation")
+    by_length.plot(
+        strains, pulls(np.full(strains.size, 6.0), strains), color=BLUE, label="force equation"
+    )
     line = pull - c_2 * LENGTH * (strains - 10) / 100
     by_length.plot(strains, line, "--", color=RED, label="its slope, as printed")
     by_length.set(xlabel="contraction [%], at 6 bar", ylabel="pull [N]")
@@ -61,21 +73,32 @@ def step(folder: Path) -> None:
     """The linear model of AM Fig. 9 from 2.5 to 4.5 bar, with the coefficients of three points."""
     times = np.linspace(0, 1.2, 1201)
     figure, axes = plt.subplots(1, 2, figsize=(9, 3.4), layout="constrained")
-    points = (("about 6 bar", coefficients("6 bar"), RED), ("about 3.5 bar", coefficients("3.5 bar"), BLUE))
+    points = (
+        ("about 6 bar", coefficients("6 bar"), RED),
+        ("about 3.5 bar", coefficients("3.5 bar"), BLUE),
+    )
     for name, (_, c_1, c_2), colour in (*points, ("as printed", (0.0, *PRINTED.values()), GREEN)):
         linear = pam.linearise("LumpedLinear", {"C_1": c_1, "C_2": c_2})
         answer = linear.step(times)[:, :, 0] * 2e5
         force = answer[:, linear.outputs.index("F")]
         swing = linear.modes[-1]
-        print(f"step with C_1, C_2 {name}: {swing.frequency:.2f} Hz, damping ratio {swing.damping:.3f}; ", end="")
+        print(
+            f"step with C_1, C_2 {name}: {swing.frequency:.2f} Hz, damping ratio {swing.damping:.3f}; ",
+            end="",
+        )
         seen = [force[:: round(1000 / rate)].max() for rate in (10, 80)]
-        print(f"pull up to {force.max():.1f} N ({seen[0]:.1f} at 10 Hz, {seen[1]:.1f} at 80 Hz, ", end="")
+        print(
+            f"pull up to {force.max():.1f} N ({seen[0]:.1f} at 10 Hz, {seen[1]:.1f} at 80 Hz, ",
+            end="",
+        )
         print("if the step falls on a sample), ", end="")
         print(f"then {force[-1]:.1f} N")
         axes[0].plot(times, 1e3 * answer[:, linear.outputs.index("L")], color=colour, label=name)
         axes[1].plot(times, force, color=colour, label=name)
         if name == "about 3.5 bar":
-            axes[1].plot(times[::100], force[::100], "o", color=colour, mfc="none", label="at 10 Hz")
+            axes[1].plot(
+                times[::100], force[::100], "o", color=colour, mfc="none", label="at 10 Hz"
+            )
     axes[0].set(xlabel="time [s]", ylabel="change of length [mm]")
     axes[1].set(xlabel="time [s]", ylabel="change of pull [N]")
     save(figure, axes, folder / "slides-step.png")
@@ -93,9 +116,17 @@ def two_lengths(folder: Path) -> None:
     muscles = range(1, 5)
     watched = [f"bench[{i}].regulator.p" for i in muscles]
     run = pam.simulate("Examples.Validation.TwoLengths", outputs=watched, interval="0.5 ms")
-    widths = [loop_width(run.time, run[p], 100 * run[f"eps[{i}]"]) for p, i in zip(watched, muscles, strict=True)]
+    widths = [
+        loop_width(run.time, run[p], 100 * run[f"eps[{i}]"])
+        for p, i in zip(watched, muscles, strict=True)
+    ]
     print("the loop, where the muscle's pressure passes 3 bar, is ", end="")
-    print("{:.2f} % of the length wide at 0.2 Hz for 150 and {:.2f} % for 300 mm, ".format(*widths[:2]), end="")
+    print(
+        "{:.2f} % of the length wide at 0.2 Hz for 150 and {:.2f} % for 300 mm, ".format(
+            *widths[:2]
+        ),
+        end="",
+    )
     print("{:.2f} and {:.2f} % at 2 Hz".format(*widths[2:]))
     figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.6), layout="constrained")
     frequencies = np.geomspace(0.1, 20, 9)
@@ -108,13 +139,30 @@ def two_lengths(folder: Path) -> None:
             gain, linear = response.gain[:, 0] * 1e7, response.linear_gain[:, 0] * 1e7  # % per bar
             name = f"{length * 1e3:.0f} mm, {size}"
             left.loglog(frequencies, np.abs(gain), color=colour, marker=marker, ms=4, label=name)
-            right.semilogx(frequencies, np.degrees(np.angle(gain)), color=colour, marker=marker, ms=4, label=name)
-            print(f"{name}: {np.abs(gain[0]):.2f} % per bar at 0.1 Hz (linear model {np.abs(linear[0]):.2f}), ", end="")
-            print(f"{np.angle(gain[0], deg=True):.0f}° ({np.angle(linear[0], deg=True):.0f}°), ", end="")
+            right.semilogx(
+                frequencies,
+                np.degrees(np.angle(gain)),
+                color=colour,
+                marker=marker,
+                ms=4,
+                label=name,
+            )
+            print(
+                f"{name}: {np.abs(gain[0]):.2f} % per bar at 0.1 Hz (linear model {np.abs(linear[0]):.2f}), ",
+                end="",
+            )
+            print(
+                f"{np.angle(gain[0], deg=True):.0f}° ({np.angle(linear[0], deg=True):.0f}°), ",
+                end="",
+            )
             print(f"distortion {response.distortion[0, 0]:.1%}")
         name = f"{length * 1e3:.0f} mm, linear"
-        left.loglog(frequencies, np.abs(linear), color=GREY, marker=marker, ms=3, ls=":", label=name)
-        right.semilogx(frequencies, np.degrees(np.angle(linear)), color=GREY, marker=marker, ms=3, ls=":")
+        left.loglog(
+            frequencies, np.abs(linear), color=GREY, marker=marker, ms=3, ls=":", label=name
+        )
+        right.semilogx(
+            frequencies, np.degrees(np.angle(linear)), color=GREY, marker=marker, ms=3, ls=":"
+        )
     left.set(xlabel="frequency [Hz]", ylabel="contraction [% per bar]")
     right.set(xlabel="frequency [Hz]", ylabel="phase [°]")
     save(figure, (left,), folder / "slides-two-lengths.png")

@@ -25,7 +25,15 @@ from rig.schedule import Phase, Schedule  # noqa: E402
 SUPPLY, LOAD, END = 207e3, 2.27, 12.0  # Pa, kg, s
 NOISE = {"p": 500.0, "x": 0.2e-3}  # Pa, m
 STATES = ("muscle.gas.p", "load.s", "load.v")
-PHASES = [(1.2, 0.35, 0), (2.0, 0, 0), (1.0, 0, 0.3), (1.6, 0.3, 0), (2.2, 0, 0), (1.0, 0, 0.25), (3.0, 0.28, 0)]
+PHASES = [
+    (1.2, 0.35, 0),
+    (2.0, 0, 0),
+    (1.0, 0, 0.3),
+    (1.6, 0.3, 0),
+    (2.2, 0, 0),
+    (1.0, 0, 0.25),
+    (3.0, 0.28, 0),
+]
 
 
 def pull(t: np.ndarray) -> np.ndarray:
@@ -64,7 +72,9 @@ def truth(*effects: Effect) -> tuple[np.ndarray, pam.Trajectory]:
     """The independent run at 2 kHz, and in it the pull of the muscle on the load, by Newton's law."""
     time = np.linspace(0, END, int(2000 * END) + 1)
     schedule = Schedule.of([Phase(*phase) for phase in PHASES])
-    run = simulate_muscle(MuscleParameters(load=LOAD), SUPPLY, schedule, time, (Pull(), *effects), method="BDF")
+    run = simulate_muscle(
+        MuscleParameters(load=LOAD), SUPPLY, schedule, time, (Pull(), *effects), method="BDF"
+    )
     stop = np.where(run.x < 0, np.maximum(0, -2e5 * run.x - 500 * run.v), 0)
     force = LOAD * (np.gradient(run.v, time) + G) + pull(time) - stop
     return force, pam.Trajectory(time, {"p": run.p, "x": run.x}, {"p": "Pa", "x": "m"})
@@ -95,23 +105,37 @@ def observed(recording: pam.Trajectory, force: np.ndarray, change: float) -> pam
 def without_filter(recording: pam.Trajectory, force: np.ndarray) -> float:
     """The rms error of the force equation on the noisy readings themselves, speed by the last difference."""
     par, t = MuscleParameters(), recording.time
-    p, x, v = recording["p"], recording["x"], np.diff(recording["x"], prepend=recording["x"][0]) / (t[1] - t[0])
-    friction = p * (par.crossing_area * par.mu_d * np.tanh(par.k_f * v) + par.mu_fb * par.fibre_area)
+    p, x, v = (
+        recording["p"],
+        recording["x"],
+        np.diff(recording["x"], prepend=recording["x"][0]) / (t[1] - t[0]),
+    )
+    friction = p * (
+        par.crossing_area * par.mu_d * np.tanh(par.k_f * v) + par.mu_fb * par.fibre_area
+    )
     raw = np.array([a * par.volume_slope(b) for a, b in zip(p, x, strict=True)]) - friction
     every, lifted = (force.size - 1) // (t.size - 1), x > 1e-3
     return float(np.sqrt(np.mean((raw - force[::every])[lifted] ** 2)))
 
 
-def draw(results: dict[float, pam.Observation], force: np.ndarray, time: np.ndarray, path: Path) -> None:
+def draw(
+    results: dict[float, pam.Observation], force: np.ndarray, time: np.ndarray, path: Path
+) -> None:
     """The pull of the muscle and the unknown pull, true and estimated, for each rate; normalised innovations."""
-    figure, axes = plt.subplots(3, len(results), figsize=(11, 7.2), sharex=True, sharey="row", layout="constrained")
+    figure, axes = plt.subplots(
+        3, len(results), figsize=(11, 7.2), sharex=True, sharey="row", layout="constrained"
+    )
     for column, (rate, observation) in zip(axes.T, results.items(), strict=True):
         for axis, name, true in ((column[0], "F", force), (column[1], "F_ext", pull(time))):
             axis.plot(time, true, color="#2b2f33", lw=1.0, label="independent simulation")
             value, around = observation[name], 1.96 * observation.deviations[name]
-            axis.fill_between(observation.time, value - around, value + around, color="#0072b2", alpha=0.25, lw=0)
+            axis.fill_between(
+                observation.time, value - around, value + around, color="#0072b2", alpha=0.25, lw=0
+            )
             axis.plot(observation.time, value, color="#0072b2", lw=1.2, label="observer, 95 %")
-        for (name, values), colour in zip(observation.innovations.items(), ("#009e73", "#d55e00"), strict=True):
+        for (name, values), colour in zip(
+            observation.innovations.items(), ("#009e73", "#d55e00"), strict=True
+        ):
             column[2].plot(observation.time, values, ".", color=colour, ms=3, label=name)
         column[2].axhspan(-1.96, 1.96, color="#e4e7ea", zorder=0)
         column[0].set_title(f"{rate:g} Hz", loc="left")
@@ -134,14 +158,22 @@ def main(folder: Path) -> None:
     force, run = truth()
     results = {}
     trial = sampled(run, 80.0, seed=8)
-    tried = {change: observed(trial, force, change).log_likelihood for change in (1.0, 2.0, 5.0, 10.0, 20.0)}
+    tried = {
+        change: observed(trial, force, change).log_likelihood
+        for change in (1.0, 2.0, 5.0, 10.0, 20.0)
+    }
     change = max(tried, key=tried.__getitem__)
-    print("log-likelihood by change in a second:", ", ".join(f"{c:g} N: {value:.0f}" for c, value in tried.items()))
+    print(
+        "log-likelihood by change in a second:",
+        ", ".join(f"{c:g} N: {value:.0f}" for c, value in tried.items()),
+    )
     for rate in (10.0, 80.0):
         recording = sampled(run, rate, seed=7)
         results[rate] = observed(recording, force, change)
         print(f"{rate:g} Hz: {results[rate]}")
-        print(f"the force equation on the readings themselves: rms {without_filter(recording, force):.2f} N\n")
+        print(
+            f"the force equation on the readings themselves: rms {without_filter(recording, force):.2f} N\n"
+        )
     draw(results, force, run.time, folder / "observer.png")
     force, run = truth(Bladder())
     off = observed(sampled(run, 80.0, seed=7), force, change)

@@ -76,7 +76,9 @@ def run(rig: Rig, schedule: Schedule, duration: float) -> dict[str, np.ndarray]:
         u = [v for start, v in schedule if start <= t + 1e-9][-1]
         if n % EVERY == 0:
             rows.append((t, u, i, w))
-        R = rig.R * (254.5 + warmth) / 254.5  # 234.5 degC below zero copper would not resist; cold is 20 degC
+        R = (
+            rig.R * (254.5 + warmth) / 254.5
+        )  # 234.5 degC below zero copper would not resist; cold is 20 degC
         contact = rig.contact * math.copysign(1 - math.exp(-abs(i) / 0.12), i)
         settled = (u - contact - rig.k * w) / R
         after = settled + (i - settled) * math.exp(-R * STEP / rig.L)
@@ -94,8 +96,18 @@ def write(folder: Path, hidden: str, seed: int = 1) -> None:
     rig, draw = HIDDEN[hidden], np.random.default_rng(seed)
     folder.mkdir(parents=True, exist_ok=True)
     schedules = LIFTED if rig.load else FREE
-    text = [f'title = "A motor with {hidden.replace("_", " ")}"', f'model = "DCMotor.Benches.{rig.bench}"']
-    text += ["", "[signals.i]", f'sigma = "{NOISE["i"]} A"', "", "[signals.w]", f'sigma = "{NOISE["w"]} rad/s"']
+    text = [
+        f'title = "A motor with {hidden.replace("_", " ")}"',
+        f'model = "DCMotor.Benches.{rig.bench}"',
+    ]
+    text += [
+        "",
+        "[signals.i]",
+        f'sigma = "{NOISE["i"]} A"',
+        "",
+        "[signals.w]",
+        f'sigma = "{NOISE["w"]} rad/s"',
+    ]
     text += ["", "[parameters]", f'"motor.L" = "{rig.L} H"', f'"motor.k" = "{rig.k} V.s/rad"']
     text += [f'"drum.m" = "{rig.load} kg"', f'"drum.r" = "{rig.radius} m"'] if rig.load else []
     text += ["", "[fit]", '"motor.R" = { min = "0.5 Ohm", max = "2 Ohm" }']
@@ -108,14 +120,18 @@ def write(folder: Path, hidden: str, seed: int = 1) -> None:
         with (folder / f"{name}.csv").open("w", newline="", encoding="utf-8") as file:
             table = csv.writer(file)
             table.writerow(["time [s]", "u [V]", "i [A]", "w [rad/s]"])
-            table.writerows([f"{value:.6g}" for value in row] for row in zip(*course.values(), strict=True))
+            table.writerows(
+                [f"{value:.6g}" for value in row] for row in zip(*course.values(), strict=True)
+            )
         text += ["", "[[runs]]", f'file = "{name}.csv"', f'role = "{name.partition("-")[0]}"']
         text += ['interpolation = "previous"']
     (folder / "experiment.toml").write_text("\n".join([*text, ""]), encoding="utf-8")
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("folder", type=Path, help="where the data set goes")
     parser.add_argument("--hidden", choices=HIDDEN, default="dry_friction", help="what the rig has")
     parser.add_argument("--seed", type=int, default=1, help="of the noise")

@@ -33,7 +33,9 @@ def sarosi(c: Array, p: Array, k: Array) -> Array:
 
 def hildebrandt(c: Array, p: Array, k: Array) -> Array:
     """F = p (c1 + c2 k + c3 k^2) - (c4 k^2 + c5 k + c6 + c7 k^(2/3)): Hildebrandt and others 2005, seven parameters."""
-    return np.asarray(p * (c[0] + c[1] * k + c[2] * k**2) - (c[3] * k**2 + c[4] * k + c[5] + c[6] * k ** (2 / 3)))
+    return np.asarray(
+        p * (c[0] + c[1] * k + c[2] * k**2) - (c[3] * k**2 + c[4] * k + c[5] + c[6] * k ** (2 / 3))
+    )
 
 
 FORMULAS: tuple[tuple[Callable[[Array, Array, Array], Array], tuple[float, ...]], ...] = (
@@ -66,7 +68,9 @@ def main(folder: Path) -> None:
     data = pam.read(HERE)
     for formula, start in FORMULAS:
         fitted, held = errors_of_formula(data, formula, start)
-        print(f"{formula.__name__}, {len(start)} parameters: {fitted:.2f} N, held-out pressures {held:.2f} N")
+        print(
+            f"{formula.__name__}, {len(start)} parameters: {fitted:.2f} N, held-out pressures {held:.2f} N"
+        )
     diagnosis = pam.diagnose(data)
     print(diagnosis)
     write_report(folder / "report.html", diagnosis_report(diagnosis))

@@ -20,7 +20,10 @@ def calibration(folder: Path) -> pam.Sweep:
     swept = pam.sweep(
         "TankFilling",
         {"u_in": np.linspace(0.15, 0.35, 21), "p_supply": np.linspace(30e3, 280e3, 15)},
-        scalars={"mass flow": "initial(valve.inlet.m_flow)", "effective area": "initial(valve.inlet.A)"},
+        scalars={
+            "mass flow": "initial(valve.inlet.m_flow)",
+            "effective area": "initial(valve.inlet.A)",
+        },
         stop_time="10 ms",
         output=folder / "valve.nc",
     )

@@ -17,7 +17,11 @@ AIR = "Air in a steel vessel of 16.2 L (J. C. Dutton and R. E. Coverdill, Int. J
 TABLES = {
     "both-ways/discharge.csv": ("Air_790kPa_21mm", AIR.format(how="discharge"), ("gas_mean",)),
     "both-ways/filling.csv": ("Air_3-7kPa_271mm", AIR.format(how="filling"), ("gas_high",)),
-    "nitrogen/discharge.csv": ("N2_Exp_I1", "Nitrogen from 150 bar, vessel of 89.2 L", ("gas_high", "gas_low")),
+    "nitrogen/discharge.csv": (
+        "N2_Exp_I1",
+        "Nitrogen from 150 bar, vessel of 89.2 L",
+        ("gas_high", "gas_low"),
+    ),
 }
 
 

@@ -35,7 +35,10 @@ BENCH = "VesselOrifice"
 FREE = {
     "EnergyGas": [FreeParameter("tank.gas.h", 0.01, 500, 10)],
     "FreeConvectionGas": [FreeParameter("tank.gas.c", 1e-3, 10, 0.13)],
-    "ConvectiveGas": [FreeParameter("tank.gas.h_0", 0.01, 500, 5), FreeParameter("tank.gas.h_1", 0, 2000, 10)],
+    "ConvectiveGas": [
+        FreeParameter("tank.gas.h_0", 0.01, 500, 5),
+        FreeParameter("tank.gas.h_1", 0, 2000, 10),
+    ],
     "ThermocoupleLag": [FreeParameter("thermometer.tau", 1e-3, 100, 3)],
     "WarmWall": [
         FreeParameter("tank.surroundings.C", 1e-2, 1e5, 8000),
@@ -48,7 +51,13 @@ WITH_THERMOMETER = (
     ("EnergyGas",), ("EnergyGas", LAG), ("FreeConvectionGas", LAG), ("ConvectiveGas", LAG),
     ("EnergyGas", LAG, "WarmWall"),
 )  # fmt: skip
-NITROGEN = ((), ("EnergyGas",), ("ConvectiveGas",), ("FreeConvectionGas",), ("FreeConvectionGas", LAG))
+NITROGEN = (
+    (),
+    ("EnergyGas",),
+    ("ConvectiveGas",),
+    ("FreeConvectionGas",),
+    ("FreeConvectionGas", LAG),
+)
 
 
 def fitted(name: str, effects: tuple[str, ...], signals: tuple[str, ...], work: Path) -> Fit:
@@ -79,12 +88,21 @@ def row(effects: tuple[str, ...], fit: Fit) -> list[str]:
 def errors(fit: Fit) -> str:
     """Errors of pressure and thermometer in both runs, in words."""
     of = {role: fit.comparison.scores[role] for role in ("fit", "holdout")}
-    texts = {role: f"{scores['p'].rmse / 1e3:.2f} kPa and {scores['T'].rmse:.1f} K" for role, scores in of.items()}
+    texts = {
+        role: f"{scores['p'].rmse / 1e3:.2f} kPa and {scores['T'].rmse:.1f} K"
+        for role, scores in of.items()
+    }
     return f"{texts['fit']} in the discharge, {texts['holdout']} in the filling"
 
 
 def table(cases: dict[tuple[str, ...], Fit], *, holdout: bool) -> str:
-    head = ["model", "p [kPa]", "T [K]", *(["p, filling [kPa]", "T, filling [K]"] if holdout else []), "parameters"]
+    head = [
+        "model",
+        "p [kPa]",
+        "T [K]",
+        *(["p, filling [kPa]", "T, filling [K]"] if holdout else []),
+        "parameters",
+    ]
     return markdown_table(head, [row(effects, fit) for effects, fit in cases.items()])
 
 
@@ -102,7 +120,14 @@ def draw(pressure: Fit, both: Fit, nitrogen: Fit, film: Fit) -> None:
             run = fit.comparison.runs[i]
             there = ~np.isnan(run.run.measurements["T"])
             axis.plot(run.run.time[there], run.model["T"][there], color=colour, label=label)
-        axis.plot(run.run.time[there], run.run.measurements["T"][there], "o", color="0.3", ms=4, label="measured")
+        axis.plot(
+            run.run.time[there],
+            run.run.measurements["T"][there],
+            "o",
+            color="0.3",
+            ms=4,
+            label="measured",
+        )
         axis.set(xlabel="time [s]", ylabel="temperature reading [K]", title=title)
         axis.grid(alpha=0.3)
         axis.legend(fontsize=7)
@@ -121,8 +146,15 @@ def main() -> None:
         pressure = {e: fitted("both-ways", e, ("p",), work) for e in PRESSURE_ONLY}
         both = {e: fitted("both-ways", e, ("p", "T"), work) for e in WITH_THERMOMETER}
         nitrogen = {e: fitted("nitrogen", e, ("p", "T"), work) for e in NITROGEN}
-    draw(pressure["EnergyGas",], both["FreeConvectionGas", LAG], nitrogen["FreeConvectionGas",], nitrogen["EnergyGas",])
-    diagnosis = pam.diagnose(pam.read(FOLDER / "both-ways"), say=lambda line: print(line, flush=True))
+    draw(
+        pressure["EnergyGas",],
+        both["FreeConvectionGas", LAG],
+        nitrogen["FreeConvectionGas",],
+        nitrogen["EnergyGas",],
+    )
+    diagnosis = pam.diagnose(
+        pam.read(FOLDER / "both-ways"), say=lambda line: print(line, flush=True)
+    )
     print(diagnosis)
     text = (
         (FOLDER / "report.template.md")
@@ -136,7 +168,9 @@ def main() -> None:
             probability=f"{100 * diagnosis.verdict.probability:.0f} %",
             reason=diagnosis.verdict.reason,
             diagnosed=errors(diagnosis.final),
-            named=", ".join(f"{name} = {value}" for name, value in diagnosis.final.parameters.items()),
+            named=", ".join(
+                f"{name} = {value}" for name, value in diagnosis.final.parameters.items()
+            ),
         )
     )
     write_text(FOLDER / "report.md", text)

@@ -36,17 +36,24 @@ def servo() -> pam.Controller:
     """PID like the FMU's, which knows that the two valves are not equally fast."""
     memory = {"x": 0.0, "w": 0.0, "i": 0.0}
 
-    @pam.controller(inputs={"x": "m", "x_wanted": "m"}, outputs={"u_in": "A", "u_out": "A"}, interval=SAMPLE)
+    @pam.controller(
+        inputs={"x": "m", "x_wanted": "m"}, outputs={"u_in": "A", "u_out": "A"}, interval=SAMPLE
+    )
     def law(time: float, x: float, x_wanted: float) -> dict[str, float]:
         speed, wanted = (x - memory["x"]) / FILTER, (x_wanted - memory["w"]) / FILTER
         forget = 1 - np.exp(-SAMPLE / FILTER)
         memory["x"] += forget * (x - memory["x"])
         memory["w"] += forget * (x_wanted - memory["w"])
         error = x_wanted - x
-        demand = wanted + CROSSOVER * (error + memory["i"] + LAG * (wanted - speed))  # a speed [m/s]
+        demand = wanted + CROSSOVER * (
+            error + memory["i"] + LAG * (wanted - speed)
+        )  # a speed [m/s]
         limited = float(np.clip(demand, -(MOST - OPEN) * EXHAUST, (MOST - OPEN) * INLET))
         memory["i"] += SAMPLE / INTEGRAL * (error + (limited - demand) / CROSSOVER)
-        return {"u_in": OPEN + max(0.0, limited / INLET), "u_out": OPEN + max(0.0, -limited / EXHAUST)}
+        return {
+            "u_in": OPEN + max(0.0, limited / INLET),
+            "u_out": OPEN + max(0.0, -limited / EXHAUST),
+        }
 
     return law
 
@@ -55,7 +62,9 @@ def row(name: str, tracking: pam.Tracking) -> str:
     """Errors up to 2 Hz, without 0.16 Hz, as a row of Markdown; a star where two periods are not alike."""
     shown = [k for k, f in enumerate(FREQUENCIES) if f < 2 and k != 1]
     errors = 100 * tracking.relative_error
-    cells = [f"{errors[k]:#.2g}".rstrip(".") if errors[k] < 10 else f"{errors[k]:.0f}" for k in shown]
+    cells = [
+        f"{errors[k]:#.2g}".rstrip(".") if errors[k] < 10 else f"{errors[k]:.0f}" for k in shown
+    ]
     marks = ["" if tracking.settled[k] else " *" for k in shown]
     return f"| {name} | {' | '.join(f'{c} %{m}' for c, m in zip(cells, marks, strict=True))} |"
 
@@ -64,10 +73,18 @@ def main(folder: Path) -> None:
     """Three controllers against frequency."""
     plt.switch_backend("Agg")
     folder.mkdir(parents=True, exist_ok=True)
-    print(f"the load moves with {INLET:.3f} m/s by an ampere of the inlet, {EXHAUST:.3f} m/s of the exhaust")
+    print(
+        f"the load moves with {INLET:.3f} m/s by an ampere of the inlet, {EXHAUST:.3f} m/s of the exhaust"
+    )
     mean = (INLET + EXHAUST) / 2
     gains = {"control.K": CROSSOVER / mean, "control.T_i": INTEGRAL, "control.T_f": FILTER}
-    words = {"output": "x", "mean": MEAN, "amplitude": SWING, "frequencies": FREQUENCIES, "rate": 1 / SAMPLE}
+    words = {
+        "output": "x",
+        "mean": MEAN,
+        "amplitude": SWING,
+        "frequencies": FREQUENCIES,
+        "rate": 1 / SAMPLE,
+    }
     fmu = "CoSimulation.ServoController"
     results = {
         "FMU, PI": pam.track("Isotonic", fmu, gains | {"control.T_d": 0.0}, **words),
@@ -77,13 +94,21 @@ def main(folder: Path) -> None:
         "Python, the same, valves apart": pam.track("Isotonic", servo, **words),
     }
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.9), layout="constrained")
-    for (name, tracking), colour in zip(results.items(), ("#d55e00", "#009e73", "#0072b2"), strict=True):
+    for (name, tracking), colour in zip(
+        results.items(), ("#d55e00", "#009e73", "#0072b2"), strict=True
+    ):
         print(f"\n{name}: {tracking}")
-        axes[0].loglog(FREQUENCIES, 100 * tracking.relative_error, "o-", color=colour, ms=4, label=name)
+        axes[0].loglog(
+            FREQUENCIES, 100 * tracking.relative_error, "o-", color=colour, ms=4, label=name
+        )
         for axis, k in ((axes[1], 2), (axes[2], 5)):
             axis.plot(tracking.phase, 1e3 * tracking.courses[k], color=colour, lw=1.2)
             axis.plot(tracking.phase, 1e3 * tracking.wanted, color="#2b2f33", lw=1.0, ls="--")
-            axis.set(title=f"{FREQUENCIES[k]:.2g} Hz", xlabel="part of a period", ylabel="contraction [mm]")
+            axis.set(
+                title=f"{FREQUENCIES[k]:.2g} Hz",
+                xlabel="part of a period",
+                ylabel="contraction [mm]",
+            )
     axes[0].axhline(100, color="#2b2f33", lw=0.8, ls=":")
     axes[0].set(xlabel="frequency [Hz]", ylabel="rms error [% of the sine's]")
     axes[0].legend(frameon=False, fontsize=8)

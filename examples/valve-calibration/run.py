@@ -72,17 +72,42 @@ def regression_table() -> str:
     for name, (slope, offset) in {"DP (62) as printed": (1.80e-6, 2.61e-7), **readings()}.items():
         area = slope * CURRENT - offset
         cells = [f"{slope * 1e6:.3f}", f"{offset * 1e7:.3f}", f"{area * 1e7:.2f}"]
-        rows.append([name, *cells, f"{area / printed_area(CURRENT) - 1:+.1%}", f"{MEASURED / area - 1:+.1%}"])
-    head = ["reading", "slope [1e-6 m2/A]", "offset [1e-7 m2]", "at 0.35 A [1e-7 m2]", "against (62)", "measured"]
+        rows.append(
+            [
+                name,
+                *cells,
+                f"{area / printed_area(CURRENT) - 1:+.1%}",
+                f"{MEASURED / area - 1:+.1%}",
+            ]
+        )
+    head = [
+        "reading",
+        "slope [1e-6 m2/A]",
+        "offset [1e-7 m2]",
+        "at 0.35 A [1e-7 m2]",
+        "against (62)",
+        "measured",
+    ]
     return markdown_table(head, rows)
 
 
 def supply_table(trajectory: Trajectory) -> str:
     rows = []
     for i, supply in enumerate(SUPPLIES):
-        flow, *areas = (trajectory.values[f"{name}[{i + 1}]"][-1] for name in ("V_flow", "A", "A_choked", "A_gauge"))
-        rows.append([f"{supply / 1e3:.1f}", f"{flow * 6e4:.2f}", *(f"{a * 1e7:.2f}" for a in areas)])
-    head = ["supply [kPa gauge]", "flow [L/min]", "area by (41) [1e-7 m2]", "taken as choked", "and gauge as absolute"]
+        flow, *areas = (
+            trajectory.values[f"{name}[{i + 1}]"][-1]
+            for name in ("V_flow", "A", "A_choked", "A_gauge")
+        )
+        rows.append(
+            [f"{supply / 1e3:.1f}", f"{flow * 6e4:.2f}", *(f"{a * 1e7:.2f}" for a in areas)]
+        )
+    head = [
+        "supply [kPa gauge]",
+        "flow [L/min]",
+        "area by (41) [1e-7 m2]",
+        "taken as choked",
+        "and gauge as absolute",
+    ]
     return markdown_table(head, rows)
 
 
@@ -93,15 +118,38 @@ def draw(trajectory: Trajectory, picture: Path) -> None:
     for i, shade in enumerate(shades):
         label = f"{SUPPLIES[i] / 1e3:.0f} kPa" if i in (0, 7, 14) else None
         flows.plot(u, trajectory.values[f"V_flow[{i + 1}]"] * 6e4, color=shade, lw=1.2, label=label)
-    flows.plot(u, np.maximum(0, FLOW_SLOPE * u - FLOW_OFFSET) * 6e4, "k--", lw=1, label="DP (61), 344.7 kPa")
-    flows.set(xlabel="current [A]", ylabel="flow [L/min of ambient air]", title="flow, C$_A$ = 0.699")
+    flows.plot(
+        u,
+        np.maximum(0, FLOW_SLOPE * u - FLOW_OFFSET) * 6e4,
+        "k--",
+        lw=1,
+        label="DP (61), 344.7 kPa",
+    )
+    flows.set(
+        xlabel="current [A]", ylabel="flow [L/min of ambient air]", title="flow, C$_A$ = 0.699"
+    )
     for (name, (slope, offset)), colour, style in zip(
-        readings().items(), ("#0072b2", "#d55e00", "#0072b2", "#d55e00"), ("-", "-", ":", ":"), strict=True
+        readings().items(),
+        ("#0072b2", "#d55e00", "#0072b2", "#d55e00"),
+        ("-", "-", ":", ":"),
+        strict=True,
     ):
-        areas.plot(u, np.maximum(0, slope * u - offset) * 1e7, color=colour, ls=style, lw=1.2, label=f"(61): {name}")
+        areas.plot(
+            u,
+            np.maximum(0, slope * u - offset) * 1e7,
+            color=colour,
+            ls=style,
+            lw=1.2,
+            label=f"(61): {name}",
+        )
     areas.plot(u[::20], np.maximum(0, printed_area(u[::20])) * 1e7, "k+", ms=5, label="DP (62)")
     areas.plot(CURRENT, MEASURED * 1e7, "s", color="#009e73", ms=6, label="DP: measured")
-    areas.set(xlabel="current [A]", ylabel="effective area [1e-7 m²]", title="four readings of (61)", xlim=(0.14, 0.36))
+    areas.set(
+        xlabel="current [A]",
+        ylabel="effective area [1e-7 m²]",
+        title="four readings of (61)",
+        xlim=(0.14, 0.36),
+    )
     names = {"A": "(41)", "A_choked": "taken as choked", "A_gauge": "and gauge as absolute"}
     for (name, label), colour in zip(names.items(), ("#0072b2", "#cc79a7", "#d55e00"), strict=True):
         last = [trajectory.values[f"{name}[{i + 1}]"][-1] * 1e7 for i in range(len(SUPPLIES))]
@@ -124,8 +172,12 @@ def write(folder: Path) -> str:
     every = slice(None, None, max(1, len(trajectory.time) // 50))
     columns = {"u [A]": trajectory.values["u"][every]}
     for i, supply in enumerate(SUPPLIES):
-        columns[f"flow at {supply / 1e3:.1f} kPa [L/min]"] = trajectory.values[f"V_flow[{i + 1}]"][every] * 6e4
-    write_table(folder / "calibration.csv", columns, f"Flows of {MODEL}: a model's, nobody measured them.")
+        columns[f"flow at {supply / 1e3:.1f} kPa [L/min]"] = (
+            trajectory.values[f"V_flow[{i + 1}]"][every] * 6e4
+        )
+    write_table(
+        folder / "calibration.csv", columns, f"Flows of {MODEL}: a model's, nobody measured them."
+    )
     text = (HERE / "report.template.md").read_text(encoding="utf-8")
     report = text.format(regression=regression_table(), supplies=supply_table(trajectory))
     write_text(folder / "report.md", report)

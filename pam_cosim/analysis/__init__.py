@@ -7,4 +7,12 @@ from pam_cosim.analysis.observation import Observation
 from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.analysis.tracking import Tracking
 
-__all__ = ["FrequencyResponse", "LinearCourse", "LinearModel", "Mode", "Observation", "OperatingPoint", "Tracking"]
+__all__ = [
+    "FrequencyResponse",
+    "LinearCourse",
+    "LinearModel",
+    "Mode",
+    "Observation",
+    "OperatingPoint",
+    "Tracking",
+]

@@ -91,7 +91,10 @@ class ExchangeModel:
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         self.close()
 
@@ -139,7 +142,9 @@ class ExchangeModel:
             model.setupExperiment(startTime=time)
             model.enterInitializationMode()
         model.exitInitializationMode()
-        iterate = model.updateDiscreteStates if isinstance(model, FMU3Model) else model.newDiscreteStates
+        iterate = (
+            model.updateDiscreteStates if isinstance(model, FMU3Model) else model.newDiscreteStates
+        )
         for _ in range(_MOST_EVENT_ITERATIONS):
             if not iterate()[0]:
                 break
@@ -163,7 +168,9 @@ class ExchangeModel:
         known: Mapping[str, object] = self.interface.inputs if role == "input" else self._references
         for name in names:
             if name not in known:
-                raise InputError(f"{self.interface.model} has no {role} '{name}'; {did_you_mean(name, known)}")
+                raise InputError(
+                    f"{self.interface.model} has no {role} '{name}'; {did_you_mean(name, known)}"
+                )
 
     def state(self) -> Array:
         """(n,) the present state."""
@@ -176,7 +183,9 @@ class ExchangeModel:
         """(m,) the present inputs, in the order of ``interface.inputs``."""
         return self.values(self._inputs)
 
-    def set(self, time: float | None = None, state: Array | None = None, inputs: Array | None = None) -> None:
+    def set(
+        self, time: float | None = None, state: Array | None = None, inputs: Array | None = None
+    ) -> None:
         """Goes to a time [s], a state (n,) and inputs (m,); what is None stays."""
         self._call(lambda: self._set(time, state, inputs))
 
@@ -191,7 +200,9 @@ class ExchangeModel:
             self._model.setContinuousStates(self._state, len(self.states))
 
     def _write(self, references: list[int], values: Array) -> None:
-        write = self._model.setFloat64 if isinstance(self._model, FMU3Model) else self._model.setReal
+        write = (
+            self._model.setFloat64 if isinstance(self._model, FMU3Model) else self._model.setReal
+        )
         write(references, np.asarray(values, dtype=float).tolist())
 
     def rates(self) -> Array:
@@ -254,7 +265,11 @@ class ExchangeModel:
         return derivatives
 
     def _place(self, name: str, state: Array, inputs: Array) -> tuple[Array, int]:
-        return (state, self._slots[name]) if name in self._slots else (inputs, self._inputs.index(name))
+        return (
+            (state, self._slots[name])
+            if name in self._slots
+            else (inputs, self._inputs.index(name))
+        )
 
     def _size(self, name: str, state: Array, inputs: Array) -> float:
         vector, at = self._place(name, state, inputs)
@@ -273,7 +288,9 @@ class ExchangeModel:
         try:
             return ask()
         except Exception as error:  # FMPy's FMICallException is a bare Exception
-            messages = "; ".join(self._callbacks.take_messages()) or f"the FMU reports an error: {error}"
+            messages = (
+                "; ".join(self._callbacks.take_messages()) or f"the FMU reports an error: {error}"
+            )
             raise RunFailure(messages, getattr(self, "time", None)) from error
 
 

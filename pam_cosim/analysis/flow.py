@@ -24,7 +24,11 @@ def constant_course(inputs: Array) -> InputCourse:
 
 
 def flow(
-    model: ExchangeModel, start: Array, times: Array, inputs: InputCourse, tolerance: float = RELATIVE_TOLERANCE
+    model: ExchangeModel,
+    start: Array,
+    times: Array,
+    inputs: InputCourse,
+    tolerance: float = RELATIVE_TOLERANCE,
 ) -> Array:
     """States (n, k) at increasing times (k,) [s], from ``start`` (n,) at the first of them.
 
@@ -46,7 +50,9 @@ def flow(
         try:
             model.set(t, x, inputs(t))
             return model.rates()
-        except RunFailure:  # a trial step beyond what the model can say; the solver tries a shorter one
+        except (
+            RunFailure
+        ):  # a trial step beyond what the model can say; the solver tries a shorter one
             return np.full(len(x), np.nan)
 
     def jacobian(t: float, x: Array) -> Array:
@@ -57,12 +63,24 @@ def flow(
     for method in _METHODS:
         try:
             solution = solve_ivp(
-                rates, (times[0], times[-1]), start, method, times, rtol=tolerance, atol=floor, jac=jacobian
+                rates,
+                (times[0], times[-1]),
+                start,
+                method,
+                times,
+                rtol=tolerance,
+                atol=floor,
+                jac=jacobian,
             )
-        except (RunFailure, ValueError) as error:  # SciPy raises ValueError where a Jacobian is not finite
+        except (
+            RunFailure,
+            ValueError,
+        ) as error:  # SciPy raises ValueError where a Jacobian is not finite
             message = str(error)
             continue
         if solution.success and np.isfinite(solution.y).all():
             return np.asarray(solution.y, dtype=float)
         message = str(solution.message)
-    raise RunFailure(f"no solver gets from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time)
+    raise RunFailure(
+        f"no solver gets from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time
+    )

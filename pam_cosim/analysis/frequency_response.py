@@ -116,8 +116,16 @@ class FrequencyResponse(Exported):
         for k, frequency in enumerate(self.frequencies):
             row = [f"{frequency:.4g}" + ("" if self.settled[k] else " (not settled)")]
             for i in range(len(self.outputs)):
-                ratio = np.abs(self.gain[k, i]) / np.abs(linear[k, i]) if np.abs(linear[k, i]) > 0 else np.nan
-                row += [f"{np.abs(self.gain[k, i]):.4g}", f"{phases[i][k]:.1f}", f"{self.distortion[k, i]:.2%}"]
+                ratio = (
+                    np.abs(self.gain[k, i]) / np.abs(linear[k, i])
+                    if np.abs(linear[k, i]) > 0
+                    else np.nan
+                )
+                row += [
+                    f"{np.abs(self.gain[k, i]):.4g}",
+                    f"{phases[i][k]:.1f}",
+                    f"{self.distortion[k, i]:.2%}",
+                ]
                 row.append("-" if np.isnan(ratio) else f"{ratio:.4f}")
             rows.append(row)
         return heads, rows
@@ -129,9 +137,14 @@ class FrequencyResponse(Exported):
     def __str__(self) -> str:
         heads, rows = self._lines()
         widths = [max(map(len, column)) for column in zip(heads, *rows, strict=True)]
-        lines = ["  ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)) for row in (heads, *rows)]
+        lines = [
+            "  ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True))
+            for row in (heads, *rows)
+        ]
         where = [] if self.linear is None else [str(self.linear.point)]
-        bands = [f"{n}: 3 dB less at {f:.3g} Hz" for n, f in self.bandwidth.items() if np.isfinite(f)]
+        bands = [
+            f"{n}: 3 dB less at {f:.3g} Hz" for n, f in self.bandwidth.items() if np.isfinite(f)
+        ]
         return "\n".join([self._title(), *where, "", *lines, *bands])
 
     def _repr_html_(self) -> str:

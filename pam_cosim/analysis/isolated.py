@@ -47,7 +47,9 @@ def work_on(
             return job(model, *arguments, **named)
     kind, content = _asked(path, limit, pickle.dumps((job, arguments, named)))
     if kind == watchdog.LATE:
-        raise RunFailure(f"{path.name} was ended: no progress for {limit:g} s; a longer time limit may help")
+        raise RunFailure(
+            f"{path.name} was ended: no progress for {limit:g} s; a longer time limit may help"
+        )
     if kind == watchdog.CRASHED:
         raise RunFailure(f"{path.name} crashed its process ({cause_of_end(int(content))})")
     done, answer = pickle.loads(content)

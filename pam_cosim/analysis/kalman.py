@@ -84,7 +84,9 @@ def observe_samples(
         reading = np.array([values[k] for values in samples.measured.values()])
         innovation, sizes = filtered.update(float(time), course(k)(float(time)), reading)
         rows.append((*filtered.estimate(outputs), innovation, sizes))
-    values, deviations, innovations, sizes = (np.array(column) for column in zip(*rows, strict=True))
+    values, deviations, innovations, sizes = (
+        np.array(column) for column in zip(*rows, strict=True)
+    )
     names = [*filtered.names, *outputs]
     return Observation(
         model.interface.model,
@@ -99,7 +101,9 @@ def observe_samples(
     )
 
 
-def _course(model: ExchangeModel, samples: RecordedSamples) -> Callable[[int], Callable[[float], Array]]:
+def _course(
+    model: ExchangeModel, samples: RecordedSamples
+) -> Callable[[int], Callable[[float], Array]]:
     """For each interval the inputs over time."""
     names, base = list(model.interface.inputs), model.inputs()
     table = np.tile(base, (len(samples.times), 1))
@@ -125,11 +129,17 @@ class _Filter:
         self.unknown = list(belief.unknown)
         self.names = [*model.states, *self.unknown]
         self._places = [list(model.interface.inputs).index(name) for name in self.unknown]
-        self._scale = np.array([model.scale(name) for name in model.states] + [1.0] * len(self.unknown))
+        self._scale = np.array(
+            [model.scale(name) for name in model.states] + [1.0] * len(self.unknown)
+        )
         self.mean = np.append(model.state(), model.values(self.unknown))
         spread = [belief.spread.get(n, UNTOLD_SPREAD * model.scale(n)) for n in model.states]
-        self.covariance = np.diag(np.square([*spread, *(start for start, _ in belief.unknown.values())]))
-        drift = [belief.drift.get(n, 0.0) for n in model.states] + [rate for _, rate in belief.unknown.values()]
+        self.covariance = np.diag(
+            np.square([*spread, *(start for start, _ in belief.unknown.values())])
+        )
+        drift = [belief.drift.get(n, 0.0) for n in model.states] + [
+            rate for _, rate in belief.unknown.values()
+        ]
         self._power = np.diag(np.square(drift))
         self._noise = np.square([belief.noise[name] for name in measured])
 
@@ -148,7 +158,9 @@ class _Filter:
         pieces, coarse = 2, None
         while True:
             times = np.linspace(begin, end, pieces + 1)
-            states = flow(self.model, self.mean[:n], times, lambda t: self._inputs(course(t)), _TOLERANCE)
+            states = flow(
+                self.model, self.mean[:n], times, lambda t: self._inputs(course(t)), _TOLERANCE
+            )
             slopes = [self._slope(t, states[:, i], course) for i, t in enumerate(times)]
             if coarse is None:
                 coarse = carried(start, slopes[::2], power, end - begin)
@@ -182,7 +194,9 @@ class _Filter:
         gain = np.linalg.solve(expected, slope @ self.covariance).T
         self.mean = self.mean + gain @ innovation
         rest = np.eye(len(self.mean)) - gain @ slope
-        self.covariance = rest @ self.covariance @ rest.T + gain @ noise @ gain.T  # Joseph: stays a covariance
+        self.covariance = (
+            rest @ self.covariance @ rest.T + gain @ noise @ gain.T
+        )  # Joseph: stays a covariance
         normalised[seen] = innovation / np.sqrt(np.diag(expected))
         self._go(time, known)
         squared = float(innovation @ np.linalg.solve(expected, innovation))

@@ -88,7 +88,11 @@ class LinearModel(Exported):
         left = np.linalg.pinv(right)
         order = np.lexsort((-values.imag, np.abs(values)))
         largest = float(np.abs(values).max())
-        return [self._mode(values[i], right[:, i] * left[i], largest) for i in order if values[i].imag >= 0]
+        return [
+            self._mode(values[i], right[:, i] * left[i], largest)
+            for i in order
+            if values[i].imag >= 0
+        ]
 
     def _mode(self, pole: complex, taking_part: Array, largest: float) -> Mode:
         size, real = abs(pole), pole.real
@@ -117,7 +121,9 @@ class LinearModel(Exported):
         if not self.states:
             return np.broadcast_to(self.D.astype(complex), (len(s), *self.D.shape)).copy()
         unit = np.eye(len(self.states))
-        return np.array([self.C @ np.linalg.solve(value * unit - self.A, self.B) + self.D for value in s])
+        return np.array(
+            [self.C @ np.linalg.solve(value * unit - self.A, self.B) + self.D for value in s]
+        )
 
     def step(self, times: Sequence[float] | Array) -> Array:
         """(k, p, m) outputs at times (k,) [s] after each input alone stepped by one of its units; exact."""
@@ -142,7 +148,9 @@ class LinearModel(Exported):
         """
         chosen_u = self._places(inputs, self.inputs, "input")
         chosen_y = self._places(outputs, self.outputs, "output")
-        small = self if states is None else self._reduced(self._places(states, self.states, "state"))
+        small = (
+            self if states is None else self._reduced(self._places(states, self.states, "state"))
+        )
         return replace(
             small,
             B=small.B[:, chosen_u],
@@ -157,7 +165,9 @@ class LinearModel(Exported):
             return list(range(len(known)))
         for name in names:
             if name not in known:
-                raise InputError(f"this linear model has no {role} '{name}'; {did_you_mean(name, known)}")
+                raise InputError(
+                    f"this linear model has no {role} '{name}'; {did_you_mean(name, known)}"
+                )
         return [list(known).index(name) for name in names]
 
     def _reduced(self, slow: list[int]) -> LinearModel:
@@ -172,8 +182,13 @@ class LinearModel(Exported):
             )
         own = self.A[np.ix_(fast, fast)]
         if np.linalg.matrix_rank(own) < len(fast):
-            raise InputError(f"{', '.join(self.states[i] for i in fast)}: cannot follow at once; keep one more state")
-        on_x, on_u = np.linalg.solve(own, self.A[np.ix_(fast, slow)]), np.linalg.solve(own, self.B[fast])
+            raise InputError(
+                f"{', '.join(self.states[i] for i in fast)}: cannot follow at once; keep one more state"
+            )
+        on_x, on_u = (
+            np.linalg.solve(own, self.A[np.ix_(fast, slow)]),
+            np.linalg.solve(own, self.B[fast]),
+        )
         across, seen = self.A[np.ix_(slow, fast)], self.C[:, fast]
         return replace(
             self,
@@ -182,7 +197,10 @@ class LinearModel(Exported):
             C=self.C[:, slow] - seen @ on_x,
             D=self.D - seen @ on_u,
             states=tuple(self.states[i] for i in slow),
-            notes=(*self.notes, f"{', '.join(self.states[i] for i in fast)}: taken to follow at once."),
+            notes=(
+                *self.notes,
+                f"{', '.join(self.states[i] for i in fast)}: taken to follow at once.",
+            ),
         )
 
     def to_scipy(self) -> Any:
@@ -206,9 +224,14 @@ class LinearModel(Exported):
         try:
             import control
         except ImportError as error:
-            raise InputError("python-control is not installed: pip install 'pam-cosim[control]'") from error
+            raise InputError(
+                "python-control is not installed: pip install 'pam-cosim[control]'"
+            ) from error
         # its names must not contain a dot
-        plain = [[name.replace(".", "_") for name in names] for names in (self.states, self.inputs, self.outputs)]
+        plain = [
+            [name.replace(".", "_") for name in names]
+            for names in (self.states, self.inputs, self.outputs)
+        ]
         return control.ss(
             self.A,
             self.B,
@@ -263,7 +286,9 @@ class LinearModel(Exported):
     def table(self) -> Table:
         """[A B; C D]: a row for each rate and output, a column for each state and input."""
         heads = ["", *(self._headed(name) for name in (*self.states, *self.inputs))]
-        return heads, [[head, *row] for head, row in zip(self._rows(), self._table().tolist(), strict=True)]
+        return heads, [
+            [head, *row] for head, row in zip(self._rows(), self._table().tolist(), strict=True)
+        ]
 
     def _table(self) -> Array:
         return np.asarray(np.block([[self.A, self.B], [self.C, self.D]]))
@@ -283,9 +308,14 @@ class LinearModel(Exported):
         first = max(map(len, rows), default=0)
         widths = [max(map(len, column)) for column in zip(heads, *cells, strict=True)]
         lines = [f"{self.model} {self.point}", ""]
-        lines.append(" " * first + "".join(f"  {head:>{w}}" for head, w in zip(heads, widths, strict=True)))
+        lines.append(
+            " " * first + "".join(f"  {head:>{w}}" for head, w in zip(heads, widths, strict=True))
+        )
         for title, row in zip(rows, cells, strict=True):
-            lines.append(f"{title:<{first}}" + "".join(f"  {cell:>{w}}" for cell, w in zip(row, widths, strict=True)))
+            lines.append(
+                f"{title:<{first}}"
+                + "".join(f"  {cell:>{w}}" for cell, w in zip(row, widths, strict=True))
+            )
         lines += ["", *self.modes_text(), *self.gain_text(), f"by {self.method}", *self.notes]
         return "\n".join(lines).rstrip()
 
@@ -303,18 +333,27 @@ class LinearModel(Exported):
             parts = []
             for j, name in enumerate(self.inputs):
                 unit = quotient(self.units.get(output, ""), self.units.get(name, ""))
-                words = (f"{gain[i, j] + 0.0:.6g}", "" if is_dimensionless(unit) else unit, f"by {name}")
+                words = (
+                    f"{gain[i, j] + 0.0:.6g}",
+                    "" if is_dimensionless(unit) else unit,
+                    f"by {name}",
+                )
                 parts.append(" ".join(filter(None, words)))
             lines.append(f"static gain of {output}: {', '.join(parts)}")
         return lines
 
     def _repr_html_(self) -> str:
-        head = "".join(f"<th>{escape(self._headed(name))}</th>" for name in (*self.states, *self.inputs))
+        head = "".join(
+            f"<th>{escape(self._headed(name))}</th>" for name in (*self.states, *self.inputs)
+        )
         body = "".join(
             f"<tr><th>{escape(title)}</th>{''.join(f'<td>{v:.5g}</td>' for v in row)}</tr>"
             for title, row in zip(self._rows(), self._table().tolist(), strict=True)
         )
-        text = "".join(f"<p>{escape(line)}</p>" for line in (*self.modes_text(), *self.gain_text(), *self.notes))
+        text = "".join(
+            f"<p>{escape(line)}</p>"
+            for line in (*self.modes_text(), *self.gain_text(), *self.notes)
+        )
         point = escape(str(self.point)).replace("\n", "<br>")
         return f"<p><b>{escape(self.model)}</b> {point}</p><table><tr><th></th>{head}</tr>{body}</table>{text}"
 
@@ -322,7 +361,11 @@ class LinearModel(Exported):
 def _mode_text(mode: Mode) -> str:
     names = ", ".join(f"{name} {share:.0%}" for name, share in mode.shares.items() if share >= 0.1)
     if not np.isfinite(mode.time_constant):
-        what = "integrates" if np.isnan(mode.damping) else f"swings undamped at {mode.frequency:.4g} Hz"
+        what = (
+            "integrates"
+            if np.isnan(mode.damping)
+            else f"swings undamped at {mode.frequency:.4g} Hz"
+        )
     elif mode.pole.imag:
         what = f"{mode.frequency:.4g} Hz, damping ratio {mode.damping:.4g}"
     elif mode.time_constant > 0:

@@ -8,7 +8,15 @@ import numpy as np
 
 from pam_cosim.analysis.exchange import DIFFERENCES, ExchangeModel
 from pam_cosim.analysis.linear import LinearModel
-from pam_cosim.analysis.operating_point import GIVEN, REST, RUN, STILL, go_to_rest, go_to_state, present
+from pam_cosim.analysis.operating_point import (
+    GIVEN,
+    REST,
+    RUN,
+    STILL,
+    go_to_rest,
+    go_to_state,
+    present,
+)
 
 _BY_DIFFERENCES = (
     "The FMU gives no directional derivatives for all of this, so they are central differences: some eight digits are "
@@ -49,7 +57,11 @@ def linearise_run(
 
 
 def linear_model(
-    model: ExchangeModel, outputs: Sequence[str] | None, kind: str, how: str, parameters: Mapping[str, float]
+    model: ExchangeModel,
+    outputs: Sequence[str] | None,
+    kind: str,
+    how: str,
+    parameters: Mapping[str, float],
 ) -> LinearModel:
     """The linear model where ``model`` is now."""
     chosen = list(model.interface.outputs if outputs is None else outputs)
@@ -64,7 +76,9 @@ def linear_model(
     sizes = {name: max(abs(value), model.scale(name)) for name, value in point.states.items()}
     moving = [name for name, rate in point.rates.items() if abs(rate) > STILL * sizes[name]]
     if moving:
-        notes.append(f"Not at rest: {', '.join(moving)} changes there, and deviations count from that course.")
+        notes.append(
+            f"Not at rest: {', '.join(moving)} changes there, and deviations count from that course."
+        )
     if model.event_indicators:
         notes.append("The FMU has events; its discrete states are those of the start.")
     return LinearModel(

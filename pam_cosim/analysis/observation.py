@@ -114,8 +114,12 @@ class Observation(Exported):
             if name not in self.values:
                 raise InputError(f"'{name}' was not estimated; {did_you_mean(name, self.values)}")
             if np.shape(values) != self.time.shape:
-                raise InputError(f"'{name}' has {np.size(values)} values for {self.time.size} times")
-        return replace(self, truth={**self.truth, **{n: np.asarray(v, dtype=float) for n, v in truth.items()}})
+                raise InputError(
+                    f"'{name}' has {np.size(values)} values for {self.time.size} times"
+                )
+        return replace(
+            self, truth={**self.truth, **{n: np.asarray(v, dtype=float) for n, v in truth.items()}}
+        )
 
     def errors(self, since: float = 0.0) -> dict[str, Error]:
         """By name, where the truth is known, from a time [s] on: before, the start still counts."""
@@ -169,12 +173,24 @@ class Observation(Exported):
         lines = []
         for name in self.outputs:
             unit = self.units[name]
-            last, around = (format_quantity(float(v[name][-1]), unit, 4) for v in (self.values, self.deviations))
+            last, around = (
+                format_quantity(float(v[name][-1]), unit, 4) for v in (self.values, self.deviations)
+            )
             middle = format_quantity(float(np.median(self.deviations[name])), unit)
-            lines.append(f"{name}: {last} ± {around} at the end, standard deviation {middle} as a rule")
+            lines.append(
+                f"{name}: {last} ± {around} at the end, standard deviation {middle} as a rule"
+            )
         low, high = self.nis_range
-        verdict = "consistent" if self.is_consistent else "too sure of itself" if self.nis > high else "too unsure"
-        lines.append(f"innovations squared by measurement: {self.nis:.3f}, 95 %: {low:.3f} to {high:.3f}: {verdict}")
+        verdict = (
+            "consistent"
+            if self.is_consistent
+            else "too sure of itself"
+            if self.nis > high
+            else "too unsure"
+        )
+        lines.append(
+            f"innovations squared by measurement: {self.nis:.3f}, 95 %: {low:.3f} to {high:.3f}: {verdict}"
+        )
         parts = [f"{name} {value:.2f}" for name, value in self.whiteness.items()]
         lines.append(f"correlation of neighbouring innovations: {', '.join(parts)}")
         for name, error in self.errors().items():
@@ -188,7 +204,9 @@ class Observation(Exported):
     def __str__(self) -> str:
         span = f"{len(self.time)} samples from {self.time[0]:g} s to {self.time[-1]:g} s"
         begins = [self.begins] if self.begins else []
-        return "\n".join([f"{self.model}, from {', '.join(self.measured)}: {span}", *begins, *self._lines()])
+        return "\n".join(
+            [f"{self.model}, from {', '.join(self.measured)}: {span}", *begins, *self._lines()]
+        )
 
     def _repr_html_(self) -> str:
         return "".join(f"<p>{escape(line)}</p>" for line in str(self).splitlines())

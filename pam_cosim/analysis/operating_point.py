@@ -50,15 +50,26 @@ class OperatingPoint:
 
     def __str__(self) -> str:
         parts = [f"{self.how}, at {self.time:g} s"] if self.time else [self.how]
-        for title, values in (("states", self.states), ("inputs", self.inputs), ("outputs", self.outputs)):
+        for title, values in (
+            ("states", self.states),
+            ("inputs", self.inputs),
+            ("outputs", self.outputs),
+        ):
             if values:
-                listed = ", ".join(f"{n} = {format_quantity(v, self.units.get(n, ''), 5)}" for n, v in values.items())
+                listed = ", ".join(
+                    f"{n} = {format_quantity(v, self.units.get(n, ''), 5)}"
+                    for n, v in values.items()
+                )
                 parts.append(f"  {title}: {listed}")
         return "\n".join(parts)
 
 
 def present(
-    model: ExchangeModel, outputs: Sequence[str], kind: str, how: str, parameters: Mapping[str, float]
+    model: ExchangeModel,
+    outputs: Sequence[str],
+    kind: str,
+    how: str,
+    parameters: Mapping[str, float],
 ) -> OperatingPoint:
     """The point at which the model is now."""
     inputs = list(model.interface.inputs)
@@ -98,15 +109,21 @@ def go_to_state(model: ExchangeModel, conditions: Mapping[str, float]) -> str:
     if not np.all(np.abs(wanted - reached) <= STILL * size):
         worst = int(np.argmax(np.abs(wanted - reached) / size))
         name, unit = implied[worst], model.unit(implied[worst])
-        aim, nearest = (format_quantity(float(values[worst]), unit, 6) for values in (wanted, reached))
+        aim, nearest = (
+            format_quantity(float(values[worst]), unit, 6) for values in (wanted, reached)
+        )
         raise InputError(
             f"no state was found at which {name} is {aim}: nearest is {nearest}; "
             f"states: {', '.join(model.states) or 'none'}"
         )
-    return "at the state nearest to the start at which " + ", ".join(_said(model, n, conditions[n]) for n in implied)
+    return "at the state nearest to the start at which " + ", ".join(
+        _said(model, n, conditions[n]) for n in implied
+    )
 
 
-def _move_loose(model: ExchangeModel, loose: Sequence[str], implied: Sequence[str], wanted: Array, size: Array) -> None:
+def _move_loose(
+    model: ExchangeModel, loose: Sequence[str], implied: Sequence[str], wanted: Array, size: Array
+) -> None:
     """Moves the loose states, as little as they must over their nominal sizes, to where other variables are wanted."""
     scale = np.array([model.scale(n) for n in loose])
     positions = [model.states.index(n) for n in loose]
@@ -168,7 +185,9 @@ def go_to_rest(model: ExchangeModel, conditions: Mapping[str, float], free: Sequ
                 what += " with " + ", ".join(_said(model, n, v) for n, v in values)
             if state is settled and moved < 0.01:
                 return f"{what}, where a run with constant inputs settles within {duration:g} s"
-            origin = f"the end of a run of {duration:g} s" if state is settled else "the start values"
+            origin = (
+                f"the end of a run of {duration:g} s" if state is settled else "the start values"
+            )
             return f"{what}, found from {origin}"
     raise InputError(_no_rest(model, problem, free, duration))
 
@@ -191,7 +210,9 @@ def _settle(model: ExchangeModel, start: Array, inputs: Array) -> tuple[Array | 
     try:
         while end < _LONGEST * duration:
             span = max(end, duration)
-            state = flow(model, state, np.array([first + end, first + end + span]), constant_course(inputs))[:, -1]
+            state = flow(
+                model, state, np.array([first + end, first + end + span]), constant_course(inputs)
+            )[:, -1]
             end += span
             model.set(first, state, inputs)
             if np.all(np.abs(model.rates()) <= _NEARLY_STILL * np.maximum(np.abs(state), scale)):
@@ -207,14 +228,17 @@ def _settle(model: ExchangeModel, start: Array, inputs: Array) -> tuple[Array | 
 class _Rest:
     """The equations of a rest: no rate, and the conditions; unknown are the states and the free inputs."""
 
-    def __init__(self, model: ExchangeModel, conditions: Mapping[str, float], free: Sequence[str]) -> None:
+    def __init__(
+        self, model: ExchangeModel, conditions: Mapping[str, float], free: Sequence[str]
+    ) -> None:
         self.model, self.free = model, list(free)
         self.held = {n: v for n, v in conditions.items() if n not in model.interface.inputs}
         self.names = [*model.rate_names, *self.held]
         self.unknowns = [*model.states, *self.free]
         self.scale = np.array([model.scale(n) for n in self.unknowns])
         self.size = np.array(
-            [model.scale(n) for n in model.states] + [max(abs(v), model.scale(n)) for n, v in self.held.items()]
+            [model.scale(n) for n in model.states]
+            + [max(abs(v), model.scale(n)) for n, v in self.held.items()]
         )
         self.target = np.array([0.0] * len(model.states) + list(self.held.values()))
         self._places = [list(model.interface.inputs).index(n) for n in self.free]
@@ -231,7 +255,9 @@ class _Rest:
 
     def slope(self, z: Array) -> Array:
         self._go(z)
-        return np.asarray(self.model.jacobian(self.names, self.unknowns)[0] * self.scale / self.size[:, None])
+        return np.asarray(
+            self.model.jacobian(self.names, self.unknowns)[0] * self.scale / self.size[:, None]
+        )
 
     def solve(self) -> float:
         """Solves from where the model is; how far it moved, in nominal sizes."""
@@ -243,7 +269,14 @@ class _Rest:
         begin = np.clip(begin, low, high)
         try:
             point = least_squares(
-                self.residual, begin, self.slope, (low, high), x_scale="jac", xtol=1e-14, ftol=1e-14, gtol=1e-14
+                self.residual,
+                begin,
+                self.slope,
+                (low, high),
+                x_scale="jac",
+                xtol=1e-14,
+                ftol=1e-14,
+                gtol=1e-14,
             ).x
         except (SimulationFailure, ValueError):  # a trial beyond what the model can say
             point = begin
@@ -260,7 +293,9 @@ class _Rest:
 
     def _misses(self) -> Array:
         z = np.append(self.model.state(), self.model.values(self.free))
-        present = np.maximum(np.abs(z[: len(self.model.states)]), self.scale[: len(self.model.states)])
+        present = np.maximum(
+            np.abs(z[: len(self.model.states)]), self.scale[: len(self.model.states)]
+        )
         size = np.append(present, self.size[len(self.model.states) :])
         return np.asarray(np.abs(self.model.values(self.names) - self.target) / size)
 

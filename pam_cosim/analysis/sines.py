@@ -65,8 +65,16 @@ def respond(
     """The response about a rest; each sine begins on the linear model's cycle, so that little is left to settle."""
     linear = linearise_at(model, parameters, conditions, True, free, sines.outputs)
     at = list(linear.inputs).index(sines.input)
-    check_range(model.interface.inputs[sines.input].min, model.interface.inputs[sines.input].max, linear, sines)
-    rest, held = np.array(list(linear.point.states.values())), np.array(list(linear.point.inputs.values()))
+    check_range(
+        model.interface.inputs[sines.input].min,
+        model.interface.inputs[sines.input].max,
+        linear,
+        sines,
+    )
+    rest, held = (
+        np.array(list(linear.point.states.values())),
+        np.array(list(linear.point.inputs.values())),
+    )
     answers = []
     for i, frequency in enumerate(sines.frequencies):
         answers.append(_swing(model, linear, rest, held, at, frequency, sines))
@@ -78,7 +86,9 @@ def respond(
 def check_range(low: float | None, high: float | None, linear: LinearModel, sines: Sines) -> None:
     """Raises InputError where the sine would leave the range of its input."""
     middle = linear.point.inputs[sines.input]
-    if (low is not None and middle - sines.amplitude < low) or (high is not None and middle + sines.amplitude > high):
+    if (low is not None and middle - sines.amplitude < low) or (
+        high is not None and middle + sines.amplitude > high
+    ):
         raise InputError(
             f"{sines.input} would swing between {middle - sines.amplitude:.6g} and {middle + sines.amplitude:.6g} "
             f"{linear.units[sines.input]}, outside of its range; choose a smaller amplitude"
@@ -86,7 +96,13 @@ def check_range(low: float | None, high: float | None, linear: LinearModel, sine
 
 
 def _swing(
-    model: ExchangeModel, linear: LinearModel, rest: Array, held: Array, at: int, frequency: float, sines: Sines
+    model: ExchangeModel,
+    linear: LinearModel,
+    rest: Array,
+    held: Array,
+    at: int,
+    frequency: float,
+    sines: Sines,
 ) -> _Answer:
     omega = 2 * np.pi * frequency
     unit = np.zeros(len(held))
@@ -98,7 +114,9 @@ def _swing(
     begin = rest
     if len(rest):
         # of a sine, the state at phase zero is the imaginary part
-        cycle = np.linalg.solve(1j * omega * np.eye(len(rest)) - linear.A, linear.B[:, at] * sines.amplitude)
+        cycle = np.linalg.solve(
+            1j * omega * np.eye(len(rest)) - linear.A, linear.B[:, at] * sines.amplitude
+        )
         begin = rest + cycle.imag
     ahead, periods, known = begin, 0, None
     mean = np.array([linear.point.outputs[name] for name in sines.outputs])
@@ -114,7 +132,12 @@ def _swing(
 
 
 def _periods(
-    model: ExchangeModel, state: Array, done: int, frequency: float, inputs: InputCourse, outputs: Sequence[str]
+    model: ExchangeModel,
+    state: Array,
+    done: int,
+    frequency: float,
+    inputs: InputCourse,
+    outputs: Sequence[str],
 ) -> tuple[Array, list[Array]]:
     """The state after a batch of periods, and for each of them the outputs (SAMPLES, p)."""
     times = (done + np.arange(_BATCH * SAMPLES + 1) / SAMPLES) / frequency
@@ -141,7 +164,9 @@ class _Spectrum:
     def agrees(self, other: _Spectrum) -> bool:
         """Whether the two periods say the same."""
         near = _SETTLED * np.abs(self.fundamental)
-        changes = np.maximum(np.abs(self.fundamental - other.fundamental), np.abs(self.shift - other.shift))
+        changes = np.maximum(
+            np.abs(self.fundamental - other.fundamental), np.abs(self.shift - other.shift)
+        )
         return bool(np.all(changes <= near))
 
 
@@ -164,19 +189,29 @@ def respond_from_start(
         answers.append(_swing_from_start(simulator, others, middle, frequency, sines))
         if progress is not None:
             progress(i + 1, len(sines.frequencies))
-    units = {name: v.unit for name, v in (interface.inputs | interface.outputs | interface.locals).items()}
+    units = {
+        name: v.unit
+        for name, v in (interface.inputs | interface.outputs | interface.locals).items()
+    }
     return _collected(answers, sines, interface.model, units, None)
 
 
 def _swing_from_start(
-    simulator: AnySimulator, parameters: Mapping[str, float], middle: float, frequency: float, sines: Sines
+    simulator: AnySimulator,
+    parameters: Mapping[str, float],
+    middle: float,
+    frequency: float,
+    sines: Sines,
 ) -> _Answer:
     periods = min(_FIRST_PERIODS, sines.most_periods)
     while True:
         times = np.arange(periods * SAMPLES + 1) / (SAMPLES * frequency)
         course = middle + sines.amplitude * np.sin(2 * np.pi * frequency * times)
         run = simulator.run(
-            times, parameters=parameters, inputs=Inputs(times, {sines.input: course}), outputs=sines.outputs
+            times,
+            parameters=parameters,
+            inputs=Inputs(times, {sines.input: course}),
+            outputs=sines.outputs,
         )
         values = np.array([run[name][:-1] for name in sines.outputs]).T
         # the fundamental of the straight lines between samples
@@ -190,7 +225,11 @@ def _swing_from_start(
 
 
 def _collected(
-    answers: Sequence[_Answer], sines: Sines, model: str, units: Mapping[str, str], linear: LinearModel | None
+    answers: Sequence[_Answer],
+    sines: Sines,
+    model: str,
+    units: Mapping[str, str],
+    linear: LinearModel | None,
 ) -> FrequencyResponse:
     return FrequencyResponse(
         model,

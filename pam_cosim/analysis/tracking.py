@@ -84,7 +84,14 @@ class Tracking(Exported):
         """A row for each frequency."""
         errors = [headed("rms error", self.unit), "relative error", headed("peak error", self.unit)]
         degrees = np.degrees(np.angle(self.gain))
-        columns = (self.frequencies, self.error, self.relative_error, self.peak, np.abs(self.gain), degrees)
+        columns = (
+            self.frequencies,
+            self.error,
+            self.relative_error,
+            self.peak,
+            np.abs(self.gain),
+            degrees,
+        )
         rows = zip(*columns, self.settled, strict=True)
         return ["frequency [Hz]", *errors, "gain", "phase [deg]", "settled"], rows
 
@@ -113,7 +120,10 @@ class Tracking(Exported):
     def __str__(self) -> str:
         rows = self._rows()
         widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
-        lines = ["  ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
+        lines = [
+            "  ".join(f"{cell:>{w}}" for cell, w in zip(row, widths, strict=True)).rstrip()
+            for row in rows
+        ]
         return "\n".join([self._title(), "", *lines])
 
     def _repr_html_(self) -> str:

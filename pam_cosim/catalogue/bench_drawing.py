@@ -51,7 +51,9 @@ class BenchDrawing:
         extent = _extent((x, y), (x + 2 * _HALF, y + 2 * _HALF))
         place = f"annotation (Placement(transformation(extent={extent})))"
         description = string_text(one.part.description)
-        self.components.append(f"{one.part.qualified_name} {one.name}{modifier} {description}\n    {place}")
+        self.components.append(
+            f"{one.part.qualified_name} {one.name}{modifier} {description}\n    {place}"
+        )
 
     def connect(self, one: _End, other: _End) -> None:
         """A line between two connectors."""
@@ -83,7 +85,9 @@ class BenchDrawing:
             extent: of the diagram.
         """
         feed, hold, muscle = parts
-        description = "; ".join([hold.description, *map(_lower, (feed.description, muscle.description))])
+        description = "; ".join(
+            [hold.description, *map(_lower, (feed.description, muscle.description))]
+        )
         modifier = f"({', '.join(bindings)})" if bindings else ""
         declared = [*declarations(self.tree, "input", inputs, *extent)]
         declared += declarations(self.tree, "output", self.outputs, *extent)
@@ -96,7 +100,9 @@ class BenchDrawing:
         notes = ",\n    ".join(filter(None, (diagram, experiment, f"Documentation(info={info})")))
         return "\n".join([*lines, f"  annotation ({notes});", f"end {name};", ""])
 
-    def _documentation(self, parts: Sequence[BenchPart], inputs: Mapping[str, ComponentInfo]) -> Iterator[str]:
+    def _documentation(
+        self, parts: Sequence[BenchPart], inputs: Mapping[str, ComponentInfo]
+    ) -> Iterator[str]:
         yield "<html>"
         yield "".join(f"<p>{escape(part.description)}.</p>" for part in parts)
         yield "<ul>"

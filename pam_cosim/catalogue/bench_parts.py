@@ -63,7 +63,9 @@ def rig_parts(tree: ClassTree) -> list[BenchPart]:
     """Every part of every library, by role; the order is that of the files, the library's own first."""
     parts: list[BenchPart] = []
     for part in _declared(tree):
-        first = part.usual and not any(p.usual for p in parts if (p.role, p.library) == (part.role, part.library))
+        first = part.usual and not any(
+            p.usual for p in parts if (p.role, p.library) == (part.role, part.library)
+        )
         parts.append(part if part.usual == first else replace(part, usual=False))
     return parts
 
@@ -103,7 +105,9 @@ def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart
 def _usual(choices: Sequence[BenchPart], role: str) -> BenchPart:
     usual = next((part for part in choices if part.usual), None)
     if usual is None:
-        raise InputError(f"name the {role}; known: {', '.join(part.name for part in choices) or 'none'}")
+        raise InputError(
+            f"name the {role}; known: {', '.join(part.name for part in choices) or 'none'}"
+        )
     return usual
 
 
@@ -119,7 +123,11 @@ def _bare(name: str) -> str:
 
 def connectors(tree: ClassTree, name: str) -> list[ComponentInfo]:
     """The public connectors of a class, in the order of their declaration."""
-    return [c for c in tree.components(name) if "protected" not in c.prefixes and is_connector(tree, c.type)]
+    return [
+        c
+        for c in tree.components(name)
+        if "protected" not in c.prefixes and is_connector(tree, c.type)
+    ]
 
 
 def free_inputs(tree: ClassTree, name: str) -> list[ComponentInfo]:
@@ -146,7 +154,9 @@ def known_parameters(tree: ClassTree, name: str) -> list[ComponentInfo]:
 
 
 def _public(tree: ClassTree, name: str, prefix: str) -> list[ComponentInfo]:
-    return [c for c in tree.components(name) if prefix in c.prefixes and "protected" not in c.prefixes]
+    return [
+        c for c in tree.components(name) if prefix in c.prefixes and "protected" not in c.prefixes
+    ]
 
 
 def _bound(tree: ClassTree, name: str) -> set[str]:
@@ -159,7 +169,9 @@ def _bound(tree: ClassTree, name: str) -> set[str]:
 def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
     info, short = tree.classes[name], names.last(name)
     shows = str(tree.constant(name, "shows") or "")
-    signals = [c.name for c in measured_outputs(tree, name)] if role == "instrument" else split(shows)
+    signals = (
+        [c.name for c in measured_outputs(tree, name)] if role == "instrument" else split(shows)
+    )
     return BenchPart(
         role=role,
         name=kebab(short),
@@ -167,7 +179,9 @@ def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
         description=info.description,
         inputs=tuple(c.name for c in free_inputs(tree, name)),
         signals=tuple(signals),
-        parameters=tuple(c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()),
+        parameters=tuple(
+            c.name for c in known_parameters(tree, name) if {"min", "max"} <= c.modifications.keys()
+        ),
         component_name=component_name(short, next(filter(None, _stated_names(tree, name)), "")),
         library=library,
         usual=bool(tree.constant(name, "usual")),
@@ -177,7 +191,10 @@ def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
 
 def _stated_names(tree: ClassTree, name: str) -> Iterator[str]:
     """What a class and its bases say that their instances are called: a muscle of one's own is a muscle too."""
-    return (tree.classes[one].annotations.get("defaultComponentName", "") for one in (name, *tree.bases(name)))
+    return (
+        tree.classes[one].annotations.get("defaultComponentName", "")
+        for one in (name, *tree.bases(name))
+    )
 
 
 def split(listed: str) -> list[str]:

@@ -94,7 +94,11 @@ class _Draft:
 
     def _surrounded(self, effect: EffectClass) -> bool:
         """Whether the model declares what the effect takes from its surroundings."""
-        outer = [(c.name, c.type) for c in self.tree.components(effect.qualified_name) if "outer" in c.prefixes]
+        outer = [
+            (c.name, c.type)
+            for c in self.tree.components(effect.qualified_name)
+            if "outer" in c.prefixes
+        ]
         return surrounds(self.tree, self.structure.model, outer)
 
     def _lies_beside(self, effect: EffectClass) -> bool:
@@ -116,7 +120,9 @@ class _Draft:
 
     def _redeclare(self, effect: EffectClass, slot: Slot) -> None:
         self.filled.add((slot.path, slot.name))
-        self.modifications.append((slot.path, f"redeclare model {slot.name} = {effect.qualified_name}"))
+        self.modifications.append(
+            (slot.path, f"redeclare model {slot.name} = {effect.qualified_name}")
+        )
         users = [p for p in self.structure.parts if _parent(p.path) == slot.path and _uses(p, slot)]
         own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
         self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
@@ -128,7 +134,9 @@ class _Draft:
         for part in self.structure.parts:
             if not part.path or names.parent(part.path) or is_effect(part.bases):
                 continue
-            shared = [b for b in bases if b in part.bases and needed and needed <= self._connectors(b)]
+            shared = [
+                b for b in bases if b in part.bases and needed and needed <= self._connectors(b)
+            ]
             if shared:
                 hosts.append((part, shared[0]))
         return hosts
@@ -142,7 +150,9 @@ class _Draft:
             bindings += [f"{names.last(full)}={full}" for full in first]
         else:
             self.parameters[effect.name] = tuple(f"{name}.{p}" for p in effect.parameters)
-        self.components.append(_Component(name, effect.qualified_name, effect.description, tuple(bindings)))
+        self.components.append(
+            _Component(name, effect.qualified_name, effect.description, tuple(bindings))
+        )
         for connector in sorted(self._connectors(terminals)):
             self.connections.append(f"connect({name}.{connector}, {host.path}.{connector})")
 
@@ -194,7 +204,9 @@ def compose(
         InputError: an unknown effect.
         ModelError: the model cannot be found or put together.
     """
-    return compose_on(tree, read_structure(qualified(tree, model), files=files), effects, name, values)
+    return compose_on(
+        tree, read_structure(qualified(tree, model), files=files), effects, name, values
+    )
 
 
 def compose_on(
@@ -222,16 +234,26 @@ def compose_on(
     made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
     chosen = names.identifier(name or base + (made or "Alone"))
     text = _text(chosen, structure, draft, classes, ratios)
-    return Composition(chosen, text, draft.parameters, structure.model, _typical(classes, draft.parameters))
+    return Composition(
+        chosen, text, draft.parameters, structure.model, _typical(classes, draft.parameters)
+    )
 
 
-def _typical(classes: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]) -> dict[str, tuple[float, float]]:
+def _typical(
+    classes: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]
+) -> dict[str, tuple[float, float]]:
     """Typical ranges of the parameters of effects by their full names."""
-    every = [(full, effect.typical.get(names.last(full))) for effect in classes for full in parameters[effect.name]]
+    every = [
+        (full, effect.typical.get(names.last(full)))
+        for effect in classes
+        for full in parameters[effect.name]
+    ]
     return {full: known for full, known in every if known is not None}
 
 
-def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) -> list[EffectClass] | None:
+def _effects_of(
+    tree: ClassTree, structure: Structure, wanted: Sequence[str]
+) -> list[EffectClass] | None:
     """The classes of effects by name; None where one of them is of another library than the model.
 
     Raises:
@@ -256,9 +278,18 @@ def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:
     return own + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
 
 
-def _text(name: str, structure: Structure, draft: _Draft, effects: Sequence[EffectClass], ratios: Sequence[str]) -> str:
+def _text(
+    name: str,
+    structure: Structure,
+    draft: _Draft,
+    effects: Sequence[EffectClass],
+    ratios: Sequence[str],
+) -> str:
     base = structure.model
-    said = [*(e.description for e in effects), *(f"{parameter_of(r)} is not as stated" for r in ratios)]
+    said = [
+        *(e.description for e in effects),
+        *(f"{parameter_of(r)} is not as stated" for r in ratios),
+    ]
     says = f"{names.last(base)}, and: {'; '.join(said)}" if said else names.last(base)
     lines = [f"model {name} {string_text(says)}"]
     if draft.modifications:

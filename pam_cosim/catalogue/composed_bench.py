@@ -99,10 +99,15 @@ class _Composer:
         self.static = static
         self.tree, self.feed, self.hold, self.held = tree, feed, hold, held
         if len({part.library for part in (feed, hold, held)}) > 1:
-            raise InputError(f"{feed.name}, {hold.name} and {held.name} are parts of different libraries")
+            raise InputError(
+                f"{feed.name}, {hold.name} and {held.name} are parts of different libraries"
+            )
         self.taken: set[str] = set()
         self.drawing = BenchDrawing(tree)
-        self.ends, outlets = connectors(tree, hold.qualified_name), connectors(tree, feed.qualified_name)
+        self.ends, outlets = (
+            connectors(tree, hold.qualified_name),
+            connectors(tree, feed.qualified_name),
+        )
         for part, ends in ((hold, self.ends), (feed, outlets)):
             if not ends:
                 raise ModelError(f"{part.qualified_name} has no connector for a muscle", part.file)
@@ -117,12 +122,18 @@ class _Composer:
 
     def _inputs(self) -> dict[str, tuple[BenchPart, int, ComponentInfo]]:
         inputs: dict[str, tuple[BenchPart, int, ComponentInfo]] = {}
-        sides = [(self.feed, n) for n in self.numbers] + [(self.held, n) for n in self.numbers] + [(self.hold, 0)]
+        sides = (
+            [(self.feed, n) for n in self.numbers]
+            + [(self.held, n) for n in self.numbers]
+            + [(self.hold, 0)]
+        )
         for part, number in sides:
             for declared in free_inputs(self.tree, part.qualified_name):
                 signal = _numbered(declared.name, number)
                 if signal in inputs:
-                    raise InputError(f"{part.name} and {inputs[signal][0].name} both have an input '{signal}'")
+                    raise InputError(
+                        f"{part.name} and {inputs[signal][0].name} both have an input '{signal}'"
+                    )
                 inputs[signal] = (part, number, declared)
         return inputs
 
@@ -137,12 +148,18 @@ class _Composer:
             for n in self.numbers
         }
         if measure is None:
-            usual = [s for one in (*self.feed.signals, *self.hold.signals) for s in self._meant(one, known)]
+            usual = [
+                s
+                for one in (*self.feed.signals, *self.hold.signals)
+                for s in self._meant(one, known)
+            ]
             wanted = dict.fromkeys(signal for signal in usual if signal not in self.inputs)
         else:
             wanted = self._wanted(_asked(measure), known)
         if not wanted:
-            raise InputError(f"the rig measures nothing; name signals to measure: {', '.join(known)}")
+            raise InputError(
+                f"the rig measures nothing; name signals to measure: {', '.join(known)}"
+            )
         return [(signal, *known[signal]) for signal in wanted]
 
     def _meant(self, signal: str, known: Container[str]) -> list[str]:
@@ -161,12 +178,16 @@ class _Composer:
         for signal in asked:
             meant = self._meant(signal, known)
             if not meant:
-                raise InputError(f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, known)}")
+                raise InputError(
+                    f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, known)}"
+                )
             wanted |= dict.fromkeys(meant)
         imposed = next((signal for signal in wanted if signal in self.inputs), None)
         if imposed is not None:
             part = self.inputs[imposed][0].name
-            raise InputError(f"'{imposed}' is imposed with {part}: it is an input of the rig and is not measured")
+            raise InputError(
+                f"'{imposed}' is imposed with {part}: it is an input of the rig and is not measured"
+            )
         return wanted
 
     # ---- places of the parts ---------------------------------------------------------------------------------------
@@ -202,14 +223,18 @@ class _Composer:
         text = self._text(name, frame, everything)
         inputs = (BRANCH, *self.inputs) if self.static else tuple(self.inputs)
         outputs = tuple(signal for signal, _, _ in self.measured)
-        return ComposedBench(name, text, inputs, outputs, tuple(dict.fromkeys(one.part for one in everything)))
+        return ComposedBench(
+            name, text, inputs, outputs, tuple(dict.fromkeys(one.part for one in everything))
+        )
 
     def _instruments(self, columns: Mapping[int, int]) -> list[PlacedPart]:
         """One of each kind at each muscle, however many signals it reads."""
         placed: list[PlacedPart] = []
         for _, number, part in self.measured:
             if (part, number) not in [(one.part, one.number) for one in placed]:
-                placed.append(self._place(part, number, self._corner(part, columns[number], placed, number)))
+                placed.append(
+                    self._place(part, number, self._corner(part, columns[number], placed, number))
+                )
         return placed
 
     def _title(self) -> str:
@@ -218,7 +243,9 @@ class _Composer:
         own = "" if self.held.usual else names.last(self.held.qualified_name)
         return f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}{own}"
 
-    def _corner(self, part: BenchPart, x: int, placed: Sequence[PlacedPart], number: int) -> tuple[int, int]:
+    def _corner(
+        self, part: BenchPart, x: int, placed: Sequence[PlacedPart], number: int
+    ) -> tuple[int, int]:
         """Lower left of an instrument: between the parts, or beside the muscle."""
         (first, *others) = connectors(self.tree, part.qualified_name)
         at_port = first.type == self.outlet.type
@@ -240,37 +267,55 @@ class _Composer:
         needed = {outer for part in parts for outer in _outers(tree, part.qualified_name, set())}
         frames = sorted([base, *tree.subtypes(base)], key=lambda name: len(tree.bases(name)))
         for frame in frames:
-            if self.static != any(c.name == BRANCH and "input" in c.prefixes for c in tree.components(frame)):
+            if self.static != any(
+                c.name == BRANCH and "input" in c.prefixes for c in tree.components(frame)
+            ):
                 continue
             if surrounds(tree, frame, needed):
                 return frame
         missing = ", ".join(sorted(name for name, _ in needed))
-        raise ModelError(f"no class that extends {base} declares what these parts look for around them: {missing}")
+        raise ModelError(
+            f"no class that extends {base} declares what these parts look for around them: {missing}"
+        )
 
     # ---- components and connections --------------------------------------------------------------------------------
 
-    def _bindings(self, of: str, everything: Sequence[PlacedPart], one: PlacedPart | None = None) -> list[str]:
+    def _bindings(
+        self, of: str, everything: Sequence[PlacedPart], one: PlacedPart | None = None
+    ) -> list[str]:
         """Values for the parameters of a class that have none, from the parts that have one of that name."""
         bindings = []
         for parameter in (c.name for c in open_parameters(self.tree, of)):
-            donors = [other for other in everything if other is not one and self._has(other, parameter)]
+            donors = [
+                other for other in everything if other is not one and self._has(other, parameter)
+            ]
             if not donors:
-                raise ModelError(f"the parameter {parameter} of {of} has no value, and no other part of the rig has it")
+                raise ModelError(
+                    f"the parameter {parameter} of {of} has no value, and no other part of the rig has it"
+                )
             number = one.number if one is not None else 0
             donor = next((other for other in donors if other.number in (0, number)), donors[0])
             bindings.append(f"{parameter}={donor.name}.{parameter}")
         return bindings
 
     def _has(self, one: PlacedPart, parameter: str) -> bool:
-        return any(c.name == parameter for c in known_parameters(self.tree, one.part.qualified_name))
+        return any(
+            c.name == parameter for c in known_parameters(self.tree, one.part.qualified_name)
+        )
 
     def _join(
-        self, side: PlacedPart, end: ComponentInfo, muscle: PlacedPart, instruments: Sequence[PlacedPart]
+        self,
+        side: PlacedPart,
+        end: ComponentInfo,
+        muscle: PlacedPart,
+        instruments: Sequence[PlacedPart],
     ) -> None:
         """Connects a part with the end of the muscle that has its type, through what lies between."""
         ends = [c for c in connectors(self.tree, muscle.part.qualified_name) if c.type == end.type]
         if not ends:
-            raise InputError(f"{muscle.part.name} and {side.part.name} do not fit together: nothing takes '{end.name}'")
+            raise InputError(
+                f"{muscle.part.name} and {side.part.name} do not fit together: nothing takes '{end.name}'"
+            )
         last = muscle_end = (muscle, ends[0])
         for instrument in instruments:
             own = connectors(self.tree, instrument.part.qualified_name)
@@ -284,7 +329,11 @@ class _Composer:
         self.drawing.connect(last, (side, end))
 
     def _component(self, one: PlacedPart, everything: Sequence[PlacedPart]) -> None:
-        bound = [f"{d.name}={s}" for s, (part, n, d) in self.inputs.items() if (part, n) == (one.part, one.number)]
+        bound = [
+            f"{d.name}={s}"
+            for s, (part, n, d) in self.inputs.items()
+            if (part, n) == (one.part, one.number)
+        ]
         self.drawing.add(one, [*bound, *self._bindings(one.part.qualified_name, everything, one)])
 
     def _signal(self, signal: str, reader: PlacedPart) -> None:
@@ -297,7 +346,9 @@ class _Composer:
         low = (-190, min(one.corner[1] for one in everything) - 20)
         high = (160 + 320 * (len(self.numbers) - 1), 120)
         bindings = self._bindings(frame, everything)
-        return self.drawing.text(name, frame, bindings, (self.feed, self.hold, self.held), inputs, (low, high))
+        return self.drawing.text(
+            name, frame, bindings, (self.feed, self.hold, self.held), inputs, (low, high)
+        )
 
 
 def _numbered(name: str, number: int) -> str:

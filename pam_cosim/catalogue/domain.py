@@ -56,13 +56,30 @@ def _read(tree: ClassTree, record: str) -> Domain:
             continue
         if not _fits(value, _ROWS[field.name]):
             info = tree.classes[record]
-            raise ModelError(f"{record}: {field.name} must be {_FORMS[_ROWS[field.name]]}", info.file, info.line)
+            raise ModelError(
+                f"{record}: {field.name} must be {_FORMS[_ROWS[field.name]]}", info.file, info.line
+            )
         values[field.name] = value
     return Domain(**values)
 
 
-_ROWS = {"tested": -1, "balances": 0, "moving": 0, "axes": 0, "planes": 2, "instruments": 2, "confused": 3, "phases": 4}
-_FORMS = {-1: "a text", 0: "texts in braces", 2: "rows of 2 texts", 3: "rows of 3 texts", 4: "rows of 4 texts"}
+_ROWS = {
+    "tested": -1,
+    "balances": 0,
+    "moving": 0,
+    "axes": 0,
+    "planes": 2,
+    "instruments": 2,
+    "confused": 3,
+    "phases": 4,
+}
+_FORMS = {
+    -1: "a text",
+    0: "texts in braces",
+    2: "rows of 2 texts",
+    3: "rows of 3 texts",
+    4: "rows of 4 texts",
+}
 
 
 def _fits(value: Constant, columns: int) -> bool:

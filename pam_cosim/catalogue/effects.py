@@ -96,7 +96,11 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
     for saying in ("family", "balance"):
         value = tree.constant(name, saying)
         if not isinstance(value, str) or not value:
-            raise ModelError(f'effect {short} must say its {saying}: extends ...({saying}="...")', info.file, info.line)
+            raise ModelError(
+                f'effect {short} must say its {saying}: extends ...({saying}="...")',
+                info.file,
+                info.line,
+            )
         sayings[saying] = value
     own = [
         c
@@ -140,7 +144,9 @@ def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:
         try:
             values[name.strip()] = float(value)
         except ValueError:
-            raise ModelError(f"absent wants parameters with numbers, such as k=0, not {part!r}", file, line) from None
+            raise ModelError(
+                f"absent wants parameters with numbers, such as k=0, not {part!r}", file, line
+            ) from None
     return values
 
 

@@ -16,7 +16,9 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.units import quotient
 
 
-def with_input_maps(tree: ClassTree, base: str, interface: Interface, maps: Sequence[InputMap]) -> Composition:
+def with_input_maps(
+    tree: ClassTree, base: str, interface: Interface, maps: Sequence[InputMap]
+) -> Composition:
     """The class that extends a model and binds some of its inputs.
 
     Args:
@@ -25,7 +27,9 @@ def with_input_maps(tree: ClassTree, base: str, interface: Interface, maps: Sequ
         interface: of the model.
         maps: one for each of these inputs.
     """
-    name = names.identifier(f"{names.unquoted(names.last(base))}With{'And'.join(_title(one) for one in maps)}")
+    name = names.identifier(
+        f"{names.unquoted(names.last(base))}With{'And'.join(_title(one) for one in maps)}"
+    )
     bindings = ", ".join(f"{one.name}={_binding(one)}" for one in maps)
     says = f"{names.last(base)}, with {' and '.join(_says(one) for one in maps)}"
     lines = [f"model {name} {string_text(says)}", f"  extends {base}({bindings});"]
@@ -52,15 +56,26 @@ def _binding(one: InputMap) -> str:
 def _declarations(one: InputMap, interface: Interface) -> list[str]:
     known = interface.inputs[one.name]
     if one.raw is None:
-        ends = [f"{key}={end!r}" for key, end in (("min", known.min), ("max", known.max)) if end is not None]
+        ends = [
+            f"{key}={end!r}"
+            for key, end in (("min", known.min), ("max", known.max))
+            if end is not None
+        ]
         says = f"{known.description or one.name}, the same all the time"
         return [_parameter(constant_of(one.name), one.unit, one.offset, says, ends)]
     start = ((known.start or 0.0) - one.offset) / one.gain if one.gain else 0.0
     return [
         f'input Real {raw_of(one.name)}(unit="{one.raw}", start={start!r}) '
         f"{string_text(f'What was recorded in the place of {one.name}')}",
-        _parameter(gain_of(one.name), quotient(one.unit, one.raw), one.gain, f"{one.name} by what was recorded"),
-        _parameter(offset_of(one.name), one.unit, one.offset, f"{one.name} where what was recorded is zero"),
+        _parameter(
+            gain_of(one.name),
+            quotient(one.unit, one.raw),
+            one.gain,
+            f"{one.name} by what was recorded",
+        ),
+        _parameter(
+            offset_of(one.name), one.unit, one.offset, f"{one.name} where what was recorded is zero"
+        ),
     ]
 
 

@@ -43,7 +43,11 @@ def benches(tree: ClassTree) -> list[str]:
     """Full names of the benches."""
     homes = [f"{library}.{BENCHES}" for library in libraries(tree)]
     inside = [name for name in tree.classes if names.parent(name) in homes]
-    return [name for name in inside if tree.classes[name].kind == "model" and not tree.classes[name].partial]
+    return [
+        name
+        for name in inside
+        if tree.classes[name].kind == "model" and not tree.classes[name].partial
+    ]
 
 
 def qualified(tree: ClassTree, model: str) -> str:
@@ -57,18 +61,30 @@ def qualified(tree: ClassTree, model: str) -> str:
 
 def possible_names(model: str, packages: Sequence[str]) -> list[str]:
     """What a name may stand for, the likeliest first."""
-    return [*(f"{p}.{BENCHES}.{model}" for p in packages), model, *(f"{p}.{model}" for p in packages)]
+    return [
+        *(f"{p}.{BENCHES}.{model}" for p in packages),
+        model,
+        *(f"{p}.{model}" for p in packages),
+    ]
 
 
 def is_connector(tree: ClassTree, name: str) -> bool:
     """Whether a class is a connector of potentials and flows; a signal such as RealInput is none."""
-    return name in tree.classes and tree.classes[name].kind == "connector" and not is_signal(tree, name)
+    return (
+        name in tree.classes
+        and tree.classes[name].kind == "connector"
+        and not is_signal(tree, name)
+    )
 
 
 def is_signal(tree: ClassTree, name: str) -> bool:
     """Whether a class is the connector of an input or an output, as RealInput of Modelica.Blocks is."""
     info = tree.classes.get(name)
-    return info is not None and info.kind == "connector" and not info.prefixes.isdisjoint(("input", "output"))
+    return (
+        info is not None
+        and info.kind == "connector"
+        and not info.prefixes.isdisjoint(("input", "output"))
+    )
 
 
 def surrounds(tree: ClassTree, model: str, needed: Iterable[tuple[str, str]]) -> bool:

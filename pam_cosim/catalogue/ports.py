@@ -5,7 +5,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 from functools import lru_cache
 
-from pam_cosim.catalogue.bench_parts import BenchPart, chosen, connectors, free_inputs, measured_outputs, rig_parts
+from pam_cosim.catalogue.bench_parts import (
+    BenchPart,
+    chosen,
+    connectors,
+    free_inputs,
+    measured_outputs,
+    rig_parts,
+)
 from pam_cosim.catalogue.place import benches
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_tree import ComponentInfo
@@ -53,7 +60,10 @@ def ports(tree: ClassTree) -> tuple[Ports, ...]:
     rigs = (
         Ports(
             f"{feed.name} and {hold.name}",
-            _variables(tree, [*free_inputs(tree, feed.qualified_name), *free_inputs(tree, hold.qualified_name)]),
+            _variables(
+                tree,
+                [*free_inputs(tree, feed.qualified_name), *free_inputs(tree, hold.qualified_name)],
+            ),
             readings[feed.library],
             (feed.qualified_name, hold.qualified_name),
             1 + len(feed.parameters) + len(hold.parameters),

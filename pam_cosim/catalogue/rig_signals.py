@@ -41,7 +41,11 @@ def _declaration(declared: ComponentInfo, name: str) -> str:
     """A variable of a part under another name, without its value."""
     attributes = declared.text
     if declared.value:
-        attributes = attributes.removesuffix(f"={declared.value}").removesuffix(f"= {declared.value}").strip()
+        attributes = (
+            attributes.removesuffix(f"={declared.value}")
+            .removesuffix(f"= {declared.value}")
+            .strip()
+        )
     sizes = f"[{', '.join(declared.dimensions)}]" if declared.dimensions else ""
     return f"{declared.type} {name}{sizes}{attributes} {string_text(declared.description)}"
 

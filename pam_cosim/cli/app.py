@@ -18,11 +18,37 @@ from pam_cosim import renamed
 from pam_cosim.cli.commands.common import INTERRUPTED, interrupted, remarks, results
 from pam_cosim.errors import InputError, SimulationFailure
 
-_RUN = ("build", "describe", "simulate", "sweep", "couple", "linearise", "bode", "observe", "track", "actuator")
-_STUDY = ("new", "check", "compare", "fit", "diagnose", "plan", "predict", "add", "effects", "bench")
+_RUN = (
+    "build",
+    "describe",
+    "simulate",
+    "sweep",
+    "couple",
+    "linearise",
+    "bode",
+    "observe",
+    "track",
+    "actuator",
+)
+_STUDY = (
+    "new",
+    "check",
+    "compare",
+    "fit",
+    "diagnose",
+    "plan",
+    "predict",
+    "add",
+    "effects",
+    "bench",
+)
 _SHOW = ("workbench", "demo")
 COMMANDS = _RUN + _STUDY + _SHOW
-_STYLE: dict[str, Any] = {"add_completion": False, "pretty_exceptions_enable": False, "rich_markup_mode": None}
+_STYLE: dict[str, Any] = {
+    "add_completion": False,
+    "pretty_exceptions_enable": False,
+    "rich_markup_mode": None,
+}
 
 
 class _Commands(Mapping[str, Any]):
@@ -80,7 +106,9 @@ app = typer.Typer(
 
 @app.callback(invoke_without_command=True)
 def version(
-    shown: Annotated[bool, typer.Option("--version", help="Say which version this is.", is_eager=True)] = False,
+    shown: Annotated[
+        bool, typer.Option("--version", help="Say which version this is.", is_eager=True)
+    ] = False,
 ) -> None:
     """Compare models with measurements and find the physical effect they lack."""
     if shown:

@@ -30,17 +30,23 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
     """
     if output.suffix.lower() == ".fmu":
         if len(models) != 1:
-            raise InputError(f"this is one file, for {len(models)} models; name one model, or a folder", output)
+            raise InputError(
+                f"this is one file, for {len(models)} models; name one model, or a folder", output
+            )
         return [(models[0], output)]
     files: dict[Path, str] = {}
     for model in models:
         name = Path(model).stem if is_file(model) else model_identifier(names.last(model))
         if files.setdefault(output / f"{name}.fmu", model) != model:
-            raise InputError(f"two models would be written to '{name}.fmu'; build them into two folders", output)
+            raise InputError(
+                f"two models would be written to '{name}.fmu'; build them into two folders", output
+            )
     return [(model, file) for file, model in files.items()]
 
 
-def file_and_variables(words: Sequence[str], interface: Callable[[], Interface]) -> tuple[Path | None, list[str]]:
+def file_and_variables(
+    words: Sequence[str], interface: Callable[[], Interface]
+) -> tuple[Path | None, list[str]]:
     """The file that ``--output`` names, and the variables of the model, which it named before version 0.2.0.
 
     Raises:
@@ -51,7 +57,9 @@ def file_and_variables(words: Sequence[str], interface: Callable[[], Interface])
     variables = [word for word in unsure if word in known]
     files = [Path(word) for word in words if word not in variables]
     if len(files) > 1:
-        raise InputError(f"-o names {len(files)} files, {' and '.join(map(str, files))}; a variable is kept by --keep")
+        raise InputError(
+            f"-o names {len(files)} files, {' and '.join(map(str, files))}; a variable is kept by --keep"
+        )
     return (files[0] if files else None), variables
 
 
@@ -98,7 +106,11 @@ def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list
     """
     if list(words) == ["rest"]:
         return "rest"
-    pairs = [_split(part, 'NAME=VALUE, such as "p=6 bar", or rest') for word in words for part in _parts(word)]
+    pairs = [
+        _split(part, 'NAME=VALUE, such as "p=6 bar", or rest')
+        for word in words
+        for part in _parts(word)
+    ]
     names = [name for name, _ in pairs]
     if set(names) == {"time"}:
         return [value_of(text, Variable("time", "s")) for _, text in pairs]
@@ -106,7 +118,9 @@ def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list
     if twice is not None:
         raise InputError(f"'{twice}' is given twice")
     if "time" in names:
-        raise InputError("a time is of a run and has its state; give either times or values of a state")
+        raise InputError(
+            "a time is of a run and has its state; give either times or values of a state"
+        )
     return dict(pairs)
 
 
@@ -155,7 +169,9 @@ def parse_cuts(words: Sequence[str]) -> dict[str, tuple[str | None, str | None]]
         run, text = _split(word, "RUN=FROM:TO, such as run-03=2.5:10")
         begin, colon, end = (part.strip() for part in text.partition(":"))
         if not colon or ":" in end:
-            raise InputError(f"'{word}': write RUN=FROM:TO; one of the times may be left out, such as run-03=2.5:")
+            raise InputError(
+                f"'{word}': write RUN=FROM:TO; one of the times may be left out, such as run-03=2.5:"
+            )
         if run in cuts:
             raise InputError(f"'{run}' is cut twice")
         cuts[run] = (begin or None, end or None)

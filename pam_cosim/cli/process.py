@@ -59,7 +59,9 @@ class _Command:
         self.make_scratch()
         # what tracks semaphores removes them also where this process ends without a word, and need not say so
         quiet = "ignore:resource_tracker:UserWarning"
-        os.environ["PYTHONWARNINGS"] = ",".join(filter(None, (os.environ.get("PYTHONWARNINGS"), quiet)))
+        os.environ["PYTHONWARNINGS"] = ",".join(
+            filter(None, (os.environ.get("PYTHONWARNINGS"), quiet))
+        )
         from pam_cosim.cli.app import load, main
         from pam_cosim.cli.commands.common import interrupted
 

@@ -1,9 +1,20 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
 from pam_cosim.comparison.compare import Comparison, compare, scored
-from pam_cosim.comparison.condition_table import STATISTICS, Condition, ConditionTable, Statistic, write_tables
+from pam_cosim.comparison.condition_table import (
+    STATISTICS,
+    Condition,
+    ConditionTable,
+    Statistic,
+    write_tables,
+)
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
-from pam_cosim.comparison.initial_state import InitialState, initial_state, measured_initial_state, start_time
+from pam_cosim.comparison.initial_state import (
+    InitialState,
+    initial_state,
+    measured_initial_state,
+    start_time,
+)
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility

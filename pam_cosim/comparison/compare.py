@@ -50,7 +50,9 @@ class Comparison(Printed):
 
     def chi2_reduced(self, role: str = "all") -> float:
         """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""
-        return chi2_reduced({n: s for n, s in self.scores[role].items() if self.data.signals[n].fitted})
+        return chi2_reduced(
+            {n: s for n, s in self.scores[role].items() if self.data.signals[n].fitted}
+        )
 
     def against(self, data: DataSet) -> Comparison:
         """The same simulations beside other samples: ``data`` has the same runs, some of their samples set aside."""
@@ -84,7 +86,13 @@ class Comparison(Printed):
         if chosen not in measured:
             raise InputError(f"no run has samples of '{chosen}'; {did_you_mean(chosen, measured)}")
         return condition_table(
-            self.model, self.runs, self.data.signals[chosen], rows, columns, self.units, self.parameters
+            self.model,
+            self.runs,
+            self.data.signals[chosen],
+            rows,
+            columns,
+            self.units,
+            self.parameters,
         )
 
     def _solvers(self) -> list[str]:
@@ -125,9 +133,15 @@ class Comparison(Printed):
             for name, s in self.scores[role].items():
                 signal = self.data.signals[name]
                 unit, scatter = signal.unit, signal.scatter
-                noise = "" if s.noise_rmse != s.noise_rmse else f", {scatter} {format_quantity(s.noise_rmse, unit)}"
+                noise = (
+                    ""
+                    if s.noise_rmse != s.noise_rmse
+                    else f", {scatter} {format_quantity(s.noise_rmse, unit)}"
+                )
                 share = f"{100 * s.nrmse:.1f} % of range{noise}"
-                lines.append(f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share})")
+                lines.append(
+                    f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share})"
+                )
         for rule in self.where[:5]:
             lines.append(
                 f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "
@@ -179,14 +193,20 @@ def scored(
 ) -> Comparison:
     """Scores runs that were simulated with ``parameters`` [SI] of the model with ``interface``; see ``compare``."""
     known = dict(parameters)
-    sits = where(runs, data.signals, interface.outputs, data.domain, interface.inputs) if rules else []
+    sits = (
+        where(runs, data.signals, interface.outputs, data.domain, interface.inputs) if rules else []
+    )
     settable = interface.settable
     named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
     units = {name: settable[name].unit for name in named if name in settable}
-    return Comparison(interface.model, data, known, tuple(runs), _scores(data, runs), tuple(sits), units)
+    return Comparison(
+        interface.model, data, known, tuple(runs), _scores(data, runs), tuple(sits), units
+    )
 
 
 def _scores(data: DataSet, runs: Sequence[RunComparison]) -> dict[str, dict[str, SignalScore]]:
     """Scores of the runs of each role, and of all."""
-    by_role = {role: [r for r in runs if r.run.role == role] for role in ROLES} | {"all": list(runs)}
+    by_role = {role: [r for r in runs if r.run.role == role] for role in ROLES} | {
+        "all": list(runs)
+    }
     return {role: score(chosen, data.signals) for role, chosen in by_role.items()}

@@ -91,7 +91,11 @@ class ConditionTable(Printed):
             "signal": self.signal,
             "unit": self.unit,
             "rows": {"name": self.rows.name, "unit": self.rows.unit, "values": self.rows.values},
-            "columns": {"name": self.columns.name, "unit": self.columns.unit, "values": self.columns.values},
+            "columns": {
+                "name": self.columns.name,
+                "unit": self.columns.unit,
+                "values": self.columns.values,
+            },
             "samples": self.samples.astype(int),
             **{statistic: self._statistic_as_dict(statistic) for statistic in STATISTICS},
         }
@@ -109,13 +113,21 @@ class ConditionTable(Printed):
         """The table as cells of text: a heading, a row for each condition, mean and standard deviation around them."""
         head = [f"{self.rows.name} \\ {self.columns.name}", *self.columns.labels, "mean ± sd"]
         body = [
-            [label, *(self._text(v, statistic) for v in row), self._spread_text(mean, sd, statistic)]
+            [
+                label,
+                *(self._text(v, statistic) for v in row),
+                self._spread_text(mean, sd, statistic),
+            ]
             for label, row, mean, sd in zip(
                 self.rows.labels, self.values(statistic), *self.by_row(statistic), strict=True
             )
         ]
         columns = zip(*self.by_column(statistic), strict=True)
-        return [head, *body, ["mean ± sd", *(self._spread_text(m, s, statistic) for m, s in columns), ""]]
+        return [
+            head,
+            *body,
+            ["mean ± sd", *(self._spread_text(m, s, statistic) for m, s in columns), ""],
+        ]
 
     def title(self, statistic: Statistic) -> str:
         """What the numbers are, with their unit."""
@@ -125,16 +137,26 @@ class ConditionTable(Printed):
     def _text(self, value: float, statistic: Statistic) -> str:
         if not np.isfinite(value):
             return "-"
-        return f"{value:.4f}" if statistic == "correlation" else f"{value * self._factor(statistic):.4g}"
+        return (
+            f"{value:.4f}"
+            if statistic == "correlation"
+            else f"{value * self._factor(statistic):.4g}"
+        )
 
     def _spread_text(self, mean: float, deviation: float, statistic: Statistic) -> str:
-        return "-" if not np.isfinite(mean) else f"{self._text(mean, statistic)} ± {self._text(deviation, statistic)}"
+        return (
+            "-"
+            if not np.isfinite(mean)
+            else f"{self._text(mean, statistic)} ± {self._text(deviation, statistic)}"
+        )
 
     def _factor(self, statistic: Statistic) -> float:
         return readable_factor(self.unit) if statistic == "rmse" else 1.0
 
     def __str__(self) -> str:
-        return "\n\n".join(f"{self.title(s)}, {self.model}\n{_aligned(self.texts(s))}" for s in STATISTICS)
+        return "\n\n".join(
+            f"{self.title(s)}, {self.model}\n{_aligned(self.texts(s))}" for s in STATISTICS
+        )
 
     def csv_rows(self) -> list[list[str]]:
         """Cells of a CSV file, SI units: a row for each statistic and condition, then mean and standard deviation."""
@@ -143,7 +165,9 @@ class ConditionTable(Printed):
         for statistic in STATISTICS:
             first = [self.signal, f"{statistic} [{units[statistic]}]"]
             row_mean, row_sd = self.by_row(statistic)
-            for value, row, mean, sd in zip(self.rows.values, self.values(statistic), row_mean, row_sd, strict=True):
+            for value, row, mean, sd in zip(
+                self.rows.values, self.values(statistic), row_mean, row_sd, strict=True
+            ):
                 listed.append([*first, repr(value), *map(_cell, [*row, mean, sd])])
             for name, numbers in zip(("mean", "sd"), self.by_column(statistic), strict=True):
                 listed.append([*first, name, *map(_cell, numbers), "", ""])
@@ -152,7 +176,9 @@ class ConditionTable(Printed):
     def csv_head(self) -> list[str]:
         """The heading above ``csv_rows``."""
         rows = f"{self.rows.name} [{self.rows.unit or '1'}]"
-        columns = [f"{self.columns.name} = {v!r} {self.columns.unit}".rstrip() for v in self.columns.values]
+        columns = [
+            f"{self.columns.name} = {v!r} {self.columns.unit}".rstrip() for v in self.columns.values
+        ]
         return ["signal", "statistic [unit]", rows, *columns, "mean", "sd"]
 
     def to_csv(self, path: Path | str) -> None:
@@ -190,20 +216,27 @@ def condition_table(
     if rows == columns:
         raise InputError(f"the table has '{rows}' on both sides; name two parameters of the runs")
     at = {name: [_value(r, name, runs, fitted) for r in runs] for name in (rows, columns)}
-    down, across = (Condition(name, units.get(name, ""), tuple(sorted(set(at[name])))) for name in (rows, columns))
+    down, across = (
+        Condition(name, units.get(name, ""), tuple(sorted(set(at[name]))))
+        for name in (rows, columns)
+    )
     shape = len(down.values), len(across.values)
     cells: dict[Statistic, Array] = {s: np.full(shape, np.nan) for s in STATISTICS}
     samples = np.zeros(shape)
     conditions = list(zip(at[rows], at[columns], strict=True))
     for i, row in enumerate(down.values):
         for j, column in enumerate(across.values):
-            scored = score_signal([r for r, c in zip(runs, conditions, strict=True) if c == (row, column)], signal)
+            scored = score_signal(
+                [r for r, c in zip(runs, conditions, strict=True) if c == (row, column)], signal
+            )
             if scored is not None:
                 samples[i, j] = scored.samples
                 for s in STATISTICS:
                     cells[s][i, j] = getattr(scored, s)
     correlation, rmse, chi2 = (cells[s] for s in STATISTICS)
-    return ConditionTable(model, signal.name, signal.unit, down, across, correlation, rmse, chi2, samples)
+    return ConditionTable(
+        model, signal.name, signal.unit, down, across, correlation, rmse, chi2, samples
+    )
 
 
 def write_tables(path: Path, tables: Sequence[ConditionTable]) -> None:
@@ -215,12 +248,17 @@ def write_tables(path: Path, tables: Sequence[ConditionTable]) -> None:
     write_table(path, (tables[0].csv_head(), [row for table in tables for row in table.csv_rows()]))
 
 
-def _value(run: RunComparison, name: str, runs: Sequence[RunComparison], fitted: dict[str, float]) -> float:
+def _value(
+    run: RunComparison, name: str, runs: Sequence[RunComparison], fitted: dict[str, float]
+) -> float:
     known = {**fitted, **run.run.parameters}
     if name not in known:
         everywhere = [n for n in known if all(n in fitted or n in r.run.parameters for r in runs)]
         hint = did_you_mean(name, everywhere)
-        raise InputError(f"the run {run.run.name} has no parameter '{name}' to make a table by; {hint}", run.run.file)
+        raise InputError(
+            f"the run {run.run.name} has no parameter '{name}' to make a table by; {hint}",
+            run.run.file,
+        )
     return float(f"{known[name]:.{_SAME}g}")
 
 
@@ -239,6 +277,9 @@ def _aligned(texts: list[list[str]]) -> str:
     widths = [max(len(row[j]) for row in texts) for j in range(len(texts[0]))]
     lines = []
     for row in texts:
-        cells = [row[0].ljust(widths[0]), *(text.rjust(w) for text, w in zip(row[1:], widths[1:], strict=True))]
+        cells = [
+            row[0].ljust(widths[0]),
+            *(text.rjust(w) for text, w in zip(row[1:], widths[1:], strict=True)),
+        ]
         lines.append(("  " + "  ".join(cells)).rstrip())
     return "\n".join(lines)

@@ -109,9 +109,13 @@ class _Present:
         return np.concatenate([np.full(int(k.sum()), i) for i, k in enumerate(self.kept)])
 
 
-def _phases(present: _Present, outputs: Mapping[str, Variable], domain: Domain) -> list[tuple[str, Mask]]:
+def _phases(
+    present: _Present, outputs: Mapping[str, Variable], domain: Domain
+) -> list[tuple[str, Mask]]:
     """The phases that the field divides a run into, by the slope of the output that has the unit for it."""
-    dividing = next(((n, row) for row in domain.phases for n, v in outputs.items() if v.unit == row[0]), None)
+    dividing = next(
+        ((n, row) for row in domain.phases for n, v in outputs.items() if v.unit == row[0]), None
+    )
     if dividing is None:
         return []
     output, (_, rising, resting, falling) = dividing
@@ -123,21 +127,33 @@ def _phases(present: _Present, outputs: Mapping[str, Variable], domain: Domain) 
 def _times(present: _Present) -> list[tuple[str, Mask]]:
     """Thirds of each run."""
     late = present.of([_relative_time(r.run.time) for r in present.parts])
-    return [("early", late < 1 / 3), ("middle", (late >= 1 / 3) & (late < 2 / 3)), ("late", late >= 2 / 3)]
+    return [
+        ("early", late < 1 / 3),
+        ("middle", (late >= 1 / 3) & (late < 2 / 3)),
+        ("late", late >= 2 / 3),
+    ]
 
 
 def _by_run(present: _Present) -> list[tuple[str, Mask]]:
     """Each run, where there are several, and runs that have a parameter's value in common."""
     numbers, parts = present.run_numbers, present.parts
-    single = [(f"in {r.run.name}", numbers == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
+    single = (
+        [(f"in {r.run.name}", numbers == i) for i, r in enumerate(parts)] if len(parts) > 1 else []
+    )
     return single + _by_parameter(parts, numbers)
 
 
 def _by_imposed(present: _Present, inputs: Mapping[str, Variable]) -> list[tuple[str, Mask]]:
     """Bands of the inputs that all runs at rest have."""
     parts = present.parts
-    names = [n for n in parts[0].run.inputs if n in inputs and all(n in r.run.inputs for r in parts)]
-    return [band for n in names for band in _given(n, inputs[n], present.of([r.run.inputs[n] for r in parts]))]
+    names = [
+        n for n in parts[0].run.inputs if n in inputs and all(n in r.run.inputs for r in parts)
+    ]
+    return [
+        band
+        for n in names
+        for band in _given(n, inputs[n], present.of([r.run.inputs[n] for r in parts]))
+    ]
 
 
 def _speed(r: RunComparison, output: str) -> Array:
@@ -201,7 +217,8 @@ def _bands(name: str, variable: Variable, values: Array) -> list[tuple[str, Mask
     for i in range(CRITERIA.where.bands):
         inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == CRITERIA.where.bands - 1))
         first, last = (
-            0.0 if abs(e) < CRITERIA.where.edge_at_zero * (high - low) else e for e in (edges[i], edges[i + 1])
+            0.0 if abs(e) < CRITERIA.where.edge_at_zero * (high - low) else e
+            for e in (edges[i], edges[i + 1])
         )
         text = f"{first * factor:.3g} {unit} < {name} < {last * factor:.3g} {unit}"
         bands.append((text.replace("  ", " "), inside))
@@ -232,7 +249,9 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
         if best is None or best[0] < CRITERIA.where.least_value:
             break
         _, text, mask = best
-        rules.append(Rule(signal, text, float(samples.excess[mask].sum()) / total, float(mask.sum()) / count))
+        rules.append(
+            Rule(signal, text, float(samples.excess[mask].sum()) / total, float(mask.sum()) / count)
+        )
         left = np.where(mask, 0.0, left)
     return rules
 
@@ -250,7 +269,11 @@ def samples_in(
     Of points at rest, ranges of what they are drawn over.
     """
     samples = _collect(runs, signals[rule.signal], outputs, domain, inputs or {})
-    mask = None if samples is None else next((m for text, m in _candidates(samples) if text == rule.rule), None)
+    mask = (
+        None
+        if samples is None
+        else next((m for text, m in _candidates(samples) if text == rule.rule), None)
+    )
     ranges: dict[str, list[tuple[float, float]]] = {}
     if mask is None:
         return ranges
@@ -263,5 +286,7 @@ def samples_in(
         at += len(time)
         if len(edges):
             pairs = edges.reshape(-1, 2)
-            ranges[r.run.name] = [(float(time[first]), float(time[end - 1])) for first, end in pairs]
+            ranges[r.run.name] = [
+                (float(time[first]), float(time[end - 1])) for first, end in pairs
+            ]
     return ranges

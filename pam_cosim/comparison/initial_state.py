@@ -59,7 +59,9 @@ def inputs_of_run(run: Run) -> Inputs | None:
     if start.seconds and values:
         # a step at the first row: what was before, and what the row says
         time = np.concatenate([[time[0] - start.seconds, time[0]], time])
-        values = {n: np.concatenate([np.full(2, start.before.get(n, v[0])), v]) for n, v in values.items()}
+        values = {
+            n: np.concatenate([np.full(2, start.before.get(n, v[0])), v]) for n, v in values.items()
+        }
     elif start.periodic and values:
         shifts = _period(run) * np.arange(-start.periods, 1)
         time = (shifts[:, None] + time).ravel()
@@ -67,7 +69,9 @@ def inputs_of_run(run: Run) -> Inputs | None:
     return Inputs(time, values, run.interpolation) if values else None
 
 
-def initial_state(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> InitialState:
+def initial_state(
+    simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
+) -> InitialState:
     """How the simulation of a run begins.
 
     Args:
@@ -82,7 +86,9 @@ def initial_state(simulator: AnySimulator, data: DataSet, run: Run, parameters: 
     if run.is_static or (run.start.mode in (None, "rest") and not run.start.periodic):
         return InitialState()
     if given:
-        return InitialState(settle="none" if len(given) == len(simulator.interface.states) else "others")
+        return InitialState(
+            settle="none" if len(given) == len(simulator.interface.states) else "others"
+        )
     found = measured_initial_state(simulator, data, run, parameters)
     return InitialState(found.values, "all", found.shown) if run.start.mode == "steady" else found
 
@@ -97,7 +103,9 @@ def measured_initial_state(
         return InitialState()
     dependences = probe.dependences({}).joined(probe.dependences(probe.nearby_state()))
     shown, values = _consistent_start(probe, dependences, first)
-    unmatched = probe.unmatched_signals(shown, values)  # such as a reading at the end of its range, which shows nothing
+    unmatched = probe.unmatched_signals(
+        shown, values
+    )  # such as a reading at the end of its range, which shows nothing
     if unmatched:
         others = {signal: one for signal, one in first.items() if signal not in unmatched}
         shown, values = _consistent_start(probe, dependences, others)
@@ -142,7 +150,10 @@ class _Dependences:
 
 
 def _observed_states(
-    dependences: _Dependences, first: Mapping[str, FirstSamples], signals: list[str], states: tuple[str, ...]
+    dependences: _Dependences,
+    first: Mapping[str, FirstSamples],
+    signals: list[str],
+    states: tuple[str, ...],
 ) -> dict[str, _ObservedState]:
     """By name of the state. Of two signals that show the same state, the one that shows it better."""
     matrix, shown = dependences.matrix, dict[str, _ObservedState]()
@@ -190,17 +201,24 @@ def first_of_run(run: Run, signal: str, sigma: float) -> FirstSamples | None:
 class StartProbe:
     """What the model gives at the very start of a run, for start values of its states."""
 
-    def __init__(self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> None:
+    def __init__(
+        self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
+    ) -> None:
         self.simulator, self.data, self.run = simulator, data, run
         self.states, self.rates = simulator.interface.states, simulator.interface.rates
         fitted = [n for n, s in data.signals.items() if s.fitted and run.sample_count(n)]
-        self.signals = [n for n in fitted if first_of_run(run, n, data.signals[n].sigma) is not None]
+        self.signals = [
+            n for n in fitted if first_of_run(run, n, data.signals[n].sigma) is not None
+        ]
         self._parameters = {n: v for n, v in parameters.items() if n not in self.states}
         self._start, self._inputs = start_time(run), inputs_of_run(run)
 
     def first_samples(self) -> dict[str, FirstSamples]:
         """Of the signals that are fitted."""
-        known = {name: first_of_run(self.run, name, self.data.signals[name].sigma) for name in self.signals}
+        known = {
+            name: first_of_run(self.run, name, self.data.signals[name].sigma)
+            for name in self.signals
+        }
         return {name: one for name, one in known.items() if one is not None}
 
     def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:
@@ -221,12 +239,20 @@ class StartProbe:
     def course(self, times: Array, names: Sequence[str]) -> Trajectory:
         """The run at some times as the model begins by itself."""
         return self.simulator.run(
-            times, parameters=self._parameters, inputs=self._inputs, outputs=names, start_time=self._start
+            times,
+            parameters=self._parameters,
+            inputs=self._inputs,
+            outputs=names,
+            start_time=self._start,
         )
 
     def signals_of_one_state(self) -> list[str]:
         """The signals that depend on one state alone."""
-        count = np.count_nonzero(self.dependences({}).matrix[: len(self.signals)], axis=1) if self.states else ()
+        count = (
+            np.count_nonzero(self.dependences({}).matrix[: len(self.signals)], axis=1)
+            if self.states
+            else ()
+        )
         return [name for name, n in zip(self.signals, count, strict=False) if n == 1]
 
     def dependences(self, values: Mapping[str, float]) -> _Dependences:
@@ -236,7 +262,9 @@ class StartProbe:
         columns = []
         for name in self.states:
             step = CRITERIA.starts.step * self._size(name, here[name])
-            above, below = (self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0))
+            above, below = (
+                self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0)
+            )
             columns.append((above - below) / (2.0 * step))
         return _Dependences(np.column_stack(columns))
 
@@ -255,7 +283,10 @@ class StartProbe:
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
     def corrected(
-        self, shown: Mapping[str, _ObservedState], dependences: _Dependences, values: Mapping[str, float]
+        self,
+        shown: Mapping[str, _ObservedState],
+        dependences: _Dependences,
+        values: Mapping[str, float],
     ) -> dict[str, float]:
         """Start values of the states that are shown, at which what shows them is as it was measured."""
         _, state = self.at({})
@@ -267,15 +298,24 @@ class StartProbe:
             miss = aims - self.at(starts)[0][rows]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
             starts = {name: float(starts[name] + s) for name, s in zip(starts, step, strict=True)}
-            if np.all(np.abs(step) <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in starts.items()])):
+            if np.all(
+                np.abs(step)
+                <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in starts.items()])
+            ):
                 break
         return starts
 
-    def unmatched_signals(self, shown: Mapping[str, _ObservedState], values: Mapping[str, float]) -> set[str]:
+    def unmatched_signals(
+        self, shown: Mapping[str, _ObservedState], values: Mapping[str, float]
+    ) -> set[str]:
         """The signals that are not as they were measured, wherever the states that they show begin."""
         outputs, _ = self.at(values)
         known = [one for one in shown.values() if one.spread]
-        return {one.signal for one in known if abs(outputs[one.row] - one.aim) > CRITERIA.starts.away * one.spread}
+        return {
+            one.signal
+            for one in known
+            if abs(outputs[one.row] - one.aim) > CRITERIA.starts.away * one.spread
+        }
 
     def finds_rest(self, values: Mapping[str, float]) -> bool:
         """Whether the other states find a rest beside these."""

@@ -32,11 +32,16 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
         return far_off
     e = residual[kept]
     off = e - median_filter(e, CRITERIA.noise.outlier_window, mode="nearest")
-    far = np.abs(off) > CRITERIA.noise.outlier_far * CRITERIA.noise.median_to_sigma * float(np.median(np.abs(off)))
+    far = np.abs(off) > CRITERIA.noise.outlier_far * CRITERIA.noise.median_to_sigma * float(
+        np.median(np.abs(off))
+    )
     size = np.abs(np.concatenate([[0.0], off, [0.0]]))
     for begin, end in _groups(far):
         beside = max(size[begin], size[end + 1])
-        if end - begin > together or beside >= CRITERIA.noise.outlier_alone * size[begin + 1 : end + 1].min():
+        if (
+            end - begin > together
+            or beside >= CRITERIA.noise.outlier_alone * size[begin + 1 : end + 1].min()
+        ):
             far[begin:end] = False
     if far.mean() <= CRITERIA.noise.outlier_most:
         far_off[kept[far]] = True
@@ -46,7 +51,9 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
 def _groups(flags: NDArray[np.bool_]) -> list[tuple[int, int]]:
     """Where neighbours that are true begin, and where they have ended."""
     steps = np.diff(np.concatenate([[0], flags.astype(int), [0]]))
-    return list(zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True))
+    return list(
+        zip(np.flatnonzero(steps > 0).tolist(), np.flatnonzero(steps < 0).tolist(), strict=True)
+    )
 
 
 def without_outliers(

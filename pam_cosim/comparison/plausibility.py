@@ -51,7 +51,10 @@ class Doubt:
 
 
 def doubts(
-    runs: Sequence[RunComparison], signals: Mapping[str, Signal], units: Mapping[str, str], fitted: bool = True
+    runs: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    units: Mapping[str, str],
+    fitted: bool = True,
 ) -> tuple[Doubt, ...]:
     """What a person should look at before effects are added.
 
@@ -66,7 +69,10 @@ def doubts(
     for name, signal in signals.items():
         measured, modelled = _samples(runs, name)
         if len(measured):
-            every += [*_far_off(signal, measured, modelled, fitted), *_one_sided(signal, measured, modelled)]
+            every += [
+                *_far_off(signal, measured, modelled, fitted),
+                *_one_sided(signal, measured, modelled),
+            ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
     return tuple(every)
 
@@ -75,7 +81,10 @@ def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
     """All samples of a signal, and the model's values beside them."""
     pairs = [(r.run.measurements[name], r.model[name]) for r in runs if r.run.sample_count(name)]
     kept = [np.isfinite(measured) for measured, _ in pairs]
-    both = [np.concatenate([p[i][k] for p, k in zip(pairs, kept, strict=True)] or [np.zeros(0)]) for i in (0, 1)]
+    both = [
+        np.concatenate([p[i][k] for p, k in zip(pairs, kept, strict=True)] or [np.zeros(0)])
+        for i in (0, 1)
+    ]
     return both[0], both[1]
 
 
@@ -86,7 +95,10 @@ def _rms(values: Array) -> float:
 def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> Iterator[Doubt]:
     """A model that misses a signal by much of what it moves, and what would mend it at once."""
     error, moves = _rms(measured - modelled), _rms(measured - measured.mean())
-    if error < CRITERIA.doubts.far_off * moves or error < CRITERIA.doubts.beyond_noise * signal.sigma:
+    if (
+        error < CRITERIA.doubts.far_off * moves
+        or error < CRITERIA.doubts.beyond_noise * signal.sigma
+    ):
         return
     span = format_quantity(float(np.ptp(measured)), signal.unit)
     text = (
@@ -95,7 +107,8 @@ def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> 
     )
     mended = _mended(signal, measured, modelled, error)
     usual = (
-        "A wrong unit, zero or column, or a size, a load or a type that is not as stated, come before a missing effect"
+        "A wrong unit, zero or column, or a size, a load or a type that is not as stated, "
+        "come before a missing effect"
     )
     if mended or fitted:
         yield Doubt("far_off", signal.name, text + (mended or usual))
@@ -136,7 +149,10 @@ def _as_units(unit: str, gain: float) -> str:
 
 def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
     """A measurement that never passes zero, where the model does by far."""
-    room = max(CRITERIA.doubts.passed * float(np.ptp(measured)), CRITERIA.doubts.beyond_noise * signal.sigma)
+    room = max(
+        CRITERIA.doubts.passed * float(np.ptp(measured)),
+        CRITERIA.doubts.beyond_noise * signal.sigma,
+    )
     for sign, least, beyond in ((1.0, "falls below", "down to"), (-1.0, "rises above", "up to")):
         own, model = sign * measured, sign * modelled
         there = model < -room
@@ -189,7 +205,9 @@ def _only_difference(a: RunComparison, b: RunComparison) -> str | None:
     return different[0] if len(different) == 1 else None
 
 
-def _alike(a: RunComparison, b: RunComparison, signal: str) -> tuple[NDArray[np.int_], NDArray[np.int_]] | None:
+def _alike(
+    a: RunComparison, b: RunComparison, signal: str
+) -> tuple[NDArray[np.int_], NDArray[np.int_]] | None:
     """Samples of two runs at nearly the same inputs; None: too few, or the inputs do not say what the model does.
 
     Inputs say what it does where samples of one run at nearly the same inputs are nearly the same in the model.

@@ -32,7 +32,9 @@ class Reproducibility:
     score: float
 
 
-def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> Reproducibility:
+def reproducibility(
+    runs: Sequence[RunComparison], signals: Mapping[str, Signal]
+) -> Reproducibility:
     """Judges the residuals of all runs together.
 
     Args:
@@ -50,14 +52,18 @@ def reproducibility(runs: Sequence[RunComparison], signals: Mapping[str, Signal]
         pieces = _pieces(tables, seen, parts, signal) if signal.fitted else {}
         if len(pieces) < 2:
             continue
-        total += sum(_effective_samples(r.residual(signal.name), signal) for r in seen if r is not None)
+        total += sum(
+            _effective_samples(r.residual(signal.name), signal) for r in seen if r is not None
+        )
         for number, gain in _gains(pieces).items():
             gains[number] = gains.get(number, 0.0) + gain
     if total == 0 or len(gains) < 2:
         return unknown
     by_piece = np.array([gains[k] for k in sorted(gains)])
     error = float(np.std(by_piece, ddof=1)) * np.sqrt(len(by_piece))
-    return Reproducibility(float(by_piece.sum()) / total, float(by_piece.sum()) / error if error > 0 else 0.0)
+    return Reproducibility(
+        float(by_piece.sum()) / total, float(by_piece.sum()) / error if error > 0 else 0.0
+    )
 
 
 def _pieces(
@@ -68,7 +74,10 @@ def _pieces(
 ) -> dict[int, tuple[Array, Array]]:
     """Features and weighted residuals of each part that has samples, by its number."""
     name = signal.name
-    residuals = [None if r is None else weighted(r.residual(name), signal, r.run.measurements[name]) for r in runs]
+    residuals = [
+        None if r is None else weighted(r.residual(name), signal, r.run.measurements[name])
+        for r in runs
+    ]
     pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}
     return {number: piece for number, piece in pieces.items() if piece is not None}
 
@@ -116,12 +125,17 @@ def _features(runs: Sequence[RunComparison]) -> list[Array]:
     outputs = _scaled([np.column_stack(list(r.model.values())) for r in runs], centred=True)
     rates = _scaled([_rates(r) for r in runs])
     varied = [n for n in runs[0].run.inputs if any(np.ptp(r.run.inputs[n]) > 0 for r in runs)]
-    inputs = [np.column_stack([np.ones(len(r.run.time)), *(r.run.inputs[n] for n in varied)]) for r in runs]
+    inputs = [
+        np.column_stack([np.ones(len(r.run.time)), *(r.run.inputs[n] for n in varied)])
+        for r in runs
+    ]
     past = _scaled([_past(r, varied) for r in runs])
     tables = []
     for now, rate, given, before in zip(outputs, rates, inputs, past, strict=True):
         factors = np.column_stack([now, rate, np.tanh(2 * rate)])
-        pairs = [factors[:, i] * factors[:, j] for i in range(factors.shape[1]) for j in range(i + 1)]
+        pairs = [
+            factors[:, i] * factors[:, j] for i in range(factors.shape[1]) for j in range(i + 1)
+        ]
         tables.append(np.column_stack([given, factors, before, *pairs]))
     return _scaled(tables)
 
@@ -138,11 +152,17 @@ def _past(r: RunComparison, inputs: Sequence[str]) -> Array:
     if r.run.is_static:
         return np.zeros((len(r.run.time), len(columns) * len(CRITERIA.residuals.memories)))
     return np.column_stack(
-        [v - _lagged(r.run.time, v, memory) for v in columns for memory in CRITERIA.residuals.memories]
+        [
+            v - _lagged(r.run.time, v, memory)
+            for v in columns
+            for memory in CRITERIA.residuals.memories
+        ]
     )
 
 
-def _column_by_column(function: Callable[[Array, Array], Array], time: Array, columns: Sequence[Array]) -> Array:
+def _column_by_column(
+    function: Callable[[Array, Array], Array], time: Array, columns: Sequence[Array]
+) -> Array:
     return np.column_stack([function(time, v) for v in columns])
 
 

@@ -82,7 +82,9 @@ class Series:
     def differences(self, lag: int) -> tuple[float, float]:
         """Half the squared differences of samples at a distance, and how much of that is expected of white noise."""
         v, expected = self.values, self.expected
-        return float(np.sum((v[lag:] - v[:-lag]) ** 2)) / 2, float(np.sum(expected[lag:] + expected[:-lag])) / 2
+        return float(np.sum((v[lag:] - v[:-lag]) ** 2)) / 2, float(
+            np.sum(expected[lag:] + expected[:-lag])
+        ) / 2
 
 
 def series_of(
@@ -142,7 +144,9 @@ def _noise_floor(series: Sequence[Series]) -> float:
     """Mean square that noise explains: of known noise at least its own variance, else the estimate for red noise."""
     total, samples = 0.0, 0.0
     for known in (True, False):
-        chosen = [e for e in series if e.stated is known and len(e.values) > CRITERIA.residuals.lags]
+        chosen = [
+            e for e in series if e.stated is known and len(e.values) > CRITERIA.residuals.lags
+        ]
         count = sum(e.samples for e in chosen)
         if count:
             total += count * (max(1.0, _white_part(chosen, 1)) if known else red_noise(chosen))

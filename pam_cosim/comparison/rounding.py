@@ -38,7 +38,9 @@ def weighted(error: Array, signal: Signal, reading: Array | float = 0.0) -> Arra
     """
     if not signal.step:
         return error / signal.sigma_at(reading)
-    return np.asarray(np.sign(error) * np.sqrt(_deviance(error / signal.noise, signal.step / signal.noise)))
+    return np.asarray(
+        np.sign(error) * np.sqrt(_deviance(error / signal.noise, signal.step / signal.noise))
+    )
 
 
 def slope(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
@@ -48,10 +50,14 @@ def slope(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
     steps = signal.step / signal.noise
     t = np.where(np.abs(error) < _CENTRE * signal.noise, _CENTRE, error / signal.noise)
     inside = _log_mass(t, steps)
-    at_edges = np.exp(_log_density(t - steps / 2) - inside) - np.exp(_log_density(t + steps / 2) - inside)
+    at_edges = np.exp(_log_density(t - steps / 2) - inside) - np.exp(
+        _log_density(t + steps / 2) - inside
+    )
     root = np.sign(t) * np.sqrt(_deviance(t, steps))
     # far inside an interval neither is seen
-    return np.asarray(np.divide(at_edges, root * signal.noise, out=np.zeros(len(t)), where=np.abs(root) > 0.0))
+    return np.asarray(
+        np.divide(at_edges, root * signal.noise, out=np.zeros(len(t)), where=np.abs(root) > 0.0)
+    )
 
 
 def expected_squares(error: Array, signal: Signal) -> Array:

@@ -72,7 +72,10 @@ def each(function: Callable[..., Value], *operands: Value) -> Value:
     if any(size != sizes[0] for size in sizes):
         raise ArithmeticProblem(f"arrays of different sizes: {' and '.join(map(str, sizes))}")
     return [
-        each(function, *(operand[i] if isinstance(operand, list) else operand for operand in operands))
+        each(
+            function,
+            *(operand[i] if isinstance(operand, list) else operand for operand in operands),
+        )
         for i in range(sizes[0])
     ]
 
@@ -102,7 +105,9 @@ def _array_operation(operator: str, left: Value, right: Value) -> Value:
         return _product(left, right)
     if operator == "*" or (operator == "/" and not isinstance(right, list)):
         return each(_SCALAR[operator], left, right)
-    raise ArithmeticProblem(f"'{operator}' is not defined between these arrays: write '.{operator}'")
+    raise ArithmeticProblem(
+        f"'{operator}' is not defined between these arrays: write '.{operator}'"
+    )
 
 
 def _product(left: list[Value], right: list[Value]) -> Value:
@@ -136,7 +141,9 @@ def _number(value: Value) -> Value:
 
 
 def _kind(value: Value) -> str:
-    return {bool: "a Boolean", str: "a String", Text: "a String"}.get(type(value), f"'{getattr(value, 'name', value)}'")
+    return {bool: "a Boolean", str: "a String", Text: "a String"}.get(
+        type(value), f"'{getattr(value, 'name', value)}'"
+    )
 
 
 def _divide(a: Value, b: Value) -> Value:
@@ -214,7 +221,9 @@ def select(branches: Sequence[tuple[Value, Value]], otherwise: Value) -> Value:
     result = otherwise
     for condition, value in reversed(branches):
         _condition(condition)
-        result = each(lambda a, b, c=condition: a if _same(a, b) else ca.if_else(c, a, b), value, result)
+        result = each(
+            lambda a, b, c=condition: a if _same(a, b) else ca.if_else(c, a, b), value, result
+        )
     return result
 
 

@@ -33,14 +33,20 @@ class Assertion:
     at_start: bool
 
 
-def check(evaluator: Evaluator, call: Call, scope: Scope, names: Environment, at_start: bool = False) -> None:
+def check(
+    evaluator: Evaluator, call: Call, scope: Scope, names: Environment, at_start: bool = False
+) -> None:
     """Evaluates a call of ``assert``; what is not known to hold is noted by the evaluator.
 
     Raises:
         ModelError: it is known to fail, or its arguments cannot be used.
     """
     given = dict(zip(_ARGUMENTS, call.arguments, strict=False)) | dict(call.named)
-    if len(call.arguments) > len(_ARGUMENTS) or set(given) - set(_ARGUMENTS) or not set(given) >= {*_ARGUMENTS[:2]}:
+    if (
+        len(call.arguments) > len(_ARGUMENTS)
+        or set(given) - set(_ARGUMENTS)
+        or not set(given) >= {*_ARGUMENTS[:2]}
+    ):
         raise ModelError("assert() takes a condition, a message and a level")
     condition = evaluator.evaluate(given["condition"], scope, names)
     if condition is True:
@@ -53,10 +59,14 @@ def check(evaluator: Evaluator, call: Call, scope: Scope, names: Environment, at
     level = evaluator.evaluate(given["level"], scope, names) if "level" in given else None
     name = "error" if level is None else getattr(level, "name", None)
     if name not in ENUMERATIONS["AssertionLevel"]:
-        raise ModelError("the level of assert() must be AssertionLevel.error or AssertionLevel.warning")
+        raise ModelError(
+            "the level of assert() must be AssertionLevel.error or AssertionLevel.warning"
+        )
     for taken in evaluator.branches:
         condition = arithmetic.binary("or", arithmetic.unary("not", taken), condition)
     if condition is False and name == "error":
-        raise ModelError(f"assertion fails: {''.join(p if isinstance(p, str) else '...' for p in message.parts)}")
+        raise ModelError(
+            f"assertion fails: {''.join(p if isinstance(p, str) else '...' for p in message.parts)}"
+        )
     if condition is not True:
         evaluator.assertion(condition, message, name == "error", at_start)

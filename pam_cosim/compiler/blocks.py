@@ -45,7 +45,11 @@ def solve(
     solved: dict[str, ca.SX] = {}
     for own_rows, own_columns in blocks:
         names = [unknowns[j] for j in own_columns]
-        known = [unknowns[j] for j in sorted({j for i in own_rows for j in held[i]}) if unknowns[j] in solved]
+        known = [
+            unknowns[j]
+            for j in sorted({j for i in own_rows for j in held[i]})
+            if unknowns[j] in solved
+        ]
         _solve_block([residuals[i] for i in own_rows], names, known, symbols, solved)
     return solved
 
@@ -60,7 +64,9 @@ def _columns_of_rows(structure: ca.Sparsity) -> list[list[int]]:
     return held
 
 
-def _needed(blocks: Sequence[_Block], held: Sequence[Sequence[int]], wanted: Sequence[int]) -> list[_Block]:
+def _needed(
+    blocks: Sequence[_Block], held: Sequence[Sequence[int]], wanted: Sequence[int]
+) -> list[_Block]:
     """The blocks that determine the wanted columns and all that these depend on, in their order."""
     owner = {column: b for b, (_, columns) in enumerate(blocks) for column in columns}
     waiting, chosen = {owner[j] for j in wanted}, set[int]()
@@ -89,7 +95,9 @@ def _solve_block(
     if not matrix.is_constant() and ca.depends_on(matrix, variables):
         raise ModelError(_nonlinear(equations, names))
     if matrix.is_zero():
-        raise ModelError(f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}")
+        raise ModelError(
+            f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}"
+        )
     offset = ca.substitute(system, variables, ca.DM.zeros(len(names)))
     if len(names) == 1:
         alone = -offset / matrix
@@ -113,14 +121,19 @@ def _other_side(residual: ca.SX, name: str) -> ca.SX | None:
 
 
 def _put_in(
-    expression: ca.SX, known: Sequence[str], symbols: Mapping[str, ca.SX], solved: Mapping[str, ca.SX]
+    expression: ca.SX,
+    known: Sequence[str],
+    symbols: Mapping[str, ca.SX],
+    solved: Mapping[str, ca.SX],
 ) -> ca.SX:
     """The expression with the values of the unknowns that are known."""
     if not known:
         return expression
     if expression.is_scalar() and expression.is_symbolic():
         return solved.get(expression.name(), expression)
-    return ca.substitute(expression, _column([symbols[n] for n in known]), _column([solved[n] for n in known]))
+    return ca.substitute(
+        expression, _column([symbols[n] for n in known]), _column([solved[n] for n in known])
+    )
 
 
 def _column(items: Sequence[ca.SX]) -> ca.SX:
@@ -152,14 +165,19 @@ def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:
     return ca.vertcat(*[values[j] for j in range(size)])
 
 
-def _eliminate(a: list[list[ca.SX]], b: list[ca.SX], pivot: tuple[int, int], done: Set[int]) -> None:
+def _eliminate(
+    a: list[list[ca.SX]], b: list[ca.SX], pivot: tuple[int, int], done: Set[int]
+) -> None:
     """Takes the column of a pivot out of the rows that were no pivots' yet."""
     row, column = pivot
     for i in range(len(a)):
         if i == row or i in done or a[i][column].is_zero():
             continue
         factor = a[i][column] / a[row][column]
-        a[i] = [x if y.is_zero() else ca.simplify(x - factor * y) for x, y in zip(a[i], a[row], strict=True)]
+        a[i] = [
+            x if y.is_zero() else ca.simplify(x - factor * y)
+            for x, y in zip(a[i], a[row], strict=True)
+        ]
         a[i][column] = ca.SX(0)
         b[i] = b[i] - factor * b[row]
 
@@ -177,7 +195,9 @@ def _solve_core(
     return {j: answer[k] for k, j in enumerate(columns)}
 
 
-def _constant_pivot(a: Sequence[Sequence[ca.SX]], steps: Sequence[tuple[int, int]]) -> tuple[int, int] | None:
+def _constant_pivot(
+    a: Sequence[Sequence[ca.SX]], steps: Sequence[tuple[int, int]]
+) -> tuple[int, int] | None:
     """A number that is not zero, in a row and column not used yet; in the emptiest row."""
     used_rows, used_columns = {r for r, _ in steps}, {c for _, c in steps}
     best: tuple[int, int, int] | None = None
@@ -202,13 +222,19 @@ def _nonlinear(equations: Sequence[Residual], names: Sequence[str]) -> str:
     )
 
 
-def _singular(residuals: Sequence[Residual], unknowns: Sequence[str], structure: ca.Sparsity) -> str:
+def _singular(
+    residuals: Sequence[Residual], unknowns: Sequence[str], structure: ca.Sparsity
+) -> str:
     """Name what the maximum matching leaves over."""
     matched: Matching[str] = Matching()
     rows: list[list[str]] = [[] for _ in residuals]
     for row, column in zip(*structure.get_triplet(), strict=True):
         rows[row].append(unknowns[column])
-    extra = [residual.place for i, residual in enumerate(residuals) if not matched.add(i, rows.__getitem__)]
+    extra = [
+        residual.place
+        for i, residual in enumerate(residuals)
+        if not matched.add(i, rows.__getitem__)
+    ]
     free = [name for name in unknowns if name not in matched]
     return (
         f"the model has {len(residuals)} equations for {len(unknowns)} unknowns; "

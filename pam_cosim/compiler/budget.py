@@ -63,7 +63,15 @@ class Limits:
 LIMITS = Limits()
 LARGEST_INTEGER = 2**63 - 1  # Modelica leaves the range to the tool
 _LOOK = 1000  # steps between two looks at the clock
-DEFECTS = (TypeError, ValueError, LookupError, ArithmeticError, AttributeError, RuntimeError, NotImplementedError)
+DEFECTS = (
+    TypeError,
+    ValueError,
+    LookupError,
+    ArithmeticError,
+    AttributeError,
+    RuntimeError,
+    NotImplementedError,
+)
 
 
 class Budget:
@@ -94,7 +102,9 @@ class Budget:
             ModelError: it took too long.
         """
         if time.thread_time() - self._began > LIMITS.seconds:
-            raise ModelError(f"the model takes more than {LIMITS.seconds:g} s of processor time to compile")
+            raise ModelError(
+                f"the model takes more than {LIMITS.seconds:g} s of processor time to compile"
+            )
 
     def values(self, value: list[Any]) -> list[Any]:
         """An array, whose elements count as steps.
@@ -134,7 +144,12 @@ def checked_size(count: Any) -> int:
     Raises:
         ModelError: it is none, or too large.
     """
-    if isinstance(count, bool) or not isinstance(count, int | float) or not math.isfinite(count) or count != int(count):
+    if (
+        isinstance(count, bool)
+        or not isinstance(count, int | float)
+        or not math.isfinite(count)
+        or count != int(count)
+    ):
         raise ModelError("a size must be an Integer constant")
     if count > LIMITS.elements:
         raise ModelError(f"an array of {count:.6g} elements: there are {LIMITS.elements} at most")
@@ -230,7 +245,9 @@ def bounded(function: Callable[P, R]) -> Callable[P, R]:
             try:
                 return function(*arguments, **named)
             except RecursionError:
-                raise ModelError("classes, expressions or values are nested without end, or too deeply") from None
+                raise ModelError(
+                    "classes, expressions or values are nested without end, or too deeply"
+                ) from None
             except MemoryError:
                 raise ModelError("the model needs more memory than there is") from None
 

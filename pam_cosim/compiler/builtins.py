@@ -22,7 +22,10 @@ def _scalar(numeric: Callable[..., float], symbolic: Callable[..., Any], count: 
     """A mathematical function of ``count`` scalars, applied element by element."""
 
     def apply(*values: Value) -> Value:
-        if any(isinstance(value, bool) or not isinstance(value, int | float | ca.SX) for value in values):
+        if any(
+            isinstance(value, bool) or not isinstance(value, int | float | ca.SX)
+            for value in values
+        ):
             raise ModelError("a number is needed as the argument")
         if any(arithmetic.is_symbolic(value) for value in values):
             return symbolic(*values)
@@ -37,14 +40,18 @@ def _scalar(numeric: Callable[..., float], symbolic: Callable[..., Any], count: 
     return builtin
 
 
-def _arguments(evaluator: Evaluator, node: Call, scope: Scope, names: Environment, *counts: int) -> list[Value]:
+def _arguments(
+    evaluator: Evaluator, node: Call, scope: Scope, names: Environment, *counts: int
+) -> list[Value]:
     if node.named or (counts and len(node.arguments) not in counts):
         wanted = " or ".join(map(str, counts))
         raise ModelError(f"{node.function.text}() takes {wanted} arguments, without names")
     return [evaluator.evaluate(argument, scope, names) for argument in node.arguments]
 
 
-def _extremum(numeric: Callable[[Value, Value], Value], symbolic: Callable[[Value, Value], Value]) -> Builtin:
+def _extremum(
+    numeric: Callable[[Value, Value], Value], symbolic: Callable[[Value, Value], Value]
+) -> Builtin:
     def larger(a: Value, b: Value) -> Value:
         if arithmetic.is_symbolic(a) or arithmetic.is_symbolic(b):
             return symbolic(a, b)
@@ -70,14 +77,18 @@ def _extremum(numeric: Callable[[Value, Value], Value], symbolic: Callable[[Valu
 
 def _sum(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
     values = (
-        evaluator.combinations(node, scope, names) if node.iterators else _arguments(evaluator, node, scope, names, 1)
+        evaluator.combinations(node, scope, names)
+        if node.iterators
+        else _arguments(evaluator, node, scope, names, 1)
     )
     return arithmetic.total(arithmetic.flattened(values))
 
 
 def _product(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
     values = (
-        evaluator.combinations(node, scope, names) if node.iterators else _arguments(evaluator, node, scope, names, 1)
+        evaluator.combinations(node, scope, names)
+        if node.iterators
+        else _arguments(evaluator, node, scope, names, 1)
     )
     result: Value = 1
     for value in arithmetic.flattened(values):
@@ -101,7 +112,9 @@ def _delay(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -
         evaluator.at_start = outside
     if isinstance(time, list):
         raise ModelError("the time of delay() must be a scalar")
-    return arithmetic.each(lambda now, first: evaluator.delay(now, first, time, scope, node.at), value, start)
+    return arithmetic.each(
+        lambda now, first: evaluator.delay(now, first, time, scope, node.at), value, start
+    )
 
 
 def _argument(position: int, *counts: int) -> Builtin:
@@ -109,7 +122,9 @@ def _argument(position: int, *counts: int) -> Builtin:
 
     def builtin(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
         if len(node.arguments) not in counts and not node.named:
-            raise ModelError(f"{node.function.text}() takes {' or '.join(map(str, counts))} arguments")
+            raise ModelError(
+                f"{node.function.text}() takes {' or '.join(map(str, counts))} arguments"
+            )
         if node.named and position >= len(node.arguments):
             named = dict(node.named)
             return evaluator.evaluate(next(iter(named.values())), scope, names)
@@ -244,7 +259,9 @@ BUILTINS: dict[str, Builtin] = {
     "actualStream": _refused("actualStream"),
     "scalar": lambda e, n, s, v: arithmetic.flattened(_arguments(e, n, s, v, 1))[0],
     "vector": lambda e, n, s, v: arithmetic.flattened(_arguments(e, n, s, v, 1)),
-    "transpose": lambda e, n, s, v: [list(row) for row in zip(*_arguments(e, n, s, v, 1)[0], strict=True)],
+    "transpose": lambda e, n, s, v: [
+        list(row) for row in zip(*_arguments(e, n, s, v, 1)[0], strict=True)
+    ],
     "size": _size,
     "ndims": lambda e, n, s, v: len(_sizes(_arguments(e, n, s, v, 1)[0])),
     "fill": _fill,

@@ -125,7 +125,9 @@ class _WhenAskedFor(Mapping[str, ClassInfo]):
     """What is known of each class; worked out when somebody asks, for few ask for all."""
 
     def __init__(
-        self, definitions: Mapping[str, ClassDefinition], make: Callable[[ClassDefinition], ClassInfo]
+        self,
+        definitions: Mapping[str, ClassDefinition],
+        make: Callable[[ClassDefinition], ClassInfo],
     ) -> None:
         self._definitions, self._make = definitions, make
         self._known: dict[str, ClassInfo] = {}
@@ -184,7 +186,9 @@ class ClassTree:
         return [
             name
             for name, node in self._definitions.items()
-            if name != base and (node.parent is None or node.parent.kind == "package") and base in self.bases(name)
+            if name != base
+            and (node.parent is None or node.parent.kind == "package")
+            and base in self.bases(name)
         ]
 
     def components(self, name: str) -> list[ComponentInfo]:
@@ -222,7 +226,9 @@ class ClassTree:
         ordered: list[str] = []
         for base in reversed(self._lookup.bases(self._class(name))):
             base_name = base.definition.qualified_name
-            ordered += [base_name, *self._in_order(base_name)] if base_name in self._definitions else []
+            ordered += (
+                [base_name, *self._in_order(base_name)] if base_name in self._definitions else []
+            )
         return ordered
 
     def _constant(self, of: Class, constant: str) -> Constant | None:
@@ -251,13 +257,23 @@ class ClassTree:
             partial=node.partial,
             description=node.description,
             extends=tuple(self._base(node, clause) for clause in extends),
-            components=tuple(self._component(node, component) for component in node.components.values()),
+            components=tuple(
+                self._component(node, component) for component in node.components.values()
+            ),
             replaceables=tuple(
-                self._replaceable(node, nested) for nested in node.classes.values() if "replaceable" in nested.prefixes
+                self._replaceable(node, nested)
+                for nested in node.classes.values()
+                if "replaceable" in nested.prefixes
             ),
             prefixes=node.alias_prefixes,
-            annotations={a.name: argument_text(a) for a in node.annotation.arguments if a.name not in _GRAPHICAL},
-            documentation=value.value if isinstance(value, Literal) and isinstance(value.value, str) else "",
+            annotations={
+                a.name: argument_text(a)
+                for a in node.annotation.arguments
+                if a.name not in _GRAPHICAL
+            },
+            documentation=value.value
+            if isinstance(value, Literal) and isinstance(value.value, str)
+            else "",
             file=node.source.file,
             line=line,
         )
@@ -265,7 +281,9 @@ class ClassTree:
     def _base(self, node: ClassDefinition, clause: Extends) -> BaseInfo:
         place = node if node.alias is None else node.parent
         name = self._resolved(place, clause.type)
-        return BaseInfo(name, _modifications(clause.modification), modification_text(clause.modification))
+        return BaseInfo(
+            name, _modifications(clause.modification), modification_text(clause.modification)
+        )
 
     def _component(self, node: ClassDefinition, component: ComponentDeclaration) -> ComponentInfo:
         line, _ = node.source.position(component.at)
@@ -295,16 +313,22 @@ class ClassTree:
         node = self._definitions.get(type_)
         if node is None or node.alias is None:
             return frozenset()
-        return node.alias_prefixes | self._alias_prefixes(self._resolved(node.parent, node.alias.type))
+        return node.alias_prefixes | self._alias_prefixes(
+            self._resolved(node.parent, node.alias.type)
+        )
 
     def _replaceable(self, node: ClassDefinition, nested: ClassDefinition) -> ReplaceableInfo:
         default = nested.qualified_name
         if nested.alias is not None:
             default = self._resolved(node, nested.alias.type)
         constraint = self._constraint(node, nested.constraint, default)
-        return ReplaceableInfo(nested.name, nested.kind, default, constraint, nested.description, node.qualified_name)
+        return ReplaceableInfo(
+            nested.name, nested.kind, default, constraint, nested.description, node.qualified_name
+        )
 
-    def _constraint(self, node: ClassDefinition, constraint: Constraint | None, default: str) -> str:
+    def _constraint(
+        self, node: ClassDefinition, constraint: Constraint | None, default: str
+    ) -> str:
         return default if constraint is None else self._resolved(node, constraint.type)
 
     def _resolved(self, place: ClassDefinition | None, name: TypeName) -> str:
@@ -331,7 +355,9 @@ def _literal(value: Expression | None) -> Constant | None:
 def _position(annotation: Modification) -> tuple[float, float] | None:
     """The middle of ``Placement(transformation(origin, extent))`` (Modelica 3.6, section 18.6.4)."""
     placement = annotation.argument("Placement")
-    transformation = None if placement is None else placement.modification.argument("transformation")
+    transformation = (
+        None if placement is None else placement.modification.argument("transformation")
+    )
     if transformation is None:
         return None
     extent, origin = (transformation.modification.argument(name) for name in ("extent", "origin"))
@@ -345,7 +371,11 @@ def _position(annotation: Modification) -> tuple[float, float] | None:
 def _own_annotation(annotation: Modification) -> dict[str, tuple[float, ...]]:
     """The numbers of each entry of the annotation ``VENDOR``."""
     own = annotation.argument(VENDOR)
-    return {} if own is None else {a.name: tuple(_numbers(a.modification.value)) for a in own.modification.arguments}
+    return (
+        {}
+        if own is None
+        else {a.name: tuple(_numbers(a.modification.value)) for a in own.modification.arguments}
+    )
 
 
 def _numbers(value: Expression | None) -> list[float]:

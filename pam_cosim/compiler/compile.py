@@ -21,7 +21,12 @@ from pam_cosim.compiler.evaluation import Calls
 from pam_cosim.compiler.flattening import FlatModel, Residual, flatten
 from pam_cosim.compiler.functions import call
 from pam_cosim.compiler.index_reduction import EquationSystem, reduce_index, select_states
-from pam_cosim.compiler.initialization import InitialProblem, InitialValues, StartAttribute, initial_values
+from pam_cosim.compiler.initialization import (
+    InitialProblem,
+    InitialValues,
+    StartAttribute,
+    initial_values,
+)
 from pam_cosim.compiler.instance import Class, Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
@@ -64,7 +69,9 @@ def compile_model(model: str, *, files: Sequence[Path] = (), root: Path | None =
 
 
 @bounded
-def instantiate(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> tuple[Instantiator, Instance]:
+def instantiate(
+    model: str, *, files: Sequence[Path] = (), root: Path | None = None
+) -> tuple[Instantiator, Instance]:
     """The components of a model; arguments and errors as for :func:`compile_model`."""
     files = list(files)
     if is_modelica(model):
@@ -89,9 +96,13 @@ def _find(model: str, library: Library, lookup: Lookup) -> Class:
         raise ModelError(f"there is no model {shown(model)}{library.similar(model, 'model')}")
     definition = of.definition
     if definition.kind in _NOT_MODELS:
-        raise definition.source.error(f"'{model}' is a {definition.kind}, not a model", definition.at)
+        raise definition.source.error(
+            f"'{model}' is a {definition.kind}, not a model", definition.at
+        )
     if definition.partial:
-        raise definition.source.error(f"'{model}' is partial: compile a model that extends it", definition.at)
+        raise definition.source.error(
+            f"'{model}' is partial: compile a model that extends it", definition.at
+        )
     return of
 
 
@@ -128,14 +139,18 @@ class _Assembly:
             model=root.ancestors[0].definition.qualified_name,
             inputs={leaf.name: metadata.variable(leaf, constants) for leaf in symbols.inputs},
             outputs={leaf.name: metadata.variable(leaf, constants) for leaf in outputs},
-            parameters={leaf.name: metadata.variable(leaf, constants, symbols.defaults[leaf]) for leaf in parameters},
+            parameters={
+                leaf.name: metadata.variable(leaf, constants, symbols.defaults[leaf])
+                for leaf in parameters
+            },
             locals={leaf.name: metadata.variable(leaf, constants) for leaf, _ in local},
             **metadata.experiment(root),
         )
         return Ode(
             interface=interface,
             states=tuple(
-                self._state_variable(name, value) for name, value in zip(self.states, initial.states, strict=True)
+                self._state_variable(name, value)
+                for name, value in zip(self.states, initial.states, strict=True)
             ),
             t=symbols.t,
             x=_column([system.variables[name] for name in self.states]),
@@ -165,12 +180,20 @@ class _Assembly:
         for name, symbol in symbols.derivatives.items():
             derivative_of[name] = symbol.name()
             variables[symbol.name()] = symbol
-        inputs = frozenset([*(leaf.name for leaf in symbols.inputs), *symbols.delays, *symbols.comparisons])
-        return EquationSystem(variables, derivative_of, list(self.flat.residuals), inputs, symbols.t)
+        inputs = frozenset(
+            [*(leaf.name for leaf in symbols.inputs), *symbols.delays, *symbols.comparisons]
+        )
+        return EquationSystem(
+            variables, derivative_of, list(self.flat.residuals), inputs, symbols.t
+        )
 
     def _preference(self, name: str) -> float:
         leaf = self._leaf(name)
-        return metadata.state_preference(leaf, self.instantiator.constants) if leaf is not None else 0.0
+        return (
+            metadata.state_preference(leaf, self.instantiator.constants)
+            if leaf is not None
+            else 0.0
+        )
 
     def _leaf(self, name: str) -> Instance | None:
         return self._leaves.get(name)
@@ -185,7 +208,9 @@ class _Assembly:
     def _statement(self, assertion: Assertion, delayed: DelayedInputs) -> Statement:
         """An assertion in terms of states, inputs and parameters."""
         shown = [part for part in assertion.message.parts if isinstance(part, PrintedNumber)]
-        condition, *values = delayed.put_in([self._known(e) for e in (assertion.condition, *(s.value for s in shown))])
+        condition, *values = delayed.put_in(
+            [self._known(e) for e in (assertion.condition, *(s.value for s in shown))]
+        )
         self.beginning.refuse_start_times(ca.vertcat(condition, *values))
         texts = [""]
         for part in assertion.message.parts:
@@ -215,7 +240,11 @@ class _Assembly:
         return self._value(self.system.derivative_of[name])
 
     def _is_output(self, leaf: Instance) -> bool:
-        return "output" in leaf.prefixes and leaf.parent is self.flat.root and "protected" not in leaf.prefixes
+        return (
+            "output" in leaf.prefixes
+            and leaf.parent is self.flat.root
+            and "protected" not in leaf.prefixes
+        )
 
     def _locals(self, outputs: Sequence[Instance]) -> list[tuple[Instance, ca.SX]]:
         """Everything that can be computed and is neither state, output nor free parameter."""
@@ -225,7 +254,11 @@ class _Assembly:
             if leaf in symbols.unknowns:
                 if leaf not in taken and leaf.name not in self.states:
                     computable.append((leaf, self._value(leaf.name)))
-            elif leaf.variability == "parameter" and leaf.primitive == "Real" and leaf not in symbols.free:
+            elif (
+                leaf.variability == "parameter"
+                and leaf.primitive == "Real"
+                and leaf not in symbols.free
+            ):
                 value = self.beginning.known(ca.SX(symbols.value(leaf)))
                 if not _names(value) & self.beginning.start_times:
                     computable.append((leaf, value))
@@ -233,7 +266,9 @@ class _Assembly:
 
     def _state_variable(self, name: str, initial: ca.SX) -> Variable:
         inputs = self.flat.symbols.inputs
-        usual = [metadata.variable(leaf, self.instantiator.constants).start or 0.0 for leaf in inputs]
+        usual = [
+            metadata.variable(leaf, self.instantiator.constants).start or 0.0 for leaf in inputs
+        ]
         known = ca.vertcat(self.p, *inputs.values()), ca.vertcat(self.p_values, *usual)
         value = float(ca.evalf(ca.substitute(initial, *known)))
         leaf = self._leaf(name)
@@ -248,7 +283,9 @@ class _Assembly:
         fixed = [name for name, leaf in self._leaves.items() if metadata.is_fixed(leaf, constants)]
         begin = initial_values(
             InitialProblem(
-                system=replace(self.system, residuals=[self._not_yet(r) for r in self.system.residuals]),
+                system=replace(
+                    self.system, residuals=[self._not_yet(r) for r in self.system.residuals]
+                ),
                 states=self.states,
                 solved=self.solved,
                 start=self._start,
@@ -268,7 +305,10 @@ class _Assembly:
         comparisons = self.flat.symbols.comparisons
         if not comparisons:
             return residual
-        symbols, none = {n: c.symbol for n, c in comparisons.items()}, dict.fromkeys(comparisons, ca.SX(0))
+        symbols, none = (
+            {n: c.symbol for n, c in comparisons.items()},
+            dict.fromkeys(comparisons, ca.SX(0)),
+        )
         return replace(residual, expression=put(residual.expression, symbols, none))
 
     def _delayed(self) -> DelayedInputs:
@@ -298,7 +338,9 @@ class _Assembly:
         value = ca.SX(0) if bound is None else ca.SX(self.flat.symbols.bound(bound))
         for symbol in ca.symvar(value):
             if symbol.name() in self.system.variables or symbol.name() in self.system.inputs:
-                raise ModelError(f"the start value of '{name}' depends on the variable '{symbol.name()}'")
+                raise ModelError(
+                    f"the start value of '{name}' depends on the variable '{symbol.name()}'"
+                )
         fixed = metadata.is_fixed(leaf, self.instantiator.constants)
         return StartAttribute(value, fixed, f"start value of '{name}'", given=bound is not None)
 

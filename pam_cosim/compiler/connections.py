@@ -49,7 +49,10 @@ class Connections:
     def _connector(self, reference: Reference, scope: Scope, names: Environment) -> list[Instance]:
         try:
             located = self._evaluator.locate(reference, scope, names)
-            return [self._present(item) for item in (located if isinstance(located, list) else [located])]
+            return [
+                self._present(item)
+                for item in (located if isinstance(located, list) else [located])
+            ]
         except AbsentComponent:
             raise
         except ModelError as error:
@@ -67,7 +70,9 @@ class Connections:
             raise ModelError(f"'{instance.name}' is a {instance.kind}, not a connector")
         return instance
 
-    def _join(self, left: list[Instance], right: list[Instance], scope: Scope, equation: Connect) -> None:
+    def _join(
+        self, left: list[Instance], right: list[Instance], scope: Scope, equation: Connect
+    ) -> None:
         source = scope.definition.source
         if len(left) == 1 and left[0].elements is not None:
             left = left[0].elements
@@ -80,7 +85,9 @@ class Connections:
                 self._join([a], [b], scope, equation)
             elif a.primitive and b.primitive:
                 if ("flow" in a.prefixes) != ("flow" in b.prefixes):
-                    raise source.error(f"a flow is connected with a potential: '{a.name}', '{b.name}'", equation.at)
+                    raise source.error(
+                        f"a flow is connected with a potential: '{a.name}', '{b.name}'", equation.at
+                    )
                 if "stream" in a.prefixes | b.prefixes:
                     raise source.error("stream connectors are not supported", equation.at)
                 self._unite((a, _is_inside(a, scope)), (b, _is_inside(b, scope)))
@@ -96,7 +103,9 @@ class Connections:
                 equation.at,
             )
         for name in names:
-            self._join([a.children[name].resolved()], [b.children[name].resolved()], scope, equation)
+            self._join(
+                [a.children[name].resolved()], [b.children[name].resolved()], scope, equation
+            )
 
     def _root(self, side: ConnectorSide) -> ConnectorSide:
         self._parents.setdefault(side, side)

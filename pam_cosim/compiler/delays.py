@@ -82,14 +82,18 @@ class DelayedInputs:
         results += [self._channel(Delay(None, length)) for _, length in self.begun.values()]
         if not results:
             return list(expressions)
-        old = [call.symbol for call in self.calls.values()] + [symbol for symbol, _ in self.begun.values()]
+        old = [call.symbol for call in self.calls.values()] + [
+            symbol for symbol, _ in self.begun.values()
+        ]
         return list(ca.substitute(list(expressions), [ca.vertcat(*old)], [ca.vertcat(*results)]))
 
     def _result(self, call: DelayCall) -> ca.SX:
         name = call.symbol.name()
         if name not in self._results:
             if name in self._in_progress:
-                raise call.source.error("this delay() is of something that depends on its own result", call.at)
+                raise call.source.error(
+                    "this delay() is of something that depends on its own result", call.at
+                )
             self._in_progress[name] = None
             self._results[name] = self._evaluated(call)
         return self._results[name]
@@ -99,7 +103,9 @@ class DelayedInputs:
         result = self._shifted(call.argument, call, time)
         if same(call.argument, call.start):
             return result
-        return ca.if_else(self._channel(Delay(None, time)) > 0.5, result, self._shifted(call.start, call, time))
+        return ca.if_else(
+            self._channel(Delay(None, time)) > 0.5, result, self._shifted(call.start, call, time)
+        )
 
     def _time(self, call: DelayCall) -> ca.SX:
         varying = [s.name() for s in ca.symvar(call.time) if s.name() not in self._known]
@@ -114,7 +120,9 @@ class DelayedInputs:
         inner = [name for name in _names(argument) if name in self.calls]
         results = {name: self._result(self.calls[name]) for name in inner}
         argument = put(argument, {name: self.calls[name].symbol for name in inner}, results)
-        already = {symbol.name(): delay for symbol, delay in zip(self.delayed, self.delays, strict=True)}
+        already = {
+            symbol.name(): delay for symbol, delay in zip(self.delayed, self.delays, strict=True)
+        }
         old, new = {}, {}
         for symbol in ca.symvar(argument):
             name = symbol.name()
@@ -158,7 +166,9 @@ def put(expression: ca.SX, symbols: Mapping[str, ca.SX], values: Mapping[str, ca
     if not names:
         return expression
     return ca.substitute(
-        expression, ca.vertcat(*[symbols[name] for name in names]), ca.vertcat(*[values[name] for name in names])
+        expression,
+        ca.vertcat(*[symbols[name] for name in names]),
+        ca.vertcat(*[values[name] for name in names]),
     )
 
 

@@ -19,7 +19,13 @@ from pam_cosim.compiler.syntax import Binary, Call, Expression, Literal, Referen
 from pam_cosim.errors import ModelError
 from pam_cosim.wording import did_you_mean
 
-_BINARY: Mapping[str, Callable[[Any, Any], Any]] = {"+": add, "-": sub, "*": mul, "/": truediv, "^": pow}
+_BINARY: Mapping[str, Callable[[Any, Any], Any]] = {
+    "+": add,
+    "-": sub,
+    "*": mul,
+    "/": truediv,
+    "^": pow,
+}
 _UNARY: Mapping[str, Callable[[Any], Any]] = {"+": pos, "-": neg}
 _NAMES = ("exp", "log", "log10", "sqrt", "sin", "cos", "tan", "sinh", "cosh", "tanh", "abs")
 _FUNCTIONS = {name: getattr(np, name) for name in _NAMES}
@@ -39,7 +45,9 @@ def elementwise(text: str, values: Mapping[str, Array | float]) -> Array:
     return np.asarray(evaluate(text, values), dtype=np.float64)
 
 
-def evaluate(text: str, values: Mapping[str, Any], quantity: Callable[[str], Any] | None = None) -> Any:
+def evaluate(
+    text: str, values: Mapping[str, Any], quantity: Callable[[str], Any] | None = None
+) -> Any:
     """The value of an expression of anything that can be reckoned with, such as arrays with units.
 
     Args:
@@ -55,7 +63,9 @@ def evaluate(text: str, values: Mapping[str, Any], quantity: Callable[[str], Any
 
 def with_place(problem: ModelError) -> str:
     """What is wrong with an expression that stands by itself, and at which of its characters."""
-    return f"{problem.message} (at character {problem.column})" if problem.column else problem.message
+    return (
+        f"{problem.message} (at character {problem.column})" if problem.column else problem.message
+    )
 
 
 @dataclass(frozen=True)
@@ -96,4 +106,6 @@ def _value(node: Expression, known: _Known) -> Any:
         return _BINARY[node.operator](_value(node.left, known), _value(node.right, known))
     if isinstance(node, Call) and node.function.text in _FUNCTIONS and len(node.arguments) == 1:
         return _FUNCTIONS[node.function.text](_value(node.arguments[0], known))
-    raise ModelError("only arithmetic and elementary functions of known names can be evaluated here")
+    raise ModelError(
+        "only arithmetic and elementary functions of known names can be evaluated here"
+    )

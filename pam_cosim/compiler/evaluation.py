@@ -118,13 +118,17 @@ class Evaluator:
         self._in_progress: dict[Instance, None] = {}
         self.at_start = False  # what initial() is
         self.depth = 0  # how many functions are being called
-        self.branches: list[Value] = []  # conditions, known at run time only, of the branches being evaluated
+        self.branches: list[
+            Value
+        ] = []  # conditions, known at run time only, of the branches being evaluated
 
     # ---- what a subclass changes --------------------------------------------------------------------------
 
     def variable(self, instance: Instance) -> Value:
         """The value of something that is neither constant nor parameter."""
-        raise ModelError(f"'{instance.name}' is not known before the simulation: a constant is needed here")
+        raise ModelError(
+            f"'{instance.name}' is not known before the simulation: a constant is needed here"
+        )
 
     def parameter(self, instance: Instance) -> Value:
         """The value of a parameter."""
@@ -146,7 +150,9 @@ class Evaluator:
         """A comparison by size that is not decided yet."""
         return arithmetic.binary(operator, left, right)
 
-    def assertion(self, condition: Value, message: arithmetic.Text, is_error: bool, at_start: bool) -> None:
+    def assertion(
+        self, condition: Value, message: arithmetic.Text, is_error: bool, at_start: bool
+    ) -> None:
         """Notes a condition that is not known to hold; where all is known there is none."""
 
     @contextmanager
@@ -180,7 +186,9 @@ class Evaluator:
             raise scope.definition.source.error("a Boolean constant is needed here", expression.at)
         return value
 
-    def evaluate(self, expression: Expression, scope: Scope, names: Environment = NO_NAMES) -> Value:
+    def evaluate(
+        self, expression: Expression, scope: Scope, names: Environment = NO_NAMES
+    ) -> Value:
         """The value of an expression.
 
         Raises:
@@ -217,7 +225,10 @@ class Evaluator:
             if instance in self._in_progress:
                 raise ModelError(f"'{instance.name}' depends on itself")
             self._in_progress[instance] = None
-            self.branches, outside = [], self.branches  # the value is kept, and used outside of them too
+            self.branches, outside = (
+                [],
+                self.branches,
+            )  # the value is kept, and used outside of them too
             try:
                 self._values[instance] = self._find_value(instance)
             finally:
@@ -244,7 +255,9 @@ class Evaluator:
             raise self.at_declaration(instance, f"{kind} '{instance.name}' has no value")
         value = self.bound(bound)
         if isinstance(value, list):
-            raise bound.source.error(f"'{instance.name}' is a scalar, its value an array", bound.expression.at)
+            raise bound.source.error(
+                f"'{instance.name}' is a scalar, its value an array", bound.expression.at
+            )
         if instance.primitive == "Real" and isinstance(value, int) and not isinstance(value, bool):
             return float(value)
         return value
@@ -285,7 +298,9 @@ class Evaluator:
             referent = self._first(name, scope, node)
         referent = self._subscripted(referent, subscripts, scope, names)
         for name, subscripts in node.parts[1:]:
-            referent = self._subscripted(self._member_of(referent, name, node), subscripts, scope, names)
+            referent = self._subscripted(
+                self._member_of(referent, name, node), subscripts, scope, names
+            )
         if isinstance(referent, ClassValue):
             raise ModelError(f"'{node.text}' is a class, not a variable")
         return referent
@@ -323,7 +338,11 @@ class Evaluator:
                 return instance.children[name]
             if name in instance.classes:
                 return ClassValue(instance.classes[name])
-            what = instance.type.definition.qualified_name if instance.type is not None else instance.primitive
+            what = (
+                instance.type.definition.qualified_name
+                if instance.type is not None
+                else instance.primitive
+            )
             raise ModelError(f"'{node.text}': {what or instance.name} has no '{name}'")
         if isinstance(holder, ClassValue):
             return self._class_member(holder.of, name, node)
@@ -349,12 +368,16 @@ class Evaluator:
         if name in package.classes:
             return ClassValue(package.classes[name])
         if name not in package.children:
-            raise ModelError(f"'{node.text}' not found: {definition.qualified_name} has no '{name}'")
+            raise ModelError(
+                f"'{node.text}' not found: {definition.qualified_name} has no '{name}'"
+            )
         if package.children[name].variability != "constant" and definition.kind == "package":
             raise ModelError(f"'{node.text}' is not a constant")
         return package.children[name]
 
-    def _subscripted(self, array: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
+    def _subscripted(
+        self, array: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment
+    ) -> Value:
         if not subscripts:
             return array
         if isinstance(array, Instance):
@@ -366,7 +389,9 @@ class Evaluator:
             raise ModelError("a scalar has no subscripts")
         return self._pick(array, subscripts, scope, names)
 
-    def _pick(self, items: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment) -> Value:
+    def _pick(
+        self, items: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment
+    ) -> Value:
         if not subscripts:
             return items
         if isinstance(items, Instance):
@@ -443,10 +468,15 @@ class Evaluator:
 
     def _array(self, node: Array, scope: Scope, names: Environment) -> Value:
         if node.iterators:
-            return [self.evaluate(node.items[0], scope, point) for point in self.points(node.iterators, scope, names)]
+            return [
+                self.evaluate(node.items[0], scope, point)
+                for point in self.points(node.iterators, scope, names)
+            ]
         return [self.evaluate(item, scope, names) for item in node.items]
 
-    def points(self, iterators: tuple[Iterator, ...], scope: Scope, names: Environment) -> list[Environment]:
+    def points(
+        self, iterators: tuple[Iterator, ...], scope: Scope, names: Environment
+    ) -> list[Environment]:
         """The names with all values of the loop counters, the last counter running fastest."""
         points: list[Environment] = [names]
         for iterator in iterators:
@@ -454,7 +484,9 @@ class Evaluator:
             for point in points:
                 values = self.evaluate(iterator.range, scope, point)
                 if not isinstance(values, list):
-                    raise scope.definition.source.error("a loop runs over a range or an array", iterator.range.at)
+                    raise scope.definition.source.error(
+                        "a loop runs over a range or an array", iterator.range.at
+                    )
                 checked_size(len(following) + len(values))
                 self.instantiator.budget.work(len(values))
                 following += [{**point, iterator.name: value} for value in values]
@@ -484,7 +516,9 @@ class Evaluator:
 
     def _member(self, node: Member, scope: Scope, names: Environment) -> Value:
         base = self.evaluate(node.base, scope, names)
-        return self._contents(self._member_of(base, node.name, Reference(node.at, ((node.name, ()),))))
+        return self._contents(
+            self._member_of(base, node.name, Reference(node.at, ((node.name, ()),)))
+        )
 
     def _group(self, node: Group, scope: Scope, names: Environment) -> Value:
         raise ModelError("several values in parentheses stand only on the left of a call")
@@ -521,24 +555,35 @@ class Evaluator:
         try:
             first = self._first(node.function.parts[0][0], scope, node.function)
             for name, subscripts in node.function.parts[1:]:
-                first = self._subscripted(self._member_of(first, name, node.function), subscripts, scope, NO_NAMES)
+                first = self._subscripted(
+                    self._member_of(first, name, node.function), subscripts, scope, NO_NAMES
+                )
         except ModelError:
             return None
         return first.of if isinstance(first, ClassValue) else None
 
     def _construct(self, of: Class, node: Call, scope: Scope, names: Environment) -> Value:
         definition = of.definition
-        arguments = [Argument(name, value.at, Modification((), value)) for name, value in node.named]
+        arguments = [
+            Argument(name, value.at, Modification((), value)) for name, value in node.named
+        ]
         if node.arguments:
-            raise ModelError(f"name the members in the constructor: {definition.name}(member=value, ...)")
+            raise ModelError(
+                f"name the members in the constructor: {definition.name}(member=value, ...)"
+            )
         if definition.kind != "record" and definition.alias is None:
-            raise ModelError(f"'{definition.qualified_name}' is a {definition.kind}: it cannot be called")
+            raise ModelError(
+                f"'{definition.qualified_name}' is a {definition.kind}: it cannot be called"
+            )
         modification: Mod = bind(Modification(tuple(arguments)), scope, node.at)
         return self.instantiator.record(of, definition.name, modification)
 
     def combinations(self, node: Call, scope: Scope, names: Environment) -> list[Value]:
         """The values of ``f(e for i in r)`` under the function."""
-        return [self.evaluate(node.arguments[0], scope, point) for point in self.points(node.iterators, scope, names)]
+        return [
+            self.evaluate(node.arguments[0], scope, point)
+            for point in self.points(node.iterators, scope, names)
+        ]
 
 
 def _written(node: Expression) -> Expression | None:

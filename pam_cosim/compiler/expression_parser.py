@@ -144,7 +144,9 @@ class ExpressionParser:
         """Counts levels in the text; whoever calls takes them back at their end. After an error nothing is parsed."""
         self.depth += levels
         if self.depth > LIMITS.nesting:
-            self.fail(f"expressions, modifications or classes stand more than {LIMITS.nesting} deep within one another")
+            self.fail(
+                f"expressions, modifications or classes stand more than {LIMITS.nesting} deep within one another"
+            )
 
     def _expression(self) -> Expression:
         if self.kind == "if":
@@ -270,7 +272,11 @@ class ExpressionParser:
         value = int(text) if text.isdigit() and len(text) <= _DIGITS else float(text)
         if abs(value) > LARGEST_INTEGER and text.isdigit() or not math.isfinite(value):
             self.index -= 1
-            self.fail("the number is too large" if math.isfinite(value) else "the number is larger than a Real can be")
+            self.fail(
+                "the number is too large"
+                if math.isfinite(value)
+                else "the number is larger than a Real can be"
+            )
         return value
 
     def reference(self) -> Reference:

@@ -97,7 +97,14 @@ class _Flattener:
         assert leaf.binding is not None
         value = self.symbols.bound(leaf.binding)
         place = _place(leaf.binding.scope, leaf.binding.expression.at, leaf.name)
-        self._equate(self.symbols.unknowns[leaf], value, place, leaf.binding.scope, leaf.binding.expression.at, False)
+        self._equate(
+            self.symbols.unknowns[leaf],
+            value,
+            place,
+            leaf.binding.scope,
+            leaf.binding.expression.at,
+            False,
+        )
 
     def _section(self, section: Section, scope: Scope, node: Instance) -> None:
         if section.kind == "algorithm":
@@ -107,7 +114,9 @@ class _Flattener:
 
     # ---- equations ----------------------------------------------------------------------------------------
 
-    def _equations(self, equations: Sequence[Equation], scope: Scope, names: Environment, initial: bool) -> None:
+    def _equations(
+        self, equations: Sequence[Equation], scope: Scope, names: Environment, initial: bool
+    ) -> None:
         for equation in equations:
             try:
                 self._equation(equation, scope, names, initial)
@@ -116,7 +125,9 @@ class _Flattener:
                     raise scope.definition.source.error(error.message, equation.at) from None
                 raise
 
-    def _equation(self, equation: Equation, scope: Scope, names: Environment, initial: bool) -> None:
+    def _equation(
+        self, equation: Equation, scope: Scope, names: Environment, initial: bool
+    ) -> None:
         if isinstance(equation, Equality):
             self._equality(equation, scope, names, initial)
         elif isinstance(equation, Connect):
@@ -130,28 +141,40 @@ class _Flattener:
             self._procedure(equation, scope, names, initial)
         else:
             what = equation.what if isinstance(equation, Unsupported) else "this equation"
-            raise ModelError(f"'{what}' is not supported: this compiler takes continuous models only")
+            raise ModelError(
+                f"'{what}' is not supported: this compiler takes continuous models only"
+            )
 
-    def _equality(self, equation: Equality, scope: Scope, names: Environment, initial: bool) -> None:
+    def _equality(
+        self, equation: Equality, scope: Scope, names: Environment, initial: bool
+    ) -> None:
         place = _place(scope, equation.at)
         left, right = equation.left, equation.right
         if isinstance(left, Group):
             if not isinstance(right, Call):
                 raise ModelError("several values on the left need a function call on the right")
             results = self.symbols.results(right, scope, names)
-            for target, result in zip(left.items, results if isinstance(results, tuple) else (results,), strict=False):
+            for target, result in zip(
+                left.items, results if isinstance(results, tuple) else (results,), strict=False
+            ):
                 if target is not None:
                     value = self.symbols.evaluate(target, scope, names)
                     self._equate(value, result, place, scope, equation.at, initial)
             return
         value = self.symbols.evaluate(left, scope, names)
-        self._equate(value, self.symbols.evaluate(right, scope, names), place, scope, equation.at, initial)
+        self._equate(
+            value, self.symbols.evaluate(right, scope, names), place, scope, equation.at, initial
+        )
 
-    def _equate(self, left: Value, right: Value, place: str, scope: Scope, at: int, initial: bool) -> None:
+    def _equate(
+        self, left: Value, right: Value, place: str, scope: Scope, at: int, initial: bool
+    ) -> None:
         if isinstance(left, Instance) and isinstance(right, Instance):
             for name, child in left.children.items():
                 if name not in right.children:
-                    raise scope.definition.source.error(f"'{right.name}' has no member '{name}'", at)
+                    raise scope.definition.source.error(
+                        f"'{right.name}' has no member '{name}'", at
+                    )
                 values = self.symbols.value(child), self.symbols.value(right.children[name])
                 self._equate(*values, place, scope, at, initial)
             return
@@ -162,7 +185,9 @@ class _Flattener:
                 residual = arithmetic.binary("-", a, b)
             except arithmetic.ArithmeticProblem as problem:
                 raise scope.definition.source.error(problem.message, at) from None
-            (self.flat.initial if initial else self.flat.residuals).append(Residual(ca.SX(residual), place))
+            (self.flat.initial if initial else self.flat.residuals).append(
+                Residual(ca.SX(residual), place)
+            )
 
     def _if(self, equation: If, scope: Scope, names: Environment, initial: bool) -> None:
         """A constant condition chooses a branch; else all branches must have as many equations."""
@@ -185,17 +210,25 @@ class _Flattener:
             return
         complete = branches[-1][0] is True
         if not complete:
-            branches.append((True, []))  # a missing else has no equations (Modelica 3.6, section 8.3.4)
+            branches.append(
+                (True, [])
+            )  # a missing else has no equations (Modelica 3.6, section 8.3.4)
         *choices, (_, otherwise) = branches
         if not complete and any(residuals for _, residuals in choices):
-            raise ModelError("an if-equation with a condition that varies needs an else branch with as many equations")
+            raise ModelError(
+                "an if-equation with a condition that varies needs an else branch with as many equations"
+            )
         if any(len(residuals) != len(otherwise) for _, residuals in choices):
             raise ModelError("the branches of this if-equation have different numbers of equations")
         for i, residual in enumerate(otherwise):
             values = [(value, residuals[i].expression) for value, residuals in choices]
-            target.append(Residual(ca.SX(arithmetic.select(values, residual.expression)), residual.place))
+            target.append(
+                Residual(ca.SX(arithmetic.select(values, residual.expression)), residual.place)
+            )
 
-    def _procedure(self, equation: Procedure, scope: Scope, names: Environment, initial: bool) -> None:
+    def _procedure(
+        self, equation: Procedure, scope: Scope, names: Environment, initial: bool
+    ) -> None:
         if equation.call.function.text != "assert":
             raise ModelError(f"'{equation.call.function.text}' cannot stand alone as an equation")
         check(self.symbols, equation.call, scope, names, initial)
@@ -206,7 +239,9 @@ class _Flattener:
         local: dict[str, Value] = {}
         for name in names:
             if name not in scope.components:
-                raise scope.definition.source.error(f"'{name}' is not a variable of this model", scope.definition.at)
+                raise scope.definition.source.error(
+                    f"'{name}' is not a variable of this model", scope.definition.at
+                )
             local[name] = self.symbols.value(node.children[name])
         before = dict(local)
         run(self.symbols, section.equations, scope, local)
@@ -223,7 +258,9 @@ class _Flattener:
             for variable, inside in members:
                 value = self._connected_value(variable)
                 total = total + (value if inside else -value)
-            names = " + ".join(f"{'' if inside else '-'}{variable.name}" for variable, inside in members)
+            names = " + ".join(
+                f"{'' if inside else '-'}{variable.name}" for variable, inside in members
+            )
             self.flat.residuals.append(Residual(total, f"connection: {names} = 0"))
             return
         distinct = list(dict.fromkeys(variable for variable, _ in members))
@@ -242,7 +279,11 @@ def _assigned(statements: Sequence[Equation]) -> list[str]:
     names: list[str] = []
     for statement in statements:
         if isinstance(statement, Assignment):
-            items = statement.target.items if isinstance(statement.target, Group) else (statement.target,)
+            items = (
+                statement.target.items
+                if isinstance(statement.target, Group)
+                else (statement.target,)
+            )
             names += [item.parts[0][0] for item in items if isinstance(item, Reference)]
         elif isinstance(statement, If):
             for _, body in statement.branches:
@@ -254,7 +295,9 @@ def _assigned(statements: Sequence[Equation]) -> list[str]:
 
 def _same_shape(left: Value, right: Value) -> bool:
     if isinstance(left, list) and isinstance(right, list):
-        return len(left) == len(right) and all(_same_shape(a, b) for a, b in zip(left, right, strict=True))
+        return len(left) == len(right) and all(
+            _same_shape(a, b) for a, b in zip(left, right, strict=True)
+        )
     return not isinstance(left, list) and not isinstance(right, list)
 
 

@@ -27,7 +27,9 @@ from pam_cosim.errors import ModelError
 _DEPTH = 60
 
 
-def call(evaluator: Evaluator, of: Class, node: Call, scope: Scope, names: Environment) -> tuple[Value, ...]:
+def call(
+    evaluator: Evaluator, of: Class, node: Call, scope: Scope, names: Environment
+) -> tuple[Value, ...]:
     """All results of a function, in order.
 
     Raises:
@@ -59,10 +61,17 @@ def call(evaluator: Evaluator, of: Class, node: Call, scope: Scope, names: Envir
 
 
 def _arguments(
-    evaluator: Evaluator, name: str, inputs: list[Instance], node: Call, scope: Scope, names: Environment
+    evaluator: Evaluator,
+    name: str,
+    inputs: list[Instance],
+    node: Call,
+    scope: Scope,
+    names: Environment,
 ) -> dict[str, Value]:
     if len(node.arguments) > len(inputs):
-        raise ModelError(f"function {name} takes {len(inputs)} arguments, {len(node.arguments)} are given")
+        raise ModelError(
+            f"function {name} takes {len(inputs)} arguments, {len(node.arguments)} are given"
+        )
     given = {
         child.local_name: evaluator.evaluate(argument, scope, names)
         for child, argument in zip(inputs, node.arguments, strict=False)
@@ -78,7 +87,11 @@ def _arguments(
 
 
 def _with_defaults(
-    evaluator: Evaluator, name: str, function: Instance, inputs: list[Instance], given: dict[str, Value]
+    evaluator: Evaluator,
+    name: str,
+    function: Instance,
+    inputs: list[Instance],
+    given: dict[str, Value],
 ) -> dict[str, Value]:
     """The variables of a call before its first statement; constants are found through the instance."""
     local: dict[str, Value] = {}
@@ -112,7 +125,9 @@ def _copied(value: Value) -> Value:
     return [_copied(item) for item in value] if isinstance(value, list) else value
 
 
-def run(evaluator: Evaluator, statements: Iterable[Equation], scope: Scope, local: dict[str, Value]) -> None:
+def run(
+    evaluator: Evaluator, statements: Iterable[Equation], scope: Scope, local: dict[str, Value]
+) -> None:
     """Run statements; ``local`` holds the variables and is changed."""
     for statement in statements:
         try:
@@ -123,7 +138,9 @@ def run(evaluator: Evaluator, statements: Iterable[Equation], scope: Scope, loca
             raise
 
 
-def _run_one(evaluator: Evaluator, statement: Equation, scope: Scope, local: dict[str, Value]) -> None:
+def _run_one(
+    evaluator: Evaluator, statement: Equation, scope: Scope, local: dict[str, Value]
+) -> None:
     if isinstance(statement, Assignment):
         _assign(evaluator, statement, scope, local)
     elif isinstance(statement, If):
@@ -147,20 +164,32 @@ def _run_one(evaluator: Evaluator, statement: Equation, scope: Scope, local: dic
         raise ModelError(f"'{what}' is not supported in functions")
 
 
-def _assign(evaluator: Evaluator, statement: Assignment, scope: Scope, local: dict[str, Value]) -> None:
+def _assign(
+    evaluator: Evaluator, statement: Assignment, scope: Scope, local: dict[str, Value]
+) -> None:
     if isinstance(statement.target, Group):
         if not isinstance(statement.value, Call):
             raise ModelError("several targets need a function call on the right")
         results = evaluator.results(statement.value, scope, local)
         targets = statement.target.items
-        for target, value in zip(targets, results if isinstance(results, tuple) else (results,), strict=False):
+        for target, value in zip(
+            targets, results if isinstance(results, tuple) else (results,), strict=False
+        ):
             if target is not None:
                 _store(evaluator, target, value, scope, local)
     else:
-        _store(evaluator, statement.target, evaluator.evaluate(statement.value, scope, local), scope, local)
+        _store(
+            evaluator,
+            statement.target,
+            evaluator.evaluate(statement.value, scope, local),
+            scope,
+            local,
+        )
 
 
-def _store(evaluator: Evaluator, target: Expression, value: Value, scope: Scope, local: dict[str, Value]) -> None:
+def _store(
+    evaluator: Evaluator, target: Expression, value: Value, scope: Scope, local: dict[str, Value]
+) -> None:
     if not isinstance(target, Reference) or len(target.parts) != 1:
         raise ModelError("a variable of the function is needed on the left of ':='")
     name, subscripts = target.parts[0]
@@ -179,7 +208,9 @@ def _store(evaluator: Evaluator, target: Expression, value: Value, scope: Scope,
         items[_index(evaluator, subscripts[-1], items, scope, local)] = value
 
 
-def _index(evaluator: Evaluator, subscript: Expression, items: Value, scope: Scope, local: Environment) -> int:
+def _index(
+    evaluator: Evaluator, subscript: Expression, items: Value, scope: Scope, local: Environment
+) -> int:
     if not isinstance(items, list):
         raise ModelError("there are more subscripts than dimensions")
     index = evaluator.integer(subscript, scope, {**local, "end": len(items)})

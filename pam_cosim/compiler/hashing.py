@@ -8,13 +8,21 @@ from functools import lru_cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from pam_cosim.compiler.library import Signature, modelica_files, package_folder, signature_of, source_bytes
+from pam_cosim.compiler.library import (
+    Signature,
+    modelica_files,
+    package_folder,
+    signature_of,
+    source_bytes,
+)
 from pam_cosim.errors import ModelError
 from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
 
 
-def flat_hash(model: str, *, files: Sequence[Path] = (), root: Path | None = None, library: str = "") -> str:
+def flat_hash(
+    model: str, *, files: Sequence[Path] = (), root: Path | None = None, library: str = ""
+) -> str:
     """SHA-256, in hexadecimal, of model name, Modelica sources, this compiler and CasADi's version.
 
     Arguments as for :func:`pam_cosim.compiler.compile_model`. Where the files lie makes no difference.

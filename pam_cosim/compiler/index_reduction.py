@@ -73,7 +73,9 @@ def reduce_index(system: EquationSystem) -> None:
         while not assigned.add(equation, highest):
             equations, names = sorted(assigned.seen_equations), assigned.seen_variables
             if len(system.residuals) > most:
-                raise ModelError("the equations do not determine the variables: index reduction finds no end")
+                raise ModelError(
+                    "the equations do not determine the variables: index reduction finds no end"
+                )
             for name in names:
                 _add_derivative(system, name)
             for number in equations:
@@ -116,7 +118,9 @@ def _differentiate(system: EquationSystem, residual: Residual) -> Residual:
         raise ModelError(f"this equation holds parameters only: {residual.place}")
     arguments = ca.vertcat(*[symbol for symbol, _ in varying])
     direction = ca.vertcat(*[rate for _, rate in varying])
-    return Residual(ca.jtimes(residual.expression, arguments, direction), f"derivative of {residual.place}")
+    return Residual(
+        ca.jtimes(residual.expression, arguments, direction), f"derivative of {residual.place}"
+    )
 
 
 def _check_structure(system: EquationSystem, incidence: Sequence[Sequence[str]]) -> None:
@@ -130,7 +134,9 @@ def _check_structure(system: EquationSystem, incidence: Sequence[Sequence[str]])
         raise ModelError(_imbalance(system, unmatched, free, len(system.variables) - len(base)))
 
 
-def _imbalance(system: EquationSystem, unmatched: Sequence[int], free: Sequence[str], count: int) -> str:
+def _imbalance(
+    system: EquationSystem, unmatched: Sequence[int], free: Sequence[str], count: int
+) -> str:
     text = f"the model has {len(system.residuals)} equations for {count} variables"
     if free:
         text += f"; no equation determines {_listed([f'{name!r}' for name in free])}"
@@ -164,18 +170,24 @@ def select_states(system: EquationSystem, preference: Callable[[str], float]) ->
                     j = position[name]
                     costs[i, j] = _dummy_cost(expression, system.variables[name], name, preference)
                     costs[i, j] -= 1e-3 * j
-        from scipy.optimize import linear_sum_assignment  # a third of a second, which no model from the cache needs
+        from scipy.optimize import (
+            linear_sum_assignment,
+        )  # a third of a second, which no model from the cache needs
 
         rows, columns = linear_sum_assignment(costs)
         if len(rows) < len(constraints) or costs[rows, columns].max() >= _FORBIDDEN / 2:
-            raise ModelError("index reduction finds no set of states: the constraints contradict each other")
+            raise ModelError(
+                "index reduction finds no set of states: the constraints contradict each other"
+            )
         dummies = {candidates[j] for j in columns}
     states = [name for name in candidates if name not in dummies]
     unknowns = [name for name in system.variables if name not in states]
     return StateSelection(states, unknowns)
 
 
-def _dummy_cost(expression: ca.SX, symbol: ca.SX, name: str, preference: Callable[[str], float]) -> float:
+def _dummy_cost(
+    expression: ca.SX, symbol: ca.SX, name: str, preference: Callable[[str], float]
+) -> float:
     """How bad it is to compute this variable from this equation instead of integrating it."""
     slope = ca.jacobian(expression, symbol)
     cost = _PREFERENCE * preference(name)

@@ -91,8 +91,16 @@ def initial_values(problem: InitialProblem) -> InitialValues:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
     starts = {name: problem.start(name) for name in problem.declared}
-    fixed = [_start_equation(problem.system, name, start) for name, start in starts.items() if start.fixed]
-    free = [_start_equation(problem.system, name, start) for name, start in starts.items() if not start.fixed]
+    fixed = [
+        _start_equation(problem.system, name, start)
+        for name, start in starts.items()
+        if start.fixed
+    ]
+    free = [
+        _start_equation(problem.system, name, start)
+        for name, start in starts.items()
+        if not start.fixed
+    ]
     still = [(variable_at_rest(e, problem.system.derivative_of), e) for e in problem.equations]
     said = [*fixed, *(equation for name, equation in still if name is None)]
     rest = _rest(problem, said, [(name, equation) for name, equation in still if name is not None])
@@ -112,7 +120,9 @@ def initial_values(problem: InitialProblem) -> InitialValues:
     )
 
 
-def _rest(problem: InitialProblem, said: Sequence[Residual], still: Sequence[tuple[str, Residual]]) -> AtRest:
+def _rest(
+    problem: InitialProblem, said: Sequence[Residual], still: Sequence[tuple[str, Residual]]
+) -> AtRest:
     """Which states the equations ``der(x) = 0`` put at rest, beside what is said otherwise."""
     if not still:
         return AtRest()
@@ -121,7 +131,10 @@ def _rest(problem: InitialProblem, said: Sequence[Residual], still: Sequence[tup
         chosen.add(equation)
     starts = [(name, equation, problem.start(name)) for name, equation in still]
     return at_rest(
-        [(name, equation, _start_equation(problem.system, name, start)) for name, equation, start in starts],
+        [
+            (name, equation, _start_equation(problem.system, name, start))
+            for name, equation, start in starts
+        ],
         problem.states,
         lambda name: {symbol.name() for symbol in ca.symvar(problem.solved[name])},
         chosen.add,
@@ -139,7 +152,11 @@ def _sought(
     values = _solution(problem, [*said, *rest.others], free, others)
     following = {name: value for name, value in values.items() if leans_on(value, rest.states)}
     refuse_parameters(following, problem.late)
-    own = [guess for name, guess in zip(rest.states, rest.guesses, strict=True) if problem.start(name).given]
+    own = [
+        guess
+        for name, guess in zip(rest.states, rest.guesses, strict=True)
+        if problem.start(name).given
+    ]
     further = [] if len(own) == len(rest.states) else problem.started
     others_start = [_start_equation(problem.system, name, problem.start(name)) for name in further]
     guesses = [*own, *others_start, *rest.guesses, *free]
@@ -170,7 +187,10 @@ class _Chosen:
 
 
 def _solution(
-    problem: InitialProblem, said: Sequence[Residual], free: Sequence[Residual], unknown: Mapping[str, ca.SX]
+    problem: InitialProblem,
+    said: Sequence[Residual],
+    free: Sequence[Residual],
+    unknown: Mapping[str, ca.SX],
 ) -> dict[str, ca.SX]:
     """The states and parameters among the unknowns, from what is said and, where that is not enough, what is free."""
     chosen = _Chosen(problem.system.residuals, unknown)
@@ -190,7 +210,9 @@ def _solution(
 
 def _refuse_inputs(problem: InitialProblem, values: Mapping[str, ca.SX]) -> None:
     for name, value in values.items():
-        refused = problem.system.inputs - (problem.present if name in problem.states else frozenset())
+        refused = problem.system.inputs - (
+            problem.present if name in problem.states else frozenset()
+        )
         inputs = [symbol.name() for symbol in ca.symvar(value) if symbol.name() in refused]
         if inputs:
             raise ModelError(f"the initial value of '{name}' depends on the input '{inputs[0]}'")
@@ -226,4 +248,6 @@ def _check_superfluous(
         rest = ca.substitute(ca.substitute(equation.expression, old, new), *defaults)
         value = float(ca.evalf(rest)) if not ca.symvar(rest) else float("nan")
         if not np.isfinite(value) or abs(value) > _CONSISTENT:
-            raise ModelError(f"the initial values are overdetermined: {equation.place} contradicts the others")
+            raise ModelError(
+                f"the initial values are overdetermined: {equation.place} contradicts the others"
+            )

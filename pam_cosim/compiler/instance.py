@@ -99,7 +99,10 @@ class Mod:
         value = self.value
         if value is not None and not self.each:
             value = value.element(index)
-        entries = {name: entry if entry.each else entry.element(index) for name, entry in self.entries.items()}
+        entries = {
+            name: entry if entry.each else entry.element(index)
+            for name, entry in self.entries.items()
+        }
         return Mod(self.at, self.source, value, entries, self.redeclaration, False, self.final)
 
 

@@ -21,7 +21,9 @@ from pam_cosim.compiler.syntax import (
 from pam_cosim.errors import ModelError
 
 PRIMITIVES = frozenset(("Real", "Integer", "Boolean", "String"))
-_INHERITED_PREFIXES = frozenset(("constant", "parameter", "protected", "final", "flow", "input", "output"))
+_INHERITED_PREFIXES = frozenset(
+    ("constant", "parameter", "protected", "final", "flow", "input", "output")
+)
 _DEPTH = 40
 
 
@@ -45,7 +47,9 @@ class Instantiator:
         self.budget = Budget()
         self.constants = Evaluator(self)
         self._packages: dict[ClassDefinition, Instance] = {}
-        self._functions: dict[tuple[ClassDefinition, Scope | None, Mod | None, Mod | None], Instance] = {}
+        self._functions: dict[
+            tuple[ClassDefinition, Scope | None, Mod | None, Mod | None], Instance
+        ] = {}
 
     # ---- whole classes ------------------------------------------------------------------------------------
 
@@ -60,7 +64,9 @@ class Instantiator:
         """A package as a holder of constants; they are expanded when somebody asks for them."""
         key = of.definition
         if of.over is not None or key not in self._packages:
-            instance = Instance(of.definition.qualified_name, None, None, None, kind="package", expanded=True)
+            instance = Instance(
+                of.definition.qualified_name, None, None, None, kind="package", expanded=True
+            )
             self.populate(instance, of, NOTHING)
             if of.over is not None:
                 return instance
@@ -72,7 +78,9 @@ class Instantiator:
         key = of.definition, of.outer, of.over, of.under
         if key not in self._functions:
             name = of.definition.qualified_name
-            instance = Instance(name, None, None, None, kind="function", definition=of, expanded=True)
+            instance = Instance(
+                name, None, None, None, kind="function", definition=of, expanded=True
+            )
             self.populate(instance, of, NOTHING)
             self._functions[key] = instance
         return self._functions[key]
@@ -80,7 +88,9 @@ class Instantiator:
     def record(self, of: Class, name: str, modification: Mod) -> Instance:
         """The value that a record constructor makes."""
         prefixes = frozenset(("constant",))
-        instance = Instance(name, None, None, None, modification, prefixes, kind="record", expanded=True)
+        instance = Instance(
+            name, None, None, None, modification, prefixes, kind="record", expanded=True
+        )
         self.populate(instance, of, modification)
         self._expand_children(instance)
         return instance
@@ -95,13 +105,17 @@ class Instantiator:
         """
         definition = of.definition
         if depth > _DEPTH:
-            raise definition.source.error(f"class '{definition.name}' inherits from itself", definition.at)
+            raise definition.source.error(
+                f"class '{definition.name}' inherits from itself", definition.at
+            )
         instance.ancestors.append(of)
         modification = merge(modification, of.over)
         if definition.alias is not None:
             return self._populate_short(instance, of, modification, depth)
         if definition.literals is not None:
-            raise definition.source.error(f"'{definition.name}' is an enumeration, not a model", definition.at)
+            raise definition.source.error(
+                f"'{definition.name}' is an enumeration, not a model", definition.at
+            )
         modification = merge(modification, of.under)
         scope = Scope(definition, instance, of.outer)
         self._register_classes(instance, scope, modification)
@@ -119,13 +133,19 @@ class Instantiator:
         for declaration in definition.components.values():
             scope.components.add(declaration.name)
             if declaration.name not in instance.children:
-                instance.children[declaration.name] = self._child(instance, declaration, scope, modification)
+                instance.children[declaration.name] = self._child(
+                    instance, declaration, scope, modification
+                )
         # a class that is inherited twice states its equations once
         present = [section for section, _ in instance.sections]
-        instance.sections += [(section, scope) for section in definition.sections if section not in present]
+        instance.sections += [
+            (section, scope) for section in definition.sections if section not in present
+        ]
         return scope
 
-    def _populate_short(self, instance: Instance, of: Class, modification: Mod, depth: int) -> Scope:
+    def _populate_short(
+        self, instance: Instance, of: Class, modification: Mod, depth: int
+    ) -> Scope:
         definition = of.definition
         assert definition.alias is not None
         holder = of.outer.definition if of.outer is not None else definition
@@ -139,12 +159,16 @@ class Instantiator:
     def _register_classes(self, instance: Instance, scope: Scope, modification: Mod) -> None:
         for name, nested in scope.definition.classes.items():
             scope.classes.add(name)
-            under = None if nested.constraint is None else bind(nested.constraint.modification, scope)
+            under = (
+                None if nested.constraint is None else bind(nested.constraint.modification, scope)
+            )
             entry = modification.entries.get(name)
             if name in instance.classes:
                 continue
             if entry is not None and entry.redeclaration is not None:
-                instance.classes[name] = self._redeclared_class(nested, entry, entry.redeclaration, scope, under)
+                instance.classes[name] = self._redeclared_class(
+                    nested, entry, entry.redeclaration, scope, under
+                )
             else:
                 instance.classes[name] = Class(nested, scope, entry, under)
 
@@ -159,7 +183,9 @@ class Instantiator:
         new, place = redeclaration.declaration, redeclaration.scope
         source = place.definition.source
         if not isinstance(new, ClassDefinition):
-            raise source.error(f"'{new.name}' is a class: write 'redeclare model {new.name} = ...'", new.at)
+            raise source.error(
+                f"'{new.name}' is a class: write 'redeclare model {new.name} = ...'", new.at
+            )
         if "replaceable" not in original.prefixes:
             raise source.error(f"class '{new.name}' is not replaceable", new.at)
         over = replace(entry, redeclaration=None, value=None) if entry.entries else None
@@ -186,7 +212,11 @@ class Instantiator:
         missing = [name for name in wanted if name not in offered]
         if missing:
             where = new.outer.definition.source if new.outer is not None else new.definition.source
-            target = new.definition.alias.type.text if new.definition.alias is not None else new.definition.name
+            target = (
+                new.definition.alias.type.text
+                if new.definition.alias is not None
+                else new.definition.name
+            )
             raise where.error(
                 f"'{target}' does not fit here: it lacks {', '.join(missing)} of {limit.definition.qualified_name}",
                 at,
@@ -216,12 +246,20 @@ class Instantiator:
 
     def _check_names(self, modification: Mod, instance: Instance, where: str) -> None:
         for name, entry in modification.entries.items():
-            if name not in instance.children and name not in instance.classes and entry.source is not None:
-                raise entry.source.error(f"there is no '{name}' in {where} to be modified", entry.at)
+            if (
+                name not in instance.children
+                and name not in instance.classes
+                and entry.source is not None
+            ):
+                raise entry.source.error(
+                    f"there is no '{name}' in {where} to be modified", entry.at
+                )
 
     # ---- components ---------------------------------------------------------------------------------------
 
-    def _child(self, parent: Instance, declaration: ComponentDeclaration, scope: Scope, outer: Mod) -> Instance:
+    def _child(
+        self, parent: Instance, declaration: ComponentDeclaration, scope: Scope, outer: Mod
+    ) -> Instance:
         entry = outer.entries.get(declaration.name)
         own = bind(declaration.modification, scope, declaration.at)
         constraint = None
@@ -283,7 +321,11 @@ class Instantiator:
             self.budget.instance()
             self._expand(instance)
         except ModelError as error:
-            if error.file is not None or isinstance(error, AbsentComponent) or instance.declaration is None:
+            if (
+                error.file is not None
+                or isinstance(error, AbsentComponent)
+                or instance.declaration is None
+            ):
                 raise
             message = f"component '{instance.name[:100]}': {error.message}"
             raise instance_source(instance).error(message, instance.declaration.at) from None
@@ -294,7 +336,9 @@ class Instantiator:
         declaration, scope = instance.declaration, instance.scope
         assert declaration is not None and scope is not None
         if declaration.condition is not None:
-            instance.present = self.constants.condition(declaration.condition, instance.home or scope)
+            instance.present = self.constants.condition(
+                declaration.condition, instance.home or scope
+            )
             if not instance.present:
                 return
         if "outer" in instance.prefixes and "inner" not in instance.prefixes:
@@ -309,12 +353,16 @@ class Instantiator:
         written = tuple((size, home) for size in declaration.dimensions)
         dimensions = written + type_.dimensions
         if dimensions:
-            sizes = [self._size(size, place, instance, i) for i, (size, place) in enumerate(dimensions)]
+            sizes = [
+                self._size(size, place, instance, i) for i, (size, place) in enumerate(dimensions)
+            ]
             self._expand_array(instance, sizes, ())
         else:
             self._expand_scalar(instance, type_)
 
-    def _expand_array(self, instance: Instance, sizes: Sequence[int], index: tuple[int, ...]) -> None:
+    def _expand_array(
+        self, instance: Instance, sizes: Sequence[int], index: tuple[int, ...]
+    ) -> None:
         instance.elements = []
         checked_size(sizes[0])
         base = instance.name.rpartition("[")[0] if index else instance.name
@@ -326,7 +374,9 @@ class Instantiator:
             modification = instance.modification.element(number - 1)
             prefixes = instance.prefixes
             self.budget.instance()
-            element = Instance(name, instance.parent, scope, declaration, modification, prefixes, expanded=True)
+            element = Instance(
+                name, instance.parent, scope, declaration, modification, prefixes, expanded=True
+            )
             if len(sizes) > 1:
                 self._expand_array(element, sizes[1:], place)
             else:
@@ -365,10 +415,14 @@ class Instantiator:
     def _take_apart(self, instance: Instance, value: Bound) -> None:
         """Give each member of a record its part of the record's binding."""
         if instance.kind != "record":
-            raise value.source.error(f"'{instance.name}' is no variable: it cannot have a value", value.expression.at)
+            raise value.source.error(
+                f"'{instance.name}' is no variable: it cannot have a value", value.expression.at
+            )
         for name, child in instance.children.items():
             if child.modification.value is None or not self._from_outside(instance, name):
-                child.modification = replace(child.modification, value=value.member(name), each=False)
+                child.modification = replace(
+                    child.modification, value=value.member(name), each=False
+                )
 
     def _from_outside(self, instance: Instance, name: str) -> bool:
         entry = instance.modification.entries.get(name)
@@ -384,7 +438,9 @@ class Instantiator:
         while True:
             candidate = holder.children.get(name)
             is_top = holder.parent is None
-            if candidate is not None and ("inner" in candidate.prefixes or is_top and "outer" in candidate.prefixes):
+            if candidate is not None and (
+                "inner" in candidate.prefixes or is_top and "outer" in candidate.prefixes
+            ):
                 return self.expand(candidate)
             if holder.parent is None:
                 return self._added_inner(instance, holder)
@@ -396,7 +452,11 @@ class Instantiator:
         assert declaration is not None and scope is not None
         of = self.lookup.find(scope, declaration.type.names, declaration.type.absolute)
         definition = None if of is None else self.followed(of).definition
-        if definition is None or definition.partial or definition.kind not in ("model", "block", "class"):
+        if (
+            definition is None
+            or definition.partial
+            or definition.kind not in ("model", "block", "class")
+        ):
             raise instance_source(outer).error(
                 f"'outer {declaration.type.text} {name}' finds no 'inner {declaration.type.text} {name}' above it",
                 declaration.at,
@@ -407,7 +467,9 @@ class Instantiator:
                 f"declare it 'inner {declaration.type.text} {name}'",
                 declaration.at,
             )
-        top.children[name] = Instance(name, top, scope, declaration, NOTHING, frozenset({"inner"}), home=scope)
+        top.children[name] = Instance(
+            name, top, scope, declaration, NOTHING, frozenset({"inner"}), home=scope
+        )
         return self.expand(top.children[name])
 
     # ---- types --------------------------------------------------------------------------------------------
@@ -445,7 +507,9 @@ class Instantiator:
             else:
                 followed.modification = merge(merge(modification, own), followed.modification)
         followed.prefixes |= definition.alias_prefixes
-        followed.dimensions = tuple((size, place) for size in definition.alias_dimensions) + followed.dimensions
+        followed.dimensions = (
+            tuple((size, place) for size in definition.alias_dimensions) + followed.dimensions
+        )
         return followed
 
     def _size(self, size: Expression, place: Scope, instance: Instance, dimension: int) -> int:
@@ -460,7 +524,9 @@ class Instantiator:
         for _ in range(dimension):
             array = array[0] if isinstance(array, list) and array else array
         if not isinstance(array, list):
-            raise value.source.error(f"'{instance.name}' needs an array as its value", value.expression.at)
+            raise value.source.error(
+                f"'{instance.name}' needs an array as its value", value.expression.at
+            )
         return len(array)
 
 

@@ -57,7 +57,9 @@ def tokenise(source: SourceText) -> Tokens:
         kind = token.lastgroup
         if kind == "name" and not token.group().isprintable():
             bad = next(i for i, c in enumerate(token.group()) if not c.isprintable())
-            raise source.error(f"a name must not hold the character {token.group()[bad]!r}", position + bad)
+            raise source.error(
+                f"a name must not hold the character {token.group()[bad]!r}", position + bad
+            )
         if kind != "space":
             word = token.group()
             is_literal = kind in ("number", "string") or (kind == "name" and word not in KEYWORDS)

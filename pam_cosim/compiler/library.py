@@ -39,7 +39,11 @@ class Library:
             folder = package_folder(file)
             place = (folder or file).resolve()
             if place not in read:
-                read[place] = self._read_user_file(file) if folder is None else self._read_user_package(folder)
+                read[place] = (
+                    self._read_user_file(file)
+                    if folder is None
+                    else self._read_user_package(folder)
+                )
             self.user_classes[file] = read[place]
 
     def find(self, qualified_name: str) -> ClassDefinition | None:
@@ -67,13 +71,17 @@ class Library:
             if (node.parent is None or node.parent.kind == "package") and kind in ("", node.kind):
                 by_name.setdefault(node.name.lower(), []).append(node.qualified_name)
         last = names.last(name).lower()
-        near = by_name.get(last) or [n for close in closest(last, by_name, 2) for n in by_name[close]]
+        near = by_name.get(last) or [
+            n for close in closest(last, by_name, 2) for n in by_name[close]
+        ]
         return f"; did you mean {' or '.join(near)}?" if near else ""
 
     def _read_user_package(self, folder: Path) -> list[ClassDefinition]:
         package = _package(folder, signature_of(folder))
         if package.name in self.top:
-            raise package.source.error(f"a class '{package.name}' exists already: choose another name", package.at)
+            raise package.source.error(
+                f"a class '{package.name}' exists already: choose another name", package.at
+            )
         self.top[package.name] = package
         return [package]
 
@@ -83,13 +91,17 @@ class Library:
             if within:
                 parent = self.find(".".join(within))
                 if parent is None:
-                    raise ModelError(f"'within {'.'.join(within)}': there is no such package", file, 1, 1)
+                    raise ModelError(
+                        f"'within {'.'.join(within)}': there is no such package", file, 1, 1
+                    )
                 node.parent = parent
                 self.inserted[node.qualified_name] = node
             elif node.name in self.top and _is_copy(node, self.top[node.name]):
                 continue
             elif node.name in self.top:
-                raise node.source.error(f"a class '{node.name}' exists already: choose another name", node.at)
+                raise node.source.error(
+                    f"a class '{node.name}' exists already: choose another name", node.at
+                )
             else:
                 self.top[node.name] = node
         return classes

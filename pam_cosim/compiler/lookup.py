@@ -38,9 +38,13 @@ class Lookup:
 
     def of(self, definition: ClassDefinition) -> Class:
         """The class as its definition stands in the library."""
-        return Class(definition, None if definition.parent is None else self.static_scope(definition.parent))
+        return Class(
+            definition, None if definition.parent is None else self.static_scope(definition.parent)
+        )
 
-    def find(self, scope: Scope | None, names: tuple[str, ...], absolute: bool = False) -> Class | None:
+    def find(
+        self, scope: Scope | None, names: tuple[str, ...], absolute: bool = False
+    ) -> Class | None:
         """The class that a dotted name means at ``scope``."""
         return self._descend(self.first(scope, names[0], absolute), names[1:])
 
@@ -78,7 +82,10 @@ class Lookup:
         """
         if scope is not self._static.get(scope.definition):
             return self._bounded_member(scope, name)
-        key = (scope.definition, name)  # there nothing can be redeclared: the answer is always the same
+        key = (
+            scope.definition,
+            name,
+        )  # there nothing can be redeclared: the answer is always the same
         if key not in self._static_members:
             self._static_members[key] = self._bounded_member(scope, name)
         return self._static_members[key]
@@ -100,7 +107,9 @@ class Lookup:
         definition = scope.definition
         if name in definition.classes:
             return Class(definition.classes[name], scope)
-        if self.library.inserted and (inserted := self.library.inserted.get(f"{definition.qualified_name}.{name}")):
+        if self.library.inserted and (
+            inserted := self.library.inserted.get(f"{definition.qualified_name}.{name}")
+        ):
             return Class(inserted, scope)
         if scope.instance is None:
             for base in self.bases(Class(definition, scope.outer)):
@@ -122,14 +131,24 @@ class Lookup:
         definition = of.definition
         if definition.alias is not None:
             target = definition.alias.type
-            return [base for base in [self.find(of.outer, target.names, target.absolute)] if base is not None]
-        return [base for clause in definition.extends if (base := self.base(of, clause)) is not None]
+            return [
+                base
+                for base in [self.find(of.outer, target.names, target.absolute)]
+                if base is not None
+            ]
+        return [
+            base for clause in definition.extends if (base := self.base(of, clause)) is not None
+        ]
 
     def base(self, of: Class, clause: Extends) -> Class | None:
         """The class that one ``extends`` of a class names; its name is not looked up among what is inherited."""
         names, absolute = clause.type.names, clause.type.absolute
         own = of.definition.classes.get(names[0]) if not absolute else None
-        here = Class(own, self.inside(of)) if own is not None else self._imported(of.definition, names[0])
+        here = (
+            Class(own, self.inside(of))
+            if own is not None
+            else self._imported(of.definition, names[0])
+        )
         return self._descend(here or self.first(of.outer, names[0], absolute), names[1:])
 
     def inside(self, of: Class) -> Scope:

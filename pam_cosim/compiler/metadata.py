@@ -57,7 +57,9 @@ def state_preference(instance: Instance, constants: Evaluator) -> float:
     """
     chosen = _attribute(instance, "stateSelect", constants)
     name = chosen.name if isinstance(chosen, EnumerationLiteral) else "default"
-    weight = {"never": -1000.0, "avoid": -100.0, "default": 0.0, "prefer": 100.0, "always": 1000.0}[name]
+    weight = {"never": -1000.0, "avoid": -100.0, "default": 0.0, "prefer": 100.0, "always": 1000.0}[
+        name
+    ]
     return weight + (3.0 if "fixed" in instance.attributes else 0.0)
 
 

@@ -52,7 +52,11 @@ def merge(outer: Mod | None, inner: Mod | None) -> Mod:
     """
     if outer is None or inner is None:
         return outer or inner or NOTHING
-    if inner.final and (outer.value is not None or outer.redeclaration is not None) and outer.source is not None:
+    if (
+        inner.final
+        and (outer.value is not None or outer.redeclaration is not None)
+        and outer.source is not None
+    ):
         raise outer.source.error("this element is declared final: it cannot be modified", outer.at)
     inner_entries = inner.entries
     if outer.value is not None:

@@ -36,6 +36,8 @@ def identifier(text: str) -> str:
 
     A name that has them already stays as it is; a character that no name may have becomes ``_``.
     """
-    if (_PLAIN.fullmatch(text) and text not in KEYWORDS) or re.fullmatch(r"'(?:[^'\\]|\\.)+'", text):
+    if (_PLAIN.fullmatch(text) and text not in KEYWORDS) or re.fullmatch(
+        r"'(?:[^'\\]|\\.)+'", text
+    ):
         return text
     return "'" + "".join(c if c.isprintable() and c not in "'\\" else "_" for c in text) + "'"

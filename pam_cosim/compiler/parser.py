@@ -21,10 +21,14 @@ from pam_cosim.compiler.syntax import (
 )
 from pam_cosim.errors import ModelError
 
-_CLASS_KINDS = frozenset(("class", "model", "block", "connector", "record", "type", "package", "function", "operator"))
+_CLASS_KINDS = frozenset(
+    ("class", "model", "block", "connector", "record", "type", "package", "function", "operator")
+)
 _CLASS_PREFIXES = frozenset(("partial", "encapsulated", "expandable", "pure", "impure", "final"))
 _ELEMENT_PREFIXES = frozenset(("redeclare", "final", "inner", "outer", "replaceable"))
-_COMPONENT_PREFIXES = frozenset(("flow", "stream", "discrete", "parameter", "constant", "input", "output"))
+_COMPONENT_PREFIXES = frozenset(
+    ("flow", "stream", "discrete", "parameter", "constant", "input", "output")
+)
 _SECTION_STARTS = frozenset(("equation", "algorithm", "public", "protected", "external"))
 _BLOCK_ENDS = frozenset(("if", "for", "when", "while"))
 
@@ -66,7 +70,9 @@ class Parser(EquationParser):
 
     # ---- classes ------------------------------------------------------------------------------------------
 
-    def class_definition(self, parent: ClassDefinition | None, prefixes: frozenset[str]) -> ClassDefinition:
+    def class_definition(
+        self, parent: ClassDefinition | None, prefixes: frozenset[str]
+    ) -> ClassDefinition:
         """A long or short class, from its kind on."""
         if self.kind not in _CLASS_KINDS:
             self.fail(f"expected a class definition, found '{self.text}'")
@@ -75,7 +81,9 @@ class Parser(EquationParser):
         if kind == "operator" and self.kind in ("function", "record"):
             kind = self.advance()
         if self.kind == "extends":
-            self.fail("'class extends' is not supported: write 'redeclare model Name = NewClass' instead")
+            self.fail(
+                "'class extends' is not supported: write 'redeclare model Name = NewClass' instead"
+            )
         at = self.offset
         name = self.expect("name")
         node = ClassDefinition(name, kind, at, self.source, parent, prefixes)
@@ -335,7 +343,9 @@ class Parser(EquationParser):
             node = self.class_definition(None, words | self.class_prefixes())
             self.trailing_constraint(node)
             if node.alias is None:
-                raise self.source.error("write a redeclaration as 'redeclare model Name = Class'", node.at)
+                raise self.source.error(
+                    "write a redeclaration as 'redeclare model Name = Class'", node.at
+                )
         else:
             more = set(words)
             while self.kind in _COMPONENT_PREFIXES:

@@ -38,7 +38,9 @@ def component_nodes(top: Instance) -> list[Instance]:
 
 def _part(node: Instance) -> Part:
     bases = dict.fromkeys(ancestor.definition.qualified_name for ancestor in node.ancestors)
-    public = {name: child for name, child in node.children.items() if "protected" not in child.prefixes}
+    public = {
+        name: child for name, child in node.children.items() if "protected" not in child.prefixes
+    }
     connectors = {
         name: child.type.definition.qualified_name
         for name, child in public.items()

@@ -44,15 +44,27 @@ def string_text(text: str) -> str:
 
 def modification_text(modification: Modification) -> str:
     """``(a=1, b(c=2)) = 3``, as it follows the name of a component."""
-    text = f"({', '.join(map(argument_text, modification.arguments))})" if modification.arguments else ""
+    text = (
+        f"({', '.join(map(argument_text, modification.arguments))})"
+        if modification.arguments
+        else ""
+    )
     if modification.value is not None:
-        text += f" = {expression_text(modification.value)}" if text else f"={expression_text(modification.value)}"
+        text += (
+            f" = {expression_text(modification.value)}"
+            if text
+            else f"={expression_text(modification.value)}"
+        )
     return text
 
 
 def argument_text(argument: Argument) -> str:
     """One entry of a modification."""
-    words = "".join(f"{word} " for word, is_set in (("each", argument.each), ("final", argument.final)) if is_set)
+    words = "".join(
+        f"{word} "
+        for word, is_set in (("each", argument.each), ("final", argument.final))
+        if is_set
+    )
     new = argument.redeclaration
     if new is None:
         return f"{words}{argument.name}{modification_text(argument.modification)}"
@@ -77,7 +89,9 @@ def _text(node: Expression) -> tuple[str, int]:
     if isinstance(node, Binary):
         return _binary(node)
     if isinstance(node, Conditional):
-        branches = " else".join(f"if {expression_text(c)} then {expression_text(e)}" for c, e in node.branches)
+        branches = " else".join(
+            f"if {expression_text(c)} then {expression_text(e)}" for c, e in node.branches
+        )
         return f"{branches} else {expression_text(node.otherwise)}", 0
     if isinstance(node, Range):
         parts = [node.start, node.stop] if node.step is None else [node.start, node.step, node.stop]
@@ -93,7 +107,9 @@ def _compound(node: Expression) -> str:
     if isinstance(node, Array):
         return f"{{{', '.join(map(expression_text, node.items))}{_iterators(node.iterators)}}}"
     if isinstance(node, Group):
-        return f"({', '.join('' if item is None else expression_text(item) for item in node.items)})"
+        return (
+            f"({', '.join('' if item is None else expression_text(item) for item in node.items)})"
+        )
     if isinstance(node, Element):
         return f"{_within(node.base, _PRIMARY)}[{node.index + 1}]"
     if isinstance(node, Member):
@@ -129,4 +145,6 @@ def _subscripts(subscripts: Sequence[Expression]) -> str:
 def _iterators(iterators: Sequence[Iterator]) -> str:
     if not iterators:
         return ""
-    return " for " + ", ".join(f"{iterator.name} in {expression_text(iterator.range)}" for iterator in iterators)
+    return " for " + ", ".join(
+        f"{iterator.name} in {expression_text(iterator.range)}" for iterator in iterators
+    )

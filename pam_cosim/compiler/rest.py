@@ -73,7 +73,9 @@ def at_rest(
         else:
             result.others.append(equation)
     for name, equation, guess in (one for one in said if one[0] not in states):
-        moving = [state for state in states if state in depends_on(name) and state not in result.states]
+        moving = [
+            state for state in states if state in depends_on(name) and state not in result.states
+        ]
         if len(moving) == 1 and is_open(guess):
             result.add(moving[0], equation, guess)
         elif moving:

@@ -38,7 +38,12 @@ def ode_bytes(ode: Ode) -> bytes:
         "resting": ode.resting,
         "following": [name for name, _ in ode.following],
         "statements": [
-            {"texts": s.texts, "digits": [digits for _, digits in s.values], "error": s.is_error, "start": s.at_start}
+            {
+                "texts": s.texts,
+                "digits": [digits for _, digits in s.values],
+                "error": s.is_error,
+                "start": s.at_start,
+            }
             for s in ode.statements
         ],
         "expressions": packer.encode(),
@@ -68,7 +73,9 @@ def read_ode(content: bytes) -> Ode:
     expressions = ca.StringDeserializer(about["expressions"]).unpack()
     further = iter(expressions[len(_EXPRESSIONS) :])
     face = about["interface"]
-    groups: dict[str, Any] = {group: {v["name"]: Variable(**v) for v in face.pop(group)} for group in _GROUPS}
+    groups: dict[str, Any] = {
+        group: {v["name"]: Variable(**v) for v in face.pop(group)} for group in _GROUPS
+    }
     return Ode(
         interface=Interface(**face, **groups),
         states=tuple(Variable(**v) for v in about["states"]),

@@ -58,7 +58,11 @@ def smooth_parameters(ode: Ode) -> tuple[str, ...]:
     lengths = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
     bound = set(ca.jacobian_sparsity(lengths, ode.p).get_col()) if ode.delays else set()
     late = ode.interface.record_delays
-    return tuple(name for i, name in enumerate(ode.interface.parameters) if i not in bound and name not in late)
+    return tuple(
+        name
+        for i, name in enumerate(ode.interface.parameters)
+        if i not in bound and name not in late
+    )
 
 
 def sensitivity_symbols(ode: Ode) -> ca.SX:
@@ -69,10 +73,15 @@ def sensitivity_symbols(ode: Ode) -> ca.SX:
 
 
 def _check(ode: Ode, names: tuple[str, ...]) -> None:
-    known, smooth = [*ode.interface.parameters, *(state.name for state in ode.states)], smooth_parameters(ode)
+    known, smooth = (
+        [*ode.interface.parameters, *(state.name for state in ode.states)],
+        smooth_parameters(ode),
+    )
     for i, name in enumerate(names):
         if name not in known:
-            raise InputError(f"there is no parameter '{name}' to differentiate by", ode.interface.model)
+            raise InputError(
+                f"there is no parameter '{name}' to differentiate by", ode.interface.model
+            )
         if name in names[:i]:
             raise InputError(f"parameter '{name}' is named twice", ode.interface.model)
         if name in ode.interface.record_delays:

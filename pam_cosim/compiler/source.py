@@ -21,7 +21,9 @@ class SourceText:
         """Line and column, both from 1, of a character offset."""
         if not self._line_starts:
             self._line_starts = [0]
-            self._line_starts += [i + 1 for i, character in enumerate(self.text) if character == "\n"]
+            self._line_starts += [
+                i + 1 for i, character in enumerate(self.text) if character == "\n"
+            ]
         line = bisect_right(self._line_starts, offset)
         return line, offset - self._line_starts[line - 1] + 1
 

@@ -34,7 +34,9 @@ class TimeComparison:
     written: ca.SX
 
 
-def comparison(left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]) -> tuple[TimeComparison, bool] | None:
+def comparison(
+    left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]
+) -> tuple[TimeComparison, bool] | None:
     """``left > right`` as a comparison of time with a parameter of ``late``, and whether it is that or its contrary.
 
     Args:
@@ -49,7 +51,11 @@ def comparison(left: ca.SX, right: ca.SX, time: ca.SX, late: Mapping[str, ca.SX]
         return None
     both = ca.vertcat(time, compared[0])
     slopes = ca.jacobian(gap, both)
-    if not slopes.is_constant() or abs(float(slopes[0])) != 1.0 or float(slopes[0]) != -float(slopes[1]):
+    if (
+        not slopes.is_constant()
+        or abs(float(slopes[0])) != 1.0
+        or float(slopes[0]) != -float(slopes[1])
+    ):
         return None
     sign = float(slopes[0])
     rest = ca.substitute(gap, both, ca.SX.zeros(2))
@@ -89,7 +95,10 @@ class InitialParameters:
 
 
 def beginning(
-    solved: Mapping[str, ca.SX], late: Mapping[str, ca.SX], comparisons: Mapping[str, TimeComparison], time: ca.SX
+    solved: Mapping[str, ca.SX],
+    late: Mapping[str, ca.SX],
+    comparisons: Mapping[str, TimeComparison],
+    time: ca.SX,
 ) -> InitialParameters:
     """What follows from the solution of the initial equations.
 
@@ -106,7 +115,9 @@ def beginning(
     values = {name: value for name, value in solved.items() if name not in starts}
     for name, value in values.items():
         if ca.depends_on(value, time):
-            raise ModelError(f"the parameter '{name}' depends on the start time and is not equal to it")
+            raise ModelError(
+                f"the parameter '{name}' depends on the start time and is not equal to it"
+            )
     values |= {name: c.written for name, c in comparisons.items() if c.start not in starts}
     symbols = dict(late) | {name: c.symbol for name, c in comparisons.items()}
     return InitialParameters(values, frozenset(starts), symbols)

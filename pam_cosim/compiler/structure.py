@@ -41,7 +41,9 @@ class Structure:
 
 
 @bounded
-def read_structure(model: str, *, files: Sequence[Path] = (), root: Path | None = None) -> Structure:
+def read_structure(
+    model: str, *, files: Sequence[Path] = (), root: Path | None = None
+) -> Structure:
     """What a model consists of; arguments as for :func:`pam_cosim.compiler.compile_model`.
 
     Raises:

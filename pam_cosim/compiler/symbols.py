@@ -83,7 +83,9 @@ class SymbolTable(Evaluator):
         if isinstance(value, ca.SX) or instance.prefixes & {"final", "protected"}:
             return value
         if not isinstance(value, float):
-            raise self.at_declaration(instance, f"parameter '{instance.name}' has a value that is no number")
+            raise self.at_declaration(
+                instance, f"parameter '{instance.name}' has a value that is no number"
+            )
         symbol = ca.SX.sym(instance.name)
         self.free[instance], self.defaults[instance] = symbol, value
         return symbol
@@ -110,11 +112,18 @@ class SymbolTable(Evaluator):
 
     def order(self, operator: str, left: Value, right: Value) -> Value:
         """A comparison; one of time with what initial equations determine is kept, for they may make it an event."""
-        if isinstance(left, int | float | ca.SX) and isinstance(right, int | float | ca.SX) and self.late:
+        if (
+            isinstance(left, int | float | ca.SX)
+            and isinstance(right, int | float | ca.SX)
+            and self.late
+        ):
             greater = (left, right) if operator[0] == ">" else (right, left)
             timed = comparison(ca.SX(greater[0]), ca.SX(greater[1]), self.t, self.late)
             if timed is not None and self._made_of_parameters(timed[0].length):
-                kept, as_it_is = self.comparisons.setdefault(timed[0].symbol.name(), timed[0]), timed[1]
+                kept, as_it_is = (
+                    self.comparisons.setdefault(timed[0].symbol.name(), timed[0]),
+                    timed[1],
+                )
                 return kept.symbol > 0.5 if as_it_is else kept.symbol < 0.5
         return super().order(operator, left, right)
 
@@ -146,7 +155,9 @@ class SymbolTable(Evaluator):
         if name == "time":
             return 1.0
         if name.startswith("der("):
-            raise ModelError(f"second derivative of '{name}': introduce a variable for the first one")
+            raise ModelError(
+                f"second derivative of '{name}': introduce a variable for the first one"
+            )
         if name in self.delays:
             raise ModelError(f"the derivative of the input '{name}' is not known")
         instance = self._by_name.get(name)
@@ -161,7 +172,13 @@ class SymbolTable(Evaluator):
 
 def _alike(a: Assertion, b: Assertion) -> bool:
     """Whether two assertions say the same in the same case."""
-    texts = [[part if isinstance(part, str) else part.digits for part in one.message.parts] for one in (a, b)]
-    numbers = [[part.value for part in one.message.parts if isinstance(part, PrintedNumber)] for one in (a, b)]
+    texts = [
+        [part if isinstance(part, str) else part.digits for part in one.message.parts]
+        for one in (a, b)
+    ]
+    numbers = [
+        [part.value for part in one.message.parts if isinstance(part, PrintedNumber)]
+        for one in (a, b)
+    ]
     same_level = (a.is_error, a.at_start, texts[0]) == (b.is_error, b.at_start, texts[1])
     return same_level and same(a.condition, b.condition) and all(map(same, *numbers))

@@ -269,7 +269,9 @@ class ComponentDeclaration:
     @property
     def variability(self) -> str:
         """``constant``, ``parameter``, ``discrete`` or nothing."""
-        return next((word for word in ("constant", "parameter", "discrete") if word in self.prefixes), "")
+        return next(
+            (word for word in ("constant", "parameter", "discrete") if word in self.prefixes), ""
+        )
 
 
 @dataclass(eq=False, repr=False, slots=True)

@@ -1,7 +1,14 @@
 """FMUs driven step by step, alone (``Rig``) and coupled (``System``)."""
 
 from pam_cosim.cosimulation.network import CouplingFailure
-from pam_cosim.cosimulation.parts import Connection, Controller, CoupledFmu, Port, connect, controller
+from pam_cosim.cosimulation.parts import (
+    Connection,
+    Controller,
+    CoupledFmu,
+    Port,
+    connect,
+    controller,
+)
 from pam_cosim.cosimulation.rig import Readings, Rig, RigState
 from pam_cosim.cosimulation.sampling import ControllerError
 from pam_cosim.cosimulation.system import CoupledRun, System, couple_values

@@ -32,9 +32,14 @@ class InputLines:
     def at(self, component: str, time: float, after: bool) -> dict[str, float]:
         """Values of a component's inputs; at a jump, those before it or those ``after``."""
         when = np.array([time + self._near if after else time - self._near])
-        return {name: float(line.at(when)[0][0]) for name, line in self._lines.get(component, {}).items()}
+        return {
+            name: float(line.at(when)[0][0])
+            for name, line in self._lines.get(component, {}).items()
+        }
 
-    def over_step(self, component: str, time: float, duration: float) -> tuple[dict[str, float], dict[str, float]]:
+    def over_step(
+        self, component: str, time: float, duration: float
+    ) -> tuple[dict[str, float], dict[str, float]]:
         """Values of a component's inputs at the start of a step, and how fast they change in it."""
         values, slopes = {}, {}
         for name, line in self._lines.get(component, {}).items():
@@ -44,7 +49,9 @@ class InputLines:
 
     def every(self, time: float, after: bool) -> dict[str, float]:
         """All values, by ``component.variable``."""
-        return {f"{c}.{name}": v for c in self._lines for name, v in self.at(c, time, after).items()}
+        return {
+            f"{c}.{name}": v for c in self._lines for name, v in self.at(c, time, after).items()
+        }
 
     def turn(self, time: float) -> bool:
         """Whether an input jumps or bends at this time [s]."""

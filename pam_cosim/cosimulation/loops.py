@@ -11,7 +11,9 @@ from pam_cosim.errors import InputError
 Graph = dict[Port, set[Port]]
 
 
-def feedthrough_graph(components: Mapping[str, Component], connections: Sequence[Connection]) -> Graph:
+def feedthrough_graph(
+    components: Mapping[str, Component], connections: Sequence[Connection]
+) -> Graph:
     """To each variable those that it follows from at once; what samples acts later."""
     graph: Graph = {}
     for name, component in components.items():
@@ -24,7 +26,9 @@ def feedthrough_graph(components: Mapping[str, Component], connections: Sequence
     return graph
 
 
-def algebraic_loop(components: Mapping[str, Component], connections: Sequence[Connection]) -> list[Port]:
+def algebraic_loop(
+    components: Mapping[str, Component], connections: Sequence[Connection]
+) -> list[Port]:
     """The variables of a loop in which each acts at once on the next, the first one again at the end; empty: none."""
     try:
         TopologicalSorter(feedthrough_graph(components, connections)).prepare()
@@ -47,7 +51,9 @@ def torn(
 
 
 def evaluation_order(
-    components: Mapping[str, Component], connections: Sequence[Connection], cut: Sequence[Connection] = ()
+    components: Mapping[str, Component],
+    connections: Sequence[Connection],
+    cut: Sequence[Connection] = (),
 ) -> list[str]:
     """Components to read, in an order in which every input is known before what follows from it.
 

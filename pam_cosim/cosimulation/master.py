@@ -80,7 +80,9 @@ def _check_abilities(network: Network, plan: StepControl) -> None:
                 "act at samples of its own as a controller does (samples=, [samples], --sample)"
             )
         if plan.tolerance is not None and not able.any_step:
-            raise InputError(f"component '{name}' ({model}) needs steps of one length; use fixed steps")
+            raise InputError(
+                f"component '{name}' ({model}) needs steps of one length; use fixed steps"
+            )
 
 
 def _stretches(network: Network, plan: StepControl, stop: float) -> list[float]:
@@ -187,7 +189,11 @@ class _Chooser:
 
     def _factor(self, error: float) -> float:
         """By which the length of a step changes."""
-        return _SAFETY * max(error, _EXACT) ** (-1 / (self._plan.order + 1)) if math.isfinite(error) else 0.0
+        return (
+            _SAFETY * max(error, _EXACT) ** (-1 / (self._plan.order + 1))
+            if math.isfinite(error)
+            else 0.0
+        )
 
     def _try(self, saved: SystemState, length: float, end: float) -> _Trial:
         """The step as a whole and in halves, at whose end the network then is."""
@@ -203,7 +209,10 @@ class _Chooser:
         except CouplingFailure as failure:
             return _Trial(math.inf, None, middle, failure)
         network.now.time = end
-        errors = {signal: self._error(signal, network.now.values[signal], whole[signal]) for signal in network.signals}
+        errors = {
+            signal: self._error(signal, network.now.values[signal], whole[signal])
+            for signal in network.signals
+        }
         worst = max(errors, key=lambda signal: errors[signal], default=None)
         return _Trial(errors[worst] if worst is not None else 0.0, worst, middle)
 
@@ -220,6 +229,10 @@ def _nominal(network: Network) -> Mapping[Port, float]:
     sizes = {}
     for signal in network.signals:
         component = network.components[signal.component]
-        declared = component.interface.outputs[signal.variable].nominal if isinstance(component, CoupledFmu) else None
+        declared = (
+            component.interface.outputs[signal.variable].nominal
+            if isinstance(component, CoupledFmu)
+            else None
+        )
         sizes[signal] = abs(declared or 0.0)
     return sizes

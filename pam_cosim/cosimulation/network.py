@@ -134,7 +134,9 @@ class Network:
         kept, cut = torn(components, connections) if loops != "refuse" else (list(connections), [])
         self._loop = list(dict.fromkeys(c.source for c in cut)) if loops == "iterate" else []
         self._passes = evaluation_order(components, kept, cut)
-        self._feeds = {name: [c for c in connections if c.target.component == name] for name in components}
+        self._feeds = {
+            name: [c for c in connections if c.target.component == name] for name in components
+        }
         self._courses = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self._read = _to_read(components, observed)
@@ -144,7 +146,9 @@ class Network:
 
     def _begin(self) -> None:
         for name, component in self.components.items():
-            self.now.values.update({Port(name, output): 0.0 for output in component.interface.outputs})
+            self.now.values.update(
+                {Port(name, output): 0.0 for output in component.interface.outputs}
+            )
         for name in (*self.parts, *self._sampled_fmus):
             self._refresh(name, {})
         self._settle_all()
@@ -170,7 +174,9 @@ class Network:
             inputs, slopes = self._over_step(name, duration, begin, advanced)
             self.work.component_steps[name] += 1
             with self._naming(name):
-                values = self.steppers[name].advance(duration, inputs, slopes, self._read[name], can_go_back)
+                values = self.steppers[name].advance(
+                    duration, inputs, slopes, self._read[name], can_go_back
+                )
             self._store(name, values)
             if self._sequential:
                 advanced.add(name)
@@ -216,7 +222,10 @@ class Network:
         guess = np.array([self.now.values[source] for source in self._loop])
         for _ in range(_ITERATIONS):
             error = self._residual(guess)
-            if np.all(np.abs(error) <= _LOOP_TOLERANCE * (np.abs(guess) + np.abs(guess + error)) + _SMALLEST):
+            if np.all(
+                np.abs(error)
+                <= _LOOP_TOLERANCE * (np.abs(guess) + np.abs(guess + error)) + _SMALLEST
+            ):
                 return
             try:
                 guess = guess - np.linalg.solve(self._slope(guess, error), error)
@@ -224,7 +233,9 @@ class Network:
                 break
         first, loop = self._loop[0], ", ".join(map(str, self._loop))
         cause = f"the algebraic loop through {loop} has no solution that Newton's method finds"
-        raise CouplingFailure(first.component, self.components[first.component].model, self.now.time, cause)
+        raise CouplingFailure(
+            first.component, self.components[first.component].model, self.now.time, cause
+        )
 
     def _residual(self, guess: Array) -> Array:
         """What the outputs come to, less the guess that went round the loop."""
@@ -271,7 +282,9 @@ class Network:
         if changes:
             self._settle_all()
         for signal in self.signals:
-            if self.now.values[signal] != before[signal]:  # how fast it went on before says nothing now
+            if (
+                self.now.values[signal] != before[signal]
+            ):  # how fast it went on before says nothing now
                 self.now.slopes[signal] = 0.0
         return jumps or changes
 
@@ -328,7 +341,9 @@ class Network:
             self._store(name, self.steppers[name].read(self._read[name], inputs))
 
     def _store(self, name: str, values: Sequence[float]) -> None:
-        self.now.values.update({Port(name, n): v for n, v in zip(self._read[name], values, strict=True)})
+        self.now.values.update(
+            {Port(name, n): v for n, v in zip(self._read[name], values, strict=True)}
+        )
 
     @contextmanager
     def _naming(self, name: str) -> Iterator[None]:
@@ -337,7 +352,9 @@ class Network:
             yield
         except SimulationFailure as failure:
             reason = str(failure).rstrip(". ")
-            raise CouplingFailure(name, self.components[name].model, self.now.time, reason) from failure
+            raise CouplingFailure(
+                name, self.components[name].model, self.now.time, reason
+            ) from failure
 
 
 def _to_read(components: Mapping[str, Component], observed: Sequence[Port]) -> dict[str, list[str]]:

@@ -82,7 +82,9 @@ class Controller:
     def interface(self) -> Interface:
         """Inputs and outputs, as an FMU has them."""
         inputs = {name: Variable(name, unit) for name, unit in self.inputs.items()}
-        return Interface(self.model, inputs, {name: Variable(name, unit) for name, unit in self.outputs.items()})
+        return Interface(
+            self.model, inputs, {name: Variable(name, unit) for name, unit in self.outputs.items()}
+        )
 
     def __call__(self, *arguments: Any, **inputs: Any) -> Any:
         """As the function itself."""
@@ -159,7 +161,9 @@ def port(text: str, components: Mapping[str, Component]) -> Port:
     if not dot or not variable:
         raise InputError(f"{shown(text)}: write COMPONENT.VARIABLE")
     if name not in components:
-        raise InputError(f"{shown(text)}: there is no component '{name}'; {did_you_mean(name, components)}")
+        raise InputError(
+            f"{shown(text)}: there is no component '{name}'; {did_you_mean(name, components)}"
+        )
     return Port(name, variable)
 
 
@@ -186,7 +190,11 @@ def joined(source: Port, target: Port, components: Mapping[str, Component]) -> C
         taken = input_of(target.variable, components[target.component].interface)
     except InputError as problem:
         raise InputError(f"connection '{source} -> {target}': {problem.message}") from None
-    if not given.unit or not taken.unit or (is_dimensionless(given.unit) and is_dimensionless(taken.unit)):
+    if (
+        not given.unit
+        or not taken.unit
+        or (is_dimensionless(given.unit) and is_dimensionless(taken.unit))
+    ):
         return Connection(source, target)  # one of them does not say what it is
     try:
         low, high = convert(np.array([0.0, 1.0]), given.unit, taken.unit)
@@ -210,7 +218,9 @@ def output_of(name: str, interface: Interface) -> Variable:
 def check_name(name: str) -> None:
     """Raises ``InputError`` where this cannot be the name of a component."""
     if not _NAME.fullmatch(name):
-        raise InputError(f"{shown(name)} cannot name a component: letters, digits, '_' and '-', no dot")
+        raise InputError(
+            f"{shown(name)} cannot name a component: letters, digits, '_' and '-', no dot"
+        )
 
 
 def check_once(connections: tuple[Connection, ...], given: Mapping[str, str]) -> None:
@@ -229,4 +239,6 @@ def check_once(connections: tuple[Connection, ...], given: Mapping[str, str]) ->
     for target, names in sources.items():
         names = names + [given[str(target)]] if str(target) in given else names
         if len(names) > 1:
-            raise InputError(f"input '{target}' has more than one source: {listed(names)}; keep one of them")
+            raise InputError(
+                f"input '{target}' has more than one source: {listed(names)}; keep one of them"
+            )

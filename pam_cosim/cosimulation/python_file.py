@@ -22,7 +22,11 @@ def controller_from(file: Path, name: str) -> Controller:
     try:
         content = runpy.run_path(str(file), run_name="pam_cosim_controller")
     except (Exception, SystemExit) as error:  # whatever a user's file raises
-        places = [one.lineno for one in traceback.extract_tb(error.__traceback__) if one.filename == str(file)]
+        places = [
+            one.lineno
+            for one in traceback.extract_tb(error.__traceback__)
+            if one.filename == str(file)
+        ]
         line = error.lineno if isinstance(error, SyntaxError) else places[-1] if places else None
         raise InputError(f"{type(error).__name__}: {error}", file, line) from error
     known = [key for key, value in content.items() if isinstance(value, Controller)]
@@ -30,5 +34,8 @@ def controller_from(file: Path, name: str) -> Controller:
     if isinstance(one, Controller):
         return one
     if callable(one):
-        raise InputError(f"'{name}' is a function, but no controller; write @pam.controller(inputs=...) above it", file)
+        raise InputError(
+            f"'{name}' is a function, but no controller; write @pam.controller(inputs=...) above it",
+            file,
+        )
     raise InputError(f"has no controller '{name}'; {did_you_mean(name, known)}", file)

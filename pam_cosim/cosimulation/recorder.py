@@ -27,6 +27,10 @@ class Recorder:
     def trajectory(self, warnings: Sequence[str] = ()) -> Trajectory:
         """All rows so far."""
         time = np.array([time for time, _ in self.rows])
-        table = np.array([values for _, values in self.rows]).reshape(len(self.rows), len(self.units))
+        table = np.array([values for _, values in self.rows]).reshape(
+            len(self.rows), len(self.units)
+        )
         columns = np.ascontiguousarray(table.T)
-        return Trajectory(time, dict(zip(self.units, columns, strict=True)), self.units, tuple(warnings))
+        return Trajectory(
+            time, dict(zip(self.units, columns, strict=True)), self.units, tuple(warnings)
+        )

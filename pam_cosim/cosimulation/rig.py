@@ -38,7 +38,10 @@ class Readings(Mapping[str, float]):
         return len(self._values)
 
     def __repr__(self) -> str:
-        return ", ".join(f"{name} = {format_quantity(value, self.units[name])}" for name, value in self._values.items())
+        return ", ".join(
+            f"{name} = {format_quantity(value, self.units[name])}"
+            for name, value in self._values.items()
+        )
 
 
 class RigState(Printed):
@@ -107,7 +110,10 @@ class Rig(Printed):
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         self.close()
 
@@ -117,7 +123,11 @@ class Rig(Printed):
         self._simulator.close()
 
     def step(
-        self, duration: float | str, settings: Mapping[str, Setting] | None = None, /, **inputs: Setting
+        self,
+        duration: float | str,
+        settings: Mapping[str, Setting] | None = None,
+        /,
+        **inputs: Setting,
     ) -> Readings:
         """Goes on for ``duration`` with the inputs given, which are held from now on.
 
@@ -205,7 +215,9 @@ class Rig(Printed):
             self._thaw(run, state)
             return
         if state._rig is not self:
-            raise InputError("this state was saved by another rig; give its bytes, state.to_bytes()")
+            raise InputError(
+                "this state was saved by another rig; give its bytes, state.to_bytes()"
+            )
         run.restore(state._number)
         self.time, self._held = state.time, state._inputs.copy()
         self._record.rows = state._rows.copy()
@@ -217,7 +229,9 @@ class Rig(Printed):
             run.restore(number)
             run.forget(number)
         except SimulationFailure as failure:
-            raise InputError(f"these bytes are no state of {self.interface.model}: {failure}") from failure
+            raise InputError(
+                f"these bytes are no state of {self.interface.model}: {failure}"
+            ) from failure
         self.time, self._held, self._record.rows = time, inputs, []
         self._write_down()
 
@@ -240,15 +254,22 @@ class Rig(Printed):
             return []
 
     def _readings(self, values: Sequence[float]) -> Readings:
-        return Readings(dict(zip(self._names, values, strict=True)), {n: self._variables[n].unit for n in self._names})
+        return Readings(
+            dict(zip(self._names, values, strict=True)),
+            {n: self._variables[n].unit for n in self._names},
+        )
 
     def _variable(self, name: str) -> Variable:
         if name not in self._variables:
-            raise InputError(f"{self.interface.model} has no variable '{name}'; {did_you_mean(name, self._variables)}")
+            raise InputError(
+                f"{self.interface.model} has no variable '{name}'; {did_you_mean(name, self._variables)}"
+            )
         return self._variables[name]
 
     def _resolved(self, inputs: Mapping[str, Setting]) -> dict[str, float]:
-        return {name: value_of(value, input_of(name, self.interface)) for name, value in inputs.items()}
+        return {
+            name: value_of(value, input_of(name, self.interface)) for name, value in inputs.items()
+        }
 
 
 def input_of(name: str, interface: Interface) -> Variable:
@@ -263,7 +284,9 @@ def input_of(name: str, interface: Interface) -> Variable:
         raise InputError(f"'{name}' is no input of {interface.model}: it is set at the start")
     if name in interface.outputs:
         raise InputError(f"'{name}' is an output of {interface.model} and cannot be set")
-    raise InputError(f"{interface.model} has no input '{name}'; {did_you_mean(name, interface.inputs)}")
+    raise InputError(
+        f"{interface.model} has no input '{name}'; {did_you_mean(name, interface.inputs)}"
+    )
 
 
 def _duration(value: float | str) -> float:
@@ -292,7 +315,11 @@ def _unpacked(state: bytes, interface: Interface) -> tuple[float, dict[str, floa
             raise ValueError
         head = json.loads(state[start : start + length])
         model, time, given = head["model"], float(head["time"]), head["inputs"]
-        inputs = {name: float(given[name]) for name in interface.inputs} if model == interface.model else {}
+        inputs = (
+            {name: float(given[name]) for name in interface.inputs}
+            if model == interface.model
+            else {}
+        )
     except (ValueError, KeyError, TypeError, struct.error):
         raise InputError("these bytes are no saved state of a rig") from None
     if model != interface.model:

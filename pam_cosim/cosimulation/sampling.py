@@ -18,7 +18,9 @@ class ControllerError(InputError):
     run: Any = None
 
 
-def sampled(name: str, one: Controller, time: float, inputs: Mapping[str, float]) -> dict[str, float]:
+def sampled(
+    name: str, one: Controller, time: float, inputs: Mapping[str, float]
+) -> dict[str, float]:
     """What the controller of that name makes of its inputs at a time [s].
 
     Raises:
@@ -34,8 +36,14 @@ def sampled(name: str, one: Controller, time: float, inputs: Mapping[str, float]
         raise ControllerError(f"{where} raised {what} {at}") from error
     values = answer if isinstance(answer, Mapping) else dict.fromkeys(list(one.outputs)[:1], answer)
     if set(values) != set(one.outputs):
-        given = f"returned {listed(map(str, values))}" if isinstance(answer, Mapping) else "returned one value"
-        raise ControllerError(f"{where} {given} at {time:.6g} s; its outputs are {listed(one.outputs)}")
+        given = (
+            f"returned {listed(map(str, values))}"
+            if isinstance(answer, Mapping)
+            else "returned one value"
+        )
+        raise ControllerError(
+            f"{where} {given} at {time:.6g} s; its outputs are {listed(one.outputs)}"
+        )
     numbers = {output: _number(value) for output, value in values.items()}
     for output, number in numbers.items():
         if not math.isfinite(number):

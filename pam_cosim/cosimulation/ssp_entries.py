@@ -52,8 +52,12 @@ class SspEntries:
         except etree.XMLSyntaxError as problem:
             raise InputError(f"{shown(source)} is not XML: {problem}", self.file) from problem
         if root.getroottree().docinfo.doctype:
-            raise InputError(f"{shown(source)} declares a document type, which SSP does not have", self.file)
-        version, fault_in = ("2.0", _later_fault) if root.get("version") == "2.0" else ("1.0", _first_fault)
+            raise InputError(
+                f"{shown(source)} declares a document type, which SSP does not have", self.file
+            )
+        version, fault_in = (
+            ("2.0", _later_fault) if root.get("version") == "2.0" else ("1.0", _first_fault)
+        )
         fault = fault_in(root, schema)
         if fault:
             raise InputError(f"{shown(source)} is not valid by SSP {version}: {fault}", self.file)

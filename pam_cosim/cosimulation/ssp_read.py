@@ -89,7 +89,9 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
         connections = tuple(_connections(description, names, parts))
     except InputError as problem:
         raise InputError(problem.message, file) from problem
-    parameters = {f"{names[place]}.{name}": value for place, name, value in _placed(description, names, file)}
+    parameters = {
+        f"{names[place]}.{name}": value for place, name, value in _placed(description, names, file)
+    }
     return Archive(parts, connections, parameters, description.title, description.stop_time)
 
 
@@ -118,7 +120,10 @@ def _system(entries: SspEntries, system: Any, place: _Place, description: _Descr
         if kind == "System":
             _system(entries, element, own, description)
         elif kind != "Component" or element.get("type", FMU_TYPE) != FMU_TYPE:
-            raise InputError(f"'{'.'.join(own)}' is not an FMU ({_plain(element.get('type', kind))})", entries.file)
+            raise InputError(
+                f"'{'.'.join(own)}' is not an FMU ({_plain(element.get('type', kind))})",
+                entries.file,
+            )
         elif own in description.sources:
             raise InputError(f"there are two components '{'.'.join(own)}'", entries.file)
         else:
@@ -131,16 +136,24 @@ def _system(entries: SspEntries, system: Any, place: _Place, description: _Descr
 def _wire(entries: SspEntries, element: Any, place: _Place) -> _Wire:
     def end(which: str) -> tuple[_Place, str]:
         name = element.get(f"{which}Element")
-        return ((*place, _plain(name)) if name else place), _plain(str(element.get(f"{which}Connector")))
+        return ((*place, _plain(name)) if name else place), _plain(
+            str(element.get(f"{which}Connector"))
+        )
 
     plain = element.get("suppressUnitConversion") in ("true", "1")
     for child in element:
         kind = etree.QName(child).localname
         if kind == "LinearTransformation":
-            factor, offset = (float(child.get(key, default)) for key, default in (("factor", 1.0), ("offset", 0.0)))
+            factor, offset = (
+                float(child.get(key, default))
+                for key, default in (("factor", 1.0), ("offset", 0.0))
+            )
             return _Wire(end("start"), end("end"), factor, offset, not plain)
         if kind.endswith("Transformation"):
-            raise InputError(f"a connection has a {kind}; only linear ones of real signals are read", entries.file)
+            raise InputError(
+                f"a connection has a {kind}; only linear ones of real signals are read",
+                entries.file,
+            )
     return _Wire(end("start"), end("end"), convert=not plain)
 
 
@@ -158,8 +171,12 @@ def _bindings(entries: SspEntries, element: Any, place: _Place, description: _De
         for one in sets:
             for parameter in one.iterfind("ssv:Parameters/ssv:Parameter", NAMESPACES):
                 name, value = prefix + parameter.get("name"), _value(entries, parameter)
-                for target, transformation in [(name, None)] if mapping is None else mapping.get(name, []):
-                    description.values.append((place, _plain(target), _transformed(entries, value, transformation)))
+                for target, transformation in (
+                    [(name, None)] if mapping is None else mapping.get(name, [])
+                ):
+                    description.values.append(
+                        (place, _plain(target), _transformed(entries, value, transformation))
+                    )
 
 
 def _mapping(entries: SspEntries, element: Any) -> dict[str, list[tuple[str, Any]]] | None:
@@ -167,13 +184,19 @@ def _mapping(entries: SspEntries, element: Any) -> dict[str, list[tuple[str, Any
     if element is None:
         return None
     if element.get("source"):
-        root = entries.tree(element.get("source"), "a parameter mapping", "SystemStructureParameterMapping.xsd")
+        root = entries.tree(
+            element.get("source"), "a parameter mapping", "SystemStructureParameterMapping.xsd"
+        )
     else:
         root = element.find("ssm:ParameterMapping", NAMESPACES)
     targets: dict[str, list[tuple[str, Any]]] = {}
     for entry in root.iterfind("ssm:MappingEntry", NAMESPACES) if root is not None else ():
-        changes = [child for child in entry if etree.QName(child).localname.endswith("Transformation")]
-        targets.setdefault(entry.get("source"), []).append((entry.get("target"), changes[0] if changes else None))
+        changes = [
+            child for child in entry if etree.QName(child).localname.endswith("Transformation")
+        ]
+        targets.setdefault(entry.get("source"), []).append(
+            (entry.get("target"), changes[0] if changes else None)
+        )
     return targets
 
 
@@ -185,7 +208,9 @@ def _transformed(entries: SspEntries, value: Setting, transformation: Any) -> Se
             "a parameter mapping changes a value; only linear transformations of values without a unit are read",
             entries.file,
         )
-    return float(transformation.get("factor", 1.0)) * value + float(transformation.get("offset", 0.0))
+    return float(transformation.get("factor", 1.0)) * value + float(
+        transformation.get("offset", 0.0)
+    )
 
 
 def _plain(text: str) -> str:
@@ -201,13 +226,18 @@ def _value(entries: SspEntries, parameter: Any) -> Setting:
     except ValueError:  # SSP 2.0: several, of an array
         value = math.nan
     if real is None or math.isnan(value):
-        raise InputError(f"parameter '{_plain(parameter.get('name'))}' is no real number", entries.file)
+        raise InputError(
+            f"parameter '{_plain(parameter.get('name'))}' is no real number", entries.file
+        )
     unit = real.get("unit")
     return f"{value!r} {unit}" if unit and unit != "1" else value
 
 
 def _unpacked(
-    entries: SspEntries, description: _Description, folder: Path, made: Callable[[str, Path], CoupledFmu]
+    entries: SspEntries,
+    description: _Description,
+    folder: Path,
+    made: Callable[[str, Path], CoupledFmu],
 ) -> dict[str, CoupledFmu]:
     parts: dict[str, CoupledFmu] = {}
     files: dict[str, Path] = {}
@@ -221,13 +251,18 @@ def _unpacked(
         try:
             parts[name] = made(name, files[source])
         except InputError as problem:
-            raise InputError(f"component '{name}' ({source}): {problem.message}", entries.file) from problem
+            raise InputError(
+                f"component '{name}' ({source}): {problem.message}", entries.file
+            ) from problem
     return parts
 
 
 def _name(place: _Place) -> str:
     """A component's name without dots, which separate it from its variables."""
-    return "_".join("".join(c if c.isascii() and (c.isalnum() or c in "_-") else "_" for c in one) for one in place)
+    return "_".join(
+        "".join(c if c.isascii() and (c.isalnum() or c in "_-") else "_" for c in one)
+        for one in place
+    )
 
 
 def _connections(
@@ -245,7 +280,11 @@ def _connections(
         if place in systems:
             continue
         chain = [wire]
-        while chain[-1].start[0] in systems and chain[-1].start in into and len(chain) <= len(description.wires):
+        while (
+            chain[-1].start[0] in systems
+            and chain[-1].start in into
+            and len(chain) <= len(description.wires)
+        ):
             chain.append(into[chain[-1].start])
         start, output = chain[-1].start
         if start in systems:
@@ -256,9 +295,13 @@ def _connections(
         yield _joined(Port(names[start], output), Port(names[place], variable), chain, parts)
 
 
-def _joined(source: Port, target: Port, chain: list[_Wire], parts: dict[str, CoupledFmu]) -> Connection:
+def _joined(
+    source: Port, target: Port, chain: list[_Wire], parts: dict[str, CoupledFmu]
+) -> Connection:
     plain = not all(wire.convert for wire in chain)
-    whole = joined(source, target, {name: _unitless(part) for name, part in parts.items()} if plain else parts)
+    whole = joined(
+        source, target, {name: _unitless(part) for name, part in parts.items()} if plain else parts
+    )
     factor, offset = whole.factor, whole.offset
     for wire in reversed(chain):
         factor, offset = wire.factor * factor, wire.factor * offset + wire.offset
@@ -272,15 +315,26 @@ def _unitless(part: CoupledFmu) -> CoupledFmu:
         return {name: replace(variable, unit="") for name, variable in variables.items()}
 
     interface = part.interface
-    return replace(part, interface=Interface(interface.model, plain(interface.inputs), plain(interface.outputs)))
+    return replace(
+        part,
+        interface=Interface(interface.model, plain(interface.inputs), plain(interface.outputs)),
+    )
 
 
-def _placed(description: _Description, names: dict[_Place, str], file: Path) -> Iterator[tuple[_Place, str, Setting]]:
+def _placed(
+    description: _Description, names: dict[_Place, str], file: Path
+) -> Iterator[tuple[_Place, str, Setting]]:
     """Parameter values by component; one of a system begins with the names of the elements inside it."""
     values: dict[tuple[_Place, str], Setting] = {}
-    for place, name, value in sorted(description.values, key=lambda one: -len(one[0])):  # the outermost wins
+    for place, name, value in sorted(
+        description.values, key=lambda one: -len(one[0])
+    ):  # the outermost wins
         while place in description.systems:
-            fit = [p for p in (*names, *description.systems) if len(p) == len(place) + 1 and p[:-1] == place]
+            fit = [
+                p
+                for p in (*names, *description.systems)
+                if len(p) == len(place) + 1 and p[:-1] == place
+            ]
             inner = next((p for p in fit if name.startswith(p[-1] + ".")), None)
             if inner is None:
                 raise InputError(f"parameter '{name}' is of no component", file)

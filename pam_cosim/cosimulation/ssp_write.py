@@ -19,7 +19,9 @@ from pam_cosim.units import UnitError, base_unit
 _FIXED = (1980, 1, 1, 0, 0, 0)  # so that the same system gives the same bytes
 
 
-def write_ssp(system: System, file: Path, stop_time: float | None = None, version: str = "1.0") -> Path:
+def write_ssp(
+    system: System, file: Path, stop_time: float | None = None, version: str = "1.0"
+) -> Path:
     """Writes the archive: the description, every FMU, and their parameter values as ``.ssv``.
 
     Args:
@@ -32,20 +34,33 @@ def write_ssp(system: System, file: Path, stop_time: float | None = None, versio
         InputError: a component that is not an FMU, another version, or the file cannot be written.
     """
     if version not in VERSIONS:
-        raise InputError(f"there is no SSP {version} to write; choose from {', '.join(VERSIONS)}", file)
+        raise InputError(
+            f"there is no SSP {version} to write; choose from {', '.join(VERSIONS)}", file
+        )
     check_writable(file)
     parts: dict[str, CoupledFmu] = {}
     for name, part in system.components.items():
         if isinstance(part, Controller):
-            raise InputError(f"component '{name}' is a function in Python, which an SSP archive cannot hold", file)
+            raise InputError(
+                f"component '{name}' is a function in Python, which an SSP archive cannot hold",
+                file,
+            )
         parts[name] = part
     content = io.BytesIO()
     with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        _add(archive, DESCRIPTION, _description(system, parts, stop_time or system.stop_time, version))
+        _add(
+            archive,
+            DESCRIPTION,
+            _description(system, parts, stop_time or system.stop_time, version),
+        )
         for name, part in parts.items():
             _add(archive, f"resources/{name}.fmu", part.path.read_bytes())
             if system.values.get(name):
-                _add(archive, f"resources/{name}.ssv", _values(name, part, system.values[name], version))
+                _add(
+                    archive,
+                    f"resources/{name}.ssv",
+                    _values(name, part, system.values[name], version),
+                )
     write_bytes(file, content.getvalue())
     return file
 
@@ -64,7 +79,9 @@ def _document(root: Xml.Element) -> bytes:
     return f'<?xml version="1.0" encoding="UTF-8"?>\n{text}\n'.encode()
 
 
-def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: float | None, version: str) -> bytes:
+def _description(
+    system: System, parts: Mapping[str, CoupledFmu], stop_time: float | None, version: str
+) -> bytes:
     title = system.title or "system"
     about = {"version": version, "name": title, "generationTool": "pam-cosim"}
     root = Xml.Element(tag("ssd", "SystemStructureDescription"), about)
@@ -72,7 +89,9 @@ def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: flo
     elements = Xml.SubElement(top, tag("ssd", "Elements"))
     for name, part in parts.items():
         source = f"resources/{name}.fmu"
-        component = Xml.SubElement(elements, tag("ssd", "Component"), name=name, source=source, type=FMU_TYPE)
+        component = Xml.SubElement(
+            elements, tag("ssd", "Component"), name=name, source=source, type=FMU_TYPE
+        )
         _connectors(component, part, REALS[version])
         if system.values.get(name):
             bindings = Xml.SubElement(component, tag("ssd", "ParameterBindings"))
@@ -88,13 +107,18 @@ def _description(system: System, parts: Mapping[str, CoupledFmu], stop_time: flo
             }
             plain = joined(one.source, one.target, parts)
             element = Xml.SubElement(connections, tag("ssd", "Connection"), ends)
-            if (plain.factor, plain.offset) != (one.factor, one.offset):  # more than a conversion of units
+            if (plain.factor, plain.offset) != (
+                one.factor,
+                one.offset,
+            ):  # more than a conversion of units
                 element.set("suppressUnitConversion", "true")
                 numbers = {"factor": repr(one.factor), "offset": repr(one.offset)}
                 Xml.SubElement(element, tag("ssc", "LinearTransformation"), numbers)
     _units(root, "ssd", [v for part in parts.values() for v in _ports(part)])
     if stop_time is not None:
-        Xml.SubElement(root, tag("ssd", "DefaultExperiment"), startTime="0.0", stopTime=repr(float(stop_time)))
+        Xml.SubElement(
+            root, tag("ssd", "DefaultExperiment"), startTime="0.0", stopTime=repr(float(stop_time))
+        )
     return _document(root)
 
 
@@ -106,8 +130,12 @@ def _connectors(component: Xml.Element, part: CoupledFmu, real: str) -> None:
     listed = Xml.SubElement(component, tag("ssd", "Connectors"))
     for kind, variables in (("input", part.interface.inputs), ("output", part.interface.outputs)):
         for variable in variables.values():
-            connector = Xml.SubElement(listed, tag("ssd", "Connector"), name=variable.name, kind=kind)
-            Xml.SubElement(connector, tag("ssc", real), {"unit": variable.unit} if _known(variable) else {})
+            connector = Xml.SubElement(
+                listed, tag("ssd", "Connector"), name=variable.name, kind=kind
+            )
+            Xml.SubElement(
+                connector, tag("ssc", real), {"unit": variable.unit} if _known(variable) else {}
+            )
 
 
 def _values(name: str, part: CoupledFmu, values: Mapping[str, float], version: str) -> bytes:
@@ -142,4 +170,6 @@ def _units(root: Xml.Element, prefix: str, variables: Iterable[Variable]) -> Non
         numbers = {symbol: str(exponent) for symbol, exponent in unit.exponents}
         numbers |= {"factor": repr(unit.factor)} if unit.factor != 1.0 else {}
         numbers |= {"offset": repr(unit.offset)} if unit.offset != 0.0 else {}
-        Xml.SubElement(Xml.SubElement(listed, tag("ssc", "Unit"), name=name), tag("ssc", "BaseUnit"), numbers)
+        Xml.SubElement(
+            Xml.SubElement(listed, tag("ssc", "Unit"), name=name), tag("ssc", "BaseUnit"), numbers
+        )

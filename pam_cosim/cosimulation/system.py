@@ -33,7 +33,14 @@ from pam_cosim.cosimulation.sampling import ControllerError
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting, settable, value_of
-from pam_cosim.simulation import AnySimulator, AnyStepper, Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.simulation import (
+    AnySimulator,
+    AnyStepper,
+    Inputs,
+    IsolatedSimulator,
+    Simulator,
+    Trajectory,
+)
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import Printed, did_you_mean, shown
 
@@ -128,7 +135,11 @@ class System(Printed):
     def inputs(self) -> dict[str, Variable]:
         """Inputs of the components that are not connected, by ``component.variable``."""
         taken = {str(c.target) for c in self.connections}
-        names = {f"{c}.{n}": v for c, part in self.components.items() for n, v in part.interface.inputs.items()}
+        names = {
+            f"{c}.{n}": v
+            for c, part in self.components.items()
+            for n, v in part.interface.inputs.items()
+        }
         return {name: variable for name, variable in names.items() if name not in taken}
 
     @property
@@ -138,9 +149,17 @@ class System(Printed):
         for name, component in self.components.items():
             for group, variables in groups.items():
                 some: Mapping[str, Variable] = getattr(component.interface, group)
-                variables.update({f"{name}.{n}": replace(v, name=f"{name}.{n}") for n, v in some.items()})
+                variables.update(
+                    {f"{name}.{n}": replace(v, name=f"{name}.{n}") for n, v in some.items()}
+                )
         inputs = {name: replace(variable, name=name) for name, variable in self.inputs.items()}
-        return Interface(self.title or "the system", inputs, groups["outputs"], groups["parameters"], groups["locals"])
+        return Interface(
+            self.title or "the system",
+            inputs,
+            groups["outputs"],
+            groups["parameters"],
+            groups["locals"],
+        )
 
     def having(self, parameters: Mapping[str, Setting]) -> System:
         """The same system with other values, by ``component.variable`` as in ``couple``.
@@ -166,7 +185,9 @@ class System(Printed):
             part = components.get(name)
             if not isinstance(part, CoupledFmu):
                 known = [n for n, c in components.items() if isinstance(c, CoupledFmu)]
-                raise InputError(f"there is no FMU '{name}' in the system; {did_you_mean(name, known)}")
+                raise InputError(
+                    f"there is no FMU '{name}' in the system; {did_you_mean(name, known)}"
+                )
             components[name] = replace(part, seconds=sample_time(interval))
         return replace(self, components=components)
 
@@ -234,18 +255,28 @@ class System(Printed):
             )
             recorder = Recorder(self._columns(observed, inputs))
             try:
-                integrate(network, plan, stop, lambda: self._write_down(network, recorder, inputs), progress)
+                integrate(
+                    network,
+                    plan,
+                    stop,
+                    lambda: self._write_down(network, recorder, inputs),
+                    progress,
+                )
             except (CouplingFailure, ControllerError) as error:
                 error.run = _run(recorder, method, plan, network.work)
                 raise
             return _run(recorder, method, plan, network.work)
 
-    def _plan(self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float) -> StepControl:
+    def _plan(
+        self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float
+    ) -> StepControl:
         if tolerance is not None and not (tolerance > 0 and math.isfinite(tolerance)):
             raise InputError(f"the tolerance of a step must be larger than zero, not {tolerance}")
         length = stop / _STEPS if step is None else _time("step", step)
         if tolerance is None and stop / length > MOST_STEPS:
-            raise InputError(f"a run has {MOST_STEPS} steps at most; {stop:g} s in steps of {length:g} s are more")
+            raise InputError(
+                f"a run has {MOST_STEPS} steps at most; {stop:g} s in steps of {length:g} s are more"
+            )
         order = 2 if extrapolation == "linear" else 1
         return StepControl(min(length, stop), tolerance, order)
 
@@ -282,7 +313,9 @@ class System(Printed):
         interface = self.components[one.component].interface
         known = interface.variables
         if one.variable not in known:
-            raise InputError(f"{interface.model} has no variable '{one.variable}'; {did_you_mean(one.variable, known)}")
+            raise InputError(
+                f"{interface.model} has no variable '{one.variable}'; {did_you_mean(one.variable, known)}"
+            )
         return one
 
     def _check_inputs(self, inputs: Inputs | None) -> None:
@@ -290,10 +323,14 @@ class System(Printed):
             if name not in self.inputs:
                 if name in {str(c.target) for c in self.connections}:
                     raise InputError(f"input '{name}' is connected and cannot be given over time")
-                raise InputError(f"the system has no free input '{name}'; {did_you_mean(name, self.inputs)}")
+                raise InputError(
+                    f"the system has no free input '{name}'; {did_you_mean(name, self.inputs)}"
+                )
             component, _, variable = name.partition(".")
             if variable in self.values.get(component, {}):
-                raise InputError(f"the input '{name}' is given over time and as a constant; keep one of them")
+                raise InputError(
+                    f"the input '{name}' is given over time and as a constant; keep one of them"
+                )
 
     def _check_order(self, order: Sequence[str]) -> None:
         parts = [name for name, c in self.components.items() if c.seconds is None]
@@ -302,11 +339,15 @@ class System(Printed):
 
     def _columns(self, observed: Sequence[Port], inputs: Inputs | None) -> dict[str, str]:
         units = {
-            f"{name}.{n}": v.unit for name, part in self.components.items() for n, v in part.interface.outputs.items()
+            f"{name}.{n}": v.unit
+            for name, part in self.components.items()
+            for n, v in part.interface.outputs.items()
         }
         for one in observed:
             units[str(one)] = self.components[one.component].interface.variables[one.variable].unit
-        units.update({name: self.inputs[name].unit for name in (inputs.values if inputs is not None else ())})
+        units.update(
+            {name: self.inputs[name].unit for name in (inputs.values if inputs is not None else ())}
+        )
         return units
 
     def _write_down(self, network: Network, recorder: Recorder, inputs: Inputs | None) -> None:

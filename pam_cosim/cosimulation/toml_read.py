@@ -64,13 +64,22 @@ def read_toml(file: Path) -> Written:
     if not isinstance(title, str) or not title.isprintable():
         raise wrong("the title must be one line of text that can be printed", "title")
     if not isinstance(connections, list) or not all(isinstance(one, str) for one in connections):
-        raise wrong("connections must be a list of 'a.output -> b.input', above the tables", "connections")
+        raise wrong(
+            "connections must be a list of 'a.output -> b.input', above the tables", "connections"
+        )
     for name, model in components.items():
         if not isinstance(model, str):
-            raise wrong(f"component '{name}' must name a model: a bench, a class, or a file", "components", name)
-    parameters, samples = (_settings(content.get(key, {}), key, wrong) for key in ("parameters", "samples"))
+            raise wrong(
+                f"component '{name}' must name a model: a bench, a class, or a file",
+                "components",
+                name,
+            )
+    parameters, samples = (
+        _settings(content.get(key, {}), key, wrong) for key in ("parameters", "samples")
+    )
     models = {
-        name: _model(model, file, lambda m, n=name: wrong(m, "components", n)) for name, model in components.items()
+        name: _model(model, file, lambda m, n=name: wrong(m, "components", n))
+        for name, model in components.items()
     }
     return Written(models, connections, parameters, samples, title, _stop_time(content, wrong))
 
@@ -81,7 +90,11 @@ def _settings(table: Any, key: str, wrong: Callable[..., InputError]) -> dict[st
         raise wrong(f"{key} must be a table", key)
     for name, value in table.items():
         if isinstance(value, bool) or not isinstance(value, (int, float, str)):
-            raise wrong(f"'{name}' must be a number or a text with a unit; names with a dot need quotes", key, name)
+            raise wrong(
+                f"'{name}' must be a number or a text with a unit; names with a dot need quotes",
+                key,
+                name,
+            )
     return table
 
 

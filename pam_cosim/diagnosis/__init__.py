@@ -23,7 +23,12 @@ from pam_cosim.diagnosis.events import (
     StepTimesSought,
 )
 from pam_cosim.diagnosis.explanation import LearnedModel
-from pam_cosim.diagnosis.identifiability import ConfusedPair, DetectableEffect, Identifiability, ParameterPrecision
+from pam_cosim.diagnosis.identifiability import (
+    ConfusedPair,
+    DetectableEffect,
+    Identifiability,
+    ParameterPrecision,
+)
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
 from pam_cosim.diagnosis.next_experiment import NextExperiment

@@ -54,7 +54,9 @@ class Candidate:
         """The same without the linear model, which only a search needs."""
         if self.fit.linear is None:
             return self
-        return replace(self, fit=replace(self.fit, linear=None), without_priors=without_priors(self.fit))
+        return replace(
+            self, fit=replace(self.fit, linear=None), without_priors=without_priors(self.fit)
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -95,7 +97,12 @@ Attempt = Candidate | FailedTrial
 
 
 def _tried(c: Candidate | FailedTrial) -> dict[str, object]:
-    return {"effect": c.effect, "family": c.family, "balance": c.balance, "effects": list(c.effects)}
+    return {
+        "effect": c.effect,
+        "family": c.family,
+        "balance": c.balance,
+        "effects": list(c.effects),
+    }
 
 
 def role_summary(fit: Fit, role: str) -> dict[str, object] | None:

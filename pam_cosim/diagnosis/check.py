@@ -84,7 +84,10 @@ class Check(Printed):
         content = {
             "title": self.data.title,
             "model": self.model,
-            "parameters": {k.name: {**plain_fields(k), "determined": k.determined} for k in self.told.parameters},
+            "parameters": {
+                k.name: {**plain_fields(k), "determined": k.determined}
+                for k in self.told.parameters
+            },
             "confused": self.told.confused,
             "effects": self.told.shown,
             "visible": sorted(self.told.visible),
@@ -98,37 +101,57 @@ class Check(Printed):
         return dict(plain(content))
 
     def __str__(self) -> str:
-        lines = [f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"]
-        lines += [*self.data.starts, *self._about_parameters()] + self._about_families() + self._about_help()
+        lines = [
+            f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"
+        ]
+        lines += (
+            [*self.data.starts, *self._about_parameters()]
+            + self._about_families()
+            + self._about_help()
+        )
         return "\n".join(lines)
 
     def _about_parameters(self) -> list[str]:
         lines = []
         for k in self.told.parameters:
-            value, deviation = format_quantity(k.start, k.unit), format_quantity(k.deviation, k.unit, 2)
+            value, deviation = (
+                format_quantity(k.start, k.unit),
+                format_quantity(k.deviation, k.unit, 2),
+            )
             lines.append(
                 f"  {k.name}: {value} will be known to about ± {deviation}"
                 if k.determined
                 else f"  {k.name}: these data say less of it than its bounds do; measure it otherwise, or do not fit it"
             )
-        lines += [f"  {a} and {b} are hardly told apart (correlation {r:+.3f})" for a, b, r in self.told.confused]
+        lines += [
+            f"  {a} and {b} are hardly told apart (correlation {r:+.3f})"
+            for a, b, r in self.told.confused
+        ]
         return ["free parameters:", *lines] if lines else ["no free parameter"]
 
     def _about_families(self) -> list[str]:
         best, visible, hidden = self.told.families, self.told.visible, self.told.hidden
         shown = [_detection_limit_text(best[family]) for family in best if family in visible]
-        faint = [_detection_limit_text(best[family]) for family in best if family not in {*visible, *hidden}]
+        faint = [
+            _detection_limit_text(best[family])
+            for family in best
+            if family not in {*visible, *hidden}
+        ]
         lines = ["families of effects that would show, and from where on:", *(shown or ["  none"])]
         if faint:
             lines += ["families that would show only if they were stronger than usual:", *faint]
         if hidden:
-            lines.append(f"would not show, however strong, or not beside the free parameters: {listed(hidden)}")
+            lines.append(
+                f"would not show, however strong, or not beside the free parameters: {listed(hidden)}"
+            )
         if self.unmoved:
             lines.append(f"move no sample at the start values, alone: {listed(self.unmoved)}")
         failed = dict.fromkeys(c.family for c in self.failed)
         broken = [family for family in failed if family not in best]
         if broken:
-            lines.append(f"could not be simulated at their stated strength, and may be missing: {listed(broken)}")
+            lines.append(
+                f"could not be simulated at their stated strength, and may be missing: {listed(broken)}"
+            )
         if self.no_place:
             lines.append(f"the model has no place for: {listed(self.no_place)}")
         return lines + self._about_confused_families()
@@ -144,15 +167,23 @@ class Check(Printed):
 
     def _about_help(self) -> list[str]:
         if not self.helps:
-            return ["no further signal of this bench, and no usual change of a run, would settle more"]
+            return [
+                "no further signal of this bench, and no usual change of a run, would settle more"
+            ]
         return [
             "what would help most:",
-            *(f"  {h.option.text}: {_benefit_text(h)}" for h in self.helps[: CRITERIA.resolution.listed]),
+            *(
+                f"  {h.option.text}: {_benefit_text(h)}"
+                for h in self.helps[: CRITERIA.resolution.listed]
+            ),
         ]
 
 
 def _detection_limit_text(one: DetectableEffect) -> str:
-    texts = {name: _distinct_digits(value, one.absent[name], one.units[name]) for name, value in one.values.items()}
+    texts = {
+        name: _distinct_digits(value, one.absent[name], one.units[name])
+        for name, value in one.values.items()
+    }
     values = [f"{name} = {text}" for name, text in texts.items() if text]
     return f"  {one.family:20} {one.effect}" + (f": {', '.join(values)}" if values else "")
 
@@ -160,7 +191,14 @@ def _detection_limit_text(one: DetectableEffect) -> str:
 def _distinct_digits(value: float, absent: float, unit: str) -> str:
     """A value in so many digits that it differs from another."""
     texts = (format_quantity(value, unit, digits) for digits in range(3, 17))
-    return next((text for digits, text in enumerate(texts, 3) if text != format_quantity(absent, unit, digits)), "")
+    return next(
+        (
+            text
+            for digits, text in enumerate(texts, 3)
+            if text != format_quantity(absent, unit, digits)
+        ),
+        "",
+    )
 
 
 def _strength_range_text(least: float) -> str:
@@ -214,13 +252,21 @@ def check(
         possible = with_all_outputs(simulator, data)
         free = base_parameters(possible.data, simulator.interface)
         tolerance = CRITERIA.search.screening_tolerance
-        objective = Objective(simulator, possible.data, possible.data.fit_runs, free, None, tolerance)
+        objective = Objective(
+            simulator, possible.data, possible.data.fit_runs, free, None, tolerance
+        )
         count = _row_count(objective, data)
         base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
     if base is None:
         raise SimulationFailure(objective.first_failure)
-    say(Remark(f"looking at what each of {len(available_effects)} effects does at its stated strength").message)
-    search = Search(subject.tree, name, available_effects, possible.data, subject.sources, say, workers)
+    say(
+        Remark(
+            f"looking at what each of {len(available_effects)} effects does at its stated strength"
+        ).message
+    )
+    search = Search(
+        subject.tree, name, available_effects, possible.data, subject.sources, say, workers
+    )
     probes = search.probe_stated(base, count)
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]
     samples: Counter[Option] = Counter()
@@ -234,7 +280,9 @@ def check(
         data=data,
         model=name,
         told=told,
-        no_place=tuple(f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried),
+        no_place=tuple(
+            f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried
+        ),
         unmoved=tuple(f for f in dict.fromkeys(p.family for p in probes) if f not in told.families),
         helps=tuple(_helps(rows, told)),
         failed=tuple(search.failed),
@@ -243,7 +291,12 @@ def check(
 
 def _row_count(objective: Objective, data: DataSet) -> int:
     """As many rows for what was measured as a search takes."""
-    measured = sum(run.sample_count(name) for run in data.fit_runs for name, s in data.signals.items() if s.fitted)
+    measured = sum(
+        run.sample_count(name)
+        for run in data.fit_runs
+        for name, s in data.signals.items()
+        if s.fitted
+    )
     return math.ceil(CRITERIA.search.rows * objective.size / max(measured, 1))
 
 
@@ -257,7 +310,9 @@ def _helps(rows: Rows, now: Identifiability) -> list[Help]:
 def _help(option: Option, now: Identifiability, then: Identifiability) -> Help:
     pairs = [tuple(sorted(pair)) for pair in then.pairs - now.pairs if pair <= now.visible]
     known = {k.name for k in now.parameters if k.determined}
-    ratios = [b.deviation / a.deviation for a, b in zip(now.parameters, then.parameters, strict=True)]
+    ratios = [
+        b.deviation / a.deviation for a, b in zip(now.parameters, then.parameters, strict=True)
+    ]
     return Help(
         option,
         tuple(sorted(then.visible - now.visible)),

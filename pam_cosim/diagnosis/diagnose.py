@@ -35,7 +35,15 @@ from pam_cosim.diagnosis.search_result import (
 )
 from pam_cosim.diagnosis.selection import Selection
 from pam_cosim.diagnosis.subject import Subject, subject_of
-from pam_cosim.diagnosis.verdict import Verdict, explained, judge, nearest, rivals, with_facts, with_posterior
+from pam_cosim.diagnosis.verdict import (
+    Verdict,
+    explained,
+    judge,
+    nearest,
+    rivals,
+    with_facts,
+    with_posterior,
+)
 from pam_cosim.errors import InputError
 from pam_cosim.files import plain
 from pam_cosim.fitting import Fit
@@ -123,13 +131,23 @@ class Diagnosis(Printed):
     @property
     def changes_of_data(self) -> tuple[str, ...]:
         """What was changed in the samples before models were judged by them, in sentences."""
-        outliers = [f"{n} single samples of {name} are set aside" for name, n in self.outliers.items() if n]
-        return (*outliers, *[self.means] * bool(self.means), *[self.said_of_steps] * bool(self.step_times))
+        outliers = [
+            f"{n} single samples of {name} are set aside" for name, n in self.outliers.items() if n
+        ]
+        return (
+            *outliers,
+            *[self.means] * bool(self.means),
+            *[self.said_of_steps] * bool(self.step_times),
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         base = role_summary(self.base, "fit") or {}
-        base |= {"holdout": role_summary(self.base, "holdout"), "model": self.model, "parameters": self.base.parameters}
+        base |= {
+            "holdout": role_summary(self.base, "holdout"),
+            "model": self.model,
+            "parameters": self.base.parameters,
+        }
         content = {
             "title": self.data.title,
             "base": base,
@@ -164,7 +182,9 @@ class Diagnosis(Printed):
     def _missing(self) -> dict[str, object] | None:
         if self.missing_term is None:
             return None
-        return self.missing_term.as_dict() | ({"learned": self.learned.as_dict()} if self.learned else {})
+        return self.missing_term.as_dict() | (
+            {"learned": self.learned.as_dict()} if self.learned else {}
+        )
 
     def __str__(self) -> str:
         v = self.verdict
@@ -177,14 +197,21 @@ class Diagnosis(Printed):
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
-            lines.append(f"  The time limit ended the search; what would have been tried next: {self._tried_next()}")
+            lines.append(
+                f"  The time limit ended the search; what would have been tried next: {self._tried_next()}"
+            )
         if self.step_times:
             lines.append(f"  {self.said_of_steps}")
-        lines += [f"  not looked for: {listed(names)}: {why}" for why, names in self.not_tried_by_reason.items()]
+        lines += [
+            f"  not looked for: {listed(names)}: {why}"
+            for why, names in self.not_tried_by_reason.items()
+        ]
         if self.learned is not None:
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
-            lines.append(f"  with it{beside} the chi-square is {_remaining_chi2_with(self.learned):.3g}")
+            lines.append(
+                f"  with it{beside} the chi-square is {_remaining_chi2_with(self.learned):.3g}"
+            )
         return "\n".join(lines)
 
     def _errors(self) -> list[str]:
@@ -196,7 +223,9 @@ class Diagnosis(Printed):
                 errors = [format_quantity(score.rmse, signal.unit) for score in (before, after)]
                 noise = f"{signal.scatter} {format_quantity(before.noise_rmse, signal.unit)}"
                 fitted = "" if signal.fitted else " (not fitted)"
-                lines.append(f"  {role:8} {name:4} rms error {errors[0]} -> {errors[1]} ({noise}){fitted}")
+                lines.append(
+                    f"  {role:8} {name:4} rms error {errors[0]} -> {errors[1]} ({noise}){fitted}"
+                )
         return lines
 
     def _tried_next(self) -> str:
@@ -265,7 +294,11 @@ def diagnose(
     candidates = _ranked(answer.judged, data)
     tell(Judged(verdict, base, candidates, result.path))
     over_time = not any(run.is_static for run in data.runs)  # balances are kept over time
-    ledger = ledger_of(search, (), base) if explain and over_time and verdict.kind != "none_missing" else None
+    ledger = (
+        ledger_of(search, (), base)
+        if explain and over_time and verdict.kind != "none_missing"
+        else None
+    )
     if ledger is not None:
         tell(LedgerKept(ledger))
     learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
@@ -332,7 +365,9 @@ def _answer(subject: Subject, result: SearchResult, deadline: float) -> _Answer:
     return _Answer(result, result, verdict, others, folds)
 
 
-def _models_left(verdict: Verdict, result: SearchResult, others: Sequence[Candidate]) -> tuple[tuple[str, ...], ...]:
+def _models_left(
+    verdict: Verdict, result: SearchResult, others: Sequence[Candidate]
+) -> tuple[tuple[str, ...], ...]:
     """Effects of the models that a verdict leaves, best first."""
     if verdict.kind == "ambiguous":
         return (result.path[-1].effects, *(c.effects for c in others))
@@ -343,15 +378,23 @@ def _models_left(verdict: Verdict, result: SearchResult, others: Sequence[Candid
     return ()
 
 
-def _verdict(result: SearchResult, sources: Sequence[Path], all_runs_searched: bool) -> tuple[Verdict, list[RivalPlan]]:
+def _verdict(
+    result: SearchResult, sources: Sequence[Path], all_runs_searched: bool
+) -> tuple[Verdict, list[RivalPlan]]:
     """The answer, and its rivals with the run that would decide."""
     search, base, tried = result.search, result.base, result.selection.tried
     selected, family, model_space = list(result.path), search.family, search.model_space
     last = selected[-1] if selected else None
     others = (
-        _rivals_with_runs(search.data, last, rivals(base, last, tried, family, model_space), sources) if last else []
+        _rivals_with_runs(
+            search.data, last, rivals(base, last, tried, family, model_space), sources
+        )
+        if last
+        else []
     )
-    verdict = judge(base, selected, [c for c, _ in others], tried, family, all_runs_searched=all_runs_searched)
+    verdict = judge(
+        base, selected, [c for c, _ in others], tried, family, all_runs_searched=all_runs_searched
+    )
     verdict = with_facts(verdict, base, last, tried, family, model_space)
     return with_posterior(verdict, base, selected, tried, family, model_space), others
 
@@ -379,11 +422,16 @@ def _effects_named(
     def wrong_word(message: str) -> InputError:
         return InputError(f"{key}: {message}")
 
-    return effects_named(available_effects, stated, wrong_key) | effects_named(available_effects, named, wrong_word)
+    return effects_named(available_effects, stated, wrong_key) | effects_named(
+        available_effects, named, wrong_word
+    )
 
 
 def _not_tried(
-    available_effects: Sequence[EffectClass], excluded: Collection[str], search: Search, selection: Selection
+    available_effects: Sequence[EffectClass],
+    excluded: Collection[str],
+    search: Search,
+    selection: Selection,
 ) -> dict[str, str]:
     """Families that were not looked for, with the reason; none where nothing had to be looked for."""
     looked_at = {search.family[p.effect] for p in selection.probes}
@@ -399,7 +447,9 @@ def _not_tried(
         if members <= {*excluded}:
             reasons[family] = "excluded"
         elif family not in looked_at | failed:
-            reasons[family] = "the time was over" if family in late else "the model has no place for them"
+            reasons[family] = (
+                "the time was over" if family in late else "the model has no place for them"
+            )
         elif family in silent:
             reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
@@ -427,7 +477,9 @@ def _best_formula(
     if best is not None and _remaining_chi2_with(best) < _remaining_chi2(present):
         return best
     direct = directly_learned(search, added, present)
-    return min((one for one in (direct, best) if one is not None), key=_remaining_chi2_with, default=None)
+    return min(
+        (one for one in (direct, best) if one is not None), key=_remaining_chi2_with, default=None
+    )
 
 
 def _remaining_chi2_with(learned: LearnedModel) -> float:
@@ -454,4 +506,8 @@ def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:
     for c in candidates:
         gains[c.balance] = max(gains.get(c.balance, 0.0), explained(base, c.fit), 0.0)
     total = sum(gains.values())
-    return {b: g / total for b, g in sorted(gains.items())} if total > 0 else dict.fromkeys(sorted(gains), 0.0)
+    return (
+        {b: g / total for b, g in sorted(gains.items())}
+        if total > 0
+        else dict.fromkeys(sorted(gains), 0.0)
+    )

@@ -165,7 +165,11 @@ class CandidateTried(Event):
 
     def __str__(self) -> str:
         c = self.attempt
-        result = f"could not be fitted: {c.failure}" if isinstance(c, FailedTrial) else describe_fit(c.fit)
+        result = (
+            f"could not be fitted: {c.failure}"
+            if isinstance(c, FailedTrial)
+            else describe_fit(c.fit)
+        )
         return f"{' + '.join(c.effects)} ({c.family}): {result}"
 
 
@@ -200,7 +204,9 @@ class Remark(Event):
         return self.text
 
 
-def listened(say: Callable[[Message], None], progress: Listener | None) -> Callable[[Message], None]:
+def listened(
+    say: Callable[[Message], None], progress: Listener | None
+) -> Callable[[Message], None]:
     """Tells each line to ``say``, and what it is about to ``progress``; what has no line to that alone."""
 
     def tell(message: Message) -> None:

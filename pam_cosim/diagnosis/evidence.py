@@ -28,7 +28,9 @@ def cross_run_reproducibility(fit: Fit) -> Reproducibility:
     return reproducibility(fit.comparison.runs, fit.comparison.data.signals)
 
 
-def has_structure_for_search(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
+def has_structure_for_search(
+    s: ResidualStatistics, repeated: Reproducibility | None = None
+) -> bool:
     """Whether residuals hold something that is not noise.
 
     Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
@@ -44,13 +46,17 @@ def has_structure_for_search(s: ResidualStatistics, repeated: Reproducibility | 
     visible = _correlated(s) and s.excess > CRITERIA.residuals.excess
     if s.samples >= CRITERIA.residuals.many_samples:
         return visible and _is_reproducible(s, repeated)
-    return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(2 / s.samples)
+    return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(
+        2 / s.samples
+    )
 
 
 def any_structure_for_search(fit: Fit) -> bool:
     """Whether a model leaves structure in runs that were fitted or in others."""
     repeated = cross_run_reproducibility(fit)
-    return any(has_structure_for_search(s, repeated) for s in fit.residuals_beyond_uncertainty.values())
+    return any(
+        has_structure_for_search(s, repeated) for s in fit.residuals_beyond_uncertainty.values()
+    )
 
 
 def may_have_structure(s: ResidualStatistics) -> bool:
@@ -66,7 +72,9 @@ def may_have_structure(s: ResidualStatistics) -> bool:
     )
 
 
-def has_structure_for_verdict(s: ResidualStatistics, repeated: Reproducibility | None = None) -> bool:
+def has_structure_for_verdict(
+    s: ResidualStatistics, repeated: Reproducibility | None = None
+) -> bool:
     """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance.
 
     Few samples, as those of a table, hardly show that; there what is larger than the stated noise is not that noise.
@@ -85,7 +93,9 @@ def has_structure_for_verdict(s: ResidualStatistics, repeated: Reproducibility |
 def any_structure_for_verdict(fit: Fit) -> bool:
     """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
     repeated = cross_run_reproducibility(fit)
-    return any(has_structure_for_verdict(s, repeated) for s in fit.residuals_beyond_uncertainty.values())
+    return any(
+        has_structure_for_verdict(s, repeated) for s in fit.residuals_beyond_uncertainty.values()
+    )
 
 
 def contradicted_by_holdout(fit: Fit) -> bool:
@@ -132,7 +142,11 @@ def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
 
 
 def information_criterion(
-    fit: Fit, scale: NoiseScale, effects: Collection[str], model_space: ModelSpace, candidate: Candidate | None = None
+    fit: Fit,
+    scale: NoiseScale,
+    effects: Collection[str],
+    model_space: ModelSpace,
+    candidate: Candidate | None = None,
 ) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
@@ -166,7 +180,8 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
     penalty = bic_penalty(base, time)
     scored = [
-        replace(c, delta_bic=bic(c.fit, variance, time) + penalty * _undetermined_count(c) - start) for c in candidates
+        replace(c, delta_bic=bic(c.fit, variance, time) + penalty * _undetermined_count(c) - start)
+        for c in candidates
     ]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
@@ -182,7 +197,9 @@ def _undetermined_count(candidate: Candidate) -> int:
 
 def significantly_better(base: Fit, candidate: Candidate) -> bool:
     """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
-    return candidate.delta_bic < -CRITERIA.evidence.very_strong and _improves_holdout(base, candidate.fit)
+    return candidate.delta_bic < -CRITERIA.evidence.very_strong and _improves_holdout(
+        base, candidate.fit
+    )
 
 
 def refuted_by_unfitted_signals(rival: Fit, best: Fit) -> bool:
@@ -201,7 +218,9 @@ def missed_signals(fit: Fit) -> tuple[str, ...]:
     comparison = fit.comparison
     scores = comparison.scores.get("all", {})
     unfitted = {n: s for n, s in scores.items() if not comparison.data.signals[n].fitted}
-    return tuple(n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse)
+    return tuple(
+        n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse
+    )
 
 
 def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
@@ -219,15 +238,24 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     for c in ranked:
         left[c.family] = min(left.get(c.family, math.inf), c.fit.residuals["fit"].excess)
     family = min(left, key=lambda f: left[f], default="")
-    if any(excess < CRITERIA.evidence.apart * left[family] for other, excess in left.items() if other != family):
+    if any(
+        excess < CRITERIA.evidence.apart * left[family]
+        for other, excess in left.items()
+        if other != family
+    ):
         return None
     own = (c for c in ranked if c.family == family)
-    return next((c for c in own if _explains_nearly_all(base, c.fit) and significantly_better(base, c)), None)
+    return next(
+        (c for c in own if _explains_nearly_all(base, c.fit) and significantly_better(base, c)),
+        None,
+    )
 
 
 def _explains_nearly_all(base: Fit, fit: Fit) -> bool:
     both = [(base.residuals[r], fit.residuals[r]) for r in ROLES if base.residuals[r].samples]
-    return all(after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both)
+    return all(
+        after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both
+    )
 
 
 def _improves_holdout(base: Fit, fit: Fit) -> bool:

@@ -21,7 +21,9 @@ from pam_cosim.diagnosis.probing import EffectProbe
 from pam_cosim.fitting import Linear, bounded_step, prior_rows, reduction_by
 from pam_cosim.measurement import Prior
 
-_NOTHING_NEW = 1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
+_NOTHING_NEW = (
+    1e-4  # of a column's length: what is left of it beside others, below which it says nothing new
+)
 _WEAK = 1e-6  # of the longest column
 
 
@@ -79,13 +81,19 @@ class Additions:
         self.begin = {id(shape): at for shape, at in zip(shapes, begin[:-1], strict=True)}
 
 
-def addition(base: Linear, probe: EffectProbe, fitted: Candidate | None = None) -> EffectDirections | None:
+def addition(
+    base: Linear, probe: EffectProbe, fitted: Candidate | None = None
+) -> EffectDirections | None:
     """What an effect can add; None where it does not move a sample.
 
     Its directions are those of its parameters, and of the effect as a whole beside the base model, where it was probed
     and where a model with this effect alone was fitted.
     """
-    known = [linear for linear in (probe.linear, fitted.fit.linear if fitted else None) if linear is not None]
+    known = [
+        linear
+        for linear in (probe.linear, fitted.fit.linear if fitted else None)
+        if linear is not None
+    ]
     shapes = tuple(_shape(base, linear, probe.own_parameters) for linear in known)
     columns = [part for shape in shapes for part in (shape.slopes, shape.whole[:, None])]
     columns += [(base.residual - r)[:, None] for r in probe.further]
@@ -105,7 +113,15 @@ def _shape(base: Linear, linear: Linear, own: Sequence[str]) -> EffectShape:
     at = [i for i, name in enumerate(linear.names) if name in own]
     names = tuple(linear.names[i] for i in at)
     priors = {name: linear.priors[name] for name in names if name in linear.priors}
-    return EffectShape(names, linear.values[at], linear.low[at], linear.high[at], whole, linear.slopes[:, at], priors)
+    return EffectShape(
+        names,
+        linear.values[at],
+        linear.low[at],
+        linear.high[at],
+        whole,
+        linear.slopes[:, at],
+        priors,
+    )
 
 
 def _orthonormal(columns: Array) -> Array:
@@ -130,8 +146,15 @@ def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
     free, step = size > 0, np.zeros(len(along))
     while free.any():
         at = np.flatnonzero(free)
-        scaled = square[np.ix_(at, at)] / np.outer(size[at], size[at]) + _NOTHING_NEW**2 * np.eye(len(at))
-        wanted = np.linalg.solve(scaled, (along[at] - square[np.ix_(at, ~free)] @ step[~free]) / size[at]) / size[at]
+        scaled = square[np.ix_(at, at)] / np.outer(size[at], size[at]) + _NOTHING_NEW**2 * np.eye(
+            len(at)
+        )
+        wanted = (
+            np.linalg.solve(
+                scaled, (along[at] - square[np.ix_(at, ~free)] @ step[~free]) / size[at]
+            )
+            / size[at]
+        )
         step[at] = np.clip(wanted, low[at], high[at])
         out = step[at] != wanted
         if not out.any():
@@ -198,7 +221,11 @@ class LinearisedNeighbourhood:
     """
 
     def __init__(
-        self, effects: tuple[str, ...], linear: Linear, family: Mapping[str, str], additions: Additions
+        self,
+        effects: tuple[str, ...],
+        linear: Linear,
+        family: Mapping[str, str],
+        additions: Additions,
     ) -> None:
         self.effects, self.family, self.additions = effects, family, additions
         self._linear = linear
@@ -218,7 +245,9 @@ class LinearisedNeighbourhood:
         for numbers in of_size.values():
             at = np.array([places[n] for n in numbers])
             along = self._along[at]
-            steps = np.linalg.solve(self._gram[at[:, :, None], at[:, None, :]], along[:, :, None])[:, :, 0]
+            steps = np.linalg.solve(self._gram[at[:, :, None], at[:, None, :]], along[:, :, None])[
+                :, :, 0
+            ]
             for n, one, step in zip(numbers, along, steps, strict=True):
                 gains[n] = float(one @ step)
         return gains
@@ -227,11 +256,16 @@ class LinearisedNeighbourhood:
         """With effects of these shapes, as if what each of them does were not changed by the others."""
         own, k = self._linear, len(self._linear.names)
         begin = [self.additions.begin[id(s)] for s in shapes]
-        slopes = np.array([at + i for at, s in zip(begin, shapes, strict=True) for i in range(len(s.names))], int)
+        slopes = np.array(
+            [at + i for at, s in zip(begin, shapes, strict=True) for i in range(len(s.names))], int
+        )
         wholes = np.array([at + len(s.names) for at, s in zip(begin, shapes, strict=True)], int)
         gram, cross = self.additions.gram_of_moves, self._cross
         square = np.block(
-            [[self._known[:k, :k], cross[:k, slopes]], [cross[:k, slopes].T, gram[np.ix_(slopes, slopes)]]]
+            [
+                [self._known[:k, :k], cross[:k, slopes]],
+                [cross[:k, slopes].T, gram[np.ix_(slopes, slopes)]],
+            ]
         )
         along = np.append(
             self._known[:k, k] - cross[:k, wholes].sum(axis=1),
@@ -262,7 +296,10 @@ class LinearisedNeighbourhood:
 
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
-        return [PredictedModel(self.effects, (a,), gain, beside=self) for gain, a, _ in self._single(False)]
+        return [
+            PredictedModel(self.effects, (a,), gain, beside=self)
+            for gain, a, _ in self._single(False)
+        ]
 
     def with_two(self, first: int) -> list[PredictedModel]:
         """Two further effects of other families, one of them among so many that do most by themselves."""
@@ -282,4 +319,7 @@ class LinearisedNeighbourhood:
     def with_another_form(self) -> list[PredictedModel]:
         """An effect exchanged for another of its family, as if that could do all that the first one does."""
         of = {self.family[e]: e for e in self.effects}
-        return [PredictedModel(self.effects, (a,), gain, of[a.family]) for gain, a, _ in self._single(True)]
+        return [
+            PredictedModel(self.effects, (a,), gain, of[a.family])
+            for gain, a, _ in self._single(True)
+        ]

@@ -35,13 +35,21 @@ def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | 
     """The ledger of the model with these effects; None where it has no balances to open."""
     try:
         values = present.values | present.start_values
-        return keep_ledger(search.data, values, search.model, effects=effects, files=search.files, tree=search.tree)
-    except (InputError, ArithmeticError, ValueError) as problem:  # numpy reports a singular system as a ValueError
+        return keep_ledger(
+            search.data, values, search.model, effects=effects, files=search.files, tree=search.tree
+        )
+    except (
+        InputError,
+        ArithmeticError,
+        ValueError,
+    ) as problem:  # numpy reports a singular system as a ValueError
         search.say(Remark(f"no ledger could be kept: {problem}").message)
         return None
 
 
-def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], present: Fit) -> LearnedModel | None:
+def learned_term(
+    search: Search, ledger: Ledger | None, effects: Sequence[str], present: Fit
+) -> LearnedModel | None:
     """A formula for the missing term, and the model with it refitted; None where there is no term to describe."""
     if ledger is None:
         return None
@@ -53,13 +61,21 @@ def learned_term(search: Search, ledger: Ledger | None, effects: Sequence[str], 
             return None
         with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
             attempt = try_learned(
-                term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
+                term,
+                search.data,
+                Path(folder),
+                search.model,
+                effects=effects,
+                start=present.values,
+                files=search.files,
             )
     except (InputError, ArithmeticError, ValueError) as problem:
         search.say(Remark(f"no formula could be found for what is missing: {problem}").message)
         return None
     if isinstance(attempt, FailedTrial):
-        why = f"the model with the formula for what is missing could not be fitted: {attempt.failure}"
+        why = (
+            f"the model with the formula for what is missing could not be fitted: {attempt.failure}"
+        )
         search.say(Remark(why).message)
         return None
     entry = ledger.entry(term.balance)
@@ -78,7 +94,13 @@ def directly_learned(search: Search, effects: Sequence[str], present: Fit) -> Le
         term = with_coefficients(direct, search.tree, part)
         with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
             attempt = try_learned(
-                term, search.data, Path(folder), search.model, effects=effects, start=present.values, files=search.files
+                term,
+                search.data,
+                Path(folder),
+                search.model,
+                effects=effects,
+                start=present.values,
+                files=search.files,
             )
         if isinstance(attempt, FailedTrial):
             continue

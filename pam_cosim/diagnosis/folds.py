@@ -48,7 +48,9 @@ class Folds:
     @property
     def named(self) -> tuple[str, ...]:
         """The effects that are needed in most folds, and whose values can be believed."""
-        return tuple(e for e, n in self.needed.items() if 2 * n > self.count and e not in self.unbelievable)
+        return tuple(
+            e for e, n in self.needed.items() if 2 * n > self.count and e not in self.unbelievable
+        )
 
     @property
     def dropped(self) -> str:
@@ -58,12 +60,16 @@ class Folds:
             for e in self.needed
             if e not in self.named and e not in self.unbelievable
         ]
-        reasons += [f"{e} ({ratio:.3g} times what is stated)" for e, ratio in self.unbelievable.items()]
+        reasons += [
+            f"{e} ({ratio:.3g} times what is stated)" for e, ratio in self.unbelievable.items()
+        ]
         return f"Not named, though it helped: {listed(reasons)}." if reasons else ""
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        worst = {name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()}
+        worst = {
+            name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()
+        }
         return {**plain_fields(self), "worst": worst}
 
 
@@ -87,11 +93,17 @@ def cross_validated(verdict: Verdict, folds: Folds, signals: Mapping[str, Signal
     sentences = [f"Good to {'; '.join(good)} on runs that were never fitted."]
     for needed in sorted({folds.needed[e] for e in folds.named}, reverse=True):
         names = [e for e in folds.named if folds.needed[e] == needed]
-        every = f"every one of {folds.count}" if needed == folds.count else f"{needed} of {folds.count}"
-        sentences.append(f"{listed(names)} {'are' if len(names) > 1 else 'is'} needed in {every} folds of runs.")
+        every = (
+            f"every one of {folds.count}" if needed == folds.count else f"{needed} of {folds.count}"
+        )
+        sentences.append(
+            f"{listed(names)} {'are' if len(names) > 1 else 'is'} needed in {every} folds of runs."
+        )
     if not folds.named:
         sentences.append(f"No effect is needed in most of {folds.count} folds of runs.")
-    return replace(verdict, reason=" ".join([*sentences, *filter(None, [folds.dropped]), verdict.reason]))
+    return replace(
+        verdict, reason=" ".join([*sentences, *filter(None, [folds.dropped]), verdict.reason])
+    )
 
 
 def _good_to(name: str, folds: Folds, unit: str) -> str:
@@ -128,7 +140,9 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     folds = Folds(len(data), needed, _unbelievable(every, final.values))
     named = folds.named
     if named != every:
-        errors = [_holdout_errors(subject, search, one, [named], final.values)[named] for one in data]
+        errors = [
+            _holdout_errors(subject, search, one, [named], final.values)[named] for one in data
+        ]
     return _with_errors(folds, [error for error in errors if error is not None])
 
 
@@ -145,7 +159,9 @@ def _with_errors(folds: Folds, errors: Sequence[_HoldoutError]) -> Folds:
     for error in errors:
         for name, rmse in error.rmse.items():
             by_signal.setdefault(name, []).append((rmse, error.runs))
-    middle = {name: float(np.median([rmse for rmse, _ in each])) for name, each in by_signal.items()}
+    middle = {
+        name: float(np.median([rmse for rmse, _ in each])) for name, each in by_signal.items()
+    }
     return replace(folds, rmse=middle, worst={name: max(each) for name, each in by_signal.items()})
 
 
@@ -155,19 +171,28 @@ def _folds(data: DataSet) -> Iterator[DataSet]:
     if count < CRITERIA.folds.fewest:
         return
     for fold in range(count):
-        runs = (replace(r, role="holdout" if i % count == fold else "fit") for i, r in enumerate(data.runs))
+        runs = (
+            replace(r, role="holdout" if i % count == fold else "fit")
+            for i, r in enumerate(data.runs)
+        )
         yield replace(data, runs=tuple(runs))
 
 
 def _holdout_errors(
-    subject: Subject, search: Search, data: DataSet, models: Sequence[tuple[str, ...]], values: Mapping[str, float]
+    subject: Subject,
+    search: Search,
+    data: DataSet,
+    models: Sequence[tuple[str, ...]],
+    values: Mapping[str, float],
 ) -> dict[tuple[str, ...], _HoldoutError | None]:
     """What models with these effects, fitted anew, leave on the runs that are held out; None: one broke down."""
     wanted = [FitRequest(effects, values) for effects in models if effects]
     fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
     if () in models:
         fits |= _without_effects(subject, data)
-    return {effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models}
+    return {
+        effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models
+    }
 
 
 def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], Fit]:
@@ -189,4 +214,7 @@ def _is_needed(with_it: _HoldoutError | None, without: _HoldoutError | None) -> 
     """Whether what is left beyond the noise is visibly less with an effect."""
     if with_it is None or without is None:
         return with_it is not None
-    return without.excess > 0 and without.excess - with_it.excess >= CRITERIA.folds.visible * without.excess
+    return (
+        without.excess > 0
+        and without.excess - with_it.excess >= CRITERIA.folds.visible * without.excess
+    )

@@ -66,7 +66,9 @@ def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
         runs.append(_as_modelled(run, modelled[run.name], signals))
         for name, signal in signals.items():
             measured = run.sample_count(name) and data.signals[name].fitted
-            option[run.name, name] = AS_MEASURED if measured else Option("signal", _measurement_text(signal))
+            option[run.name, name] = (
+                AS_MEASURED if measured else Option("signal", _measurement_text(signal))
+            )
     for number, (varied, change) in enumerate(_varied_runs(data)):
         try:
             model = _modelled(simulator, data, varied)
@@ -96,7 +98,9 @@ def _as_modelled(run: Run, model: Mapping[str, Array], signals: Mapping[str, Sig
     return replace(run, measurements=measured, role="fit")
 
 
-def _unmeasured(simulator: AnySimulator, data: DataSet, modelled: Sequence[Mapping[str, Array]]) -> dict[str, Signal]:
+def _unmeasured(
+    simulator: AnySimulator, data: DataSet, modelled: Sequence[Mapping[str, Array]]
+) -> dict[str, Signal]:
     """Outputs that nobody measured, with the noise of a usual instrument; none that stand still."""
     signals = {}
     for name, output in simulator.interface.outputs.items():
@@ -104,7 +108,9 @@ def _unmeasured(simulator: AnySimulator, data: DataSet, modelled: Sequence[Mappi
             every = np.concatenate([model[name] for model in modelled])
             span = float(every.max() - every.min())
             if span > CRITERIA.resolution.still * float(np.abs(every).max()):
-                signals[name] = Signal(name, output.unit, CRITERIA.resolution.instrument * span, estimated=True)
+                signals[name] = Signal(
+                    name, output.unit, CRITERIA.resolution.instrument * span, estimated=True
+                )
     return signals
 
 

@@ -123,7 +123,10 @@ class Identifiability:
     @property
     def pairs(self) -> frozenset[frozenset[str]]:
         """Pairs of families that are shown and told apart."""
-        known, alike = sorted(self.visible), {frozenset((a.family, a.other_family)) for a in self.alike}
+        known, alike = (
+            sorted(self.visible),
+            {frozenset((a.family, a.other_family)) for a in self.alike},
+        )
         return frozenset(frozenset((a, b)) for a in known for b in known if a < b) - alike
 
 
@@ -164,10 +167,16 @@ class Rows:
         price = math.log(max(samples, CRITERIA.evidence.least_samples))
         slopes = np.vstack([self.base.slopes[at], self._bounds])
         own = np.linalg.qr(slopes)[0]
-        moves = {p.effect: _orthogonal_part(own, self._among(at, self._moves(p))) for p in self.probes}
-        sizes = {p.effect: _sizes(_orthogonal_part(own, self._among(at, p.courses(self.base)))) for p in self.probes}
+        moves = {
+            p.effect: _orthogonal_part(own, self._among(at, self._moves(p))) for p in self.probes
+        }
+        sizes = {
+            p.effect: _sizes(_orthogonal_part(own, self._among(at, p.courses(self.base))))
+            for p in self.probes
+        }
         shown = sorted(
-            (_detectability(p, sizes[p.effect], price) for p in self.probes), key=lambda s: (s.least, s.effect)
+            (_detectability(p, sizes[p.effect], price) for p in self.probes),
+            key=lambda s: (s.least, s.effect),
         )
         parameters, confused = self._known(slopes)
         result = Identifiability(parameters, confused, tuple(shown), ())
@@ -189,7 +198,11 @@ class Rows:
         names, base = self.base.names, self.base
         known = [
             ParameterPrecision(
-                name, self.units[name], float(base.values[i]), float(deviation[i]), float(base.high[i] - base.low[i])
+                name,
+                self.units[name],
+                float(base.values[i]),
+                float(deviation[i]),
+                float(base.high[i] - base.low[i]),
             )
             for i, name in enumerate(names)
         ]
@@ -198,7 +211,9 @@ class Rows:
         confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
         return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.fit.confused)
 
-    def _alike(self, result: Identifiability, moves: Mapping[str, Array], price: float) -> list[ConfusedPair]:
+    def _alike(
+        self, result: Identifiability, moves: Mapping[str, Array], price: float
+    ) -> list[ConfusedPair]:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
         own = {p.effect: p.strengths for p in self.probes}
         count = {name: len(strengths.own) for name, strengths in own.items()}
@@ -211,7 +226,9 @@ class Rows:
                 if p.family == family or p.family not in result.visible:
                     continue
                 left = float(np.linalg.norm(_orthogonal_part(_orthonormal(moves[p.effect]), whole)))
-                needed = CRITERIA.evidence.very_strong - price * (count[p.effect] - count[best.effect])
+                needed = CRITERIA.evidence.very_strong - price * (
+                    count[p.effect] - count[best.effect]
+                )
                 least, pair = _detectable_at(needed, left), frozenset((family, p.family))
                 if not own[best.effect].within_bounds(least):
                     least = math.inf
@@ -232,7 +249,13 @@ def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) ->
         least = math.inf
     values, absent = _strength_parameters(probe.strengths, least), probe.strengths.at(0.0)
     return DetectableEffect(
-        probe.effect, probe.family, sizes[0], least, values, absent, {f.name: f.unit for f in probe.strengths.own}
+        probe.effect,
+        probe.family,
+        sizes[0],
+        least,
+        values,
+        absent,
+        {f.name: f.unit for f in probe.strengths.own},
     )
 
 

@@ -41,6 +41,8 @@ def _needed(c: Candidate) -> str:
     priors = {n: prior for n in wanted if (prior := c.fit.parameters[n].prior) is not None}
     name = max(wanted, key=lambda n: abs(priors[n].surprise(wanted[n])))
     unit = c.fit.parameters[name].unit
-    low, value, high = (format_quantity(v, unit) for v in (priors[name].low, wanted[name], priors[name].high))
+    low, value, high = (
+        format_quantity(v, unit) for v in (priors[name].low, wanted[name], priors[name].high)
+    )
     needs = f"{name} would have to be about {value}, where {low} to {high} is usual"
     return f"{' + '.join(c.effects)} would fit as well, but {needs}."

@@ -89,7 +89,9 @@ class LearnedTerm:
         return f"{self.formula}  (explains {100 * self.score:.0f} % in runs that were not asked)"
 
 
-def learn(ledger: Ledger, balance: str | None = None, *, name: str = "", tree: ClassTree | None = None) -> LearnedTerm:
+def learn(
+    ledger: Ledger, balance: str | None = None, *, name: str = "", tree: ClassTree | None = None
+) -> LearnedTerm:
     """Describes the missing term of a balance (default: the one that fails most) by a sparse formula.
 
     Forms are added one at a time, each time the one that lowers the error most in runs left out; the free
@@ -98,10 +100,14 @@ def learn(ledger: Ledger, balance: str | None = None, *, name: str = "", tree: C
     Raises:
         InputError: the ledger has no such term: nothing fails, or an instrument does.
     """
-    chosen = balance or next((b for b in ledger.failing if (e := ledger.entry(b)) and e.courses), None)
+    chosen = balance or next(
+        (b for b in ledger.failing if (e := ledger.entry(b)) and e.courses), None
+    )
     entry = ledger.entry(chosen) if chosen else None
     if entry is None or not entry.courses:
-        raise InputError(f"there is no missing term to learn{f' in the balance {balance}' if balance else ''}")
+        raise InputError(
+            f"there is no missing term to learn{f' in the balance {balance}' if balance else ''}"
+        )
     samples = _samples(entry)
     known = quantities(samples.variables, entry.units)
     picked = select_forms(samples, forms(known))
@@ -163,7 +169,11 @@ def try_learned(
 
 
 def refitted(
-    term: LearnedTerm, entry: BalanceEntry, model: Candidate, tree: ClassTree, explained: str = MISSING
+    term: LearnedTerm,
+    entry: BalanceEntry,
+    model: Candidate,
+    tree: ClassTree,
+    explained: str = MISSING,
 ) -> LearnedTerm:
     """The term with the values that ``try_learned`` fitted.
 
@@ -230,7 +240,9 @@ def _samples(entry: BalanceEntry) -> TermSamples:
         count += parts
     deviation = np.concatenate([c.deviation for c in courses])
     free = tuple(courses[0].imitated)
-    imitated = np.concatenate([np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses])
+    imitated = np.concatenate(
+        [np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses]
+    )
     used = np.any(imitated != 0, axis=0)
     weight = 1 / np.maximum(deviation, np.median(deviation) / CRITERIA.learning.certain)
     return TermSamples(
@@ -259,7 +271,9 @@ class FittedForms:
     fit_score: float
 
 
-def select_forms(samples: TermSamples, library: Sequence[Form], most: int = CRITERIA.learning.most_forms) -> list[Form]:
+def select_forms(
+    samples: TermSamples, library: Sequence[Form], most: int = CRITERIA.learning.most_forms
+) -> list[Form]:
     """At most so many forms, in order of selection."""
     picked: list[Form] = []
     left = first = _cross_validation_error(samples, [])
@@ -282,7 +296,10 @@ def select_forms_jointly(samples: TermSamples, library: Sequence[Form], most: in
         others = [f for f in library if f not in picked]
         steps: list[tuple[Form, ...]] = [(f,) for f in others]
         for further in (steps, list(combinations(others, 2))):
-            errors = [_cross_validation_error(samples, [*own, *(columns[f.text] for f in one)]) for one in further]
+            errors = [
+                _cross_validation_error(samples, [*own, *(columns[f.text] for f in one)])
+                for one in further
+            ]
             error = min(errors, default=np.inf)
             if _is_worthwhile(left, error, first):
                 picked += further[int(np.argmin(errors))]
@@ -294,10 +311,15 @@ def select_forms_jointly(samples: TermSamples, library: Sequence[Form], most: in
 
 
 def _is_worthwhile(left: float, error: float, first: float) -> bool:
-    return error < (1 - CRITERIA.learning.worth) * left and left - error > CRITERIA.learning.least * first
+    return (
+        error < (1 - CRITERIA.learning.worth) * left
+        and left - error > CRITERIA.learning.least * first
+    )
 
 
-def _best_next_form(samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]) -> tuple[list[Form], float]:
+def _best_next_form(
+    samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]
+) -> tuple[list[Form], float]:
     """The form that helps most beside others, with its best shape, and what is left; none where all are picked."""
     columns = [samples.column(f) for f in picked]
     left = [f for f in library if f not in picked]
@@ -310,7 +332,10 @@ def _best_next_form(samples: TermSamples, picked: Sequence[Form], library: Seque
 
 def _is_needed(samples: TermSamples, picked: Sequence[Form], i: int, left: float) -> bool:
     others = [samples.column(f) for k, f in enumerate(picked) if k != i]
-    return len(picked) == 1 or _cross_validation_error(samples, others) > (1 + CRITERIA.learning.worth) * left
+    return (
+        len(picked) == 1
+        or _cross_validation_error(samples, others) > (1 + CRITERIA.learning.worth) * left
+    )
 
 
 def _with_best_shape(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
@@ -327,7 +352,9 @@ def _with_best_shape(samples: TermSamples, picked: Sequence[Form], form: Form) -
         np.log(max(shape.low, shape.value / CRITERIA.learning.shape_span)),
         np.log(min(shape.high, shape.value * CRITERIA.learning.shape_span)),
     )
-    optimum = minimize_scalar(error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25})
+    optimum = minimize_scalar(
+        error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25}
+    )
     return replace(form, shape=replace(shape, value=float(np.exp(optimum.x))))
 
 
@@ -386,8 +413,12 @@ def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> FittedForms
     if others.any():
         held_out_score = score(others)
     else:
-        held_out_score = 1 - _cross_validation_error(samples, columns) / float(np.mean(nuisance[fitted] ** 2))
-    return FittedForms(tuple(picked), solution[q:], deviation[q:], solution[:q], held_out_score, score(fitted))
+        held_out_score = 1 - _cross_validation_error(samples, columns) / float(
+            np.mean(nuisance[fitted] ** 2)
+        )
+    return FittedForms(
+        tuple(picked), solution[q:], deviation[q:], solution[:q], held_out_score, score(fitted)
+    )
 
 
 __all__ = ["FittedAddend", "LearnedTerm", "Quantity", "learn", "refitted", "try_learned"]

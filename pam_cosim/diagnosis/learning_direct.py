@@ -18,11 +18,24 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.catalogue import Composition, EffectClass, compose, effect_classes, origins, unknown_terms
+from pam_cosim.catalogue import (
+    Composition,
+    EffectClass,
+    compose,
+    effect_classes,
+    origins,
+    unknown_terms,
+)
 from pam_cosim.comparison import simulate_run
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.learning import FittedAddend, LearnedTerm, TermSamples, coefficients_of, select_forms_jointly
+from pam_cosim.diagnosis.learning import (
+    FittedAddend,
+    LearnedTerm,
+    TermSamples,
+    coefficients_of,
+    select_forms_jointly,
+)
 from pam_cosim.diagnosis.learning_library import Form, quantities, ramps
 from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
 from pam_cosim.diagnosis.search import Search
@@ -79,12 +92,18 @@ def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> Dire
 
 def with_coefficients(direct: DirectTerm, tree: ClassTree, factor: float) -> LearnedTerm:
     """The term with a part of its coefficients, where a fit may start from; their bounds stay."""
-    terms = tuple(replace(t, coefficient=factor * t.coefficient, reach=t.reach) for t in direct.term.terms)
-    source = modelica_text(tree, direct.term.name, direct.entry, terms, direct.term.score, RESIDUALS)
+    terms = tuple(
+        replace(t, coefficient=factor * t.coefficient, reach=t.reach) for t in direct.term.terms
+    )
+    source = modelica_text(
+        tree, direct.term.name, direct.entry, terms, direct.term.score, RESIDUALS
+    )
     return replace(direct.term, terms=terms, modelica_source=source)
 
 
-def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: EffectClass) -> DirectTerm | None:
+def _in_balance(
+    search: Search, effects: Sequence[str], present: Fit, term: EffectClass
+) -> DirectTerm | None:
     values = present.values | present.start_values
     base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
     watched = _variables_beside(search, effects, term, values)
@@ -93,7 +112,9 @@ def _in_balance(search: Search, effects: Sequence[str], present: Fit, term: Effe
     variables, units, own = watched
     known = quantities(variables, units)
     library = ramps(known, variables)
-    entry = BalanceEntry(term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units)
+    entry = BalanceEntry(
+        term.balance, 0.0, 0.0, 0.0, own.unit, own.description, base=base, units=units
+    )
     samples = _residual_samples(search, effects, values, entry, library)
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
     largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
@@ -159,9 +180,13 @@ def _simulated(
     """Variables of a model over all fitted samples, by the names that these have in ``names``."""
     outputs = {short: f"watched_{i}" for i, short in enumerate(names, 1)}
     lines = [f"  output Real {outputs[short]} = {full};" for short, full in names.items()]
-    text = "\n".join([f"model {_WATCHED}", f"  extends {composition.name};", *lines, f"end {_WATCHED};"])
+    text = "\n".join(
+        [f"model {_WATCHED}", f"  extends {composition.name};", *lines, f"end {_WATCHED};"]
+    )
     parts: dict[str, list[Array]] = {short: [] for short in names}
-    with Simulator(build_source(_WATCHED, f"{composition.text}\n{text}\n", search.files)) as simulator:
+    with Simulator(
+        build_source(_WATCHED, f"{composition.text}\n{text}\n", search.files)
+    ) as simulator:
         for run in search.data.fit_runs:
             simulated = simulate_run(simulator, search.data, run, values).model
             for short, output in outputs.items():
@@ -183,14 +208,24 @@ class _ResidualSamples(TermSamples):
 
 
 def _residual_samples(
-    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
+    search: Search,
+    effects: Sequence[str],
+    values: Mapping[str, float],
+    entry: BalanceEntry,
+    library: Sequence[Form],
 ) -> _ResidualSamples:
     """The fitted runs linearised by the free parameters and by a coefficient of every form."""
-    linear, objective, series, mine = _linearised_with_terms(search, effects, values, entry, library)
+    linear, objective, series, mine = _linearised_with_terms(
+        search, effects, values, entry, library
+    )
     by_name = dict(zip(linear.names, linear.slopes.T, strict=True))
     at_bound = CRITERIA.fit.at_bound * (linear.high - linear.low)
     inside = (linear.values > linear.low + at_bound) & (linear.values < linear.high - at_bound)
-    free = [name for name, is_free in zip(linear.names, inside, strict=True) if is_free and name not in mine]
+    free = [
+        name
+        for name, is_free in zip(linear.names, inside, strict=True)
+        if is_free and name not in mine
+    ]
     others = [name for name in free if np.any(by_name[name])]
     rows = len(linear.residual)
     nuisance = np.column_stack([np.zeros((rows, 0)), *(by_name[name] for name in others)])
@@ -208,7 +243,11 @@ def _residual_samples(
 
 
 def _linearised_with_terms(
-    search: Search, effects: Sequence[str], values: Mapping[str, float], entry: BalanceEntry, library: Sequence[Form]
+    search: Search,
+    effects: Sequence[str],
+    values: Mapping[str, float],
+    entry: BalanceEntry,
+    library: Sequence[Form],
 ) -> tuple[Linear, Objective, NDArray[np.int_], Sequence[str]]:
     """The model with a term of every form about the values; its objective, the series of each row, the coefficients."""
     terms = [FittedAddend(0.0, 0.0, form, reach=1.0) for form in library]
@@ -222,13 +261,17 @@ def _linearised_with_terms(
             raise InputError(f"the model has no place for a term of {entry.balance}")
         own = [name for names in composition.parameters.values() for name in names]
         free = tuple(dict.fromkeys([*search.data.differentiated, *own]))
-        fmu = build_source(composition.name, composition.text, sources, sensitivities=free, lean=True)
+        fmu = build_source(
+            composition.name, composition.text, sources, sensitivities=free, lean=True
+        )
     with Simulator(fmu) as simulator:
         simulator.limit = CRITERIA.search.longest_run
         moved = every_parameter(search.data, composition, simulator.interface)
         moved = [f.starting_at(values.get(f.name, f.start)) for f in moved]
         objective = Objective(simulator, search.data, search.data.fit_runs, moved, values)
-        linear = linearised(objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows)
+        linear = linearised(
+            objective, np.array([f.to_z(f.start) for f in moved]), CRITERIA.search.rows
+        )
         if linear is None:
             raise SimulationFailure(objective.first_failure)
         series = rows_of_series(objective, CRITERIA.search.rows)

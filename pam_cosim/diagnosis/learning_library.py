@@ -112,14 +112,19 @@ def forms(known: Sequence[Quantity]) -> list[Form]:
 
 def ramps(known: Sequence[Quantity], variables: Mapping[str, Array]) -> list[Form]:
     """Forms that add up to splines: lines with rounded bends at quantiles of each variable, and their products."""
-    own = {q.name: [Form(q.ratio, (q,), None, q.name), *_bends(q, variables[q.name])] for q in known}
+    own = {
+        q.name: [Form(q.ratio, (q,), None, q.name), *_bends(q, variables[q.name])] for q in known
+    }
     listed = [Form("1", (), None, "1"), *(f for forms_of in own.values() for f in forms_of)]
     for i, a in enumerate(known):
         for b in known[i + 1 :]:
             listed.append(Form(f"{a.ratio}*{b.ratio}", (a, b), None, f"{a.name} {b.name}"))
             for one, two in ((a, b), (b, a)):
                 bends = own[two.name][1:]
-                listed += [Form(f"{one.ratio}*{f.text}", (one, two), None, f"{one.name} {f.words}") for f in bends]
+                listed += [
+                    Form(f"{one.ratio}*{f.text}", (one, two), None, f"{one.name} {f.words}")
+                    for f in bends
+                ]
     return listed
 
 
@@ -146,14 +151,26 @@ def _powers(q: Quantity) -> list[Form]:
 
 
 def _jumps(q: Quantity) -> list[Form]:
-    shapes = [FormConstant(f"{q.name}_1", q, k * q.size, 1e-3 * q.size, 0.5 * q.size) for k in _SPEEDS]
-    root = Form(f"{q.ratio}/({q.ratio}^2 + 1e-4)^0.25", (q,), None, f"sign({q.name}) |{q.name}|^0.5")
-    return [root, *(Form(f"tanh({q.name}/{s.name})", (q,), s, f"tanh({q.name}/{{shape}})") for s in shapes)]
+    shapes = [
+        FormConstant(f"{q.name}_1", q, k * q.size, 1e-3 * q.size, 0.5 * q.size) for k in _SPEEDS
+    ]
+    root = Form(
+        f"{q.ratio}/({q.ratio}^2 + 1e-4)^0.25", (q,), None, f"sign({q.name}) |{q.name}|^0.5"
+    )
+    return [
+        root,
+        *(Form(f"tanh({q.name}/{s.name})", (q,), s, f"tanh({q.name}/{{shape}})") for s in shapes),
+    ]
 
 
 def _curves(q: Quantity) -> list[Form]:
-    growths = [FormConstant(f"{q.name}_1", q, k * q.size, 0.1 * q.size, 5 * q.size) for k in _GROWTHS]
-    listed = [Form(f"(exp({q.name}/{s.name}) - 1)", (q,), s, f"(exp({q.name}/{{shape}}) - 1)") for s in growths]
+    growths = [
+        FormConstant(f"{q.name}_1", q, k * q.size, 0.1 * q.size, 5 * q.size) for k in _GROWTHS
+    ]
+    listed = [
+        Form(f"(exp({q.name}/{s.name}) - 1)", (q,), s, f"(exp({q.name}/{{shape}}) - 1)")
+        for s in growths
+    ]
     for k in _WAVES:
         s = FormConstant(f"{q.name}_2", q, k * q.size, 0.9 * k * q.size, 1.1 * k * q.size)
         for wave in ("sin", "cos"):
@@ -167,7 +184,16 @@ def _products(a: Quantity, b: Quantity) -> list[Form]:
     for one, two in ((a, b), (b, a)):
         if two.signed:
             for jump in _jumps(two)[1:]:
-                listed.append(Form(f"{one.ratio}*{jump.text}", (one, two), jump.shape, f"{one.name} {jump.words}"))
+                listed.append(
+                    Form(
+                        f"{one.ratio}*{jump.text}",
+                        (one, two),
+                        jump.shape,
+                        f"{one.name} {jump.words}",
+                    )
+                )
         else:
-            listed.append(Form(f"{one.ratio}*{two.ratio}^2", (one, two), None, f"{one.name} {two.name}^2"))
+            listed.append(
+                Form(f"{one.ratio}*{two.ratio}^2", (one, two), None, f"{one.name} {two.name}^2")
+            )
     return listed

@@ -45,8 +45,14 @@ def formula_text(entry: BalanceEntry, terms: Sequence[Addend]) -> str:
     for t in terms:
         words = "" if t.form.words == "1" else f" {t.form.words}"
         if t.form.shape is not None:
-            words = words.replace("{shape}", f"({format_quantity(t.form.shape.value, t.form.shape.of.unit)})")
-        sign = ("-" if t.coefficient < 0 else "") if not text else (" - " if t.coefficient < 0 else " + ")
+            words = words.replace(
+                "{shape}", f"({format_quantity(t.form.shape.value, t.form.shape.of.unit)})"
+            )
+        sign = (
+            ("-" if t.coefficient < 0 else "")
+            if not text
+            else (" - " if t.coefficient < 0 else " + ")
+        )
         text += f"{sign}{_sized(abs(t.coefficient), entry.unit)}{words}"
         sizes = {q.name: format_quantity(q.size, q.unit) for q in _divided(t.form)}
         where |= dict.fromkeys(f"{name} stands for {name}/({size})" for name, size in sizes.items())
@@ -68,7 +74,9 @@ def modelica_text(
     """The term as an effect class, family "learned"; ``score`` is the part of what is ``explained``."""
     absent = ",".join(f"c_{i}=0" for i in range(1, len(terms) + 1))
     says = 'final family="learned"'
-    lines = [f'model {name} "Term in the balance of {entry.balance} that describes what a measurement lacks"']
+    lines = [
+        f'model {name} "Term in the balance of {entry.balance} that describes what a measurement lacks"'
+    ]
     effect = f"{library_of(entry.base)}.{EFFECT}"
     if tree.is_subtype(entry.base, effect):
         lines.append(f'  extends {entry.base}({says}, final absent="{absent}");')
@@ -97,7 +105,8 @@ def modelica_text(
     sizes = {q.scale: q for t in terms for q in _divided(t.form)}
     lines += ["protected"] if sizes else []
     lines += [
-        f'  constant Real {n}(unit="{q.unit}") = {q.size:.6g} "Size of {q.name}";' for n, q in sorted(sizes.items())
+        f'  constant Real {n}(unit="{q.unit}") = {q.size:.6g} "Size of {q.name}";'
+        for n, q in sorted(sizes.items())
     ]
     lines += ["equation", f"  {TERM} = {' + '.join(body) or '0'};"]
     says = (
@@ -107,7 +116,9 @@ def modelica_text(
         "that was measured it means nothing.</p>"
     )
     lines += ['  annotation (Documentation(info="<html>', *textwrap.wrap(says, 116)]
-    lines.append(f"<p>Fingerprint: {entry.meaning[:1].lower() + entry.meaning[1:]}, of the form of the formula.</p>")
+    lines.append(
+        f"<p>Fingerprint: {entry.meaning[:1].lower() + entry.meaning[1:]}, of the form of the formula.</p>"
+    )
     return "\n".join([*lines, '</html>"));', f"end {name};", ""])
 
 

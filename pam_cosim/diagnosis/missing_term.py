@@ -60,7 +60,9 @@ def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:
                 r = float(np.corrcoef(residual[kept], values[kept])[0, 1])
                 if abs(r) > abs(strongest[0]):
                     strongest = (r, output)
-        signals[name] = LeftInSignal(score.rmse, score.chi2_reduced**0.5, strongest[1], strongest[0])
+        signals[name] = LeftInSignal(
+            score.rmse, score.chi2_reduced**0.5, strongest[1], strongest[0]
+        )
     return MissingTerm(
         max(sorted(balance), key=lambda b: balance[b]) if balance else None,
         signals,

@@ -32,7 +32,9 @@ class ModelSpace:
 
 
 def effects_named(
-    available_effects: Sequence[EffectClass], names: Sequence[str], error: Callable[[str], InputError]
+    available_effects: Sequence[EffectClass],
+    names: Sequence[str],
+    error: Callable[[str], InputError],
 ) -> frozenset[str]:
     """Names of the effects that are meant by names of families or effects.
 
@@ -49,8 +51,14 @@ def effects_named(
         own = {e.name for e in available_effects if name in (e.name, e.family)}
         if not own and name != WRONG_PARAMETER:  # a data set need not state one
             known = dict.fromkeys(
-                [*(e.family for e in available_effects), WRONG_PARAMETER, *(e.name for e in available_effects)]
+                [
+                    *(e.family for e in available_effects),
+                    WRONG_PARAMETER,
+                    *(e.name for e in available_effects),
+                ]
             )
-            raise error(f"there is no family and no effect {shown(name)}; {did_you_mean(name, known)}")
+            raise error(
+                f"there is no family and no effect {shown(name)}; {did_you_mean(name, known)}"
+            )
         chosen |= own
     return frozenset(chosen)

@@ -59,7 +59,9 @@ class NextExperiment:
 RivalPlan = tuple[Candidate, NextExperiment | None]
 
 
-def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()) -> NextExperiment | None:
+def next_experiment(
+    data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()
+) -> NextExperiment | None:
     """Searches variations of the runs at hand for the one that tells two fitted rivals apart best.
 
     Each input of each run, and each parameter that differs between runs, is scaled by a few factors; whole runs are
@@ -68,9 +70,16 @@ def next_experiment(data: DataSet, a: Candidate, b: Candidate, files: Sequence[P
     no variation can be simulated.
     """
     with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
-        scored = [(_separation(first, second, run), run, change) for run, change in variations(data)]
-        scored += [(_separation(first, second, run), run, change) for run, change in _combined_changes(scored)]
-        usable = [(evidence, run, change) for evidence, run, change in scored if evidence is not None]
+        scored = [
+            (_separation(first, second, run), run, change) for run, change in variations(data)
+        ]
+        scored += [
+            (_separation(first, second, run), run, change)
+            for run, change in _combined_changes(scored)
+        ]
+        usable = [
+            (evidence, run, change) for evidence, run, change in scored if evidence is not None
+        ]
         if not usable:
             return None
         evidence, run, change = max(usable, key=lambda entry: entry[0])
@@ -116,12 +125,16 @@ def _is_same_in_practice(best: Candidate, rival: Candidate, plan: NextExperiment
 
 def _varied(data: DataSet) -> list[str]:
     """Parameters that differ between runs: the experimenter can set them."""
-    values = {name: {run.parameters.get(name) for run in data.runs} for name in data.runs[0].parameters}
+    values = {
+        name: {run.parameters.get(name) for run in data.runs} for name in data.runs[0].parameters
+    }
     return [name for name, different in values.items() if len(different) > 1]
 
 
 def variations(
-    data: DataSet, runs: Sequence[Run] | None = None, factors: Sequence[float] = CRITERIA.next_experiment.factors
+    data: DataSet,
+    runs: Sequence[Run] | None = None,
+    factors: Sequence[float] = CRITERIA.next_experiment.factors,
 ) -> Iterator[tuple[Run, str]]:
     """Runs as they are, and with one thing changed that an experimenter sets; what was changed, in words.
 
@@ -138,18 +151,27 @@ def variations(
         if run.inputs and not run.is_static:
             for pace in CRITERIA.next_experiment.paces:
                 time = run.time[0] + (run.time - run.time[0]) * pace
-                yield replace(run, time=time), f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}"
+                yield (
+                    replace(run, time=time),
+                    f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}",
+                )
 
 
 def _scaled(run: Run, factor: float, parameters: Sequence[str]) -> Iterator[tuple[Run, str]]:
     """A run with one of its inputs, or of these parameters, times a factor."""
     for name, values in run.inputs.items():
         if np.any(values != 0) and name != BRANCH:
-            yield replace(run, inputs={**run.inputs, name: values * factor}), f"{name} times {factor:g}"
+            yield (
+                replace(run, inputs={**run.inputs, name: values * factor}),
+                f"{name} times {factor:g}",
+            )
     for name in parameters:
         if name in run.parameters:
             value = run.parameters[name] * factor
-            yield replace(run, parameters={**run.parameters, name: value}), f"{name} times {factor:g}"
+            yield (
+                replace(run, parameters={**run.parameters, name: value}),
+                f"{name} times {factor:g}",
+            )
 
 
 def _combined_changes(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
@@ -159,7 +181,9 @@ def _combined_changes(scored: Sequence[tuple[float | None, Run, str]]) -> Iterat
         return
     usable.sort(key=lambda entry: -entry[0])
     name = usable[0][1].name
-    best = [(run, change) for _, run, change in usable if run.name == name][: CRITERIA.next_experiment.joined]
+    best = [(run, change) for _, run, change in usable if run.name == name][
+        : CRITERIA.next_experiment.joined
+    ]
     original = next(run for _, run, _ in scored if run.name == name)
     for i, (one, change) in enumerate(best):
         for two, other in best[:i]:
@@ -174,8 +198,14 @@ def _changed_thing(change: str) -> str:
 
 def _combined_run(original: Run, one: Run, two: Run) -> Run:
     """Each part from the run in which it was changed."""
-    parameters = {n: two.parameters[n] if v == original.parameters[n] else v for n, v in one.parameters.items()}
-    inputs = {n: two.inputs[n] if np.array_equal(v, original.inputs[n]) else v for n, v in one.inputs.items()}
+    parameters = {
+        n: two.parameters[n] if v == original.parameters[n] else v
+        for n, v in one.parameters.items()
+    }
+    inputs = {
+        n: two.inputs[n] if np.array_equal(v, original.inputs[n]) else v
+        for n, v in one.inputs.items()
+    }
     time = two.time if np.array_equal(one.time, original.time) else one.time
     return replace(original, parameters=parameters, inputs=inputs, time=time)
 

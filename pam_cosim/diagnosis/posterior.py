@@ -41,7 +41,11 @@ class Explanation:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {"families": list(self.families), "evidence": self.evidence, "probability": self.probability}
+        return {
+            "families": list(self.families),
+            "evidence": self.evidence,
+            "probability": self.probability,
+        }
 
 
 @dataclass(frozen=True)
@@ -110,11 +114,17 @@ def posterior(
     """
     effects = best.effects if best else ()
     models = [c for c in tried if not c.brief and len(c.effects) <= max(len(effects), 1)]
-    models = [c for c in models if not refuted_by_unfitted_signals(c.fit, best.fit if best else base)]
-    each = evidence_of_families(base, [*models, *([best] if best else [])], tried, family, model_space)
+    models = [
+        c for c in models if not refuted_by_unfitted_signals(c.fit, best.fit if best else base)
+    ]
+    each = evidence_of_families(
+        base, [*models, *([best] if best else [])], tried, family, model_space
+    )
     own = frozenset(family[e] for e in effects)
     first = each[own]
-    weights = {f: exp(min((first - e) / (2 * CRITERIA.evidence.temperature), 0.0)) for f, e in each.items()}
+    weights = {
+        f: exp(min((first - e) / (2 * CRITERIA.evidence.temperature), 0.0)) for f, e in each.items()
+    }
     other = something_else(doubts)
     share = (1 - other) / sum(weights.values())
     made = [Explanation(tuple(sorted(f)), each[f] - first, share * weights[f]) for f in each]
@@ -142,7 +152,8 @@ def evidence_of_families(
     for c in models:
         families = frozenset(family[e] for e in c.effects)
         each[families] = min(
-            information_criterion(c.fit, scale, c.effects, model_space, c), each.get(families, float("inf"))
+            information_criterion(c.fit, scale, c.effects, model_space, c),
+            each.get(families, float("inf")),
         )
     return each
 
@@ -170,7 +181,9 @@ def doubts_of(selected: Sequence[Candidate], structure: bool, form_open: bool) -
 def something_else(doubts: Collection[str]) -> float:
     """Probability that something is missing, or something besides, that no effect describes."""
     always, *more = CRITERIA.evidence.something_else
-    logit = always + sum(number for name, number in zip(DOUBTS, more, strict=True) if name in doubts)
+    logit = always + sum(
+        number for name, number in zip(DOUBTS, more, strict=True) if name in doubts
+    )
     return 1 / (1 + exp(-logit))
 
 

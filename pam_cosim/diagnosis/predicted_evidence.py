@@ -84,7 +84,9 @@ class PredictedEvidence:
 
     def leading_families(self, c: Candidate, count: int) -> list[str]:
         """So many families of which a member promises most beside a model."""
-        families = (self.ranking.search.family[e.added[0].effect] for e in self._single_additions(c.fit, c))
+        families = (
+            self.ranking.search.family[e.added[0].effect] for e in self._single_additions(c.fit, c)
+        )
         return list(dict.fromkeys(families))[:count]
 
     def _single_additions(self, fit: Fit, c: Candidate | None) -> list[PredictedModel]:
@@ -93,14 +95,21 @@ class PredictedEvidence:
         noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
         every = self._neighbourhood(c.effects if c else (), fit.linear).with_one()
         return sorted(
-            every, key=lambda e: (self.predicted_criterion(Proposal(fit, c, e), noise_floor, scale), e.effects)
+            every,
+            key=lambda e: (
+                self.predicted_criterion(Proposal(fit, c, e), noise_floor, scale),
+                e.effects,
+            ),
         )
 
     def promising_brief_fits(self) -> list[Candidate]:
         """Models that were fitted briefly and may be better than the best, or as good; the most promising ones."""
         possibly, noise_floor = self.ranking.optimistic_scale(), self.ranking.noise_floor()
         brief = [c for c in self.ranking.fitted.values() if c.brief]
-        thresholds = {n: self.ranking.acceptance_thresholds(n, possibly) for n in {len(c.effects) for c in brief}}
+        thresholds = {
+            n: self.ranking.acceptance_thresholds(n, possibly)
+            for n in {len(c.effects) for c in brief}
+        }
         promising = [
             (self._optimistic_criterion(c, self.ranking.scale, noise_floor), c.effects)
             for c in brief
@@ -108,9 +117,13 @@ class PredictedEvidence:
                 c, thresholds[len(c.effects)], self._optimistic_criterion(c, possibly, noise_floor)
             )
         ]
-        return [self.ranking.fitted[names] for _, names in sorted(promising)[: CRITERIA.search.together]]
+        return [
+            self.ranking.fitted[names] for _, names in sorted(promising)[: CRITERIA.search.together]
+        ]
 
-    def _may_be_accepted(self, c: Candidate, thresholds: Sequence[AcceptanceThreshold], hope: float) -> bool:
+    def _may_be_accepted(
+        self, c: Candidate, thresholds: Sequence[AcceptanceThreshold], hope: float
+    ) -> bool:
         """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
         is_specific, cost = self.ranking.is_specific(c.effects), self.ranking.cost(c.effects)
         return any(
@@ -127,7 +140,11 @@ class PredictedEvidence:
             self.ranking.noise_floor(),
             self.ranking.attempted,
         )
-        every = [p for p in _from_nearest_start(self._expected(count)) if frozenset(p.prediction.effects) not in tried]
+        every = [
+            p
+            for p in _from_nearest_start(self._expected(count))
+            if frozenset(p.prediction.effects) not in tried
+        ]
         chosen: dict[tuple[str, ...], Proposal] = {}
         for threshold in self.ranking.acceptance_thresholds(count, possibly):
             own = [p for p in every if self._may_pass(p, threshold, possibly, noise_floor)]
@@ -142,7 +159,9 @@ class PredictedEvidence:
             for n, p in enumerate(promises)
         ]
         by_families: dict[frozenset[str], tuple[float, Proposal]] = {}
-        for hope, n in sorted(possible, key=lambda entry: (entry[0], promises[entry[1]].prediction.effects, entry[1])):
+        for hope, n in sorted(
+            possible, key=lambda entry: (entry[0], promises[entry[1]].prediction.effects, entry[1])
+        ):
             first = sorted(h for h, _ in by_families.values())[: CRITERIA.search.together]
             if len(first) == CRITERIA.search.together and hope > first[-1]:
                 break  # no further one can be as good as these
@@ -151,10 +170,14 @@ class PredictedEvidence:
             families = frozenset(self.ranking.search.family[name] for name in p.prediction.effects)
             if families not in by_families or own < by_families[families][0]:
                 by_families[families] = (own, p)
-        ordered = sorted(by_families.values(), key=lambda entry: (entry[0], entry[1].prediction.effects))
+        ordered = sorted(
+            by_families.values(), key=lambda entry: (entry[0], entry[1].prediction.effects)
+        )
         return [p for _, p in ordered[: CRITERIA.search.together]]
 
-    def _may_pass(self, p: Proposal, threshold: AcceptanceThreshold, scale: NoiseScale, noise_floor: float) -> bool:
+    def _may_pass(
+        self, p: Proposal, threshold: AcceptanceThreshold, scale: NoiseScale, noise_floor: float
+    ) -> bool:
         """Whether a model may come to what is asked of it."""
         e, trust = p.prediction, self._success_share(len(p.prediction.effects))
         if threshold.specific and not self.ranking.is_specific(e.effects):
@@ -165,7 +188,10 @@ class PredictedEvidence:
             threshold.reference, p, trust, noise_floor
         ):
             return False
-        return self.predicted_criterion(p, noise_floor, scale, e.reduction, 1 - trust) <= threshold.criterion
+        return (
+            self.predicted_criterion(p, noise_floor, scale, e.reduction, 1 - trust)
+            <= threshold.criterion
+        )
 
     def _expected(self, count: int) -> Iterator[Proposal]:
         """Models of so many effects from those that were fitted."""
@@ -173,11 +199,19 @@ class PredictedEvidence:
         unsolved = self.ranking.unsolved()
         known = self.ranking.models(count)[:first]
         if unsolved:
-            known = list({c.effects: c for c in (*known, *self.ranking.models(count, specific=True)[:first])}.values())
+            known = list(
+                {
+                    c.effects: c
+                    for c in (*known, *self.ranking.models(count, specific=True)[:first])
+                }.values()
+            )
         best = self.ranking.best()
         further = unsolved or (best is not None and count > len(best.effects))
         lacking = self.ranking.with_one_less()
-        starts: list[Candidate | None] = [None, *{c.effects: c for c in (*known, *lacking.values())}.values()]
+        starts: list[Candidate | None] = [
+            None,
+            *{c.effects: c for c in (*known, *lacking.values())}.values(),
+        ]
         for c in starts:
             fit, effects = (c.fit, c.effects) if c else (self.ranking.base, ())
             if fit.linear is None or len(effects) + 2 < count:
@@ -194,7 +228,9 @@ class PredictedEvidence:
                 continue
             yield from (Proposal(fit, c, e) for e in every)
 
-    def _expects_large_reduction(self, best: Candidate, p: Proposal, trust: float, noise_floor: float) -> bool:
+    def _expects_large_reduction(
+        self, best: Candidate, p: Proposal, trust: float, noise_floor: float
+    ) -> bool:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
         excess = now.chi2 - noise_floor * now.samples
@@ -237,12 +273,16 @@ class PredictedEvidence:
 
     def _additional_parameters(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
-        return sum(a.cost for a in e.added) - (self.ranking.search.cost[e.exchanged] if e.exchanged else 0)
+        return sum(a.cost for a in e.added) - (
+            self.ranking.search.cost[e.exchanged] if e.exchanged else 0
+        )
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return self.ranking.information_criterion(c, scale) - _expected_gain(gain, c.fit, scale, noise_floor)
+        return self.ranking.information_criterion(c, scale) - _expected_gain(
+            gain, c.fit, scale, noise_floor
+        )
 
     def fit_request(self, e: PredictedModel) -> FitRequest:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
@@ -261,7 +301,9 @@ class PredictedEvidence:
         fitted = [self.ranking.fitted.get((p.effect,)) for p in self._base_probes]
         key = (id(base), *(id(c.fit) if c else 0 for c in fitted))
         if key != self._base_additions[0]:
-            made = [addition(base.linear, p, c) for p, c in zip(self._base_probes, fitted, strict=True)]
+            made = [
+                addition(base.linear, p, c) for p, c in zip(self._base_probes, fitted, strict=True)
+            ]
             self._base_additions = (key, Additions([a for a in made if a is not None]))
         return self._base_additions[1]
 
@@ -278,7 +320,11 @@ class PredictedEvidence:
 
 
 def _expected_gain(
-    reduction: float, fit: Fit, scale: NoiseScale, noise_floor: float, lost: float = CRITERIA.search.not_linear
+    reduction: float,
+    fit: Fit,
+    scale: NoiseScale,
+    noise_floor: float,
+    lost: float = CRITERIA.search.not_linear,
 ) -> float:
     """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
 
@@ -286,7 +332,11 @@ def _expected_gain(
     """
     fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
     left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
-    gain = sum(max(s.chi2 - max(left * s.chi2, noise_floor * s.samples), 0.0) for s in (fitted, held) if s.samples)
+    gain = sum(
+        max(s.chi2 - max(left * s.chi2, noise_floor * s.samples), 0.0)
+        for s in (fitted, held)
+        if s.samples
+    )
     return gain / scale.divisor
 
 

@@ -33,7 +33,9 @@ class Hypothesis:
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
         self.sigma = {n: s.sigma for n, s in data.fitted_signals.items()}
         name, told = candidate.equations.split()[1], [parameter_of(n) for n in self.free]
-        self._simulator = Simulator(build_source(name, candidate.equations, files, sensitivities=told, lean=True))
+        self._simulator = Simulator(
+            build_source(name, candidate.equations, files, sensitivities=told, lean=True)
+        )
         self._held: Array | None = None
 
     def __enter__(self) -> Hypothesis:
@@ -59,18 +61,27 @@ class Hypothesis:
         """
         known = self._simulator.interface.sensitivities
         slopes = {
-            (s, p): n for s in self.sigma for p in self.free if (n := sensitivity_name(s, parameter_of(p))) in known
+            (s, p): n
+            for s in self.sigma
+            for p in self.free
+            if (n := sensitivity_name(s, parameter_of(p))) in known
         }
         wanted = [*self.sigma, *slopes.values()]
         comparison = simulate_run(self._simulator, self.data, run, self.values, tolerance, wanted)
         values = np.concatenate([comparison.model[s] / sigma for s, sigma in self.sigma.items()])
         columns = np.zeros((len(values), len(self.free)))
         for j, p in enumerate(self.free):
-            size = run.parameters.get(parameter_of(p), 0.0) if is_ratio(p) else float(p not in run.parameters)
+            size = (
+                run.parameters.get(parameter_of(p), 0.0)
+                if is_ratio(p)
+                else float(p not in run.parameters)
+            )
             if size:
                 columns[:, j] = np.concatenate(
                     [
-                        size * comparison.model[slopes[s, p]] / sigma if (s, p) in slopes else np.zeros(len(run.time))
+                        size * comparison.model[slopes[s, p]] / sigma
+                        if (s, p) in slopes
+                        else np.zeros(len(run.time))
                         for s, sigma in self.sigma.items()
                     ]
                 )
@@ -80,7 +91,10 @@ class Hypothesis:
     def information_root(self) -> Array:
         """(k, k) triangular: the fit runs resist a change of the parameters by the square of its product."""
         if self._held is None:
-            rows = [np.zeros((1, len(self.free))), *(self.predict(r).slopes for r in self.data.fit_runs)]
+            rows = [
+                np.zeros((1, len(self.free))),
+                *(self.predict(r).slopes for r in self.data.fit_runs),
+            ]
             self._held = np.asarray(np.linalg.qr(np.vstack(rows), mode="r"))
         return self._held
 

@@ -42,7 +42,10 @@ class EffectProbe:
         """Whether no sample depends on the effect: neither on its parameters, nor on how strong it is."""
         own = [i for i, name in enumerate(self.linear.names) if name in self.own_parameters]
         range_of = (self.linear.high - self.linear.low)[own]
-        moves = [*(self.linear.slopes[:, own] * range_of).T, *(self.linear.residual - other for other in self.further)]
+        moves = [
+            *(self.linear.slopes[:, own] * range_of).T,
+            *(self.linear.residual - other for other in self.further),
+        ]
         little = CRITERIA.search.idle * float(self.linear.residual @ self.linear.residual)
         return all(float(move @ move) < little for move in moves)
 
@@ -111,7 +114,9 @@ class StatedEffect:
 
     def courses(self, base: Linear) -> Array:
         """(m, 1 + weaker) what it does to the samples at its stated strength and when it is weaker."""
-        return np.column_stack([base.residual - residual for residual in (self.linear.residual, *self.weaker)])
+        return np.column_stack(
+            [base.residual - residual for residual in (self.linear.residual, *self.weaker)]
+        )
 
 
 def detectable_strength(sizes: Sequence[float], needed: float) -> float:
@@ -153,7 +158,9 @@ class _StrengthTrial:
         return float(self.moved @ self.moved)
 
 
-def probe_effect(effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths) -> EffectProbe:
+def probe_effect(
+    effect: str, family: str, objective: Objective, base: Linear, strengths: Strengths
+) -> EffectProbe:
     """Looks at some strengths of an effect and linearises the model at the one that does most good.
 
     Args:
@@ -170,7 +177,9 @@ def probe_effect(effect: str, family: str, objective: Objective, base: Linear, s
     def place(strength: float) -> Array:
         return strengths.place(objective.free, strength)
 
-    looks = _strength_trials(lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed)
+    looks = _strength_trials(
+        lambda strength: residual_rows(objective, place(strength), rows), base, strengths.signed
+    )
     linear = None
     for look in sorted(looks, key=lambda look: (_is_negligible(look, base), look.left)):
         linear = linearised(objective, place(look.strength), rows)
@@ -187,7 +196,9 @@ def _is_negligible(look: _StrengthTrial, base: Linear) -> bool:
     return look.size < CRITERIA.search.idle * float(base.residual @ base.residual)
 
 
-def _strength_trials(residual: Callable[[float], Array | None], base: Linear, signed: bool) -> list[_StrengthTrial]:
+def _strength_trials(
+    residual: Callable[[float], Array | None], base: Linear, signed: bool
+) -> list[_StrengthTrial]:
     """Residuals at the stated strength, and where those so far say that it does most good."""
     own = np.linalg.qr(base.movable)[0]
     target = base.residual - own @ (own.T @ base.residual)
@@ -244,6 +255,9 @@ def _weaker_strength(looks: Sequence[_StrengthTrial], goal: float) -> float | No
         return weakest.strength * CRITERIA.search.weaker
     for weak, strong in itertools.pairwise(looks):
         in_proportion = strong.size * (weak.strength / strong.strength) ** 2
-        if weak.size < CRITERIA.search.little * in_proportion and strong.size > CRITERIA.search.little * goal:
+        if (
+            weak.size < CRITERIA.search.little * in_proportion
+            and strong.size > CRITERIA.search.little * goal
+        ):
             return math.sqrt(weak.strength * strong.strength)
     return None

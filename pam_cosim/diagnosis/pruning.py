@@ -13,7 +13,12 @@ from pam_cosim.simulation import Simulator
 
 
 def pruned(
-    simulator: Simulator, data: DataSet, free: Sequence[Free], own: Sequence[str], full: Fit, precision: float
+    simulator: Simulator,
+    data: DataSet,
+    free: Sequence[Free],
+    own: Sequence[str],
+    full: Fit,
+    precision: float,
 ) -> Fit:
     """The fit without those of its ``own`` coefficients whose interval holds zero and that the evidence does not miss.
 
@@ -39,18 +44,26 @@ def pruned(
     needed: set[str] = set()
     best = full
     while name := _least_certain(best, [n for n in own if n not in needed and n not in held]):
-        left = [replace(f, start=best.values[f.name]) for f in free if f.name != name and f.name not in held]
+        left = [
+            replace(f, start=best.values[f.name])
+            for f in free
+            if f.name != name and f.name not in held
+        ]
         zeros = dict.fromkeys([*held, name], 0.0)
         less = fit(simulator, data, left, fixed=zeros, options=options)
         if less.chi2_minimised - best.chi2_minimised > worth:
             needed.add(name)
             continue
-        held[name] = replace(best.parameters[name], value=0.0, at_bound=False, determined=False, held=True)
+        held[name] = replace(
+            best.parameters[name], value=0.0, at_bound=False, determined=False, held=True
+        )
         best = less
     return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
 
 
 def _least_certain(fitted: Fit, names: Sequence[str]) -> str:
     """The coefficient that is least distinct from zero, if its interval holds zero; else nothing."""
-    some = [(n, e) for n in names if (e := fitted.parameters[n]).low <= 0 <= e.high and e.high > e.low]
+    some = [
+        (n, e) for n in names if (e := fitted.parameters[n]).low <= 0 <= e.high and e.high > e.low
+    ]
     return min((abs(e.value) / (e.high - e.low), n) for n, e in some)[1] if some else ""

@@ -56,7 +56,9 @@ class Ranking:
         out_of_time: the time for the search is over: models that were fitted in a few steps count as they are.
     """
 
-    def __init__(self, search: Search, base: Fit, fitted: Mapping[tuple[str, ...], Candidate]) -> None:
+    def __init__(
+        self, search: Search, base: Fit, fitted: Mapping[tuple[str, ...], Candidate]
+    ) -> None:
         self.search, self.base, self.fitted = search, base, fitted
         self.scale = noise_scale([base])
         self.out_of_time = False
@@ -70,7 +72,9 @@ class Ranking:
     @property
     def attempted(self) -> set[frozenset[str]]:
         """The sets of effects that were fitted, or could not be."""
-        return {frozenset(names) for names in (*self.fitted, *(f.effects for f in self.search.failed))}
+        return {
+            frozenset(names) for names in (*self.fitted, *(f.effects for f in self.search.failed))
+        }
 
     def update_scale(self) -> None:
         """Takes note of further fits."""
@@ -96,7 +100,9 @@ class Ranking:
     def models(self, most: int, specific: bool = False) -> list[Candidate]:
         """Models with so many effects at most, the best first."""
         some = [
-            c for c in self.fitted.values() if len(c.effects) <= most and (not specific or self.is_specific(c.effects))
+            c
+            for c in self.fitted.values()
+            if len(c.effects) <= most and (not specific or self.is_specific(c.effects))
         ]
         return sorted(some, key=lambda c: (self.information_criterion(c), c.effects))
 
@@ -121,7 +127,11 @@ class Ranking:
         if first is None:
             return None
         near = [c for c in done if order[c.effects][0] < first[0] + CRITERIA.evidence.very_strong]
-        sound = [c for c in near if not any(refuted_by_unfitted_signals(c.fit, other.fit) for other in near)]
+        sound = [
+            c
+            for c in near
+            if not any(refuted_by_unfitted_signals(c.fit, other.fit) for other in near)
+        ]
         return min(sound or near, key=lambda c: order[c.effects])
 
     def _complete(self) -> list[Candidate]:
@@ -133,9 +143,16 @@ class Ranking:
 
         The fewest, unless more have fewer parameters, so few that it makes up for the choice, and better evidence.
         """
-        first = min(at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects))
-        for c in sorted(at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)):
-            better = self.information_criterion(c) < self.information_criterion(first) - CRITERIA.evidence.very_strong
+        first = min(
+            at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)
+        )
+        for c in sorted(
+            at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)
+        ):
+            better = (
+                self.information_criterion(c)
+                < self.information_criterion(first) - CRITERIA.evidence.very_strong
+            )
             if better and self.cost(c.effects) < self.cost(first.effects):
                 first = c
         return len(first.effects)
@@ -149,7 +166,10 @@ class Ranking:
 
     def has_structure(self, c: Candidate) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others."""
-        if c.effects not in self._structure_known or self._structure_known[c.effects][0] is not c.fit:
+        if (
+            c.effects not in self._structure_known
+            or self._structure_known[c.effects][0] is not c.fit
+        ):
             self._structure_known[c.effects] = (c.fit, any_structure_for_search(c.fit))
         return self._structure_known[c.effects][1]
 
@@ -166,9 +186,13 @@ class Ranking:
         best = self.best()
         if best is not None and not self.has_structure(best):
             return [
-                c for c in self.models(len(best.effects)) if self._with_one_more(c.effects) < self.cost(best.effects)
+                c
+                for c in self.models(len(best.effects))
+                if self._with_one_more(c.effects) < self.cost(best.effects)
             ][:1]
-        return list({c.effects: c for c in (best, self.best(specific=True)) if c is not None}.values())
+        return list(
+            {c.effects: c for c in (best, self.best(specific=True)) if c is not None}.values()
+        )
 
     def cost(self, effects: Collection[str]) -> float:
         """What effects are charged for what they are made of: their parameters, and the choice of them."""
@@ -187,7 +211,9 @@ class Ranking:
         best = self.best()
         if best is None or self.has_structure(best):
             return False
-        return self._cost([e.name for e in self.search.available_effects][:count], count) < self.cost(best.effects)
+        return self._cost(
+            [e.name for e in self.search.available_effects][:count], count
+        ) < self.cost(best.effects)
 
     def acceptance_thresholds(self, count: int, scale: NoiseScale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
@@ -203,14 +229,22 @@ class Ranking:
             if count > len(best.effects):
                 worth = CRITERIA.evidence.very_strong
                 return [
-                    AcceptanceThreshold(self.information_criterion(c, scale) - worth, cost=self.cost(best.effects))
+                    AcceptanceThreshold(
+                        self.information_criterion(c, scale) - worth, cost=self.cost(best.effects)
+                    )
                     for c in self.parents()
                 ]
-            return [AcceptanceThreshold(self.information_criterion(best, scale) + CRITERIA.evidence.very_strong)]
+            return [
+                AcceptanceThreshold(
+                    self.information_criterion(best, scale) + CRITERIA.evidence.very_strong
+                )
+            ]
         bars = [AcceptanceThreshold(self.information_criterion(best, scale), best)]
         if not self.is_specific(best.effects):
             own = self.best(specific=True)
-            bars.append(AcceptanceThreshold(self.information_criterion(own, scale), own, specific=True))
+            bars.append(
+                AcceptanceThreshold(self.information_criterion(own, scale), own, specific=True)
+            )
         return bars
 
     def answer(self) -> Candidate | None:

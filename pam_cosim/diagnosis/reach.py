@@ -25,11 +25,19 @@ def idle_parameters(probe: EffectProbe, objective: Objective) -> tuple[str, ...]
     """
     if probe.silent:
         return ()
-    slopes = dict(zip(probe.linear.names, probe.linear.slopes.T * _ranges(probe)[:, None], strict=True))
+    slopes = dict(
+        zip(probe.linear.names, probe.linear.slopes.T * _ranges(probe)[:, None], strict=True)
+    )
     little = CRITERIA.search.idle * float(probe.linear.residual @ probe.linear.residual)
-    still = [f for f in _own_parameters(probe, objective) if float(slopes[f.name] @ slopes[f.name]) < little]
+    still = [
+        f
+        for f in _own_parameters(probe, objective)
+        if float(slopes[f.name] @ slopes[f.name]) < little
+    ]
     places = _test_points(probe, objective) if still else []
-    return tuple(f.name for f in still if all(_is_inactive(objective, z, f, little) for z in places))
+    return tuple(
+        f.name for f in still if all(_is_inactive(objective, z, f, little) for z in places)
+    )
 
 
 def _own_parameters(probe: EffectProbe, objective: Objective) -> list[Free]:
@@ -95,16 +103,23 @@ def moves_only_unmeasured(probe: EffectProbe, objective: Objective) -> bool:
 
 
 def _unmeasured_outputs(objective: Objective) -> list[str]:
-    read = {name for run in objective.data.runs for name in run.measurements if run.sample_count(name)}
+    read = {
+        name for run in objective.data.runs for name in run.measurements if run.sample_count(name)
+    }
     return [name for name in objective.simulator.interface.outputs if name not in read]
 
 
 def _readings(objective: Objective, z: Array, outputs: Sequence[str]) -> Array:
     values, run = objective.values(z), objective.runs[0]
-    compared = simulate_run(objective.simulator, objective.data, run, values, objective.tolerance, outputs)
+    compared = simulate_run(
+        objective.simulator, objective.data, run, values, objective.tolerance, outputs
+    )
     return np.array([compared.model[name] for name in outputs])
 
 
 def _visible_change(readings: Array) -> Array:
     """(k, 1) changes that are more than the tolerance of a solver, by the size of each reading."""
-    return np.asarray(CRITERIA.noise.assumed_share * np.ptp(readings, axis=1, keepdims=True) + 1e-9 * np.abs(readings))
+    return np.asarray(
+        CRITERIA.noise.assumed_share * np.ptp(readings, axis=1, keepdims=True)
+        + 1e-9 * np.abs(readings)
+    )

@@ -18,8 +18,20 @@ from pam_cosim.diagnosis.events import CandidateTried, EffectProbed, EffectsProb
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.diagnosis.probing import EffectProbe, StatedEffect
-from pam_cosim.diagnosis.step_times import Retimed, Retiming, nothing_found, run_retiming, steps_between
-from pam_cosim.diagnosis.trial import Trial, crashed, run_probe, run_stated, run_trial_without_samples
+from pam_cosim.diagnosis.step_times import (
+    Retimed,
+    Retiming,
+    nothing_found,
+    run_retiming,
+    steps_between,
+)
+from pam_cosim.diagnosis.trial import (
+    Trial,
+    crashed,
+    run_probe,
+    run_stated,
+    run_trial_without_samples,
+)
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import run_tasks
@@ -120,7 +132,10 @@ class Search:
 
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
-        trials = [t.screening() for t in self._trials([FitRequest((*has, name), fitted.values) for name in effects])]
+        trials = [
+            t.screening()
+            for t in self._trials([FitRequest((*has, name), fitted.values) for name in effects])
+        ]
         trials = [replace(t, reference=fitted.linear) for t in trials]
         self.say(EffectsProbed(len(trials), tuple(has)).message)
         return self._run_probes(run_probe, trials)
@@ -129,10 +144,15 @@ class Search:
         """What each effect does at its stated strength and when it is weaker beside a model, in about so many rows."""
         values = dict(zip(beside.names, beside.values.tolist(), strict=True))
         wanted = [FitRequest((e.name,), values) for e in self.available_effects]
-        trials = [replace(t.screening().fitted_with(rows=rows), reference=beside) for t in self._trials(wanted)]
+        trials = [
+            replace(t.screening().fitted_with(rows=rows), reference=beside)
+            for t in self._trials(wanted)
+        ]
         return self._run_probes(run_stated, trials)
 
-    def _run_probes(self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]) -> list[Look]:
+    def _run_probes(
+        self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]
+    ) -> list[Look]:
         number = itertools.count(1)
         results = run_tasks(
             look,
@@ -146,20 +166,31 @@ class Search:
 
     def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
         """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
-        data, counts = without_outliers(self.data, fit.comparison.runs, CRITERIA.noise.outliers_together)
+        data, counts = without_outliers(
+            self.data, fit.comparison.runs, CRITERIA.noise.outliers_together
+        )
         return (replace(self, data=data) if counts else self), counts
 
     def with_step_times(self, models: Sequence[tuple[tuple[str, ...], Fit]]) -> list[Retimed]:
         """Models by their effects, fitted again, each step of a command where between two samples it serves best."""
-        made = [(effects, fit, compose_on(self.tree, self.structure, effects)) for effects, fit in models]
-        tasks = [Retiming(e, own, self.data, fit, self.files, self.library) for e, fit, own in made if own is not None]
+        made = [
+            (effects, fit, compose_on(self.tree, self.structure, effects))
+            for effects, fit in models
+        ]
+        tasks = [
+            Retiming(e, own, self.data, fit, self.files, self.library)
+            for e, fit, own in made
+            if own is not None
+        ]
         results = run_tasks(run_retiming, tasks, nothing_found, lambda _: None, self.workers)
         return [r for r in results if r is not None]
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""
         trials = [t.screening() for t in self._trials(models)]
-        return self._run("in a few steps", [t.fitted_with(rows=CRITERIA.search.rows) for t in trials])
+        return self._run(
+            "in a few steps", [t.fitted_with(rows=CRITERIA.search.rows) for t in trials]
+        )
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
@@ -172,7 +203,9 @@ class Search:
             "holdout_uncertainty": True,
         }
         own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
-        return self._run("to the end", [t if len(t.effects) == 1 else t.fitted_with(descents=1) for t in own])
+        return self._run(
+            "to the end", [t if len(t.effects) == 1 else t.fitted_with(descents=1) for t in own]
+        )
 
     def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
@@ -186,14 +219,20 @@ class Search:
         """Models from where they stand to the end, on other samples; no line is printed of them."""
         changes = {"descents": 1, "rules": False, "precision": CRITERIA.search.precision}
         trials = [t.fitted_with(**changes) for t in self._trials(models)]
-        results = run_tasks(run_trial_without_samples, trials, crashed, lambda _: None, self.workers)
+        results = run_tasks(
+            run_trial_without_samples, trials, crashed, lambda _: None, self.workers
+        )
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(FittingBegun(len(trials), how).message)
         results = run_tasks(
-            run_trial_without_samples, trials, crashed, lambda c: self.say(result_message(c)), self.workers
+            run_trial_without_samples,
+            trials,
+            crashed,
+            lambda c: self.say(result_message(c)),
+            self.workers,
         )
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
@@ -208,9 +247,13 @@ class Search:
         for m in models:
             composition = compose_on(self.tree, self.structure, m.effects)
             if composition is not None:
-                trial = Trial(own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files)
+                trial = Trial(
+                    own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files
+                )
                 idle = {name for e in m.effects for name in self.inactive_parameters.get(e, ())}
-                trials.append(replace(trial.without(idle), further_start=m.further, library=self.library))
+                trials.append(
+                    replace(trial.without(idle), further_start=m.further, library=self.library)
+                )
         return trials
 
 

@@ -16,7 +16,13 @@ from dataclasses import dataclass, field, replace
 from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.events import AllRunsSearched, BaseFitted, DoubtRaised, OutliersSetAside, StepTimesFound
+from pam_cosim.diagnosis.events import (
+    AllRunsSearched,
+    BaseFitted,
+    DoubtRaised,
+    OutliersSetAside,
+    StepTimesFound,
+)
 from pam_cosim.diagnosis.evidence import any_structure_for_verdict, contradicted_by_holdout, rank
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.search import Search
@@ -94,7 +100,9 @@ def search_fit_runs(
     return SearchResult(selection.search, selection.base, selection, set_aside, steps)
 
 
-def search_all_runs(subject: Subject, fit_runs_result: SearchResult, deadline: float) -> SearchResult | None:
+def search_all_runs(
+    subject: Subject, fit_runs_result: SearchResult, deadline: float
+) -> SearchResult | None:
     """What all runs come to, where held-out runs contradict what the fitted ones did.
 
     None where they do not, where all runs together leave structure too, and where the time is over.
@@ -125,20 +133,31 @@ def with_effects(fit_runs_result: SearchResult, effects: Sequence[str]) -> Searc
     known = {c.effects: c for c in fit_runs_result.selection.tried if not c.brief}
     for k in range(1, len(effects) + 1):
         names = tuple(effects[:k])
-        candidate = known.get(names) or fit_runs_result.search.fit_final(names, fit_runs_result.last.values)
+        candidate = known.get(names) or fit_runs_result.search.fit_final(
+            names, fit_runs_result.last.values
+        )
         if candidate is not None:
             path += rank(path[-1].fit if path else fit_runs_result.base, [candidate.without_slopes])
     return replace(fit_runs_result, selection=replace(fit_runs_result.selection, path=tuple(path)))
 
 
-def _restarted(subject: Subject, search: Search, data: DataSet) -> tuple[Search, Fit, Mapping[str, int]]:
+def _restarted(
+    subject: Subject, search: Search, data: DataSet
+) -> tuple[Search, Fit, Mapping[str, int]]:
     with subject.simulator() as simulator:
         data, base, outliers = fit_base_model(simulator, data, search.say)
-    return replace(search, data=data, undetectable=frozenset(), inactive_parameters={}), base, outliers
+    return (
+        replace(search, data=data, undetectable=frozenset(), inactive_parameters={}),
+        base,
+        outliers,
+    )
 
 
 def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:
-    return replace(data, runs=tuple(replace(run, role=role) for run, role in zip(data.runs, roles, strict=True)))
+    return replace(
+        data,
+        runs=tuple(replace(run, role=role) for run, role in zip(data.runs, roles, strict=True)),
+    )
 
 
 def refit_by_role(fit_runs_result: SearchResult, all_runs_result: SearchResult) -> SearchResult:
@@ -147,7 +166,9 @@ def refit_by_role(fit_runs_result: SearchResult, all_runs_result: SearchResult) 
     Args:
         fit_runs_result: what the fitted runs came to. all_runs_result: what all runs came to.
     """
-    data = _with_roles(all_runs_result.search.data, [run.role for run in fit_runs_result.search.data.runs])
+    data = _with_roles(
+        all_runs_result.search.data, [run.role for run in fit_runs_result.search.data.runs]
+    )
     search, base = replace(all_runs_result.search, data=data), fit_runs_result.base.against(data)
     path: list[Candidate] = []
     for candidate in all_runs_result.path:

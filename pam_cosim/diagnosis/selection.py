@@ -59,7 +59,9 @@ class Selection:
     retimed: Retimed | None = None
 
 
-def select_effects(search: Search, base: Fit, deadline: float = math.inf, retime: bool = True) -> Selection:
+def select_effects(
+    search: Search, base: Fit, deadline: float = math.inf, retime: bool = True
+) -> Selection:
     """The effects that are needed.
 
     Args:
@@ -86,7 +88,9 @@ def select_effects(search: Search, base: Fit, deadline: float = math.inf, retime
         if models.ranking.unsolved():
             retimed = models.with_step_times(count) if retime else None
             if retimed is not None:
-                return Selection(models.search, models.base, outliers=models.outliers, retimed=retimed)
+                return Selection(
+                    models.search, models.base, outliers=models.outliers, retimed=retimed
+                )
         else:
             models.try_simpler()
             if not models.ranking.more_effects_can_pay(count + 1):
@@ -147,11 +151,15 @@ class _Models:
             failed = self.search.failed[-1]
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
         # What shows in time alone, or in a reading that nobody took, does so beside no effect.
-        silent = frozenset(p.effect for p in self.probes if p.only_unmeasured or (p.silent and self.search.at_rest))
+        silent = frozenset(
+            p.effect for p in self.probes if p.only_unmeasured or (p.silent and self.search.at_rest)
+        )
         self.ranking.search = replace(
             self.search,
             undetectable=silent,
-            inactive_parameters={p.effect: p.inactive_parameters for p in self.probes if p.inactive_parameters},
+            inactive_parameters={
+                p.effect: p.inactive_parameters for p in self.probes if p.inactive_parameters
+            },
         )
         self.predicted.note_probes(self.probes)
 
@@ -164,7 +172,12 @@ class _Models:
         for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
             taken = {self.search.family[name] for name in best.effects}
             self._probe_beside(
-                best, [n for n in self.search.family_representatives if self.search.family[n] not in taken]
+                best,
+                [
+                    n
+                    for n in self.search.family_representatives
+                    if self.search.family[n] not in taken
+                ],
             )
             leading = self.predicted.leading_families(best, CRITERIA.search.leading_families)
             own = [
@@ -178,12 +191,16 @@ class _Models:
         seen = self.predicted.probed_beside(best.effects)
         names = [name for name in effects if name not in seen]
         if names and not self._is_out_of_time([(*best.effects, name) for name in names]):
-            self.predicted.note_probes_beside(best, self.search.probe(best.fit, best.effects, names))
+            self.predicted.note_probes_beside(
+                best, self.search.probe(best.fit, best.effects, names)
+            )
 
     def try_single(self, count: int) -> None:
         """So many of the effects that promise most by themselves, a few steps."""
         self._record(
-            self.search.fit_briefly([self.predicted.fit_request(e) for e in self.predicted.most_promising(count)])
+            self.search.fit_briefly(
+                [self.predicted.fit_request(e) for e in self.predicted.most_promising(count)]
+            )
         )
 
     def _is_out_of_time(self, chosen: Sequence[tuple[str, ...]]) -> bool:
@@ -208,9 +225,17 @@ class _Models:
         retimed = [r for r in retimed if not any_structure_for_search(r.fit)]
         if not retimed:
             return None
-        scale, noise = noise_scale([*self.ranking.fits, *(r.fit for r in retimed)]), self.ranking.noise_floor()
-        hopes = [self.ranking.information_criterion(c, scale) for c in (None, *self.fitted.values())]
-        hopes += [self.predicted.predicted_criterion(p, noise, scale) for p in self.predicted.proposals(count + 1)]
+        scale, noise = (
+            noise_scale([*self.ranking.fits, *(r.fit for r in retimed)]),
+            self.ranking.noise_floor(),
+        )
+        hopes = [
+            self.ranking.information_criterion(c, scale) for c in (None, *self.fitted.values())
+        ]
+        hopes += [
+            self.predicted.predicted_criterion(p, noise, scale)
+            for p in self.predicted.proposals(count + 1)
+        ]
         costs = {
             r.effects: information_criterion(r.fit, scale, r.effects, self.search.model_space)
             + r.steps * scale.penalty(r.fit)
@@ -239,7 +264,13 @@ class _Models:
         for c in self.ranking.models(1):
             best.setdefault(self.search.family[c.effect], c.effects)
         leading = dict(list(best.items())[: CRITERIA.search.leading_families])
-        self._try([FitRequest((e,), self.fitted[leading[f]].fit.values) for f in leading for e in self._members(f)])
+        self._try(
+            [
+                FitRequest((e,), self.fitted[leading[f]].fit.values)
+                for f in leading
+                for e in self._members(f)
+            ]
+        )
 
     def try_simpler(self) -> None:
         """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
@@ -250,7 +281,9 @@ class _Models:
             before = len(self.fitted)
             for name in best.effects:
                 simpler = [
-                    e for e in self._members(self.search.family[name]) if self.search.cost[e] < self.search.cost[name]
+                    e
+                    for e in self._members(self.search.family[name])
+                    if self.search.cost[e] < self.search.cost[name]
                 ]
                 sets = [tuple(e if n == name else n for n in best.effects) for e in simpler]
                 self._try([FitRequest(effects, best.fit.values) for effects in sets])
@@ -267,7 +300,11 @@ class _Models:
         while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
             sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
             self._try([FitRequest(effects, best.fit.values) for effects in sets])
-            brief = [c for c in self.ranking.fitted.values() if c.brief and set(c.effects) < set(best.effects)]
+            brief = [
+                c
+                for c in self.ranking.fitted.values()
+                if c.brief and set(c.effects) < set(best.effects)
+            ]
             brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
             if brief and not self._is_out_of_time([c.effects for c in brief]):
                 self._finish(brief)
@@ -303,7 +340,9 @@ class _Models:
                 break
             self._finish(brief)
             if not brief:
-                self._record(self.search.fit_briefly([self.predicted.fit_request(e) for e in chosen]))
+                self._record(
+                    self.search.fit_briefly([self.predicted.fit_request(e) for e in chosen])
+                )
                 self.predicted.note_outcomes(chosen)
 
     def _finish(self, brief: Sequence[Candidate]) -> None:

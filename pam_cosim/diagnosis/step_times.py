@@ -80,10 +80,14 @@ def run_retiming(task: Retiming) -> Retimed | None:
 
     None where they do less, in the first run, than a further effect has to, or the model cannot be simulated.
     """
-    names = tuple(dict.fromkeys([*map(parameter_of, task.fit.parameters), *task.data.differentiated]))
+    names = tuple(
+        dict.fromkeys([*map(parameter_of, task.fit.parameters), *task.data.differentiated])
+    )
     text, name = task.composition.text, task.composition.name
     try:
-        source = build_source(name, text, task.files, sensitivities=names, library=task.library, lean=True)
+        source = build_source(
+            name, text, task.files, sensitivities=names, library=task.library, lean=True
+        )
         with Simulator(source) as simulator:
             return _retimed(task, simulator)
     except (SimulationFailure, InputError):
@@ -130,7 +134,9 @@ class _StepTimes:
 
     def _with(self, times: Sequence[Array]) -> DataSet:
         moved = zip(self._recorded.runs, self._rows, times, strict=True)
-        return replace(self._recorded, runs=tuple(with_step_times(run, rows, t) for run, rows, t in moved))
+        return replace(
+            self._recorded, runs=tuple(with_step_times(run, rows, t) for run, rows, t in moved)
+        )
 
     def _slopes_of(self, i: int) -> Array:
         """(samples, steps) of a run's samples by the times of its steps, in noise standard deviations a second.
@@ -157,7 +163,9 @@ class _StepTimes:
     def _objective(
         self, runs: Sequence[Run], free: Sequence[Free], fixed: Mapping[str, float] | None = None
     ) -> Objective:
-        return Objective(self._simulator, self.data, runs, free, fixed, CRITERIA.fit.difference_tolerance)
+        return Objective(
+            self._simulator, self.data, runs, free, fixed, CRITERIA.fit.difference_tolerance
+        )
 
     @staticmethod
     def _about(objective: Objective) -> tuple[Array, Array, tuple[Array, Array]]:
@@ -170,13 +178,19 @@ class _StepTimes:
 
     def explains_enough(self, free: Sequence[Free]) -> bool:
         """Whether times of its steps take from the first fitted run that has any as much as an effect has to."""
-        fitted = (i for i, run in enumerate(self.data.runs) if run.role == "fit" and len(self._rows[i]))
+        fitted = (
+            i for i, run in enumerate(self.data.runs) if run.role == "fit" and len(self._rows[i])
+        )
         first = next(fitted, None)
         if first is None:
             return False
         residual, slopes, room = self._about(self._objective([self.data.runs[first]], free))
         change, times = self._solve([first], [slopes], [residual], room)
-        left = residual - slopes @ change - self._slopes_of(first) @ (times[first] - self._times[first])
+        left = (
+            residual
+            - slopes @ change
+            - self._slopes_of(first) @ (times[first] - self._times[first])
+        )
         excess = float(residual @ residual) - len(residual)
         return float(left @ left) - len(left) < CRITERIA.search.step * excess
 
@@ -193,16 +207,25 @@ class _StepTimes:
         change, times = self._solve(fitted, rows, residuals, room)
         nothing = np.zeros(0)
         for i, part in enumerate(parts):
-            if i not in times and len(self._rows[i]):  # a held-out run finds its own times beside these parameters
+            if i not in times and len(
+                self._rows[i]
+            ):  # a held-out run finds its own times beside these parameters
                 left = residual[part] - slopes[part] @ change
                 _, of_run = self._solve([i], [slopes[part][:, :0]], [left], (nothing, nothing))
                 times |= of_run
         self._times = [times.get(i, t) for i, t in enumerate(self._times)]
         self.data = self._with(self._times)
-        return [f.starting_at(f.to_value(f.to_z(f.start) + float(c))) for f, c in zip(free, change, strict=True)]
+        return [
+            f.starting_at(f.to_value(f.to_z(f.start) + float(c)))
+            for f, c in zip(free, change, strict=True)
+        ]
 
     def _solve(
-        self, runs: Sequence[int], rows: Sequence[Array], left: Sequence[Array], room: tuple[Array, Array]
+        self,
+        runs: Sequence[int],
+        rows: Sequence[Array],
+        left: Sequence[Array],
+        room: tuple[Array, Array],
     ) -> tuple[Array, dict[int, Array]]:
         """The change of the parameters and the times of the steps of some runs that leave least, all within bounds."""
         parameters = rows[0].shape[1]

@@ -56,7 +56,11 @@ class Subject:
 
 
 def subject_of(
-    data: DataSet, model: str | None, files: Sequence[Path], workers: int | None, say: Callable[[Message], None]
+    data: DataSet,
+    model: str | None,
+    files: Sequence[Path],
+    workers: int | None,
+    say: Callable[[Message], None],
 ) -> Subject:
     """The model, by default the bench of the data set, and the data; processes for trials start meanwhile.
 
@@ -74,7 +78,9 @@ def subject_of(
     """
     name = data.model_for(model)
     if is_fmu(name):
-        raise InputError("effects can be added to a Modelica model only; an FMU can be compared and fitted", name)
+        raise InputError(
+            "effects can be added to a Modelica model only; an FMU can be compared and fitted", name
+        )
     wake(workers, run_trial.__module__)
     sources = sources_of(files, name)
     tree = read_library(files=sources)

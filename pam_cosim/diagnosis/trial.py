@@ -89,12 +89,17 @@ class Trial:
 
     def without(self, idle: Collection[str]) -> Trial:
         """The same trial with these parameters of its effects at their stated values: no sample depends on them."""
-        kept = {e: tuple(n for n in own if n not in idle) for e, own in self.composition.parameters.items()}
+        kept = {
+            e: tuple(n for n in own if n not in idle)
+            for e, own in self.composition.parameters.items()
+        }
         return replace(self, composition=replace(self.composition, parameters=kept))
 
     def failed(self, reason: str) -> FailedTrial:
         """The result of this trial where there is no fit."""
-        return FailedTrial(self.effect.name, self.effect.family, self.effect.balance, self.effects, reason)
+        return FailedTrial(
+            self.effect.name, self.effect.family, self.effect.balance, self.effects, reason
+        )
 
     def candidate(self, fit: Fit) -> Candidate:
         """The result of this trial."""
@@ -126,7 +131,9 @@ def run_trial_without_samples(trial: Trial) -> Attempt:
     attempt = run_trial(trial)
     if isinstance(attempt, FailedTrial):
         return attempt
-    return replace(attempt, fit=replace(attempt.fit, comparison=attempt.fit.comparison.without_data()))
+    return replace(
+        attempt, fit=replace(attempt.fit, comparison=attempt.fit.comparison.without_data())
+    )
 
 
 def run_probe(trial: Trial) -> EffectProbe | FailedTrial:
@@ -139,20 +146,36 @@ def run_stated(trial: Trial) -> StatedEffect | FailedTrial:
     return _attempted(trial, _stated_effect, brief=True)
 
 
-def _attempted(trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool) -> Result | FailedTrial:
+def _attempted(
+    trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool
+) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
     own = [name for names in trial.composition.parameters.values() for name in names]
     free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
-    brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= CRITERIA.search.rows_without_compiler
+    brief = (
+        brief
+        and sum(len(run.time) for run in trial.data.fit_runs)
+        <= CRITERIA.search.rows_without_compiler
+    )
     try:
-        fmu = build_source(name, source, trial.files, sensitivities=free, library=trial.library, lean=True, brief=brief)
+        fmu = build_source(
+            name,
+            source,
+            trial.files,
+            sensitivities=free,
+            library=trial.library,
+            lean=True,
+            brief=brief,
+        )
         with Simulator(fmu) as simulator:
             simulator.limit = CRITERIA.search.longest_run
             return work(trial, simulator)
     except (SimulationFailure, InputError) as problem:
         return trial.failed(str(problem))
-    except Exception as defect:  # whatever one effect runs into must not end the study of the others
+    except (
+        Exception
+    ) as defect:  # whatever one effect runs into must not end the study of the others
         return trial.failed(f"{type(defect).__name__}: {defect}")
 
 
@@ -167,17 +190,23 @@ def _fitted(trial: Trial, simulator: Simulator) -> Candidate:
 
 def _objective(trial: Trial, simulator: Simulator) -> Objective:
     moved, _ = free_parameters(trial, simulator.interface)
-    return Objective(simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance)
+    return Objective(
+        simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance
+    )
 
 
 def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
     assert trial.reference is not None
     objective = _objective(trial, simulator)
     strengths = _strengths(trial, objective)
-    probe = probe_effect(trial.effect.name, trial.effect.family, objective, trial.reference, strengths)
+    probe = probe_effect(
+        trial.effect.name, trial.effect.family, objective, trial.reference, strengths
+    )
     at_rest = all(run.is_static for run in trial.data.runs)
     idle = idle_parameters(probe, objective) if at_rest else ()
-    return replace(probe, inactive_parameters=idle, only_unmeasured=moves_only_unmeasured(probe, objective))
+    return replace(
+        probe, inactive_parameters=idle, only_unmeasured=moves_only_unmeasured(probe, objective)
+    )
 
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
@@ -195,20 +224,26 @@ def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
     if linear is None:
         raise SimulationFailure(objective.first_failure)
     strength, weaker = 1.0, [linear.residual]
-    while len(weaker) < CRITERIA.search.looks and _is_detectable(trial.reference.residual - weaker[-1]):
+    while len(weaker) < CRITERIA.search.looks and _is_detectable(
+        trial.reference.residual - weaker[-1]
+    ):
         strength *= CRITERIA.search.weaker
         residual = residual_rows(objective, strengths.place(objective.free, strength), rows)
         if residual is None:
             break
         weaker.append(residual)
-    return StatedEffect(trial.effect.name, trial.effect.family, strengths, linear, tuple(weaker[1:]))
+    return StatedEffect(
+        trial.effect.name, trial.effect.family, strengths, linear, tuple(weaker[1:])
+    )
 
 
 def _is_detectable(move: Array) -> bool:
     return float(move @ move) > CRITERIA.evidence.very_strong
 
 
-def free_parameters(trial: Trial, interface: Interface) -> tuple[tuple[Free, ...], list[dict[str, float]]]:
+def free_parameters(
+    trial: Trial, interface: Interface
+) -> tuple[tuple[Free, ...], list[dict[str, float]]]:
     """Base parameters and those of the effects, and further points to start from.
 
     The strength of an unknown effect is uncertain by orders of magnitude: each parameter of the tried effect is
@@ -231,7 +266,10 @@ def every_parameter(data: DataSet, composition: Composition, interface: Interfac
     own = [name for names in composition.parameters.values() for name in names if name not in known]
     every = [model_parameter(name, interface) for name in own]
     typical = composition.typical
-    return [*free, *(f.with_typical_range(*typical[f.name]) if f.name in typical else f for f in every)]
+    return [
+        *free,
+        *(f.with_typical_range(*typical[f.name]) if f.name in typical else f for f in every),
+    ]
 
 
 def _start_points(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:

@@ -77,8 +77,16 @@ class Verdict:
             return ""
         others = [one for one in self.posterior.explanations if not self.names(one.families)]
         shares = [(" and ".join(one.families) or "nothing", one.probability) for one in others]
-        texts = [f"{what} {100 * share:.0f} %" for what, share in shares[:_MOST_LISTED] if round(100 * share)]
-        other = "something that these data do not show" if self.kind == "none_missing" else "something else"
+        texts = [
+            f"{what} {100 * share:.0f} %"
+            for what, share in shares[:_MOST_LISTED]
+            if round(100 * share)
+        ]
+        other = (
+            "something that these data do not show"
+            if self.kind == "none_missing"
+            else "something else"
+        )
         return ", ".join([*texts, f"{other} {100 * self.posterior.something_else:.0f} %"])
 
     def as_dict(self) -> dict[str, object]:
@@ -120,7 +128,11 @@ _TAKEN_FOR_NOISE = {
 
 
 def rivals(
-    base: Fit, best: Candidate, tried: Sequence[Candidate], family: Mapping[str, str], model_space: ModelSpace
+    base: Fit,
+    best: Candidate,
+    tried: Sequence[Candidate],
+    family: Mapping[str, str],
+    model_space: ModelSpace,
 ) -> list[Candidate]:
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
@@ -135,7 +147,11 @@ def rivals(
         family: of every effect there is.
         model_space: what a choice among them costs.
     """
-    alike = [c for c in tried if (best.general or not c.general) and not refuted_by_unfitted_signals(c.fit, best.fit)]
+    alike = [
+        c
+        for c in tried
+        if (best.general or not c.general) and not refuted_by_unfitted_signals(c.fit, best.fit)
+    ]
     return _close_alternatives(base, best, tried, alike, family, model_space)
 
 
@@ -150,7 +166,10 @@ def _close_alternatives(
     """Models with other families whose evidence is hardly less than that of the best, one of each set of families."""
     scale = noise_scale([base, *(c.fit for c in tried)])
     own = frozenset(family[e] for e in best.effects)
-    limit = information_criterion(best.fit, scale, best.effects, model_space, best) + CRITERIA.evidence.very_strong
+    limit = (
+        information_criterion(best.fit, scale, best.effects, model_space, best)
+        + CRITERIA.evidence.very_strong
+    )
     each = best_of_each(among, scale, family, model_space).items()
     near = [(score, c) for theirs, (score, c) in each if not theirs >= own and score < limit]
     return [c for _, c in sorted(near, key=lambda entry: (entry[0], entry[1].effects))]
@@ -170,7 +189,8 @@ def nearest(
     scale = noise_scale([base, *(c.fit for c in tried)])
     fitted = [c for c in tried if not c.brief]
     each = sorted(
-        best_of_each(fitted, scale, family, model_space).values(), key=lambda entry: (entry[0], entry[1].effects)
+        best_of_each(fitted, scale, family, model_space).values(),
+        key=lambda entry: (entry[0], entry[1].effects),
     )
     return [c for _, c in each[: CRITERIA.next_experiment.rivals]]
 
@@ -194,19 +214,33 @@ def with_facts(
     if best is None:
         return replace(verdict, off=off)
     against = [c for c in tried if refuted_by_unfitted_signals(c.fit, fit)]
-    bent = [c for c in tried if c.general and not best.general and not refuted_by_unfitted_signals(c.fit, fit)]
+    bent = [
+        c
+        for c in tried
+        if c.general and not best.general and not refuted_by_unfitted_signals(c.fit, fit)
+    ]
     wrong, bending = (
-        tuple(" + ".join(c.effects) for c in _close_alternatives(base, best, tried, some, family, model_space))
+        tuple(
+            " + ".join(c.effects)
+            for c in _close_alternatives(base, best, tried, some, family, model_space)
+        )
         for some in (against, bent)
     )
     own = frozenset(family[e] for e in best.effects)
-    others = [c for c in tried if not {family[e] for e in c.effects} >= own and (best.general or not c.general)]
+    others = [
+        c
+        for c in tried
+        if not {family[e] for e in c.effects} >= own and (best.general or not c.general)
+    ]
     unusual = implausible(best, others, noise_scale([base, *(c.fit for c in tried)]), model_space)
     return replace(verdict, off=off, refuted=wrong, bending=bending, implausible=unusual)
 
 
 def best_of_each(
-    candidates: Sequence[Candidate], scale: NoiseScale, family: Mapping[str, str], model_space: ModelSpace
+    candidates: Sequence[Candidate],
+    scale: NoiseScale,
+    family: Mapping[str, str],
+    model_space: ModelSpace,
 ) -> dict[frozenset[str], tuple[float, Candidate]]:
     """The best model with each set of families, with its evidence, in the order of the candidates."""
     best: dict[frozenset[str], tuple[float, Candidate]] = {}
@@ -262,8 +296,15 @@ def judge(
     """
     if not selected:
         if any_structure_for_search(base):
-            return Verdict("unknown", (), (), "The residual has structure, and no listed effect explains it.")
-        return Verdict("none_missing", (), (), "The residual is noise: nothing is missing that these data could show.")
+            return Verdict(
+                "unknown", (), (), "The residual has structure, and no listed effect explains it."
+            )
+        return Verdict(
+            "none_missing",
+            (),
+            (),
+            "The residual is noise: nothing is missing that these data could show.",
+        )
     last = selected[-1]
     families = tuple(c.family for c in selected)
     effects = tuple(c.effect for c in selected)
@@ -274,7 +315,9 @@ def judge(
     if any_structure_for_verdict(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
-            return Verdict("identified", families, effects, f"{text}, {_FORM_OPEN}{caution}", remainder=True)
+            return Verdict(
+                "identified", families, effects, f"{text}, {_FORM_OPEN}{caution}", remainder=True
+            )
         text += ", but what remains has structure: something else is missing."
         if others:
             named = _alternatives(effects, last, others, known)
@@ -285,9 +328,13 @@ def judge(
         all_effects = tuple(dict.fromkeys((*effects, *instead)))
         all_families = tuple(dict.fromkeys((*families, *(known[e] for e in instead))))
         reason = f"These data cannot separate {_alternatives(effects, last, others, known)}."
-        return Verdict("ambiguous", all_families, all_effects, reason + _ALL_RUNS_SEARCHED * all_runs_searched)
+        return Verdict(
+            "ambiguous", all_families, all_effects, reason + _ALL_RUNS_SEARCHED * all_runs_searched
+        )
     remains = f"what remains {_of_fitted_signals(last.fit)}is noise{_noise_excess(last.fit)}.{_exceptions(last.fit)}"
-    return Verdict("identified", families, effects, f"{text}; {remains}{_open_form(selected)}{caution}")
+    return Verdict(
+        "identified", families, effects, f"{text}; {remains}{_open_form(selected)}{caution}"
+    )
 
 
 def _instead(effects: Sequence[str], others: Sequence[Candidate]) -> list[tuple[str, ...]]:
@@ -301,14 +348,18 @@ def _alternatives(
     """The families that stand for each other: those of the answer that no rival has, and those of each rival."""
     shared = {e for c in others for e in c.effects}
     ours = [e for e in effects if e not in shared] or [last.effect]
-    families = [dict.fromkeys(family[e] for e in part) for part in (ours, *_instead(effects, others))]
+    families = [
+        dict.fromkeys(family[e] for e in part) for part in (ours, *_instead(effects, others))
+    ]
     return " and ".join(" + ".join(names) for names in families)
 
 
 def _of_fitted_signals(fit: Fit) -> str:
     """Which signals are spoken of, where others were compared but not fitted and are off."""
     signals = fit.comparison.data.signals
-    return f"of {listed([n for n, s in signals.items() if s.fitted])} " if missed_signals(fit) else ""
+    return (
+        f"of {listed([n for n, s in signals.items() if s.fitted])} " if missed_signals(fit) else ""
+    )
 
 
 def _noise_excess(fit: Fit) -> str:
@@ -317,7 +368,9 @@ def _noise_excess(fit: Fit) -> str:
     if loud <= CRITERIA.fit.loud:
         return ""
     sources = {s.source for s in fit.comparison.data.signals.values() if s.fitted}
-    taken = _TAKEN_FOR_NOISE[next(iter(sources))] if len(sources) == 1 else "what was taken for noise"
+    taken = (
+        _TAKEN_FOR_NOISE[next(iter(sources))] if len(sources) == 1 else "what was taken for noise"
+    )
     return f"; it is {loud**0.5:.2g} times {taken}"
 
 
@@ -332,8 +385,15 @@ def _exceptions(fit: Fit) -> str:
             f"(noise {format_quantity(score.noise_rmse, unit)}): something that acts on it is missing besides, or its "
             "instrument is at fault."
         )
-    far = [f"{run} ({format_quantity(rmse, unit)} of {name})" for run, name, rmse, unit in _far_runs(fit)]
-    return text + (f" But not in every run: {listed(far)} {'is' if len(far) == 1 else 'are'} off." if far else "")
+    far = [
+        f"{run} ({format_quantity(rmse, unit)} of {name})"
+        for run, name, rmse, unit in _far_runs(fit)
+    ]
+    return text + (
+        f" But not in every run: {listed(far)} {'is' if len(far) == 1 else 'are'} off."
+        if far
+        else ""
+    )
 
 
 def _far_runs(fit: Fit) -> list[tuple[str, str, float, str]]:
@@ -346,7 +406,11 @@ def _far_runs(fit: Fit) -> list[tuple[str, str, float, str]]:
         errors = [float(np.sqrt(np.nanmean(r.residual(name) ** 2))) for r in runs]
         usual = max(sorted(errors)[(len(errors) - 1) // 2], signal.sigma) if errors else 0.0
         limit = CRITERIA.evidence.refuted * usual
-        far += [(r.run.name, name, e, signal.unit) for r, e in zip(runs, errors, strict=True) if e > limit]
+        far += [
+            (r.run.name, name, e, signal.unit)
+            for r, e in zip(runs, errors, strict=True)
+            if e > limit
+        ]
     return far
 
 
@@ -357,14 +421,17 @@ def _open_form(selected: Sequence[Candidate]) -> str:
         return ""
     says, kind = ("say", "their families") if len(names) > 1 else ("says", "its family")
     return (
-        f" {' and '.join(names)} {says} whatever {kind} can: the family is what was found, no listed law fits as well."
+        f" {' and '.join(names)} {says} whatever {kind} can: "
+        "the family is what was found, no listed law fits as well."
     )
 
 
 def _caution(fit: Fit, all_runs_searched: bool) -> str:
     """What keeps an explanation from being beyond doubt: runs that do not check it, or a fit that ends at a bound."""
     held = fit.residuals["holdout"]
-    text = "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
+    text = (
+        "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
+    )
     text = _ALL_RUNS_SEARCHED if all_runs_searched else text
     if has_structure_for_search(held) and not any_structure_for_verdict(fit):
         text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."

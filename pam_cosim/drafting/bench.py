@@ -67,7 +67,9 @@ def take_bench(
     composed = {one.name: one for one in ready if one.parts}
     if wishes.model is not None and wishes.model not in composed:
         if wishes.muscle is not None:
-            raise InputError(f"a muscle is named for a bench that is put together, and {wishes.model} is there already")
+            raise InputError(
+                f"a muscle is named for a bench that is put together, and {wishes.model} is there already"
+            )
         return _named(place, wishes.model, known, describe)
     recorded = _recorded_muscle(wishes, known, tree)
     muscle = wishes.muscle if recorded is None else recorded.name
@@ -76,9 +78,18 @@ def take_bench(
         candidates = [composed[wishes.model]]
     elif known.points:
         candidates = [one for one in candidates if _all_imposed(one)]
-    choice = choose(candidates, known.columns, known.asked, known.formulas, len(known.sources), _stated_inputs(known))
+    choice = choose(
+        candidates,
+        known.columns,
+        known.asked,
+        known.formulas,
+        len(known.sources),
+        _stated_inputs(known),
+    )
     if choice.ports.parts:
-        return _put_together(place / f"{name}.mo", choice, muscle, recorded, wishes, known, tree, describe)
+        return _put_together(
+            place / f"{name}.mo", choice, muscle, recorded, wishes, known, tree, describe
+        )
     return Bench(choice, choice.ports.name, describe(choice.ports.name), _why(choice), None, True)
 
 
@@ -93,7 +104,9 @@ def _put_together(
     describe: Callable[[str], Interface],
 ) -> Bench:
     """The bench that is put together from parts, written to a file."""
-    file.write_text(_composed(choice, file.stem, known, tree, muscle), encoding="utf-8", newline="\n")
+    file.write_text(
+        _composed(choice, file.stem, known, tree, muscle), encoding="utf-8", newline="\n"
+    )
     made = _origin(file.name, choice, recorded)
     why = made if wishes.model else f"{_why(choice)}. {made}"
     return Bench(choice, file.name, describe(str(file)), why, recorded, muscle is None)
@@ -107,7 +120,9 @@ def _origin(file: str, choice: BenchChoice, recorded: Muscle | None) -> str:
     return f"{made}, with the muscle {recorded.name}, of which the files or their names tell"
 
 
-def _recorded_muscle(wishes: DraftRequests, known: ReadRecordings, tree: ClassTree) -> Muscle | None:
+def _recorded_muscle(
+    wishes: DraftRequests, known: ReadRecordings, tree: ClassTree
+) -> Muscle | None:
     """The muscle that files or their names tell of, where the user names neither one nor a bench."""
     if wishes.muscle is not None or wishes.model is not None:
         return None
@@ -127,7 +142,9 @@ def _why(choice: BenchChoice) -> str:
     return f"{why}. Others would do: {listed(choice.others)}" if choice.others else why
 
 
-def _composed(choice: BenchChoice, name: str, known: ReadRecordings, tree: ClassTree, muscle: str | None) -> str:
+def _composed(
+    choice: BenchChoice, name: str, known: ReadRecordings, tree: ClassTree, muscle: str | None
+) -> str:
     """The Modelica text of a bench that is put together, with what was measured on it."""
     feed, hold = choice.ports.parts
     outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
@@ -154,7 +171,9 @@ def _muscles(tree: ClassTree) -> list[str]:
     return [part.name for part in rig_parts(tree) if part.role == "muscle"]
 
 
-def _named(place: Path, model: str, known: ReadRecordings, describe: Callable[[str], Interface]) -> Bench:
+def _named(
+    place: Path, model: str, known: ReadRecordings, describe: Callable[[str], Interface]
+) -> Bench:
     """The bench of a name; a file is copied."""
     copied = copy_files([Path(model)], place)[0] if is_file(model) else None
     interface = describe(str(place / copied) if copied else model)

@@ -101,7 +101,8 @@ def choose(
         raise InputError(_nothing_fits(best, columns))
     others = tuple(c.ports.name for c in order[1:] if c.cost <= best.cost)
     inputs, outputs = (
-        {n: _among(c, columns, best, n in asked) for n, c in side.items()} for side in (best.inputs, best.outputs)
+        {n: _among(c, columns, best, n in asked) for n, c in side.items()}
+        for side in (best.inputs, best.outputs)
     )
     return BenchChoice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
 
@@ -124,7 +125,9 @@ def _having(candidates: Sequence[Ports], given: _Feed) -> list[Ports]:
     raise InputError(f"no bench has an input or output {shown(name)}; {did_you_mean(name, known)}")
 
 
-def _among(column: RecordedColumn, columns: Sequence[RecordedColumn], best: BenchChoice, asked: bool) -> RecordedColumn:
+def _among(
+    column: RecordedColumn, columns: Sequence[RecordedColumn], best: BenchChoice, asked: bool
+) -> RecordedColumn:
     """The column, saying that others could be it too."""
     taken = {c.name for c in best.fed.values()}
     rivals = [c.name for c in columns if c.meaning == column.meaning and c.name not in taken]
@@ -145,7 +148,9 @@ def _feed(ports: Ports, given: _Feed) -> BenchChoice:
     inputs, far_inputs = _assign(ports.inputs, whole, given)
     readable = _readable(ports)
     recorded = [c for c in given.signals if not c.in_names]
-    outputs, far_outputs = _assign(readable, [c for c in recorded if c not in inputs.values()], given)
+    outputs, far_outputs = _assign(
+        readable, [c for c in recorded if c not in inputs.values()], given
+    )
     used = [*inputs.values(), *outputs.values()]
     fed = {*inputs, *given.formulas, *given.stated}
     unfed = tuple(name for name in ports.inputs if name not in fed and name != BRANCH)
@@ -153,7 +158,11 @@ def _feed(ports: Ports, given: _Feed) -> BenchChoice:
     left = _signals_among(recorded, used)
     driven = _is_driven(ports, fed, left)
     measured = bool(outputs) or len(unread) < len(readable)
-    cost = _UNUSED * _unused(left, used) + _UNFED * len(unfed) + _ROUNDABOUT * (far_inputs + far_outputs)
+    cost = (
+        _UNUSED * _unused(left, used)
+        + _UNFED * len(unfed)
+        + _ROUNDABOUT * (far_inputs + far_outputs)
+    )
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
     cost -= _NAMED * sum(name == column.name for name, column in inputs.items())
     cost += _ISOMETRIC * _must_be_fixed(ports, used)
@@ -171,10 +180,16 @@ def _readable(ports: Ports) -> dict[str, Variable]:
     if not ports.parts:
         return dict(ports.outputs)
     imposed = {meaning_of(variable) for variable in ports.inputs.values()}
-    return {name: variable for name, variable in ports.outputs.items() if meaning_of(variable) not in imposed}
+    return {
+        name: variable
+        for name, variable in ports.outputs.items()
+        if meaning_of(variable) not in imposed
+    }
 
 
-def _signals_among(columns: Sequence[RecordedColumn], used: Sequence[RecordedColumn]) -> list[RecordedColumn]:
+def _signals_among(
+    columns: Sequence[RecordedColumn], used: Sequence[RecordedColumn]
+) -> list[RecordedColumn]:
     """Recorded signals that are not used."""
     left = [c for c in columns if c not in used]
     return [c for c in left if c.meaning is not None and c.meaning.kind not in _NO_SIGNALS]
@@ -191,14 +206,18 @@ def _is_driven(ports: Ports, fed: Collection[str], left: Sequence[RecordedColumn
 
 def _is_parameter(column: RecordedColumn) -> bool:
     """Whether a column says what stands around a muscle, or how long it is, and is no signal."""
-    return column.meaning is not None and (column.meaning == AT_REST or "ambient" in column.meaning.roles)
+    return column.meaning is not None and (
+        column.meaning == AT_REST or "ambient" in column.meaning.roles
+    )
 
 
 def _must_be_fixed(ports: Ports, used: Sequence[RecordedColumn]) -> bool:
     """Whether a pull changes while nobody reads a length: then it is fixed, and a bench that lets it go is none."""
     pulls = [c for c in used if c.of("force") and not c.held]
     kinds = {c.meaning.kind for c in used if c.meaning}
-    lengths = [m for m in map(meaning_of, ports.inputs.values()) if m is not None and m.kind in _LENGTHS]
+    lengths = [
+        m for m in map(meaning_of, ports.inputs.values()) if m is not None and m.kind in _LENGTHS
+    ]
     return bool(pulls) and not kinds & set(_LENGTHS) and not lengths
 
 
@@ -226,7 +245,9 @@ def _assign(
     return taken, cost
 
 
-def _nearest(name: str, meaning: Meaning, columns: Sequence[RecordedColumn]) -> tuple[float, RecordedColumn | None]:
+def _nearest(
+    name: str, meaning: Meaning, columns: Sequence[RecordedColumn]
+) -> tuple[float, RecordedColumn | None]:
     """The column that serves a variable best, and how far it is from what is asked for.
 
     Of columns that are as far, the one of that name; the best known; the one that moves most; the first.
@@ -255,17 +276,26 @@ def _distance(column: Meaning | None, variable: Meaning) -> float | None:
         return None
     if column == variable:
         return 0.0
-    if column.roles == variable.roles and variable.kind == "contraction" and column.kind in ("length", "ratio"):
+    if (
+        column.roles == variable.roles
+        and variable.kind == "contraction"
+        and column.kind in ("length", "ratio")
+    ):
         return 1.0 if column.kind == "length" else 2.0
     return None
 
 
 def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, RecordedColumn]) -> float:
     """How many columns are imposed that do not look so, or read that do."""
-    pressures = (c for c in (*outputs.values(), *inputs.values()) if c.of("pressure") or c.of("pressure", "set"))
+    pressures = (
+        c
+        for c in (*outputs.values(), *inputs.values())
+        if c.of("pressure") or c.of("pressure", "set")
+    )
     pressure = next(pressures, None)
     read, imposed = (
-        [c for c in side.values() if c.meaning and c.meaning.kind in MECHANICAL] for side in (outputs, inputs)
+        [c for c in side.values() if c.meaning and c.meaning.kind in MECHANICAL]
+        for side in (outputs, inputs)
     )
     held = [c for c in read if _held(c, pressure)]
     doubt = float(len(held))
@@ -276,12 +306,15 @@ def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, Record
 def _held(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
     """Whether a column is held, and not just at rest where the pressure is."""
     return column.held and (
-        pressure is None or abs(correlation(pressure.values, column.values)) < CRITERIA.recognition.follows
+        pressure is None
+        or abs(correlation(pressure.values, column.values)) < CRITERIA.recognition.follows
     )
 
 
 def _nothing_fits(nearest: BenchChoice, columns: Sequence[RecordedColumn]) -> str:
-    known = [f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None and not c.of("time")]
+    known = [
+        f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None and not c.of("time")
+    ]
     hint = "say what columns are, as --column p='Druck 1', or the bench, --model NAME ('pam-cosim bench --list')"
     if not known:
         return f"no column is recognised among {listed(c.name for c in columns if not c.of('time'))}; {hint}"

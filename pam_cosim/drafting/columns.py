@@ -23,7 +23,9 @@ _C = CRITERIA.recognition
 _MOST = 400  # columns; each is held against each
 
 
-def find_columns(sources: Sequence[RecordingSource], asked: Mapping[str, str]) -> list[RecordedColumn]:
+def find_columns(
+    sources: Sequence[RecordingSource], asked: Mapping[str, str]
+) -> list[RecordedColumn]:
     """Every column of numbers and what it is; ``asked`` are columns by the names that the user gave them.
 
     Raises:
@@ -45,7 +47,11 @@ def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[RecordingS
     """Raises InputError where recordings call the same quantity by different names: one would be lost."""
     for one in columns:
         for other in columns:
-            if one.meaning is not None and one.meaning == other.meaning and not one.values.keys() & other.values.keys():
+            if (
+                one.meaning is not None
+                and one.meaning == other.meaning
+                and not one.values.keys() & other.values.keys()
+            ):
                 there, here = sources[min(one.values)].file.name, sources[min(other.values)].file
                 message = f"{there} calls the {one.meaning} {shown(one.name)}; files of one kind are drafted together"
                 raise InputError(message, here, None, other.name)
@@ -92,7 +98,9 @@ def _words_in(sources: Sequence[RecordingSource], name: str, heading: str) -> tu
     return ()
 
 
-def _two_units(name: str, places: Mapping[int, Column], sources: Sequence[RecordingSource]) -> InputError:
+def _two_units(
+    name: str, places: Mapping[int, Column], sources: Sequence[RecordingSource]
+) -> InputError:
     first = min(places)
     other = next(i for i, column in places.items() if column.unit != places[first].unit)
     there, here = (shown(places[i].unit) for i in (first, other))
@@ -112,7 +120,11 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     for one, other in (plain, plain[::-1]):
         if one.unit == other.unit and _feeds(one.every, other.every):
             meaning = Meaning("pressure", frozenset({"supply"}))
-            made = replace(one, meaning=meaning, why=(*one.why, f"it stays above '{other.name}' and varies little"))
+            made = replace(
+                one,
+                meaning=meaning,
+                why=(*one.why, f"it stays above '{other.name}' and varies little"),
+            )
             return [made if c is one else c for c in columns]
     return columns
 
@@ -126,7 +138,9 @@ def _feeds(one: Array, other: Array) -> bool:
 def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """Of two signals of valves that do not say which, the first is the inlet's; one alone is too."""
     for kind in ("current", "command"):
-        of_kind = {c.name: c.meaning for c in columns if c.meaning is not None and c.meaning.kind == kind}
+        of_kind = {
+            c.name: c.meaning for c in columns if c.meaning is not None and c.meaning.kind == kind
+        }
         if len(of_kind) > 2:
             continue
         taken = {role for meaning in of_kind.values() for role in meaning.roles}
@@ -134,7 +148,9 @@ def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:
         plain = [name for name, meaning in of_kind.items() if not meaning.roles]
         roles = dict(zip(plain, left, strict=False))
         alone = len(of_kind) == 1
-        columns = [_with_role(c, kind, roles[c.name], alone) if c.name in roles else c for c in columns]
+        columns = [
+            _with_role(c, kind, roles[c.name], alone) if c.name in roles else c for c in columns
+        ]
     return columns
 
 
@@ -146,4 +162,6 @@ def _with_role(column: RecordedColumn, kind: str, role: str, alone: bool) -> Rec
 def _why_valve(role: str, alone: bool) -> str:
     if alone:
         return "the only one: the inlet valve's"
-    return f"the {role} valve's, " + ("as the first of two" if role == "inlet" else "as the other one is not")
+    return f"the {role} valve's, " + (
+        "as the first of two" if role == "inlet" else "as the other one is not"
+    )

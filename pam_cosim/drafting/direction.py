@@ -16,7 +16,13 @@ from pam_cosim.measurement.curves import directions
 from pam_cosim.measurement.points import CONTRACTS
 
 # What a contracting muscle does to a quantity, most telling first: what is imposed as a rule comes first.
-_TELLING = (("pressure", 1.0), ("contraction", 1.0), ("ratio", 1.0), ("length", -1.0), ("force", -1.0))
+_TELLING = (
+    ("pressure", 1.0),
+    ("contraction", 1.0),
+    ("ratio", 1.0),
+    ("length", -1.0),
+    ("force", -1.0),
+)
 SENSES = {1: "up", -1: "down", 0: "none"}
 """Directions as ``experiment.toml`` has them."""
 
@@ -39,7 +45,11 @@ def _with_directions(column: RecordedColumn, columns: Sequence[RecordedColumn]) 
         if {1, -1} <= set(senses.values()):
             verb = "rises" if sign > 0 else "falls"
             up = next(v for v, sense in senses.items() if sense == 1)
-            return replace(column, senses=senses, why=(f"'{other.name}' {verb} where it is {column.text_of(up)}",))
+            return replace(
+                column,
+                senses=senses,
+                why=(f"'{other.name}' {verb} where it is {column.text_of(up)}",),
+            )
     if column.words:
         said = {v: direction_word(column.words[int(v)]) for v in values}
         return replace(column, senses=said, why=("its words say so",))
@@ -93,7 +103,10 @@ def common_direction(inputs: Mapping[str, Array], units: Mapping[str, str]) -> i
 
 def directions_in_names(files: Sequence[Path]) -> list[str]:
     """up or down for each file, where every name says one of them, and both are said; none where they do not."""
-    said = [{w for word in split_words(file.stem) if len(word) > 1 and (w := direction_word(word))} for file in files]
+    said = [
+        {w for word in split_words(file.stem) if len(word) > 1 and (w := direction_word(word))}
+        for file in files
+    ]
     if not all(len(own) == 1 for own in said) or len(set.union(*said)) != 2:
         return []
     return [SENSES[own.pop()] for own in said]

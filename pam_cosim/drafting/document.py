@@ -61,7 +61,14 @@ class Draft:
 
 def document(draft: Draft) -> str:
     """The text."""
-    blocks = [_head(draft), _recording(draft), _columns(draft), _signals(draft), _parameters(draft), _fit(draft)]
+    blocks = [
+        _head(draft),
+        _recording(draft),
+        _columns(draft),
+        _signals(draft),
+        _parameters(draft),
+        _fit(draft),
+    ]
     blocks += [_run(draft, i) for i in range(len(draft.files))]
     return "\n\n".join("\n".join(lines) for block in blocks if (lines := list(block))) + "\n"
 
@@ -77,12 +84,16 @@ def _guessed(what: str, why: str) -> list[str]:
 
 
 def _head(draft: Draft) -> Iterator[str]:
-    yield from remark("Drafted by pam-cosim new. Whatever was guessed is marked; check it and take the mark away.")
+    yield from remark(
+        "Drafted by pam-cosim new. Whatever was guessed is marked; check it and take the mark away."
+    )
     yield f"title = {toml_string(draft.title)}"
     yield from remark(draft.why_model)
     yield f"model = {toml_string(draft.model)}"
     if draft.points is not None:
-        yield from _guessed("", "these are points at rest, for no column is a time: each row is an equilibrium")
+        yield from _guessed(
+            "", "these are points at rest, for no column is a time: each row is an equilibrium"
+        )
         yield 'kind = "static"'
 
 
@@ -117,7 +128,11 @@ def _own(draft: Draft, entry: ColumnEntry) -> bool:
     """Whether the entry differs between recordings, or is of some only."""
     having = draft.having.get(entry.name, range(len(draft.files)))
     zeros = set(entry.zero.values())
-    return len(having) < len(draft.files) or len(zeros) > 1 or (bool(zeros) and len(entry.zero) < len(having))
+    return (
+        len(having) < len(draft.files)
+        or len(zeros) > 1
+        or (bool(zeros) and len(entry.zero) < len(having))
+    )
 
 
 def _told(entry: ColumnEntry) -> bool:
@@ -127,7 +142,9 @@ def _told(entry: ColumnEntry) -> bool:
 
 def _entry(entry: ColumnEntry, zero: tuple[float, float] | None) -> Iterator[str]:
     if entry.why:
-        yield from _guessed(f"{entry.name} is {entry.column or entry.formula}", "; ".join(entry.why))
+        yield from _guessed(
+            f"{entry.name} is {entry.column or entry.formula}", "; ".join(entry.why)
+        )
     cells = []
     if entry.formula is not None:
         cells.append(f"formula = {toml_string(entry.formula)}")
@@ -136,7 +153,9 @@ def _entry(entry: ColumnEntry, zero: tuple[float, float] | None) -> Iterator[str
     if entry.unit and entry.formula is None:
         cells.append(f"unit = {toml_string(entry.unit)}")
     if entry.words:
-        words = ", ".join(f"{toml_key(word)} = {toml_string(way)}" for word, way in entry.words.items())
+        words = ", ".join(
+            f"{toml_key(word)} = {toml_string(way)}" for word, way in entry.words.items()
+        )
         cells.append(f"words = {{ {words} }}")
     if zero is not None:
         cells.append(f'zero = {{ from = "{seconds(zero[0])}", to = "{seconds(zero[1])}" }}')
@@ -157,26 +176,36 @@ def _signals(draft: Draft) -> Iterator[str]:
         yield from _guessed("sigma", f"it is {sigma.why}")
         yield f"sigma = {_quantity(sigma.value, draft.interface.outputs[name].unit, 3)}"
     for name in draft.shown:
-        yield from remark(f"{name} is compared and not fitted; a table [signals.{name}] would change that")
+        yield from remark(
+            f"{name} is compared and not fitted; a table [signals.{name}] would change that"
+        )
 
 
 def _parameters(draft: Draft) -> Iterator[str]:
     lines = [f"{toml_string(name)} = {_value(value)}" for name, value in draft.stated.items()]
     inputs = [
-        (name, v) for name, v in draft.interface.inputs.items() if name in draft.unfed and name not in draft.stated
+        (name, v)
+        for name, v in draft.interface.inputs.items()
+        if name in draft.unfed and name not in draft.stated
     ]
     rest = {
-        n: v for n, v in draft.to_state.items() if n not in draft.stated and not all(n in told for told in draft.told)
+        n: v
+        for n, v in draft.to_state.items()
+        if n not in draft.stated and not all(n in told for told in draft.told)
     }
     if not lines and not inputs and not rest:
         return
     yield "[parameters]"
     yield from lines
     for name, variable in inputs:
-        yield from remark("no column was recognised as this input: the bench's default is used until you state yours")
+        yield from remark(
+            "no column was recognised as this input: the bench's default is used until you state yours"
+        )
         yield _commented(name, variable)
     if rest:
-        yield from remark("The bench's own values, not those of your rig: state yours, above all geometry and load.")
+        yield from remark(
+            "The bench's own values, not those of your rig: state yours, above all geometry and load."
+        )
     for name, variable in rest.items():
         yield _commented(name, variable)
 
@@ -194,8 +223,12 @@ def _fit(draft: Draft) -> Iterator[str]:
         return
     yield "[fit]"
     if free:
-        what = "what lies in the wall of the muscle" if draft.points else "calibrations, lag and droop"
-        yield from _guessed("", f"free is {what}, which only a fit tells; bounds are the model's or near its values")
+        what = (
+            "what lies in the wall of the muscle" if draft.points else "calibrations, lag and droop"
+        )
+        yield from _guessed(
+            "", f"free is {what}, which only a fit tells; bounds are the model's or near its values"
+        )
     for name, variable in free.items():
         yield f"{_bounds(name, variable)}   {' '.join(remark(variable.description))}"
     if more:
@@ -228,7 +261,11 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         if one.why:
             yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
-    own = [e for e in draft.entries.values() if _own(draft, e) and i in draft.having.get(e.name, ()) and _told(e)]
+    own = [
+        e
+        for e in draft.entries.values()
+        if _own(draft, e) and i in draft.having.get(e.name, ()) and _told(e)
+    ]
     if own:
         yield "[runs.columns]"
     for entry in own:
@@ -239,11 +276,15 @@ def _points(points: PointsDraft, i: int) -> Iterator[str]:
     """Direction and rows that are held out, of a table of points at rest."""
     if points.branch[i]:
         if points.branch[i] == "order":
-            yield from _guessed("branch", "the rows go up and come back: their order tells the direction of each")
+            yield from _guessed(
+                "branch", "the rows go up and come back: their order tells the direction of each"
+            )
         yield f"branch = {toml_string(points.branch[i])}"
     if points.hold_out[i]:
         yield from _guessed("", "rows that are held out lie within what the fitted ones span")
-        values = ", ".join(f"{toml_key(name)} = {_value(list(v))}" for name, v in points.hold_out[i].items())
+        values = ", ".join(
+            f"{toml_key(name)} = {_value(list(v))}" for name, v in points.hold_out[i].items()
+        )
         yield f"hold_out = {{ {values} }}"
 
 
@@ -259,6 +300,10 @@ def _value(value: object) -> str:
         return str(value)
     text = str(value)
     try:
-        return f"{float(text):.12g}" if text.strip()[:1].isdigit() or text.strip()[:1] in "-.+" else toml_string(text)
+        return (
+            f"{float(text):.12g}"
+            if text.strip()[:1].isdigit() or text.strip()[:1] in "-.+"
+            else toml_string(text)
+        )
     except ValueError:
         return toml_string(text)

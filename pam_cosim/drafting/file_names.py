@@ -15,7 +15,9 @@ from pam_cosim.drafting.vocabulary import Meaning, folded, kinds_of, known_unit,
 from pam_cosim.units import convert
 
 _NUMBER = r"(?P<number>\d+(?:[.,]\d+|p\d+)?)"
-_QUANTITY = re.compile(rf"(?:(?P<word>[a-z]+)[ =_-]?)?{_NUMBER}[ _-]?(?P<unit>%|[a-z]+)?(?![a-z0-9])", re.IGNORECASE)
+_QUANTITY = re.compile(
+    rf"(?:(?P<word>[a-z]+)[ =_-]?)?{_NUMBER}[ _-]?(?P<unit>%|[a-z]+)?(?![a-z0-9])", re.IGNORECASE
+)
 _UNITS = {"pct": "%", "percent": "%", "prozent": "%", "proz": "%"}
 _KINDS = ("pressure", "force", "ratio", "contraction", "length")
 _LENGTHS = ("contraction", "length", "ratio")
@@ -67,7 +69,9 @@ def _muscle(stem: str, known: Iterable[str]) -> Muscle | None:
     return None
 
 
-def quantities(files: Sequence[Path], columns: Sequence[RecordedColumn], counts: Sequence[int]) -> list[RecordedColumn]:
+def quantities(
+    files: Sequence[Path], columns: Sequence[RecordedColumn], counts: Sequence[int]
+) -> list[RecordedColumn]:
     """What the name of every file says, as columns that do not change within a file.
 
     Args:
@@ -93,16 +97,26 @@ def _all_without_load(files: Sequence[Path]) -> bool:
     return all(says_no_load(file.stem) for file in files)
 
 
-def _common(each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool) -> RecordedColumn | None:
+def _common(
+    each: Sequence[Sequence[Said]], counts: Sequence[int], lengths: bool
+) -> RecordedColumn | None:
     """The quantity that each name tells once; of lengths, the one that is a contraction."""
     chosen = [_imposed(own, each) if lengths else own for own in each]
-    if not all(len(own) == 1 for own in chosen) or len({(own[0].kind, own[0].unit) for own in chosen}) != 1:
+    if (
+        not all(len(own) == 1 for own in chosen)
+        or len({(own[0].kind, own[0].unit) for own in chosen}) != 1
+    ):
         return None
     first = chosen[0][0]
-    values = {i: np.full(count, own[0].value) for i, (own, count) in enumerate(zip(chosen, counts, strict=True))}
+    values = {
+        i: np.full(count, own[0].value)
+        for i, (own, count) in enumerate(zip(chosen, counts, strict=True))
+    }
     texts = ", ".join(dict.fromkeys(own[0].text for own in chosen))
     why = (f"the names of the files say so: {texts}",)
-    return RecordedColumn(texts, first.unit, False, Meaning(first.kind), values, why, known=1.0, in_names=True)
+    return RecordedColumn(
+        texts, first.unit, False, Meaning(first.kind), values, why, known=1.0, in_names=True
+    )
 
 
 def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
@@ -114,7 +128,9 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
     everywhere = set.intersection(*texts) if len(texts) > 1 else set()
     left = [one for one in own if one.text not in everywhere]
     most = CRITERIA.recognition.longest
-    return [one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most]
+    return [
+        one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most
+    ]
 
 
 def said_in(stem: str) -> list[Said]:
@@ -131,7 +147,15 @@ def said_in(stem: str) -> list[Said]:
             unit = "%" if value >= 1.0 else "1"
         if kind and unit:
             bare = f"{match['number']}{match[0].rpartition(match['number'])[2]}"
-            found.append(Said((match[0] if kinds else bare).strip(" _-"), word if kinds else "", value, unit, kind))
+            found.append(
+                Said(
+                    (match[0] if kinds else bare).strip(" _-"),
+                    word if kinds else "",
+                    value,
+                    unit,
+                    kind,
+                )
+            )
     return found
 
 
@@ -139,7 +163,18 @@ def _kind(kinds: Sequence[str], unit: str) -> str:
     """What a number is by the word before it and its unit; "" for neither."""
     if not unit:
         return "ratio" if "ratio" in kinds else ""
-    by_unit = {"%": "ratio", "N": "force", "kN": "force", "mm": "contraction", "cm": "contraction", "m": "contraction"}
+    by_unit = {
+        "%": "ratio",
+        "N": "force",
+        "kN": "force",
+        "mm": "contraction",
+        "cm": "contraction",
+        "m": "contraction",
+    }
     by_unit |= dict.fromkeys(("kPa", "bar", "MPa", "psi", "mbar", "Pa"), "pressure")
     kind = by_unit.get(unit, "")
-    return "length" if kind == "contraction" and "length" in kinds and "contraction" not in kinds else kind
+    return (
+        "length"
+        if kind == "contraction" and "length" in kinds and "contraction" not in kinds
+        else kind
+    )

@@ -22,7 +22,9 @@ def check_place(folder: Path) -> None:
         if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
             raise InputError("this is no folder; name a new one for the data set", folder)
         if folder.is_dir() and any(folder.iterdir()):
-            raise InputError("the folder is not empty, and nothing is overwritten; name a new one", folder)
+            raise InputError(
+                "the folder is not empty, and nothing is overwritten; name a new one", folder
+            )
     except OSError as error:
         raise InputError(f"the folder cannot be used: {error.strerror}", shown(folder)) from None
 
@@ -52,7 +54,10 @@ def copy_files(files: Sequence[Path], place: Path) -> list[str]:
     made = []
     taken = {one.stem.casefold() for one in place.iterdir()} | {Path(FILE_NAME).stem}
     for file in files:
-        stem = "".join(c if c.isprintable() and c not in '\\/:*?"<>|@' else "_" for c in file.stem) or "run"
+        stem = (
+            "".join(c if c.isprintable() and c not in '\\/:*?"<>|@' else "_" for c in file.stem)
+            or "run"
+        )
         name, number = stem, 2
         while name.casefold() in taken:
             name, number = f"{stem}-{number}", number + 1
@@ -65,7 +70,9 @@ def copy_files(files: Sequence[Path], place: Path) -> list[str]:
     return made
 
 
-def read_draft(place: Path, origin: Mapping[str, Path], describe: Callable[[str], Interface]) -> DataSet:
+def read_draft(
+    place: Path, origin: Mapping[str, Path], describe: Callable[[str], Interface]
+) -> DataSet:
     """The data set as it reads; an error names the file that the user gave."""
     try:
         return read_data_set(place, describe)
@@ -73,7 +80,9 @@ def read_draft(place: Path, origin: Mapping[str, Path], describe: Callable[[str]
         file = Path(str(error.file)) if error.file is not None else None
         if file is not None and file.name in origin:
             raise type(error)(error.message, origin[file.name], error.line, error.column) from None
-        raise type(error)(error.message) from None  # Of what the user says, or of a draft that is gone.
+        raise type(error)(
+            error.message
+        ) from None  # Of what the user says, or of a draft that is gone.
 
 
 def put(place: Path, folder: Path) -> None:

@@ -33,7 +33,9 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
     variables = {**interface.inputs, **interface.outputs}
     entries: dict[str, ColumnEntry] = {}
     if known.time is not None:
-        entries["time"] = ColumnEntry("time", known.time.name, _unit(known.time), why=known.time.why)
+        entries["time"] = ColumnEntry(
+            "time", known.time.name, _unit(known.time), why=known.time.why
+        )
     arrays: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
         entries[name], arrays[name] = _named(name, column, variables[name], interface, known.stated)
@@ -42,10 +44,14 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
             entries[name] = ColumnEntry(name, why=entries[name].why, held=held)
     for name, formula in known.formulas.items():
         entries[name] = ColumnEntry(name, formula=formula)
-    times = {i: _time(i, source, known.time, known.recording) for i, source in enumerate(known.sources)}
+    times = {
+        i: _time(i, source, known.time, known.recording) for i, source in enumerate(known.sources)
+    }
     pressure = _pressure(interface, arrays)
     for name in arrays:
-        entries[name], arrays[name] = _signed(entries[name], arrays[name], choice, variables[name], pressure)
+        entries[name], arrays[name] = _signed(
+            entries[name], arrays[name], choice, variables[name], pressure
+        )
     courses = _courses(interface, times, arrays, moving=not known.points)
     if known.points:
         return Mapped(entries, courses)
@@ -59,7 +65,11 @@ def _unit(column: RecordedColumn) -> str | None:
 
 
 def _named(
-    name: str, column: RecordedColumn, variable: Variable, interface: Interface, stated: Mapping[str, str]
+    name: str,
+    column: RecordedColumn,
+    variable: Variable,
+    interface: Interface,
+    stated: Mapping[str, str],
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """The entry that renames a column or makes it what the bench calls so, and its numbers."""
     kind = column.meaning.kind if column.meaning else ""
@@ -96,17 +106,24 @@ def _gauge_pressure(
 
 def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:
     """Words for directions, or a formula that gives 1 and -1."""
-    values = {i: np.array([float(column.senses.get(v, 0)) for v in own.tolist()]) for i, own in column.values.items()}
+    values = {
+        i: np.array([float(column.senses.get(v, 0)) for v in own.tolist()])
+        for i, own in column.values.items()
+    }
     if column.words:
         return ColumnEntry(name, column.name, why=column.why, words=words_of(column)), values
     if all(number == sense for number, sense in column.senses.items()):
         return ColumnEntry(name, column.name, why=column.why), values
-    up, down = (next((n for n, s in column.senses.items() if s == sense), None) for sense in (1, -1))
+    up, down = (
+        next((n for n, s in column.senses.items() if s == sense), None) for sense in (1, -1)
+    )
     if up is None or down is None or len(column.senses) > 2:
         hint = f"leave it out: --recording ignore={column.name}"
         raise InputError(f"the values of {column.name} are no directions; {hint}")
     scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
-    return ColumnEntry(name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why), values
+    return ColumnEntry(
+        name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why
+    ), values
 
 
 def _contraction(
@@ -119,7 +136,9 @@ def _contraction(
         length = parse_quantity(value, "m")
         numbers = {i: convert(v, column.unit, "1") * length for i, v in column.values.items()}
         why = f"it is a ratio, times the length at rest, {value}: {source}"
-        return ColumnEntry(name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)), numbers
+        return ColumnEntry(
+            name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)
+        ), numbers
     lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
     longest = max(float(np.nanmax(v)) for v in lengths.values())
     value, source = f"{longest:.6g} m", "the longest in any recording"
@@ -138,14 +157,21 @@ def _length_at_rest(interface: Interface, stated: Mapping[str, str]) -> tuple[st
         return None
     if name in stated:
         return stated[name], "stated"
-    return f"{interface.parameters[name].start:g} m", f"the bench's default of {name}, state yours and change it here"
+    return (
+        f"{interface.parameters[name].start:g} m",
+        f"the bench's default of {name}, state yours and change it here",
+    )
 
 
 def length_parameter(interface: Interface) -> str | None:
     """The parameter that is a muscle's length at rest, by what is said of it."""
     for name, variable in interface.parameters.items():
         said = variable.description.casefold()
-        if variable.unit == "m" and "length" in said and any(word in said for word in ("rest", "initial")):
+        if (
+            variable.unit == "m"
+            and "length" in said
+            and any(word in said for word in ("rest", "initial"))
+        ):
             return name
     return None
 
@@ -162,7 +188,9 @@ def _term(column: RecordedColumn) -> str:
     return name if column.stated or not column.unit else f'{name} * "1 {column.unit}"'
 
 
-def _time(i: int, source: RecordingSource, time: RecordedColumn | None, recording: RecordingTable) -> Array:
+def _time(
+    i: int, source: RecordingSource, time: RecordedColumn | None, recording: RecordingTable
+) -> Array:
     """(n,) [s]; of points at rest, their numbers."""
     if time is not None:
         return convert(time.values[i], time.unit, "s")
@@ -171,7 +199,9 @@ def _time(i: int, source: RecordingSource, time: RecordedColumn | None, recordin
     return np.arange(count, dtype=np.float64) * step
 
 
-def _pressure(interface: Interface, arrays: Mapping[str, dict[int, Array]]) -> dict[int, Array] | None:
+def _pressure(
+    interface: Interface, arrays: Mapping[str, dict[int, Array]]
+) -> dict[int, Array] | None:
     """The pressure in the muscle, or the one it is told."""
     variables = {**interface.inputs, **interface.outputs}
     for roles in (frozenset[str](), frozenset({"set"})):
@@ -191,7 +221,12 @@ def _signed(
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
     meaning = meaning_of(variable)
-    if meaning is None or entry.formula is not None or entry.column is None or not _REFERABLE.fullmatch(entry.column):
+    if (
+        meaning is None
+        or entry.formula is not None
+        or entry.column is None
+        or not _REFERABLE.fullmatch(entry.column)
+    ):
         return entry, values
     why = ""
     if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
@@ -208,18 +243,25 @@ def _signed(
 
 def _mostly_negative(values: Array) -> bool:
     """Whether values are below zero on average, and farther below than above."""
-    return float(np.nanmean(values)) < 0.0 and abs(float(np.nanmin(values))) > abs(float(np.nanmax(values)))
+    return float(np.nanmean(values)) < 0.0 and abs(float(np.nanmin(values))) > abs(
+        float(np.nanmax(values))
+    )
 
 
 def _courses(
-    interface: Interface, times: Mapping[int, Array], arrays: Mapping[str, Mapping[int, Array]], moving: bool = True
+    interface: Interface,
+    times: Mapping[int, Array],
+    arrays: Mapping[str, Mapping[int, Array]],
+    moving: bool = True,
 ) -> tuple[MappedRecording, ...]:
     """The recordings; ``moving``: over time, so that they may rest."""
     made = []
     for i, time in times.items():
         inputs = {n: v[i] for n, v in arrays.items() if n in interface.inputs and i in v}
         outputs = {n: v[i] for n, v in arrays.items() if n in interface.outputs and i in v}
-        quick = [v for n, v in outputs.items() if not fits(interface.outputs[n].unit, "temperature")]
+        quick = [
+            v for n, v in outputs.items() if not fits(interface.outputs[n].unit, "temperature")
+        ]
         at_rest = rests(time, [*inputs.values(), *quick]) if moving else []
         made.append(MappedRecording(time, inputs, outputs, tuple(at_rest)))
     return tuple(made)

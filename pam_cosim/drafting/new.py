@@ -73,7 +73,14 @@ def draft(
             known_of = [{**recorded.stated, **own} for own in recorded.own]
             check_imposed(bench.choice.unfed, known_of, bench.interface)
         mapped = map_columns(bench.choice, bench.interface, recorded)
-        made = _content(wishes.title or folder.resolve().name, bench, recorded, mapped, copies, wishes.roles or {})
+        made = _content(
+            wishes.title or folder.resolve().name,
+            bench,
+            recorded,
+            mapped,
+            copies,
+            wishes.roles or {},
+        )
         (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
         data = read_draft(place, dict(zip(copies, files, strict=True)), describe)
         put(place, folder)
@@ -109,14 +116,21 @@ def _with_length(recorded: ReadRecordings, bench: Bench) -> ReadRecordings:
 
 
 def _content(
-    title: str, bench: Bench, recorded: ReadRecordings, mapped: Mapped, copies: Sequence[str], stated: Mapping[str, str]
+    title: str,
+    bench: Bench,
+    recorded: ReadRecordings,
+    mapped: Mapped,
+    copies: Sequence[str],
+    stated: Mapping[str, str],
 ) -> Draft:
     """What the file says."""
     interface, choice = bench.interface, bench.choice
     told = _recorded_values(bench, recorded, mapped)
     guessed = _guessed_roles(bench, recorded, mapped, told)
     by_run = any(role.role == "holdout" for role in guessed) or bool(stated)
-    outputs = [name for name in interface.outputs if name in choice.outputs or name in recorded.formulas]
+    outputs = [
+        name for name in interface.outputs if name in choice.outputs or name in recorded.formulas
+    ]
     shown = _only_shown(outputs, interface)
     columns = {name: column for name, column in choice.fed.items() if not column.in_names}
     return Draft(
@@ -127,7 +141,9 @@ def _content(
         recording=recorded.recording,
         entries=mapped.entries,
         ignored=_ignored(bench, recorded, mapped),
-        sigmas={name: _sigma(name, bench, recorded, mapped) for name in outputs if name not in shown},
+        sigmas={
+            name: _sigma(name, bench, recorded, mapped) for name in outputs if name not in shown
+        },
         shown=shown,
         stated=recorded.stated,
         unfed=_stated_nowhere(choice.unfed, told),
@@ -141,7 +157,9 @@ def _content(
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
-        points=drafted(mapped.courses, interface, recorded.files, by_run) if recorded.points else None,
+        points=drafted(mapped.courses, interface, recorded.files, by_run)
+        if recorded.points
+        else None,
     )
 
 
@@ -151,13 +169,18 @@ def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:
     return temperatures if len(outputs) > 1 else []
 
 
-def _stated_nowhere(unfed: Sequence[str], told: Sequence[Mapping[str, values.StatedValue]]) -> list[str]:
+def _stated_nowhere(
+    unfed: Sequence[str], told: Sequence[Mapping[str, values.StatedValue]]
+) -> list[str]:
     """Inputs without a column whose values not every recording tells."""
     return [name for name in unfed if not all(name in run for run in told)]
 
 
 def _guessed_roles(
-    bench: Bench, recorded: ReadRecordings, mapped: Mapped, told: Sequence[Mapping[str, values.StatedValue]]
+    bench: Bench,
+    recorded: ReadRecordings,
+    mapped: Mapped,
+    told: Sequence[Mapping[str, values.StatedValue]],
 ) -> list[Role]:
     """Which recordings are held out; none, where nobody knows yet what differs between them."""
     if _unknown_mechanics(bench, recorded):
@@ -166,17 +189,29 @@ def _guessed_roles(
     return roles(mapped.courses, bench.interface, traits, paced=not recorded.points)
 
 
-def _recorded_values(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> list[dict[str, values.StatedValue]]:
+def _recorded_values(
+    bench: Bench, recorded: ReadRecordings, mapped: Mapped
+) -> list[dict[str, values.StatedValue]]:
     """What each recording tells of itself, as far as the user does not state it."""
     interface = bench.interface
     left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
     of_names = values.in_names(recorded.files, interface)
     of_columns = values.recorded(left, interface, len(recorded.sources))
-    of_names = [{**names, **values.constant_values(mapped, i, interface)} for i, names in enumerate(of_names)]
+    of_names = [
+        {**names, **values.constant_values(mapped, i, interface)}
+        for i, names in enumerate(of_names)
+    ]
     own = [values.stated(one, interface) for one in recorded.own]
     told = [
-        {**({} if recorded.points else values.starts(course, interface)), **names, **columns, **said}
-        for course, names, columns, said in zip(mapped.courses, of_names, of_columns, own, strict=True)
+        {
+            **({} if recorded.points else values.starts(course, interface)),
+            **names,
+            **columns,
+            **said,
+        }
+        for course, names, columns, said in zip(
+            mapped.courses, of_names, of_columns, own, strict=True
+        )
     ]
     return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
 
@@ -207,9 +242,13 @@ def _is_temperature(variable: Variable) -> bool:
 
 def _sigma(name: str, bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> Sigma:
     if name in recorded.formulas:
-        return Sigma(None, "it is of a formula of yours: the software estimates it from the samples")
+        return Sigma(
+            None, "it is of a formula of yours: the software estimates it from the samples"
+        )
     if recorded.points:
-        return Sigma(None, "the rows are points at rest: the software estimates it from neighbouring ones")
+        return Sigma(
+            None, "the rows are points at rest: the software estimates it from neighbouring ones"
+        )
     return sigma_of(name, bench.interface.outputs[name].unit, mapped.courses, recorded.files)
 
 
@@ -230,13 +269,19 @@ def _means(courses: Sequence[MappedRecording]) -> str:
 
 def _ignored(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> dict[str, str]:
     """Columns that are not read, and why."""
-    used = {entry.column for entry in mapped.entries.values()} | {c.name for c in bench.choice.fed.values()}
-    for entry in mapped.entries.values():  # Quantities stand in double quotes, names bare or in single ones.
+    used = {entry.column for entry in mapped.entries.values()} | {
+        c.name for c in bench.choice.fed.values()
+    }
+    for entry in (
+        mapped.entries.values()
+    ):  # Quantities stand in double quotes, names bare or in single ones.
         named = _NAME.findall(re.sub(r'"[^"]*"', "", entry.formula or ""))
         used |= {quoted or bare for quoted, bare in named}
     by_meaning = {column.meaning: name for name, column in bench.choice.fed.items()}
     texts = {name: "a column of text" for source in recorded.sources for name in source.texts}
-    left = [column for column in recorded.columns if column.name not in used and not column.in_names]
+    left = [
+        column for column in recorded.columns if column.name not in used and not column.in_names
+    ]
     return texts | {column.name: _why_ignored(column, by_meaning) for column in left}
 
 
@@ -258,4 +303,6 @@ def _why_ignored(column: RecordedColumn, by_meaning: Mapping[Meaning | None, str
         name = by_meaning[meaning]
         return f"it could be {name} too; --column {name}='{column.name}' would take it"
     parameter = meaning.kind == "mass" or meaning.roles & {"ambient", "rest"}
-    return f"{meaning}, " + ("a parameter" if parameter else "which this bench neither takes nor shows")
+    return f"{meaning}, " + (
+        "a parameter" if parameter else "which this bench neither takes nor shows"
+    )

@@ -21,7 +21,9 @@ class Sigma:
     why: str
 
 
-def sigma_of(name: str, unit: str, courses: Sequence[MappedRecording], files: Sequence[Path]) -> Sigma:
+def sigma_of(
+    name: str, unit: str, courses: Sequence[MappedRecording], files: Sequence[Path]
+) -> Sigma:
     """The median over the recordings, each of its longest rest."""
     told = []
     for course, file in zip(courses, files, strict=True):
@@ -33,7 +35,11 @@ def sigma_of(name: str, unit: str, courses: Sequence[MappedRecording], files: Se
         if sigma > 0.0:
             told.append((sigma, step, rest, course, file))
     if not told:
-        why = "nothing is at rest long enough" if not any(c.rest for c in courses) else "it shows no noise at rest"
+        why = (
+            "nothing is at rest long enough"
+            if not any(c.rest for c in courses)
+            else "it shows no noise at rest"
+        )
         return Sigma(None, f"{why}: the software estimates it from the samples")
     value = float(np.median([one[0] for one in told]))
     _, step, rest, course, file = max(told, key=lambda one: one[2].count)

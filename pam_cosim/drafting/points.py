@@ -10,7 +10,12 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.direction import common_direction, directions_in_names, goes_up_and_down, order_tells_direction
+from pam_cosim.drafting.direction import (
+    common_direction,
+    directions_in_names,
+    goes_up_and_down,
+    order_tells_direction,
+)
 from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
@@ -36,7 +41,9 @@ class PointsDraft:
     hold_out: tuple[dict[str, list[str]], ...]
 
 
-def check_imposed(unfed: Sequence[str], known: Sequence[Collection[str]], interface: Interface) -> None:
+def check_imposed(
+    unfed: Sequence[str], known: Sequence[Collection[str]], interface: Interface
+) -> None:
     """Raises InputError where something is imposed in each row and nobody says what: the one thing to ask for.
 
     Args:
@@ -49,7 +56,9 @@ def check_imposed(unfed: Sequence[str], known: Sequence[Collection[str]], interf
         unit = {"Pa": "kPa", "m": "mm"}.get(one.unit, readable_unit(one.unit))
         what = one.description[:1].lower() + one.description[1:]
         say = f"--parameter '{one.name}=0 {unit}' for all rows, or --parameter '{one.name}@FILE=0 {unit}' for each file"
-        raise InputError(f"no column and no file's name tells the {what} ({one.name}); say it: {say}")
+        raise InputError(
+            f"no column and no file's name tells the {what} ({one.name}); say it: {say}"
+        )
 
 
 def drafted(
@@ -65,7 +74,8 @@ def drafted(
     known = any(BRANCH in course.inputs for course in courses)
     branch = [""] * len(courses) if known else directions_in_names(files) or _by_order(rows, units)
     hold_out: list[dict[str, list[str]]] = [
-        {} if by_run else _held_out(own, course.outputs, interface) for own, course in zip(rows, courses, strict=True)
+        {} if by_run else _held_out(own, course.outputs, interface)
+        for own, course in zip(rows, courses, strict=True)
     ]
     return PointsDraft(tuple(branch), tuple(hold_out))
 
@@ -85,9 +95,13 @@ def _imposed(course: MappedRecording) -> dict[str, Array]:
     return {name: values[whole] for name, values in inputs.items()}
 
 
-def _held_out(inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface) -> dict[str, list[str]]:
+def _held_out(
+    inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface
+) -> dict[str, list[str]]:
     """Values within the others' span, of what was imposed in the finest steps: where these are few, no value is."""
-    found = curves(inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))})
+    found = curves(
+        inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))}
+    )
     along = found[0].along
     least = dict.fromkeys(found[0].at, _C.levels_to_hold_out) | {along: _C.points_to_hold_out}
     if len(found) > 1:

@@ -89,7 +89,9 @@ def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
     assert one.meaning is not None
     kind = one.meaning.kind
     if kind == "current" and is_switch(one.every):
-        one = replace(one, meaning=Meaning("command", one.meaning.roles), why=(*one.why, "it has two values"))
+        one = replace(
+            one, meaning=Meaning("command", one.meaning.roles), why=(*one.why, "it has two values")
+        )
         kind = "command"
     if kind == "time":
         return one

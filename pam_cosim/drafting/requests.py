@@ -92,7 +92,9 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
         columns = _as_points(columns)
     stated, own = _stated(wishes.parameters or {}, [file.stem for file in files])
     recording = _with_missing(recording, sources)
-    return ReadRecordings(tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points)
+    return ReadRecordings(
+        tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points
+    )
 
 
 def _rows(source: RecordingSource) -> int:
@@ -110,22 +112,35 @@ def _as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
 
 def _with_rest(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """The columns, of which a length that does not change beside a contraction is that of the muscle at rest."""
-    varying = [c for c in columns if c.meaning is not None and c.meaning.kind in ("contraction", "ratio")]
+    varying = [
+        c for c in columns if c.meaning is not None and c.meaning.kind in ("contraction", "ratio")
+    ]
     if not varying:
         return columns
-    still = [c for c in columns if c.of("length") and all(span(values) == 0.0 for values in c.values.values())]
+    still = [
+        c
+        for c in columns
+        if c.of("length") and all(span(values) == 0.0 for values in c.values.values())
+    ]
     why = f"it does not change, and '{varying[0].name}' does"
     return [replace(c, meaning=AT_REST, why=(*c.why, why)) if c in still else c for c in columns]
 
 
-def _instead(columns: list[RecordedColumn], other: Meaning, wanted: Meaning, why: str) -> list[RecordedColumn]:
+def _instead(
+    columns: list[RecordedColumn], other: Meaning, wanted: Meaning, why: str
+) -> list[RecordedColumn]:
     """The columns, of which one that means another thing serves where none means what is wanted."""
     if any(c.meaning == wanted for c in columns):
         return columns
-    return [replace(c, meaning=wanted, why=(*c.why, why)) if c.meaning == other and c.unit else c for c in columns]
+    return [
+        replace(c, meaning=wanted, why=(*c.why, why)) if c.meaning == other and c.unit else c
+        for c in columns
+    ]
 
 
-def _stated(parameters: Mapping[str, str], names: Sequence[str]) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
+def _stated(
+    parameters: Mapping[str, str], names: Sequence[str]
+) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
     """Parameters of all recordings, and those of one, ``NAME@RECORDING``."""
     shared: dict[str, str] = {}
     own: tuple[dict[str, str], ...] = tuple({} for _ in names)
@@ -134,7 +149,9 @@ def _stated(parameters: Mapping[str, str], names: Sequence[str]) -> tuple[dict[s
         if not at:
             shared[name] = value
         elif run not in names:
-            raise InputError(f"--parameter {key}: there is no recording {shown(run)}; {did_you_mean(run, names)}")
+            raise InputError(
+                f"--parameter {key}: there is no recording {shown(run)}; {did_you_mean(run, names)}"
+            )
         else:
             own[names.index(run)][name] = value
     return shared, own
@@ -155,16 +172,22 @@ def recording_table(settings: Mapping[str, object]) -> RecordingTable:
     known = [name for name in RecordingTable.model_fields if name != "resample"]
     for name in settings:
         if name not in known:
-            raise InputError(f"there is no key {shown(name)} of [recording]; {did_you_mean(name, known)}")
+            raise InputError(
+                f"there is no key {shown(name)} of [recording]; {did_you_mean(name, known)}"
+            )
     made = {
-        name: int(str(value)) if name.endswith("_line") and str(value).isdecimal() else _listed(name, value)
+        name: int(str(value))
+        if name.endswith("_line") and str(value).isdecimal()
+        else _listed(name, value)
         for name, value in settings.items()
     }
     try:
         return RecordingTable.model_validate(made)
     except ValidationError as error:
         one = error.errors(include_url=False)[0]
-        raise InputError(f"[recording] {one['loc'][0]}: {shown(one['input'])} cannot be used: {one['msg']}") from None
+        raise InputError(
+            f"[recording] {one['loc'][0]}: {shown(one['input'])} cannot be used: {one['msg']}"
+        ) from None
 
 
 def _listed(name: str, value: object) -> object:
@@ -181,4 +204,6 @@ def _check_asked(formulas: Mapping[str, str], names: set[str]) -> None:
     """A text that is no column must hold one, or an operator: else it is a misspelt name."""
     for name, text in formulas.items():
         if name == "time" or not re.search(r"[-+*/^('\"]", text):
-            raise InputError(f"--column {name}: no file has a column {shown(text)}; {did_you_mean(text, names)}")
+            raise InputError(
+                f"--column {name}: no file has a column {shown(text)}; {did_you_mean(text, names)}"
+            )

@@ -38,7 +38,11 @@ def span(values: Array) -> float:
 def noise_of(time: Array, values: Array) -> float:
     """Standard deviation as ``estimate_noise`` has it, of pieces of a long recording; 0: not known."""
     count, most = len(values), _C.noise_samples
-    starts = [0] if count <= most * _C.noise_pieces else np.linspace(0, count - most, _C.noise_pieces).astype(int)
+    starts = (
+        [0]
+        if count <= most * _C.noise_pieces
+        else np.linspace(0, count - most, _C.noise_pieces).astype(int)
+    )
     size = count if len(starts) == 1 else most
     found = [estimate_noise(time[s : s + size], values[s : s + size]) for s in starts]
     known = [one for one in found if isfinite(one)]
@@ -56,10 +60,14 @@ def moving(time: Array, values: Array) -> np.ndarray:
     sums = np.concatenate([[0.0], np.cumsum(filled - filled[0])])
     means = (sums[window:] - sums[:-window]) / window
     change = np.abs(means[window:] - means[:-window])
-    band = max(_C.still_noise * noise_of(time, filled) * sqrt(2.0 / window), _C.still * span(filled))
+    band = max(
+        _C.still_noise * noise_of(time, filled) * sqrt(2.0 / window), _C.still * span(filled)
+    )
     edges = np.zeros(count + 1)
     at = np.flatnonzero(change > band)
-    half = window // 2  # The motion lies about the border of the two windows; at the ends, anywhere in them.
+    half = (
+        window // 2
+    )  # The motion lies about the border of the two windows; at the ends, anywhere in them.
     np.add.at(edges, np.where(at == 0, 0, at + half), 1.0)
     np.add.at(edges, np.where(at == len(change) - 1, count, at + 2 * window - half), -1.0)
     return np.asarray(np.cumsum(edges[:-1]) > 0.0)
@@ -80,7 +88,8 @@ def begins_still(time: Array, columns: Sequence[Array]) -> bool:
     """Whether nothing moves in the first samples, be they too few to tell noise by."""
     count = _C.fewest_in_window
     return all(
-        span(values[:count]) <= max(_C.still * span(values), _C.constant * noise_of(time, values)) for values in columns
+        span(values[:count]) <= max(_C.still * span(values), _C.constant * noise_of(time, values))
+        for values in columns
     )
 
 

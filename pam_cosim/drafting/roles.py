@@ -54,7 +54,11 @@ def roles(
     made = [Role("fit") for _ in courses]
     if count < _C.runs_to_hold_out:
         return made
-    traits = [t for t in _traits(courses, interface, own, paced) if np.isfinite(t.values).all() and _differ(t.values)]
+    traits = [
+        t
+        for t in _traits(courses, interface, own, paced)
+        if np.isfinite(t.values).all() and _differ(t.values)
+    ]
     if not traits:
         made[-1] = Role("holdout", "the last: as far as is seen, all are alike")
         return made
@@ -69,22 +73,34 @@ def roles(
 
 
 def _traits(
-    courses: Sequence[MappedRecording], interface: Interface, own: Sequence[dict[str, float]], paced: bool
+    courses: Sequence[MappedRecording],
+    interface: Interface,
+    own: Sequence[dict[str, float]],
+    paced: bool,
 ) -> list[_Trait]:
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
     traits = []
     for name in dict.fromkeys(name for course in courses for name in course.every):
         unit = variables[name].unit
         values = [course.every.get(name) for course in courses]
-        traits.append(_Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v)))))
+        traits.append(
+            _Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v))))
+        )
         if _all_held(values):
             continue
         traits.append(_Trait(f"span of {name}", unit, _each(values, span)))
         if paced:
-            paces = [np.nan if v is None else _pace(c.time, v) for c, v in zip(courses, values, strict=True)]
+            paces = [
+                np.nan if v is None else _pace(c.time, v)
+                for c, v in zip(courses, values, strict=True)
+            ]
             traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces)))
     for name in dict.fromkeys(name for values in own for name in values):
-        traits.append(_Trait(name, variables[name].unit, np.array([values.get(name, np.nan) for values in own])))
+        traits.append(
+            _Trait(
+                name, variables[name].unit, np.array([values.get(name, np.nan) for values in own])
+            )
+        )
     return traits
 
 
@@ -102,7 +118,9 @@ def _pace(time: Array, values: Array) -> float:
 
 
 def _each(values: Sequence[Array | None], number: Callable[[Array], float]) -> Array:
-    return np.array([np.nan if v is None or not np.isfinite(v).any() else number(v) for v in values])
+    return np.array(
+        [np.nan if v is None or not np.isfinite(v).any() else number(v) for v in values]
+    )
 
 
 def _differ(values: Array) -> bool:
@@ -113,7 +131,9 @@ def _outside(scaled: Array, left: Sequence[int], one: int) -> float:
     """How far a recording lies outside what the others span, summed over the traits."""
     others = scaled[[i for i in left if i != one]]
     low, high = others.min(axis=0), others.max(axis=0)
-    return round(float(np.sum(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))), 9)
+    return round(
+        float(np.sum(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))), 9
+    )
 
 
 def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
@@ -122,7 +142,9 @@ def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
     return float(np.min(np.sqrt(np.sum((others - scaled[one]) ** 2, axis=1))))
 
 
-def stated_roles(guessed: Sequence[Role], names: Sequence[str], stated: Mapping[str, str]) -> list[Role]:
+def stated_roles(
+    guessed: Sequence[Role], names: Sequence[str], stated: Mapping[str, str]
+) -> list[Role]:
     """The roles, those by name that the user states instead of guesses.
 
     Raises:
@@ -132,20 +154,26 @@ def stated_roles(guessed: Sequence[Role], names: Sequence[str], stated: Mapping[
         if name not in names:
             raise InputError(f"there is no recording {shown(name)}; {did_you_mean(name, names)}")
         if role not in ROLES:
-            raise InputError(f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}")
+            raise InputError(
+                f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}"
+            )
     made = [Role(stated[n]) if n in stated else one for n, one in zip(names, guessed, strict=True)]
     if not any(one.role == "fit" for one in made):
         raise InputError("no recording would be left to fit")
     return made
 
 
-def _why(traits: Sequence[_Trait], scaled: Array, left: Sequence[int], one: int, outside: float) -> str:
+def _why(
+    traits: Sequence[_Trait], scaled: Array, left: Sequence[int], one: int, outside: float
+) -> str:
     """The trait in which it differs most from its nearest neighbour, and whether it lies within."""
     near = min(left, key=lambda i: float(np.sum((scaled[i] - scaled[one]) ** 2)))
     most = int(np.argmax(np.abs(scaled[near] - scaled[one])))
     trait = traits[most]
     value = format_quantity(float(trait.values[one]), trait.unit)
-    others = [format_quantity(float(end(trait.values[left])), trait.unit) for end in (np.min, np.max)]
+    others = [
+        format_quantity(float(end(trait.values[left])), trait.unit) for end in (np.min, np.max)
+    ]
     place = "within" if outside == 0.0 else "near"
     theirs = " to ".join(others)
     return f"it lies {place} what the fitted runs span and differs from each: {trait.name} {value}, theirs {theirs}"

@@ -69,7 +69,9 @@ def _directions(texts: Sequence[dict[str, tuple[str, ...]]]) -> dict[str, tuple[
     """The different words of each column that tells a direction, in all files together."""
     words: dict[str, tuple[str, ...]] = {}
     for heading in dict.fromkeys(heading for own in texts for heading in own):
-        cells = tuple(dict.fromkeys(cell.casefold() for own in texts for cell in own.get(heading, ())))
+        cells = tuple(
+            dict.fromkeys(cell.casefold() for own in texts for cell in own.get(heading, ()))
+        )
         meaning = read_heading(heading, "").meaning
         named = meaning is not None and meaning.kind == "direction"
         if len(cells) <= _MOST_WORDS and (named or all(map(direction_word, cells))):
@@ -82,7 +84,9 @@ def _source(
 ) -> RecordingSource:
     left_out = tuple(heading for heading in texts if heading not in words)
     own = {heading: cells for heading, cells in words.items() if heading in texts}
-    codes = {heading: {cell: float(i) for i, cell in enumerate(cells)} for heading, cells in own.items()}
+    codes = {
+        heading: {cell: float(i) for i, cell in enumerate(cells)} for heading, cells in own.items()
+    }
     try:
         table = read_table(file, replace(layout, ignore=(*layout.ignore, *left_out), words=codes))
     except InputError as error:

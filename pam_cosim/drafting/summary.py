@@ -61,7 +61,10 @@ class NewDataSet(Printed):
         widths = [max(len(row[k]) for row in rows) for k in (0, 1)]
         lines = [self.headline]
         lines += [f"  {a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows]
-        lines += ["to check, and to state in experiment.toml:", *(f"  - {one}" for one in self.to_check)]
+        lines += [
+            "to check, and to state in experiment.toml:",
+            *(f"  - {one}" for one in self.to_check),
+        ]
         return "\n".join([*lines, "next:", *(f"  {one}" for one in self.next_commands)])
 
 
@@ -72,7 +75,9 @@ def _counted(runs: int) -> str:
 def guesses(made: Draft, choice: BenchChoice, time: RecordedColumn | None) -> tuple[Guess, ...]:
     """A line for each column, for the noise of each signal, and for each recording that is held out."""
     columns = {**choice.fed, **({"time": time} if time is not None else {})}
-    rows = [_of_column(name, entry, columns.get(name), made) for name, entry in made.entries.items()]
+    rows = [
+        _of_column(name, entry, columns.get(name), made) for name, entry in made.entries.items()
+    ]
     rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
     for name, sigma in made.sigmas.items():
         unit = made.interface.outputs[name].unit
@@ -121,12 +126,26 @@ def _of_points(made: Draft) -> list[Guess]:
     if made.points is None:
         return []
     rows = []
-    for file, branch, aside in zip(made.files, made.points.branch, made.points.hold_out, strict=True):
+    for file, branch, aside in zip(
+        made.files, made.points.branch, made.points.hold_out, strict=True
+    ):
         if branch:
             whys = {"order": "guessed: the rows go up and come back", "none": "its rows tell none"}
-            rows.append(Guess(f"order of {file}", f"branch = {branch}", whys.get(branch, "guessed: the file's name")))
+            rows.append(
+                Guess(
+                    f"order of {file}",
+                    f"branch = {branch}",
+                    whys.get(branch, "guessed: the file's name"),
+                )
+            )
         for name, taken in aside.items():
-            rows.append(Guess(file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"))
+            rows.append(
+                Guess(
+                    file,
+                    f"held out: {name} = {listed(taken)}",
+                    "guessed: they lie within what is fitted",
+                )
+            )
     return rows
 
 
@@ -136,7 +155,11 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
         [
             *_unknown_muscle(made),
             *_unknown_geometry(made),
-            *([made.why_model.removeprefix("guessed: ") + "; --model takes another"] if made.why_model else []),
+            *(
+                [made.why_model.removeprefix("guessed: ") + "; --model takes another"]
+                if made.why_model
+                else []
+            ),
             *_unfed_inputs(made),
             *_unknown_directions(made),
             *_nothing_held_out(made),
@@ -190,4 +213,6 @@ def _free(made: Draft) -> str:
 def next_commands(folder: Path, extra: Sequence[Path]) -> tuple[str, ...]:
     """Commands, with the files that they need."""
     more = "".join(f" --file {quote(str(file))}" for file in extra)
-    return tuple(f"pam-cosim {word} {quote(str(folder))}{more}" for word in ("compare", "check", "diagnose"))
+    return tuple(
+        f"pam-cosim {word} {quote(str(folder))}{more}" for word in ("compare", "check", "diagnose")
+    )

@@ -25,12 +25,18 @@ def with_time(columns: list[RecordedColumn], asked: str | None) -> list[Recorded
     rest = [_no_time(c) if c.of("time") else c for c in columns]
     if wanted is None:
         return rest
-    unit, more = (wanted.unit, wanted.why) if wanted.unit and fits(wanted.unit, "time") else _unit_of_time(wanted)
+    unit, more = (
+        (wanted.unit, wanted.why)
+        if wanted.unit and fits(wanted.unit, "time")
+        else _unit_of_time(wanted)
+    )
     made = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
     return [made if c.name == wanted.name else c for c in rest]
 
 
-def _asked_time(columns: Sequence[RecordedColumn], asked: str) -> tuple[RecordedColumn, tuple[str, ...]]:
+def _asked_time(
+    columns: Sequence[RecordedColumn], asked: str
+) -> tuple[RecordedColumn, tuple[str, ...]]:
     """The column that the user names.
 
     Raises:
@@ -38,11 +44,15 @@ def _asked_time(columns: Sequence[RecordedColumn], asked: str) -> tuple[Recorded
     """
     wanted = next((c for c in columns if c.name == asked), None)
     if wanted is None:
-        raise InputError(f"no file has a column {shown(asked)}; {did_you_mean(asked, [c.name for c in columns])}")
+        raise InputError(
+            f"no file has a column {shown(asked)}; {did_you_mean(asked, [c.name for c in columns])}"
+        )
     return wanted, wanted.why
 
 
-def _likely_time(columns: Sequence[RecordedColumn]) -> tuple[RecordedColumn | None, tuple[str, ...]]:
+def _likely_time(
+    columns: Sequence[RecordedColumn],
+) -> tuple[RecordedColumn | None, tuple[str, ...]]:
     """The column that is called time and rises; one that runs as a clock does; one that is called so all the same."""
     called = [c for c in columns if c.of("time")]
     rising = [c for c in called if _rises(c)]
@@ -58,7 +68,9 @@ def _no_time(column: RecordedColumn) -> RecordedColumn:
     """Beside a column of time, a capital T is a temperature."""
     if column.name.strip() != "T" or column.unit:
         return replace(column, meaning=None, why=())
-    return with_usual_unit(replace(column, meaning=Meaning("temperature"), why=("another column is the time",)))
+    return with_usual_unit(
+        replace(column, meaning=Meaning("temperature"), why=("another column is the time",))
+    )
 
 
 def _fits_time(column: RecordedColumn) -> bool:
@@ -67,7 +79,8 @@ def _fits_time(column: RecordedColumn) -> bool:
 
 def _rises(column: RecordedColumn) -> bool:
     return bool(column.values) and all(
-        len(one) > 1 and bool((np.diff(one) >= 0).all()) and one[-1] > one[0] for one in column.values.values()
+        len(one) > 1 and bool((np.diff(one) >= 0).all()) and one[-1] > one[0]
+        for one in column.values.values()
     )
 
 
@@ -75,7 +88,8 @@ def _runs(column: RecordedColumn) -> bool:
     """Whether numbers of which nobody knows what they are rise in every row, and about evenly: as a clock does."""
     steps = [np.diff(one) for one in column.values.values() if len(one) > 1]
     return bool(steps) and all(
-        bool((one > 0.0).all()) and float(one.max()) <= _C.uneven * float(np.median(one)) for one in steps
+        bool((one > 0.0).all()) and float(one.max()) <= _C.uneven * float(np.median(one))
+        for one in steps
     )
 
 
@@ -107,14 +121,26 @@ def check_time(
     for i, source in enumerate(sources):
         if time is None or i not in time.values:
             hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
-            texts = f"; {listed(map(shown, source.texts))} is text, dates are not read" if source.texts else ""
-            message = f"there is no column of time among {listed(source.table.columns)}{texts}; {hint}"
+            texts = (
+                f"; {listed(map(shown, source.texts))} is text, dates are not read"
+                if source.texts
+                else ""
+            )
+            message = (
+                f"there is no column of time among {listed(source.table.columns)}{texts}; {hint}"
+            )
             raise InputError(message, source.file, source.table.header_line)
     return time
 
 
 def may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> bool:
     """Whether tables without time are of points at rest: so few rows that somebody waited for each, and no valve."""
-    driven = any(c.meaning is not None and c.meaning.kind in ("command", "current") for c in columns)
+    driven = any(
+        c.meaning is not None and c.meaning.kind in ("command", "current") for c in columns
+    )
     rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
-    return not driven and rows <= _C.most_points and any(c.of("pressure") or c.of("pressure", "set") for c in columns)
+    return (
+        not driven
+        and rows <= _C.most_points
+        and any(c.of("pressure") or c.of("pressure", "set") for c in columns)
+    )

@@ -22,11 +22,20 @@ from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor,
 _C = CRITERIA.recognition
 # What a rule, scales, a thermometer or a gauge tells, or the maker's drawing: it is stated, not fitted.
 _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
-_OPEN = ("calibration", "effective area", "discharge coefficient", "pressure lost per mass flow", "time constant")
+_OPEN = (
+    "calibration",
+    "effective area",
+    "discharge coefficient",
+    "pressure lost per mass flow",
+    "time constant",
+)
 _PERHAPS = ("polytropic", "coefficient of friction", "film coefficient", "damping", "friction")
 _CHOSEN = ("filter",)
 # What lies in the rubber of a muscle, where no rule reaches: of the fibres, and of the wall.
-_OF_FIBRES, _OF_WALLS = ("fibres lie", "fibres and axis"), ("wall takes", "bent open", "the muscle pulls")
+_OF_FIBRES, _OF_WALLS = (
+    ("fibres lie", "fibres and axis"),
+    ("wall takes", "bent open", "the muscle pulls"),
+)
 _GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
 _IN_NAME = re.compile(r"(?<![A-Za-z0-9])(\d+(?:[.,]\d+)?)[ _-]?([A-Za-z]+)(?![A-Za-z])")
 
@@ -62,12 +71,18 @@ def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedVal
         part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
         first, usual = float(np.nanmean(part)), parameter.start or 0.0
         low = -np.inf if parameter.min is None else parameter.min
-        if abs(first - usual) > max(_C.still * span(values), _C.away * noise_of(course.time, values)) and first >= low:
+        if (
+            abs(first - usual)
+            > max(_C.still * span(values), _C.away * noise_of(course.time, values))
+            and first >= low
+        ):
             told[name] = StatedValue(text_of(first, unit), first, f"{signal} begins so")
     return told
 
 
-def _signal(name: str, meaning: Meaning | None, course: MappedRecording, interface: Interface) -> str | None:
+def _signal(
+    name: str, meaning: Meaning | None, course: MappedRecording, interface: Interface
+) -> str | None:
     """The recorded signal of that name and meaning: a force is a force, imposed as ``F_load`` or not."""
     variables = {**interface.inputs, **interface.outputs}
     alike = [
@@ -81,12 +96,18 @@ def _signal(name: str, meaning: Meaning | None, course: MappedRecording, interfa
     return alike[0] if alike else None
 
 
-def recorded(columns: Sequence[RecordedColumn], interface: Interface, count: int) -> list[dict[str, StatedValue]]:
+def recorded(
+    columns: Sequence[RecordedColumn], interface: Interface, count: int
+) -> list[dict[str, StatedValue]]:
     """Loads and ambient conditions that columns hold, by recording, where one parameter only can be meant."""
     told: list[dict[str, StatedValue]] = [{} for _ in range(count)]
     for column in columns:
         meaning = column.meaning
-        if meaning is None or not column.unit or not (meaning.kind == "mass" or "ambient" in meaning.roles):
+        if (
+            meaning is None
+            or not column.unit
+            or not (meaning.kind == "mass" or "ambient" in meaning.roles)
+        ):
             continue
         unit = UNITS[meaning.kind]
         alike = _parameters_that_mean(meaning, unit, interface)
@@ -116,7 +137,9 @@ def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dic
     for name, entry in mapped.entries.items():
         if recording in entry.held:
             value = entry.held[recording]
-            told[name] = StatedValue(text_of(value, interface.inputs[name].unit), value, "; ".join(entry.why))
+            told[name] = StatedValue(
+                text_of(value, interface.inputs[name].unit), value, "; ".join(entry.why)
+            )
     return told
 
 
@@ -124,21 +147,31 @@ def stated(own: Mapping[str, str], interface: Interface) -> dict[str, StatedValu
     """What the user states of one recording."""
     variables = {**interface.parameters, **interface.inputs}
     return {
-        name: StatedValue(value, parse_quantity(value, variables[name].unit) if name in variables else 0.0, "")
+        name: StatedValue(
+            value, parse_quantity(value, variables[name].unit) if name in variables else 0.0, ""
+        )
         for name, value in own.items()
     }
 
 
 def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, StatedValue]]:
     """Loads that the names of the files tell, where they differ and one parameter only can be meant."""
-    masses = [n for n, v in interface.parameters.items() if v.unit == "kg" and "mass" in v.description.casefold()]
+    masses = [
+        n
+        for n, v in interface.parameters.items()
+        if v.unit == "kg" and "mass" in v.description.casefold()
+    ]
     if len(masses) != 1:
         return [{} for _ in files]
     found = [_mass(file.stem) for file in files]
     if any(one is None for one in found):
         return [{} for _ in files]
     why = "the file's name says so"
-    return [{masses[0]: StatedValue(one, parse_quantity(one, "kg"), why)} for one in found if one is not None]
+    return [
+        {masses[0]: StatedValue(one, parse_quantity(one, "kg"), why)}
+        for one in found
+        if one is not None
+    ]
 
 
 def _mass(stem: str) -> str | None:
@@ -194,7 +227,11 @@ def hidden(interface: Interface) -> dict[str, Variable]:
     walls = _inside(interface, _OF_WALLS)
     owners = {name.rpartition(".")[0].rpartition(".")[0] for name in walls}
     fibres = _inside(interface, _OF_FIBRES)
-    near = {n: _nearby(v) for n, v in fibres.items() if v.start and n.rpartition(".")[0].rpartition(".")[0] in owners}
+    near = {
+        n: _nearby(v)
+        for n, v in fibres.items()
+        if v.start and n.rpartition(".")[0].rpartition(".")[0] in owners
+    }
     return {**near, **walls}
 
 
@@ -202,14 +239,20 @@ def _inside(interface: Interface, words: Sequence[str]) -> dict[str, Variable]:
     return {
         name: v
         for name, v in interface.parameters.items()
-        if name.count(".") == 2 and v.min is not None and v.max is not None and any(w in v.description for w in words)
+        if name.count(".") == 2
+        and v.min is not None
+        and v.max is not None
+        and any(w in v.description for w in words)
     }
 
 
 def _nearby(variable: Variable) -> Variable:
     """The variable with bounds about its value: those of a measure that may be zero, not stated, are no help."""
     assert variable.start is not None
-    low, high = variable.start * (1.0 - _C.near_data_sheet), variable.start * (1.0 + _C.near_data_sheet)
+    low, high = (
+        variable.start * (1.0 - _C.near_data_sheet),
+        variable.start * (1.0 + _C.near_data_sheet),
+    )
     return replace(variable, min=low, max=high)
 
 

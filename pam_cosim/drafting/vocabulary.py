@@ -102,7 +102,9 @@ def says_no_load(text: str) -> bool:
 def read_variable(name: str, description: str, unit: str) -> Meaning | None:
     """What an input or output of a bench is, by its unit and what is said of it."""
     said = [folded(word) for word in split_words(description)]
-    words = [folded(word) for word in split_words(name)] + [word for word in said if word not in SAID_IN_PASSING]
+    words = [folded(word) for word in split_words(name)] + [
+        word for word in said if word not in SAID_IN_PASSING
+    ]
     return _meaning(words, unit or "1", exact=True)
 
 
@@ -140,7 +142,9 @@ def split_words(text: str) -> list[str]:
     """``uDruck_1``, ``p kPa`` and ``SollDruck`` in words; numbers are left out."""
     apart = re.sub(r"(?<=[a-zäöüß])(?=[A-Z][a-zäöü])", " ", text)
     return [
-        word for word in re.split(r"[\W_]+|(?<=[^\W\d])(?=\d)|(?<=\d)(?=[^\W\d])", apart) if word and not word.isdigit()
+        word
+        for word in re.split(r"[\W_]+|(?<=[^\W\d])(?=\d)|(?<=\d)(?=[^\W\d])", apart)
+        if word and not word.isdigit()
     ]
 
 
@@ -181,7 +185,9 @@ def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | N
         return Meaning(kind)
     of_valves = set(OF_VALVES)
     roles = _roles_of(words)
-    return Meaning(kind, frozenset(roles & of_valves if kind in ("command", "current") else roles - of_valves))
+    return Meaning(
+        kind, frozenset(roles & of_valves if kind in ("command", "current") else roles - of_valves)
+    )
 
 
 def _kind_without_unit(named: Sequence[str]) -> str | None:

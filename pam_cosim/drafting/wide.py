@@ -10,7 +10,14 @@ import numpy as np
 
 from pam_cosim.drafting.file_names import said_in
 from pam_cosim.drafting.sources import read_sources
-from pam_cosim.drafting.vocabulary import direction_word, folded, kinds_of, read_heading, split_words, usual_unit
+from pam_cosim.drafting.vocabulary import (
+    direction_word,
+    folded,
+    kinds_of,
+    read_heading,
+    split_words,
+    usual_unit,
+)
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import RecordingTable
 from pam_cosim.measurement.table import Column, Table
@@ -42,9 +49,13 @@ def tidied(file: Path, folder: Path, stated: RecordingTable) -> Path:
     except InputError:
         return file
     table = source.table
-    found = {name: top for name, column in table.columns.items() if (top := _top(column)) is not None}
+    found = {
+        name: top for name, column in table.columns.items() if (top := _top(column)) is not None
+    }
     rest = [column for name, column in table.columns.items() if name not in found]
-    kinds = [meaning.kind for c in rest if (meaning := read_heading(c.name, c.unit).meaning) is not None]
+    kinds = [
+        meaning.kind for c in rest if (meaning := read_heading(c.name, c.unit).meaning) is not None
+    ]
     tops = list(found.values())
     if "time" in kinds or not rest or source.words or not _alike(tops):
         return file
@@ -64,12 +75,19 @@ def _top(column: Column) -> _Top | None:
         text, key, unit = said[0].text, said[0].kind, said[0].unit
         value = f"{said[0].value:.9g}"
     elif len(ways) == 1:
-        text, key, unit, value = ways[0], "direction", "", "up" if direction_word(ways[0]) > 0 else "down"
+        text, key, unit, value = (
+            ways[0],
+            "direction",
+            "",
+            "up" if direction_word(ways[0]) > 0 else "down",
+        )
     else:
         return None
     left = column.heading.partition("[")[0].replace(text, " ").strip(" @_-=,;:")
     reading = read_heading(left, column.unit if column.unit != unit else "")
-    return _Top(column, key, unit, value, reading.meaning.kind if reading.meaning else None, reading.unit)
+    return _Top(
+        column, key, unit, value, reading.meaning.kind if reading.meaning else None, reading.unit
+    )
 
 
 def _is_way(word: str) -> bool:

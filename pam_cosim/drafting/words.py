@@ -69,7 +69,17 @@ DIRECTIONS = (
         "gonfl =forward =in",
     ),
 )
-NO_LOAD = ("noload", "unload", "lastfrei", "unbelastet", "leerhub", "freehub", "freestroke", "sanscharge", "zeroload")
+NO_LOAD = (
+    "noload",
+    "unload",
+    "lastfrei",
+    "unbelastet",
+    "leerhub",
+    "freehub",
+    "freestroke",
+    "sanscharge",
+    "zeroload",
+)
 _WRITTEN = {
     "bar": "bara, bar(a), bar(g), bar a, bar g, bar abs, bar rel, bar abs., bar (abs), bar",
     "kPa": "kpaa, kpa abs, kpa",

@@ -88,10 +88,15 @@ def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
     low, high = _C.atmosphere
     return _Begin(
         reading=max(at_rest, key=abs),
-        far=any(abs(one) > _C.away * _error(course, name) for one, course in zip(at_rest, courses, strict=True)),
+        far=any(
+            abs(one) > _C.away * _error(course, name)
+            for one, course in zip(at_rest, courses, strict=True)
+        ),
         slight=all(abs(one) <= _C.offset * moved for one in at_rest),
         absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
-        largest=max((float(np.nanmax(np.abs(course.every[name]))) for course in courses), default=0.0),
+        largest=max(
+            (float(np.nanmax(np.abs(course.every[name]))) for course in courses), default=0.0
+        ),
     )
 
 
@@ -105,10 +110,15 @@ def _error(course: MappedRecording, name: str) -> float:
     """Of a mean at rest [unit]; at least what is not seen."""
     values = course.every[name]
     assert course.first_rest is not None
-    return max(noise_of(course.time, values) / sqrt(course.first_rest.count), _C.still * span(values) / _C.away)
+    return max(
+        noise_of(course.time, values) / sqrt(course.first_rest.count),
+        _C.still * span(values) / _C.away,
+    )
 
 
-def _unloaded(courses: Sequence[MappedRecording], pressure: dict[int, Array] | None, having: Sequence[int]) -> bool:
+def _unloaded(
+    courses: Sequence[MappedRecording], pressure: dict[int, Array] | None, having: Sequence[int]
+) -> bool:
     """Whether there is no pressure at the start of any of them, but for an offset."""
     if pressure is None:
         return False
@@ -124,15 +134,21 @@ def _times(course: MappedRecording) -> tuple[float, float]:
     return float(course.time[rest.start]), float(course.time[rest.stop - 1])
 
 
-def _common(each: dict[int, tuple[float, float]], courses: Sequence[MappedRecording]) -> dict[int, tuple[float, float]]:
+def _common(
+    each: dict[int, tuple[float, float]], courses: Sequence[MappedRecording]
+) -> dict[int, tuple[float, float]]:
     """One interval for all recordings, where their rests have enough samples in common."""
     start, stop = max(one for one, _ in each.values()), min(one for _, one in each.values())
     inside = [int(np.sum((courses[i].time >= start) & (courses[i].time <= stop))) for i in each]
-    return dict.fromkeys(each, (start, stop)) if min(inside) >= CRITERIA.noise.fewest_samples else each
+    return (
+        dict.fromkeys(each, (start, stop)) if min(inside) >= CRITERIA.noise.fewest_samples else each
+    )
 
 
 def without_offsets(
-    arrays: Mapping[str, dict[int, Array]], entries: Mapping[str, ColumnEntry], times: Mapping[int, Array]
+    arrays: Mapping[str, dict[int, Array]],
+    entries: Mapping[str, ColumnEntry],
+    times: Mapping[int, Array],
 ) -> dict[str, dict[int, Array]]:
     """The numbers of each column by recording, less its mean in the interval of its zero."""
     made: dict[str, dict[int, Array]] = {}

@@ -19,7 +19,12 @@ from pam_cosim.fitting.linear import (
 )
 from pam_cosim.fitting.methods import METHODS, Record, summary
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.fitting.parameter_file import check_parameter_file, parameters_in, read_parameters, write_parameters
+from pam_cosim.fitting.parameter_file import (
+    check_parameter_file,
+    parameters_in,
+    read_parameters,
+    write_parameters,
+)
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior, parameter_posterior
 from pam_cosim.fitting.predictive_bands import Band, PredictiveBands, predictive_bands
 from pam_cosim.fitting.profile import Profile, Profiles

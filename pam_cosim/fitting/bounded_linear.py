@@ -63,7 +63,9 @@ def _within(rows: Array, right: Array, low: Array, high: Array) -> Array:
             return x
         target = x - slope
         side = np.where(target < low, -1, np.where(target > high, 1, 0))
-    net: Array = lsq_linear(rows, right, (low, high), method="bvls", tol=_STEEPEST, max_iter=100 * len(low)).x
+    net: Array = lsq_linear(
+        rows, right, (low, high), method="bvls", tol=_STEEPEST, max_iter=100 * len(low)
+    ).x
     return net
 
 
@@ -76,7 +78,9 @@ def _beside(rows: Array, right: Array, side: NDArray[np.int_], low: Array, high:
     return x
 
 
-def _is_minimum(x: Array, slope: Array, side: NDArray[np.int_], low: Array, high: Array, size: float) -> bool:
+def _is_minimum(
+    x: Array, slope: Array, side: NDArray[np.int_], low: Array, high: Array, size: float
+) -> bool:
     """Whether nothing is beyond its bounds, and at a bound the slope leads out of the box."""
     beyond = np.maximum(low - x, x - high)
     inwards = slope * side

@@ -29,7 +29,9 @@ from pam_cosim.units import format_quantity
 _MODES: tuple[StartMode, ...] = ("rest", "estimated")
 
 
-def with_starts(simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float] | None = None) -> DataSet:
+def with_starts(
+    simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float] | None = None
+) -> DataSet:
     """The same where every run says how it begins.
 
     Args:
@@ -63,7 +65,9 @@ def _begun(run: Run, mode: StartMode, reason: str = "") -> Run:
 class _Choice:
     """Of the starts of one data set, by one model with its parameters."""
 
-    def __init__(self, simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float]) -> None:
+    def __init__(
+        self, simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float]
+    ) -> None:
         self._simulator, self._data = simulator, data
         self._parameters = {run.name: data.parameters_of(run, parameters) for run in data.runs}
         self._stated = parameters
@@ -77,8 +81,13 @@ class _Choice:
         if any(run.start.mode == "estimated" for run in runs):
             runs = [self._as_others(run) for run in runs]
         elif undecided and self._leaves_less(undecided):
-            runs = [self._estimated(run, "which leaves much less") if _is_open(run) else run for run in runs]
-        return replace(self._data, runs=tuple(_begun(run, "rest") if _is_open(run) else run for run in runs))
+            runs = [
+                self._estimated(run, "which leaves much less") if _is_open(run) else run
+                for run in runs
+            ]
+        return replace(
+            self._data, runs=tuple(_begun(run, "rest") if _is_open(run) else run for run in runs)
+        )
 
     def _first_offsets(self, run: Run) -> list[FirstOffset] | None:
         """None where the run cannot be simulated, of which whoever simulates it next reports why."""
@@ -98,7 +107,11 @@ class _Choice:
             for first in self._offsets[run.name] or []:
                 offsets.setdefault(first.name, []).append(first.offset)
         fewest = CRITERIA.starts.runs
-        return {name: float(np.median(values)) for name, values in offsets.items() if len(values) >= fewest}
+        return {
+            name: float(np.median(values))
+            for name, values in offsets.items()
+            if len(values) >= fewest
+        }
 
     def _by_itself(self, run: Run) -> Run:
         """The run with its start; unchanged where its first samples alone do not decide it."""
@@ -113,7 +126,9 @@ class _Choice:
         if not differing or self._start_is_fitted(run):
             return _begun(run, "rest")
         start = self._measured(run)
-        if start.shown and not any(one.exceeds_instrument(self._common.get(one.name)) for one in first):
+        if start.shown and not any(
+            one.exceeds_instrument(self._common.get(one.name)) for one in first
+        ):
             return run
         if start.shown and not self._explains(run, start):
             return _begun(run, "rest")
@@ -121,7 +136,9 @@ class _Choice:
         begins = f"{_first_samples_text(run, first)}, {'moving' if moving else 'at rest'}"
         if not start.shown:
             where = ", ".join(f"{one.name} = {one.model_text()}" for one in differing)
-            return _begun(run, "rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere")
+            return _begun(
+                run, "rest", f"{begins}: the model begins at {where}, and cannot begin elsewhere"
+            )
         return _begun(run, "estimated", f"{begins}: estimated")
 
     def _measured(self, run: Run) -> InitialState:
@@ -141,7 +158,9 @@ class _Choice:
         return squares(InitialState()) > CRITERIA.starts.worth * squares(start)
 
     def _probe(self, run: Run, **changed: float) -> StartProbe:
-        return StartProbe(self._simulator, self._data, run, {**self._parameters[run.name], **changed})
+        return StartProbe(
+            self._simulator, self._data, run, {**self._parameters[run.name], **changed}
+        )
 
     def _as_others(self, run: Run) -> Run:
         """A run of a recording that begins in the middle: one that agrees with rest may move all the same."""
@@ -173,7 +192,9 @@ class _Choice:
             (resting, offsets), (estimated, _) = (self._linearised(runs, mode) for mode in _MODES)
         except SimulationFailure:
             return False
-        return _remaining_squares(resting, offsets) > CRITERIA.starts.worth * _remaining_squares(estimated)
+        return _remaining_squares(resting, offsets) > CRITERIA.starts.worth * _remaining_squares(
+            estimated
+        )
 
     def _linearised(self, runs: Sequence[Run], mode: StartMode) -> tuple[Linear, Array]:
         """About the start values of the free parameters, and the slopes by an offset of each signal."""
@@ -181,7 +202,9 @@ class _Choice:
         declared = base_parameters(self._data, self._simulator.interface)
         free = [one for one in declared if one.name not in self._stated]
         objective = Objective(self._simulator, self._data, begun, free, self._stated)
-        linear = linearised(objective, np.array([one.to_z(one.start) for one in free]), objective.size)
+        linear = linearised(
+            objective, np.array([one.to_z(one.start) for one in free]), objective.size
+        )
         if linear is None:
             raise SimulationFailure(objective.first_failure)
         return linear, _offset_slopes(objective)
@@ -189,7 +212,9 @@ class _Choice:
     def _repeated(self, run: Run) -> Run:
         """The run with so many periods before it that one more would change nothing that is measured."""
         most = CRITERIA.starts.periods
-        signals = {n: s.sigma for n, s in self._data.signals.items() if s.fitted and run.sample_count(n)}
+        signals = {
+            n: s.sigma for n, s in self._data.signals.items() if s.fitted and run.sample_count(n)
+        }
         longest = replace(run, start=replace(run.start, periods=most))
         parameters = self._parameters[run.name]
         begin = initial_state(self._simulator, self._data, longest, parameters)
@@ -203,7 +228,9 @@ class _Choice:
             start_time=start_time(longest),
             settle=begin.settle,
         )
-        difference = np.max([np.abs(course[n] - course[n][-1]) / sigma for n, sigma in signals.items()], axis=0)
+        difference = np.max(
+            [np.abs(course[n] - course[n][-1]) / sigma for n, sigma in signals.items()], axis=0
+        )
         differing = np.flatnonzero(difference > CRITERIA.starts.round)
         count = max(int(differing[-1]) + 1 if differing.size else 0, 1)
         reason = f"{run.name} is periodic: {count} periods of {format_quantity(period, 's', 4)} are simulated before it"
@@ -226,7 +253,9 @@ class _Choice:
                 slopes = (self._probe(run, **{name: value + step}).at({})[1] - states) / step
                 follows = np.abs(slopes - 1.0) < CRITERIA.starts.same
                 following = {interface.states[i] for i in np.flatnonzero(follows)}
-                shown -= {s for s in shown & following if interface.start_values[s].unit == parameter.unit}
+                shown -= {
+                    s for s in shown & following if interface.start_values[s].unit == parameter.unit
+                }
         except SimulationFailure:
             return False
         return not shown
@@ -236,9 +265,15 @@ class _Choice:
         for free in self._data.fit.values():
             if free.run and free.run != run.name:
                 continue
-            low, high = (self._probe(run, **{free.parameter: value}).at({})[1] for value in (free.min, free.max))
+            low, high = (
+                self._probe(run, **{free.parameter: value}).at({})[1]
+                for value in (free.min, free.max)
+            )
             size = np.maximum(np.maximum(np.abs(low), np.abs(high)), 1.0)
-            if float(np.max(np.abs(high - low) / size, initial=0.0)) > CRITERIA.starts.own_parameter:
+            if (
+                float(np.max(np.abs(high - low) / size, initial=0.0))
+                > CRITERIA.starts.own_parameter
+            ):
                 return True
         return False
 
@@ -260,7 +295,9 @@ def _remaining_squares(linear: Linear, offsets: Array | None = None) -> float:
 
 def _offset_slopes(objective: Objective) -> Array:
     """(m, signals) ones at the samples of each signal: an offset that is the same in all runs."""
-    signals = np.array([signal for _, signal in objective.series])[rows_of_series(objective, objective.size)]
+    signals = np.array([signal for _, signal in objective.series])[
+        rows_of_series(objective, objective.size)
+    ]
     is_present = np.concatenate(objective.kept)
     return np.asarray((signals[:, None] == np.unique(signals)) & is_present[:, None], dtype=float)
 

@@ -47,7 +47,11 @@ class Combination:
 
 
 def combinations(
-    objective: Objective, z: Array, jacobian: Array, parameters: Mapping[str, Estimate], spread: float
+    objective: Objective,
+    z: Array,
+    jacobian: Array,
+    parameters: Mapping[str, Estimate],
+    spread: float,
 ) -> tuple[Combination, ...]:
     """The pairs among the parameters that the data do not determine whose product or ratio they do determine.
 
@@ -65,13 +69,21 @@ def combinations(
     slopes = np.array([f.slope(float(c)) for f, c in zip(objective.free, z, strict=True)])
     by_logarithm = jacobian * values / slopes
     size = np.linalg.norm(by_logarithm, axis=0)
-    open_ones = [i for i, e in enumerate(parameters.values()) if not e.determined and e.value > 0 and size[i] > 0]
+    open_ones = [
+        i
+        for i, e in enumerate(parameters.values())
+        if not e.determined and e.value > 0 and size[i] > 0
+    ]
     made = []
     for i, j in itertools.combinations(open_ones, 2):
         for kind, sign in (("product", 1.0), ("ratio", -1.0)):
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
-            if apart < CRITERIA.fit.parallel * size[i] and _changes_nothing(objective, z, i, j, -sign):
-                deviation = spread * _deviation(by_logarithm, i, [j, *(k for k in open_ones if k != i)])
+            if apart < CRITERIA.fit.parallel * size[i] and _changes_nothing(
+                objective, z, i, j, -sign
+            ):
+                deviation = spread * _deviation(
+                    by_logarithm, i, [j, *(k for k in open_ones if k != i)]
+                )
                 made.append(_combination(list(parameters.items()), i, j, kind, deviation))
     return tuple(made)
 
@@ -79,7 +91,10 @@ def combinations(
 def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: float) -> bool:
     """Whether the residuals stay where parameter i grows by a factor and j by that factor to ``power``."""
     low, high = objective.bounds
-    for stretch in (CRITERIA.fit.exchange, 1 / CRITERIA.fit.exchange):  # whichever stays within the bounds
+    for stretch in (
+        CRITERIA.fit.exchange,
+        1 / CRITERIA.fit.exchange,
+    ):  # whichever stays within the bounds
         moved = z.copy()
         for k, factor in ((i, stretch), (j, stretch**power)):
             free = objective.free[k]
@@ -92,7 +107,9 @@ def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: floa
 
 def _deviation(by_logarithm: Array, i: int, without: Sequence[int]) -> float:
     """Standard deviation of the logarithm of parameter i where those in ``without`` are held."""
-    kept = [k for k in range(by_logarithm.shape[1]) if k not in without and np.any(by_logarithm[:, k])]
+    kept = [
+        k for k in range(by_logarithm.shape[1]) if k not in without and np.any(by_logarithm[:, k])
+    ]
     return float(standard_deviations(by_logarithm[:, kept])[kept.index(i)])
 
 

@@ -58,7 +58,12 @@ class Estimate:
             content["run"] = self.run
         if self.prior is not None:
             shape = {"logarithmic": True} if self.prior.logarithmic else {}
-            content["prior"] = {"mean": self.prior.mean, "sd": self.prior.sd, "surprise": self.surprise, **shape}
+            content["prior"] = {
+                "mean": self.prior.mean,
+                "sd": self.prior.sd,
+                "surprise": self.surprise,
+                **shape,
+            }
         return content
 
     def __str__(self) -> str:
@@ -67,7 +72,9 @@ class Estimate:
         text = f"{self.value:.4g} ({self.low:.4g} to {self.high:.4g}) {'' if self.unit == '1' else self.unit}".rstrip()
         p = self.prior
         notes = [] if p is None else [f"{self.surprise:+.2g} sd from the prior {p}"]
-        notes += ["at its bound"] * self.at_bound + ["not determined by these data"] * (not self.determined)
+        notes += ["at its bound"] * self.at_bound + ["not determined by these data"] * (
+            not self.determined
+        )
         return ", ".join([text, *notes])
 
 
@@ -86,7 +93,9 @@ def estimates(
     low, high = bounds
     size = np.linalg.norm(jacobian, axis=0) if len(free) else np.zeros(0)
     largest = float(size.max(initial=0.0))
-    bound = (z - low <= CRITERIA.fit.at_bound * (high - low)) | (high - z <= CRITERIA.fit.at_bound * (high - low))
+    bound = (z - low <= CRITERIA.fit.at_bound * (high - low)) | (
+        high - z <= CRITERIA.fit.at_bound * (high - low)
+    )
     alive = size > max(CRITERIA.fit.dead * largest, 1e-12)
     inner = [i for i in range(len(free)) if alive[i] and not bound[i]]
     deviation = np.full(len(free), np.inf)
@@ -102,7 +111,9 @@ def estimates(
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))
         whole = z[i] - reach <= low[i] and z[i] + reach >= high[i]
-        by_name[f.name] = Estimate(value, lower, upper, f.unit, bool(bound[i]), not whole, False, f.run, f.prior)
+        by_name[f.name] = Estimate(
+            value, lower, upper, f.unit, bool(bound[i]), not whole, False, f.run, f.prior
+        )
     return by_name
 
 

@@ -84,7 +84,9 @@ def first_offsets(
     if not times.size:
         return []
     course = probe.course(times, probe.signals)
-    model = {name: float(course[name][np.searchsorted(times, when[name])]) for name in probe.signals}
+    model = {
+        name: float(course[name][np.searchsorted(times, when[name])]) for name in probe.signals
+    }
     offsets = [_offset(data, run, name, value) for name, value in model.items()]
     showing = probe.signals_of_one_state()
     return [one for one in offsets if one.name in showing] or offsets
@@ -100,6 +102,8 @@ def _offset(data: DataSet, run: Run, name: str, model: float) -> FirstOffset:
     signal = data.signals[name]
     sample = first_of_run(run, name, signal.sigma)
     assert sample is not None
-    values = np.concatenate([[model], *(r.measurements[name] for r in data.runs if name in r.measurements)])
+    values = np.concatenate(
+        [[model], *(r.measurements[name] for r in data.runs if name in r.measurements)]
+    )
     span = float(np.nanmax(values) - np.nanmin(values))
     return FirstOffset(name, signal.unit, sample, model, CRITERIA.starts.away * signal.sigma, span)

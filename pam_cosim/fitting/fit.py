@@ -80,7 +80,9 @@ class Fit(Printed):
         if not self.holdout_uncertainty.shifts:
             return self.residuals
         by_role = statistics_by_role(self.comparison, self.holdout_uncertainty.shifts)
-        held = replace(by_role["holdout"], chi2=by_role["holdout"].chi2 + self.holdout_uncertainty.cost)
+        held = replace(
+            by_role["holdout"], chi2=by_role["holdout"].chi2 + self.holdout_uncertainty.cost
+        )
         return {**self.residuals, "holdout": held}
 
     @property
@@ -144,7 +146,9 @@ class Fit(Printed):
             r = self.correlation[i, j]
             if abs(r) > CRITERIA.fit.confused and frozenset((names[i], names[j])) not in stated:
                 way = "raised together" if r > 0 else "one raised and the other lowered"
-                sentences.append(f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})")
+                sentences.append(
+                    f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})"
+                )
         return tuple(sentences)
 
     def __str__(self) -> str:
@@ -186,7 +190,9 @@ def fit(
     """
     options = options or FitOptions()
     if options.method not in METHODS:
-        raise InputError(f"there is no method '{options.method}' to fit with; choose one of {', '.join(METHODS)}")
+        raise InputError(
+            f"there is no method '{options.method}' to fit with; choose one of {', '.join(METHODS)}"
+        )
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
     known = (simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker)
@@ -205,7 +211,9 @@ def fit(
     end = solution.end
     linear = linearised(objective, end.z, options.rows) if options.rows else None
     if any(run.start.mode == "estimated" for run in data.fit_runs):
-        objective.residuals(end.z)  # a descent may have ended with a look elsewhere, or answers come from a file
+        objective.residuals(
+            end.z
+        )  # a descent may have ended with a look elsewhere, or answers come from a file
     starts_estimated = start_estimates(objective) | held_out_starts(
         simulator, data, objective.values(end.z), objective.tolerance
     )
@@ -228,7 +236,9 @@ def fit(
         correlations(end.jacobian),
         linear,
         starts=starts_estimated,
-        holdout_uncertainty=_holdout_uncertainty(simulator, data, chosen, fixed, options, end, spread),
+        holdout_uncertainty=_holdout_uncertainty(
+            simulator, data, chosen, fixed, options, end, spread
+        ),
     )
 
 

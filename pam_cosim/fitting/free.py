@@ -54,7 +54,9 @@ class Free:
         """The same with a prior: 95 % of its distribution, normal as it is searched, lie between these ends [unit]."""
         width = 2 * CRITERIA.fit.interval
         if self.logarithmic:
-            return replace(self, prior=Prior(sqrt(low * high), log(high / low) / width, logarithmic=True))
+            return replace(
+                self, prior=Prior(sqrt(low * high), log(high / low) / width, logarithmic=True)
+            )
         return replace(self, prior=Prior((low + high) / 2, (high - low) / width))
 
     def size_in(self, run: Run) -> float:
@@ -98,9 +100,13 @@ def model_parameter(name: str, interface: Interface) -> Free:
         return Free(name, low, high, start, "1", start - 1)
     v = interface.parameters.get(name)
     if v is None:
-        raise InputError(f"{interface.model} has no parameter '{name}'; {did_you_mean(name, interface.parameters)}")
+        raise InputError(
+            f"{interface.model} has no parameter '{name}'; {did_you_mean(name, interface.parameters)}"
+        )
     if v.min is None or v.max is None or v.start is None:
-        raise InputError(f"'{name}' of {interface.model} has no bounds: state them under [fit] of the data set")
+        raise InputError(
+            f"'{name}' of {interface.model} has no bounds: state them under [fit] of the data set"
+        )
     return Free(name, v.min, v.max, v.start, v.unit, v.nominal)
 
 
@@ -115,11 +121,23 @@ def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:
         variable = interface.parameters.get(p.parameter)
         if variable is None:
             raise InputError(
-                f"{interface.model} has no parameter '{p.parameter}' to fit", data.folder / "experiment.toml"
+                f"{interface.model} has no parameter '{p.parameter}' to fit",
+                data.folder / "experiment.toml",
             )
         low, high = p.min, p.max
         start = _start(p.start, variable, low, high)
-        free.append(Free(p.name, low, high, start, variable.unit, transform=p.transform, prior=p.prior, run=p.run))
+        free.append(
+            Free(
+                p.name,
+                low,
+                high,
+                start,
+                variable.unit,
+                transform=p.transform,
+                prior=p.prior,
+                run=p.run,
+            )
+        )
     return tuple(free)
 
 

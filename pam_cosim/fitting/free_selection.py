@@ -13,7 +13,10 @@ from pam_cosim.wording import did_you_mean
 
 
 def with_free(
-    data: DataSet, interface: Interface, free: Sequence[str] | None = None, start: Mapping[str, float] | None = None
+    data: DataSet,
+    interface: Interface,
+    free: Sequence[str] | None = None,
+    start: Mapping[str, float] | None = None,
 ) -> DataSet:
     """The data set in which just these parameters are free; what it leaves free besides is held where it starts.
 
@@ -35,7 +38,9 @@ def with_free(
     every = declared | {n: model_parameter(n, interface) for n in further}
     for name in starts:
         if name not in names and name not in declared:
-            raise InputError(f"'{name}' has a start and is not free; {did_you_mean(name, [*names, *declared])}")
+            raise InputError(
+                f"'{name}' has a start and is not free; {did_you_mean(name, [*names, *declared])}"
+            )
     started = {n: f.starting_at(starts.get(n, f.start)) for n, f in every.items()}
     fit = {n: _declared(started[n]) for n in names}
     fit |= {n: data.fit[n] for n in names if n in data.fit and n not in starts}
@@ -43,7 +48,9 @@ def with_free(
     return replace(data, fit=fit, runs=tuple(_holding(run, held) for run in data.runs))
 
 
-def _beginning(data: DataSet, interface: Interface, start: Mapping[str, float]) -> tuple[DataSet, dict[str, float]]:
+def _beginning(
+    data: DataSet, interface: Interface, start: Mapping[str, float]
+) -> tuple[DataSet, dict[str, float]]:
     """The data set whose runs know the start values that are stated of them, and the other starts."""
     others = dict(start)
     runs = []

@@ -31,7 +31,9 @@ class HoldoutUncertainty:
     cost: float = 0.0
 
 
-def estimate_holdout_uncertainty(holdout: Objective, end: Minimum, spread: float) -> HoldoutUncertainty:
+def estimate_holdout_uncertainty(
+    holdout: Objective, end: Minimum, spread: float
+) -> HoldoutUncertainty:
     """What held-out runs gain when the parameters move within their uncertainty.
 
     Args:
@@ -42,15 +44,22 @@ def estimate_holdout_uncertainty(holdout: Objective, end: Minimum, spread: float
     residuals = holdout.residuals(end.z)
     if not np.all(np.isfinite(residuals)):
         return HoldoutUncertainty()
-    slopes, slopes_of_fit = holdout.jacobian(end.z, residuals)[: holdout.size], end.jacobian / spread
+    slopes, slopes_of_fit = (
+        holdout.jacobian(end.z, residuals)[: holdout.size],
+        end.jacobian / spread,
+    )
     low, high = holdout.bounds
     room = CRITERIA.fit.at_bound * (high - low)
-    free = (end.z > low + room) & (end.z < high - room) & (np.linalg.norm(slopes_of_fit, axis=0) > 0)
+    free = (
+        (end.z > low + room) & (end.z < high - room) & (np.linalg.norm(slopes_of_fit, axis=0) > 0)
+    )
     rows = np.vstack([slopes_of_fit[:, free], slopes[:, free]])
     wanted = np.concatenate([np.zeros(len(slopes_of_fit)), -residuals[: holdout.size]])
     step = np.linalg.lstsq(rows, wanted, rcond=None)[0]
     cost_rows = slopes_of_fit[:, free] @ step
-    return HoldoutUncertainty(_shifts(holdout, slopes[:, free] @ step), float(cost_rows @ cost_rows))
+    return HoldoutUncertainty(
+        _shifts(holdout, slopes[:, free] @ step), float(cost_rows @ cost_rows)
+    )
 
 
 def _shifts(holdout: Objective, shift_rows: Array) -> dict[tuple[str, str], Array]:

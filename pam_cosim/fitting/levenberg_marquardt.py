@@ -18,7 +18,9 @@ from scipy.optimize import lsq_linear
 from pam_cosim.arrays import Array
 
 _FIRST_DAMPING = 1e-3  # of the squared size of each column
-_FIRST_TRUST_RADIUS = 1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
+_FIRST_TRUST_RADIUS = (
+    1.0  # of a step in any coordinate: a factor of e, or the typical size of the parameter
+)
 _ACCEPTED = 1e-4  # gain ratio that a step must have: what it takes away over what was predicted
 _TRUSTED = 0.25  # gain ratio from which on a small reduction means that little is left to gain
 _RELIABLE = 0.5  # gain ratio from which on the trust radius grows
@@ -88,7 +90,9 @@ def levenberg_marquardt(
     return Minimum(cost, z, linear[:, :-1])
 
 
-def _step(triangle: Array, size: Array, damping: float, box: tuple[Array, Array]) -> tuple[Array, float]:
+def _step(
+    triangle: Array, size: Array, damping: float, box: tuple[Array, Array]
+) -> tuple[Array, float]:
     """The damped step within the bounds, and by how much it lowers the cost of the linearised residuals."""
     n = len(size)
     within, right = triangle[:n, :n], triangle[:n, n]

@@ -48,7 +48,10 @@ class Linear:
 
 def bounded_step(linear: Linear) -> Array:
     """(k,) by how much the parameters move within their bounds to leave the least squares, priors among them."""
-    low, high = np.minimum(linear.low - linear.values, 0.0), np.maximum(linear.high - linear.values, 0.0)
+    low, high = (
+        np.minimum(linear.low - linear.values, 0.0),
+        np.maximum(linear.high - linear.values, 0.0),
+    )
     rows, wanted = linear.slopes, linear.residual
     if linear.priors:
         known, pull = prior_rows(linear.names, linear.values, linear.priors)
@@ -56,7 +59,9 @@ def bounded_step(linear: Linear) -> Array:
     return bounded_least_squares(rows, wanted, low, high)
 
 
-def prior_rows(names: Sequence[str], values: Array, priors: Mapping[str, Prior]) -> tuple[Array, Array]:
+def prior_rows(
+    names: Sequence[str], values: Array, priors: Mapping[str, Prior]
+) -> tuple[Array, Array]:
     """(k,) slopes of what priors say of parameters, and (k,) what would take it away; zeros where they say nothing."""
     known = [
         (priors[n].slope(v), -priors[n].surprise(v)) if n in priors else (0.0, 0.0)
@@ -79,7 +84,9 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         return None
     by_z = objective.jacobian(z, residual)
     slope = np.array([f.slope(float(c)) for f, c in zip(objective.free, z, strict=True)])
-    both = _condensed(np.column_stack([residual, -by_z / slope])[: objective.size], objective.kept, rows)
+    both = _condensed(
+        np.column_stack([residual, -by_z / slope])[: objective.size], objective.kept, rows
+    )
     return Linear(
         tuple(f.name for f in objective.free),
         np.array([f.to_value(float(c)) for f, c in zip(objective.free, z, strict=True)]),

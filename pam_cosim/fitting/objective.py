@@ -54,20 +54,33 @@ class Objective:
         self.fixed = dict(fixed or {})
         self.evaluations = 0
         self.failures: list[str] = []
-        self._latest: tuple[bytes, Array, Array | None] | None = None  # where, residuals, exact Jacobian there
-        self.starts: dict[int, StartValues] | None = None  # by number of the run; None: nothing was simulated yet
+        self._latest: tuple[bytes, Array, Array | None] | None = (
+            None  # where, residuals, exact Jacobian there
+        )
+        self.starts: dict[int, StartValues] | None = (
+            None  # by number of the run; None: nothing was simulated yet
+        )
         self._signals = [_measured_signals(run, data) for run in self.runs]
         self._sensitivities = [self._sensitivities_of_run(i) for i in range(len(self.runs))]
         self._outputs = [_outputs_of(slopes) for slopes in self._sensitivities]
         self._exact = self._have_sensitivities()
         usual = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = usual if tolerance is None else tolerance
-        self.series = [(run, name) for run, names in zip(self.runs, self._signals, strict=True) for name in names]
+        self.series = [
+            (run, name)
+            for run, names in zip(self.runs, self._signals, strict=True)
+            for name in names
+        ]
         self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
-        counts = [sum(map(run.sample_count, names)) for run, names in zip(self.runs, self._signals, strict=True)]
+        counts = [
+            sum(map(run.sample_count, names))
+            for run, names in zip(self.runs, self._signals, strict=True)
+        ]
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
-        self.samples = sum(run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series)
+        self.samples = sum(
+            run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series
+        )
         self._errors: dict[str, float] = {}
 
     @property
@@ -78,7 +91,9 @@ class Objective:
 
     def values(self, z: Array) -> dict[str, float]:
         """Search coordinates to parameters by name, with the fixed ones [SI]."""
-        return self.fixed | {f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)}
+        return self.fixed | {
+            f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)
+        }
 
     @property
     def start_values(self) -> dict[str, float]:
@@ -90,16 +105,23 @@ class Objective:
         if self.starts is None:
             estimated = [i for i, run in enumerate(self.runs) if run.start.mode == "estimated"]
             values = self.values(z)
-            found = {i: start_values(self.simulator, self.data, self.runs[i], values) for i in estimated}
+            found = {
+                i: start_values(self.simulator, self.data, self.runs[i], values) for i in estimated
+            }
             self.starts = {i: one for i, one in found.items() if one.names}
         return self.starts
 
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
         starts = self._start_values_at(z)
-        values = self.values(z) | {n: v for i in chosen if i in starts for n, v in starts[i].every().items()}
+        values = self.values(z) | {
+            n: v for i in chosen if i in starts for n, v in starts[i].every().items()
+        }
         return [
-            simulate_run(self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]) for i in chosen
+            simulate_run(
+                self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]
+            )
+            for i in chosen
         ]
 
     def _acts_on(self, free: Free, run: Run) -> bool:
@@ -125,7 +147,8 @@ class Objective:
         """For each free parameter, whether the model tells its sensitivities."""
         known = self.simulator.interface.sensitivities
         return [
-            all(sensitivity_name(s, f.parameter) in known for names in self._signals for s in names) for f in self.free
+            all(sensitivity_name(s, f.parameter) in known for names in self._signals for s in names)
+            for f in self.free
         ]
 
     def squares(self, z: Array) -> float:
@@ -139,7 +162,9 @@ class Objective:
         (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there.
         """
         residuals = self.residuals(z)
-        return np.asarray(np.linalg.qr(np.column_stack([self.jacobian(z, residuals), residuals]), mode="r"))
+        return np.asarray(
+            np.linalg.qr(np.column_stack([self.jacobian(z, residuals), residuals]), mode="r")
+        )
 
     def residuals(self, z: Array) -> Array:
         """(size + priors,) in standard deviations; all infinite where a simulation breaks down."""
@@ -154,7 +179,11 @@ class Objective:
         residuals = self._with_priors(z, left)
         self._report(z, residuals)
         if np.all(np.isfinite(residuals)):
-            self._latest = (z.tobytes(), residuals, self._exact_jacobian(z, runs) if any(self._exact) else None)
+            self._latest = (
+                z.tobytes(),
+                residuals,
+                self._exact_jacobian(z, runs) if any(self._exact) else None,
+            )
             return residuals
         return self._infinite()
 
@@ -207,12 +236,20 @@ class Objective:
     @property
     def _rows(self) -> int:
         """Samples, priors, and what is known of start values beforehand."""
-        return self.size + len(self._priors) + sum(len(one.names) for one in (self.starts or {}).values())
+        return (
+            self.size
+            + len(self._priors)
+            + sum(len(one.names) for one in (self.starts or {}).values())
+        )
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
-        prior_rows = [-prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors]
+        prior_rows = [
+            -prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors
+        ]
         starts = [one.prior_rows(one.values) for one in (self.starts or {}).values()]
-        return np.concatenate([residuals, prior_rows, *starts]) if prior_rows or starts else residuals
+        return (
+            np.concatenate([residuals, prior_rows, *starts]) if prior_rows or starts else residuals
+        )
 
     def _report(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
@@ -272,12 +309,16 @@ class Objective:
                 error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
                 errors[name].append(error)
                 parts.append(weighted(error, self.data.signals[name], reading))
-        self._errors = {name: float(np.sqrt(np.mean(np.concatenate(e) ** 2))) for name, e in errors.items()}
+        self._errors = {
+            name: float(np.sqrt(np.mean(np.concatenate(e) ** 2))) for name, e in errors.items()
+        }
         return np.concatenate(parts) if parts else np.zeros(0)
 
     def _by_error(self, run: RunComparison, name: str, kept: NDArray[np.bool_]) -> Array:
         """How the residuals of a signal grow with its errors, at the samples that are there."""
-        return slope(run.residual(name)[kept], self.data.signals[name], run.run.measurements[name][kept])
+        return slope(
+            run.residual(name)[kept], self.data.signals[name], run.run.measurements[name][kept]
+        )
 
     def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
         """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
@@ -291,11 +332,15 @@ class Objective:
                 by_error = self._by_error(run, name, kept)
                 for i, sensitivity in slopes:
                     moved = by_z[i] * self.free[i].size_in(run.run)
-                    jacobian[row : row + count, i] = -by_error * run.model[sensitivity][kept] * moved
+                    jacobian[row : row + count, i] = (
+                        -by_error * run.model[sensitivity][kept] * moved
+                    )
                 row += count
         for k, (i, prior) in enumerate(self._priors):
             own = self.free[i]
-            jacobian[self.size + k, i] = -own.slope(float(z[i])) * prior.slope(own.to_value(float(z[i])))
+            jacobian[self.size + k, i] = -own.slope(float(z[i])) * prior.slope(
+                own.to_value(float(z[i]))
+            )
         return jacobian
 
     def jacobian(self, z: Array, at: Array) -> Array:
@@ -309,7 +354,9 @@ class Objective:
             return np.zeros((len(at), 0))
         exact, columns = self._exact_at(z), []
         for i, is_exact in enumerate(self._exact):
-            columns.append(exact[:, i] if exact is not None and is_exact else self._difference(z, at, i))
+            columns.append(
+                exact[:, i] if exact is not None and is_exact else self._difference(z, at, i)
+            )
         return self._with_starts_following(np.column_stack(columns))
 
     def _with_starts_following(self, jacobian: Array) -> Array:
@@ -329,7 +376,9 @@ class Objective:
         if not any(self._exact):
             return None
         self.residuals(z)
-        return self._latest[2] if self._latest is not None and self._latest[0] == z.tobytes() else None
+        return (
+            self._latest[2] if self._latest is not None and self._latest[0] == z.tobytes() else None
+        )
 
     def _difference(self, z: Array, at: Array, i: int) -> Array:
         """One column by a difference, stepping inwards from a bound; only the runs are simulated that move.
@@ -338,7 +387,9 @@ class Objective:
         zero: the fit does not move there.
         """
         low, high = self.bounds
-        step = CRITERIA.fit.difference_step * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
+        step = CRITERIA.fit.difference_step * max(
+            1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0
+        )
         forward = step if z[i] + step <= high[i] else -step
         chosen = [k for k, run in enumerate(self.runs) if self._acts_on(self.free[i], run)]
         for h in (forward, -forward):
@@ -349,7 +400,9 @@ class Objective:
             self.evaluations += 1
             shifted = at.copy()
             rows = [np.arange(self.ends[k], self.ends[k + 1]) for k in chosen]
-            shifted[np.concatenate(rows) if rows else np.zeros(0, int)] = self._without_slopes(moved, chosen)
+            shifted[np.concatenate(rows) if rows else np.zeros(0, int)] = self._without_slopes(
+                moved, chosen
+            )
             shifted = self._with_priors(moved, shifted[: self.size])
             if np.all(np.isfinite(shifted)):
                 column: Array = (shifted - at) / (moved[i] - z[i])

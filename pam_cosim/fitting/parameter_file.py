@@ -16,8 +16,18 @@ from pam_cosim.wording import shown
 
 _SSC = "http://ssp-standard.org/SSP1/SystemStructureCommon"
 _SSV = "http://ssp-standard.org/SSP1/SystemStructureParameterValues"
-_OTHER_FILES = (".mo", ".fmu", ".csv", ".npz", ".html", ".png", ".toml")  # what other commands write
-_REALS = tuple(f"{{{_SSV}}}{kind}" for kind in ("Real", "Float64", "Float32"))  # SSP 1.0, and 2.0 besides
+_OTHER_FILES = (
+    ".mo",
+    ".fmu",
+    ".csv",
+    ".npz",
+    ".html",
+    ".png",
+    ".toml",
+)  # what other commands write
+_REALS = tuple(
+    f"{{{_SSV}}}{kind}" for kind in ("Real", "Float64", "Float32")
+)  # SSP 1.0, and 2.0 besides
 
 
 def check_parameter_file(path: Path) -> None:
@@ -49,7 +59,9 @@ def write_parameters(path: Path, fit: Fit) -> None:
 
 def _ssv(fit: Fit) -> str:
     shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
-    return parameter_set(fit.model, {name: (estimate.value, estimate.unit) for name, estimate in shared.items()})
+    return parameter_set(
+        fit.model, {name: (estimate.value, estimate.unit) for name, estimate in shared.items()}
+    )
 
 
 def parameter_set(title: str, values: Mapping[str, tuple[float, str]]) -> str:
@@ -63,7 +75,10 @@ def parameter_set(title: str, values: Mapping[str, tuple[float, str]]) -> str:
     ElementTree.register_namespace("ssc", _SSC)
     root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=title)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
-    named = {text: _definition(text) for text in dict.fromkeys(unit for _, unit in values.values() if unit)}
+    named = {
+        text: _definition(text)
+        for text in dict.fromkeys(unit for _, unit in values.values() if unit)
+    }
     defined = [unit for unit in named.values() if unit is not None]
     for name, (value, unit) in values.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
@@ -80,7 +95,11 @@ def parameter_set(title: str, values: Mapping[str, tuple[float, str]]) -> str:
         definition = ElementTree.SubElement(units, f"{{{_SSC}}}Unit", name=known.name)
         ElementTree.SubElement(definition, f"{{{_SSC}}}BaseUnit", base)
     ElementTree.indent(root)
-    return '<?xml version="1.0" encoding="UTF-8"?>\n' + ElementTree.tostring(root, encoding="unicode") + "\n"
+    return (
+        '<?xml version="1.0" encoding="UTF-8"?>\n'
+        + ElementTree.tostring(root, encoding="unicode")
+        + "\n"
+    )
 
 
 def _definition(unit: str) -> BaseUnit | None:
@@ -120,7 +139,10 @@ def parameters_in(content: Any, path: Path) -> dict[str, float]:
 def _number(name: str, entry: Any, path: Path) -> float:
     value = entry.get("value") if isinstance(entry, dict) else entry
     if isinstance(value, bool) or not isinstance(value, (int, float)):
-        raise InputError(f"parameter {shown(name)} has no number as its value; this is no file of parameters", path)
+        raise InputError(
+            f"parameter {shown(name)} has no number as its value; this is no file of parameters",
+            path,
+        )
     try:
         number = float(value)
     except OverflowError:

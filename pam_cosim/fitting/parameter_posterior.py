@@ -44,7 +44,9 @@ class ParameterPosterior:
     @property
     def values(self) -> list[dict[str, float]]:
         """Each sample with what else the model is run with [SI]."""
-        return [self.fixed | dict(zip(self.names, map(float, row), strict=True)) for row in self.samples]
+        return [
+            self.fixed | dict(zip(self.names, map(float, row), strict=True)) for row in self.samples
+        ]
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -59,7 +61,12 @@ class ParameterPosterior:
 
 
 def parameter_posterior(
-    simulator: AnySimulator, data: DataSet, fit: Fit, free: Sequence[Free], count: int, seed: int = 0
+    simulator: AnySimulator,
+    data: DataSet,
+    fit: Fit,
+    free: Sequence[Free],
+    count: int,
+    seed: int = 0,
 ) -> ParameterPosterior:
     """Samples of the fitted parameters.
 
@@ -95,9 +102,13 @@ def parameter_posterior(
     precision = slopes.T @ slopes + np.diag(1.0 / (CRITERIA.fit.unseen * (high - low)) ** 2)
     mean = z - np.linalg.solve(precision, slopes.T @ (residuals * scale))
     wider, rng = precision / CRITERIA.fit.wider**2, np.random.default_rng(seed)
-    drawn = truncated_normal(mean, wider, (low, high), z, count, rng) if names else np.zeros((count, 0))
+    drawn = (
+        truncated_normal(mean, wider, (low, high), z, count, rng) if names else np.zeros((count, 0))
+    )
     weights = _weights(objective, scale, drawn, mean, wider)
-    values = np.array([[f.to_value(float(c)) for f, c in zip(free, row, strict=True)] for row in drawn])
+    values = np.array(
+        [[f.to_value(float(c)) for f, c in zip(free, row, strict=True)] for row in drawn]
+    )
     return ParameterPosterior(
         tuple(names),
         {f.name: f.unit for f in free},
@@ -107,7 +118,9 @@ def parameter_posterior(
     )
 
 
-def _weights(objective: Objective, scale: Array, drawn: Array, mean: Array, precision: Array) -> Array:
+def _weights(
+    objective: Objective, scale: Array, drawn: Array, mean: Array, precision: Array
+) -> Array:
     """(n,) the posterior over the density that samples were drawn from; nought where the model breaks down."""
     chi2 = np.array([float(np.sum((objective.plain_residuals(z) * scale) ** 2)) for z in drawn])
     away = drawn - mean

@@ -102,7 +102,9 @@ class PredictiveBands(Printed, Exported):
 
     def __str__(self) -> str:
         count, effective = len(self.posterior.samples), self.posterior.effective
-        lines = [f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"]
+        lines = [
+            f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"
+        ]
         if effective < CRITERIA.fit.least_effective:
             lines.append(
                 f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
@@ -111,7 +113,9 @@ class PredictiveBands(Printed, Exported):
             width = format_quantity(float(np.median(band.high - band.low)) / 2, band.unit, 2)
             widest = int(np.argmax(band.high - band.low))
             most = format_quantity(float(band.high[widest] - band.low[widest]) / 2, band.unit, 2)
-            text = f"  {name}: ± {width} in the median (95 %), ± {most} at {self.time[widest]:.4g} s"
+            text = (
+                f"  {name}: ± {width} in the median (95 %), ± {most} at {self.time[widest]:.4g} s"
+            )
             if band.coverage == band.coverage:
                 text += f"; {100 * band.coverage:.1f} % of the readings are within their band"
             lines.append(text)
@@ -145,7 +149,9 @@ def predictive_bands(
     best = simulate_run(simulator, data, run, fitted, None, names).model
     drawn: list[dict[str, Array]] = []
     weights: list[float] = []
-    for done, (values, weight) in enumerate(zip(posterior.values, posterior.weights, strict=True), 1):
+    for done, (values, weight) in enumerate(
+        zip(posterior.values, posterior.weights, strict=True), 1
+    ):
         if weight:
             with suppress(SimulationFailure):
                 drawn.append(simulate_run(simulator, data, run, values, None, names).model)
@@ -153,10 +159,16 @@ def predictive_bands(
         tell(done)
     failed = int(np.count_nonzero(posterior.weights)) - len(drawn)
     if failed > len(drawn):
-        raise SimulationFailure(f"the model breaks down with {failed} of {len(posterior.samples)} samples")
+        raise SimulationFailure(
+            f"the model breaks down with {failed} of {len(posterior.samples)} samples"
+        )
     share = np.array(weights) / sum(weights)
-    bands = {n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share) for n in names}
-    return PredictiveBands(simulator.interface.model, run.name, run.time, dict(run.inputs), bands, posterior, failed)
+    bands = {
+        n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share) for n in names
+    }
+    return PredictiveBands(
+        simulator.interface.model, run.name, run.time, dict(run.inputs), bands, posterior, failed
+    )
 
 
 def _band(data: DataSet, run: Run, name: str, best: Array, drawn: Array, weights: Array) -> Band:

@@ -59,9 +59,9 @@ class Profile:
                 if np.all(y[flat] > 0):
                     power, start = np.polyfit(np.log(x), np.log(y[flat]), 1)
                     off = np.log(y[flat]) - start - power * np.log(x)
-                    if abs(power) > CRITERIA.fit.follows and np.ptp(off) < CRITERIA.fit.off_course * np.ptp(
-                        np.log(y[flat])
-                    ):
+                    if abs(power) > CRITERIA.fit.follows and np.ptp(
+                        off
+                    ) < CRITERIA.fit.off_course * np.ptp(np.log(y[flat])):
                         powers[name] = float(power)
         return powers
 
@@ -72,13 +72,19 @@ class Profile:
         high = f"{self.high:.4g}" if np.isfinite(self.high) else "its upper bound"
         if self.determined:
             text = f"{self.name} lies between {low} and {high}{unit} (95 %)"
-            sides = [s for s, v in (("below", self.low), ("above", self.high)) if not np.isfinite(v)]
+            sides = [
+                s for s, v in (("below", self.low), ("above", self.high)) if not np.isfinite(v)
+            ]
             return text + (f"; these data do not limit it {sides[0]}" if sides else "")
         fitting = self.values[self.rise < CRITERIA.fit.profile_rise]
         span = f"{fitting[0]:.4g} to {fitting[-1]:.4g}{unit}"
         text = f"these data do not determine {self.name}: anything from {span} fits"
         follows = [f"{name} as its power {power:.2g}" for name, power in self.followers().items()]
-        return text + (f", where others follow: {', '.join(follows)}; hold one of them fixed" if follows else "")
+        return text + (
+            f", where others follow: {', '.join(follows)}; hold one of them fixed"
+            if follows
+            else ""
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -111,7 +117,9 @@ class Profiles:
         return "\n".join(f"  {p.sentence()}" for p in self.profiles.values())
 
 
-def profiles(objective: Objective, best: Mapping[str, float], spread: float, model: str) -> Profiles:
+def profiles(
+    objective: Objective, best: Mapping[str, float], spread: float, model: str
+) -> Profiles:
     """Profiles about an optimum.
 
     Args:
@@ -127,17 +135,33 @@ def profiles(objective: Objective, best: Mapping[str, float], spread: float, mod
     for i, free in enumerate(objective.free):
         sides = [_side(objective, z, i, sign, deviation[i], lowest, spread) for sign in (-1.0, 1.0)]
         points = [*reversed(sides[0]), (z, 0.0), *sides[1]]
-        at = np.array([[f.to_value(float(c)) for f, c in zip(objective.free, p, strict=True)] for p, _ in points])
+        at = np.array(
+            [
+                [f.to_value(float(c)) for f, c in zip(objective.free, p, strict=True)]
+                for p, _ in points
+            ]
+        )
         rise = np.array([r for _, r in points])
         ends = [_end(objective, z, i, side) for side in sides]
         others = {f.name: at[:, k] for k, f in enumerate(objective.free) if k != i}
-        low, high = (-np.inf if ends[0] is None else ends[0]), (np.inf if ends[1] is None else ends[1])
-        made[free.name] = Profile(free.name, free.unit, best[free.name], at[:, i], rise, low, high, others)
+        low, high = (
+            (-np.inf if ends[0] is None else ends[0]),
+            (np.inf if ends[1] is None else ends[1]),
+        )
+        made[free.name] = Profile(
+            free.name, free.unit, best[free.name], at[:, i], rise, low, high, others
+        )
     return Profiles(model, made)
 
 
 def _side(
-    objective: Objective, z: Array, i: int, sign: float, deviation: float, lowest: float, spread: float
+    objective: Objective,
+    z: Array,
+    i: int,
+    sign: float,
+    deviation: float,
+    lowest: float,
+    spread: float,
 ) -> list[tuple[Array, float]]:
     """Points away from the optimum on one side, with the rise at each, until the interval or the bounds end."""
     low, high = objective.bounds
@@ -176,7 +200,9 @@ def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
     columns = np.append(kept, True)
     solution = levenberg_marquardt(
         lambda rest: objective.squares(whole(rest)),
-        lambda rest: np.asarray(np.linalg.qr(objective.triangle(whole(rest))[:, columns], mode="r")),
+        lambda rest: np.asarray(
+            np.linalg.qr(objective.triangle(whole(rest))[:, columns], mode="r")
+        ),
         at[kept],
         (low[kept], high[kept]),
         CRITERIA.fit.precision,
@@ -185,7 +211,9 @@ def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
     return whole(solution.z)
 
 
-def _end(objective: Objective, z: Array, i: int, side: Sequence[tuple[Array, float]]) -> float | None:
+def _end(
+    objective: Objective, z: Array, i: int, side: Sequence[tuple[Array, float]]
+) -> float | None:
     """Where the rise passes the limit; None: nowhere, or only since another parameter that made up came to its bound.
 
     Between two points the root of the rise is taken as straight, which it is for a parabola.
@@ -194,7 +222,9 @@ def _end(objective: Objective, z: Array, i: int, side: Sequence[tuple[Array, flo
     points = [(z, 0.0), *side]
     for (a, low), (b, high) in zip(points[:-1], points[1:], strict=True):
         if np.sqrt(high) >= limit > np.sqrt(low):
-            free = [rise for p, rise in side if rise < high and not _at_new_bound(objective, z, p, i)]
+            free = [
+                rise for p, rise in side if rise < high and not _at_new_bound(objective, z, p, i)
+            ]
             if _at_new_bound(objective, z, b, i) and free and max(free) < CRITERIA.fit.flat:
                 return None
             share = (limit - np.sqrt(low)) / (np.sqrt(high) - np.sqrt(low))
@@ -220,8 +250,12 @@ def correlations(jacobian: Array) -> Array:
     matrix = np.full((k, k), np.nan)
     alive = np.flatnonzero(np.linalg.norm(jacobian, axis=0) > 0)
     if alive.size:
-        _, s, vt = np.linalg.svd(jacobian[:, alive] / np.linalg.norm(jacobian[:, alive], axis=0), full_matrices=False)
-        deviations = vt / np.maximum(s, CRITERIA.fit.seen * s[0])[:, None]  # a direction nobody sees is very uncertain
+        _, s, vt = np.linalg.svd(
+            jacobian[:, alive] / np.linalg.norm(jacobian[:, alive], axis=0), full_matrices=False
+        )
+        deviations = (
+            vt / np.maximum(s, CRITERIA.fit.seen * s[0])[:, None]
+        )  # a direction nobody sees is very uncertain
         covariance = deviations.T @ deviations
         size = np.sqrt(np.diag(covariance))
         matrix[np.ix_(alive, alive)] = np.clip(covariance / np.outer(size, size), -1, 1)

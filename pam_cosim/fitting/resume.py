@@ -62,11 +62,19 @@ class Identity:
             return "keeps a fit to other data"
         if other["parameters"] != self.parameters:
             return "keeps a fit with other parameters, bounds or priors"
-        return "keeps a fit by another method or with other options" if other["options"] != self.options else None
+        return (
+            "keeps a fit by another method or with other options"
+            if other["options"] != self.options
+            else None
+        )
 
 
 def identity_of(
-    simulator: AnySimulator, data: DataSet, free: Sequence[Free], fixed: Mapping[str, float], options: FitOptions
+    simulator: AnySimulator,
+    data: DataSet,
+    free: Sequence[Free],
+    fixed: Mapping[str, float],
+    options: FitOptions,
 ) -> Identity:
     """The identity of a fit.
 
@@ -80,7 +88,9 @@ def identity_of(
     with ZipFile(simulator.path) as archive:
         description = hashlib.sha256(archive.read("modelDescription.xml")).hexdigest()
     parameters = json.dumps([[asdict(f) for f in free], sorted(fixed.items())])
-    return Identity(simulator.interface.model, description, _digest(data), parameters, _options_text(options))
+    return Identity(
+        simulator.interface.model, description, _digest(data), parameters, _options_text(options)
+    )
 
 
 def _options_text(options: FitOptions) -> str:
@@ -134,9 +144,13 @@ class FitLog:
             answers = [_answer(entry) for entry in content["answers"]]
             self.failures = [str(f) for f in content["failures"]]
         except _DAMAGE:
-            raise InputError("is no fit that could be resumed, or was damaged; name another file", self.path) from None
+            raise InputError(
+                "is no fit that could be resumed, or was damaged; name another file", self.path
+            ) from None
         if other is not None:
-            raise InputError(f"{other}; name another file, or remove this one to begin anew", self.path)
+            raise InputError(
+                f"{other}; name another file, or remove this one to begin anew", self.path
+            )
         self._answers = dict(answers)
 
     def answer(self, question: str, z: Array) -> tuple[int, Any] | None:
@@ -159,7 +173,12 @@ class FitLog:
             [question, np.frombuffer(z).tolist(), evaluations, _plain(answer)]
             for (question, z), (evaluations, answer) in self._answers.items()
         ]
-        content = {"kind": _KIND, "version": _VERSION, "identity": asdict(self.identity), "failures": self.failures}
+        content = {
+            "kind": _KIND,
+            "version": _VERSION,
+            "identity": asdict(self.identity),
+            "failures": self.failures,
+        }
         write_text(self.path, json.dumps(content | {"answers": answers}, allow_nan=False) + "\n")
         self._written = time.monotonic()
 
@@ -174,7 +193,13 @@ def _answer(entry: Any) -> tuple[tuple[str, bytes], tuple[int, Any]]:
     question, z, evaluations, answer = entry
     if question not in _ANSWERS:
         raise ValueError
-    value = np.array(answer, dtype=float) if isinstance(answer, list) else math.inf if answer is None else float(answer)
+    value = (
+        np.array(answer, dtype=float)
+        if isinstance(answer, list)
+        else math.inf
+        if answer is None
+        else float(answer)
+    )
     return (question, np.array(z, dtype=float).tobytes()), (int(evaluations), value)
 
 
@@ -203,7 +228,9 @@ class LoggedObjective(Objective):
         known = self.log.answer(question, z)
         if known is not None:
             after, answer = known
-            self.evaluations = max(self.evaluations, after)  # a point that is asked for again counts once
+            self.evaluations = max(
+                self.evaluations, after
+            )  # a point that is asked for again counts once
             if question in ("squares", "cost"):
                 self.tracker.report(self.evaluations, answer / max(self.samples, 1.0), None)
             return answer

@@ -53,7 +53,9 @@ def solve(problem: FitProblem) -> Minimum:
     return best or _minimise(problem, _rescue(objective))
 
 
-def spread_starts(free: Sequence[Free], count: int = CRITERIA.fit.spread_starts) -> list[dict[str, float]]:
+def spread_starts(
+    free: Sequence[Free], count: int = CRITERIA.fit.spread_starts
+) -> list[dict[str, float]]:
     """Start values spread evenly over the bounds by a Sobol sequence; the same ones every time."""
     if not free:
         return []
@@ -62,7 +64,10 @@ def spread_starts(free: Sequence[Free], count: int = CRITERIA.fit.spread_starts)
     points = qmc.Sobol(len(free), seed=0).random_base2(max(count - 1, 0).bit_length())[:count]
     ends = [(f.to_z(f.low), f.to_z(f.high)) for f in free]
     return [
-        {f.name: f.to_value(low + u * (high - low)) for f, (low, high), u in zip(free, ends, point, strict=True)}
+        {
+            f.name: f.to_value(low + u * (high - low))
+            for f, (low, high), u in zip(free, ends, point, strict=True)
+        }
         for point in points
     ]
 
@@ -85,7 +90,12 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
     """
     scored = [(objective.glance(z) if len(points) > 1 else 0.0, i) for i, z in enumerate(points)]
     order = [i for score, i in sorted(scored) if np.isfinite(score)]
-    if order and order[0] and 0 in order and objective.squares(points[0]) < objective.squares(points[order[0]]):
+    if (
+        order
+        and order[0]
+        and 0 in order
+        and objective.squares(points[0]) < objective.squares(points[order[0]])
+    ):
         order = [0, *(i for i in order if i)]
     for i in order:
         if np.isfinite(objective.squares(points[i])):
@@ -110,7 +120,9 @@ def _rescue(objective: Objective) -> Array:
             z: Array = low + u * (high - low)
             if np.isfinite(objective.squares(z)):
                 return z
-    raise SimulationFailure(f"no start value within the bounds can be simulated: {objective.first_failure}")
+    raise SimulationFailure(
+        f"no start value within the bounds can be simulated: {objective.first_failure}"
+    )
 
 
 def _minimise(problem: FitProblem, start: Array) -> Minimum:
@@ -118,5 +130,10 @@ def _minimise(problem: FitProblem, start: Array) -> Minimum:
     if not len(start):
         return Minimum(objective.squares(start), start, np.zeros((objective.size, 0)))
     return levenberg_marquardt(
-        objective.squares, objective.triangle, start, objective.bounds, options.precision, options.evaluations
+        objective.squares,
+        objective.triangle,
+        start,
+        objective.bounds,
+        options.precision,
+        options.evaluations,
     )

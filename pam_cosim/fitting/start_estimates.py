@@ -64,14 +64,21 @@ def estimated_starts(
     return start_estimates(objective)
 
 
-def runs_without_start(data: DataSet, values: Mapping[str, float], interface: Interface) -> list[Run]:
+def runs_without_start(
+    data: DataSet, values: Mapping[str, float], interface: Interface
+) -> list[Run]:
     """The runs of which the values do not say where they begin: a start value is named "state@run"."""
-    given = {name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states}
+    given = {
+        name.rpartition("@")[2] for name in values if name.rpartition("@")[0] in interface.states
+    }
     return [run for run in data.runs if run.name not in given]
 
 
 def simulated(
-    simulator: AnySimulator, data: DataSet, values: Mapping[str, float], runs: Sequence[Run] | None = None
+    simulator: AnySimulator,
+    data: DataSet,
+    values: Mapping[str, float],
+    runs: Sequence[Run] | None = None,
 ) -> tuple[tuple[RunComparison, ...], dict[str, Estimate]]:
     """Runs (default: all) beside their samples, with given parameters [SI], and the starts that were to be estimated.
 

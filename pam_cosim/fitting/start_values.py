@@ -59,7 +59,9 @@ class StartValues:
 
     def settings(self) -> dict[str, float]:
         """The present values by name, each with that of the run."""
-        return {f"{n}@{self.run.name}": float(v) for n, v in zip(self.names, self.values, strict=True)}
+        return {
+            f"{n}@{self.run.name}": float(v) for n, v in zip(self.names, self.values, strict=True)
+        }
 
     def every(self) -> dict[str, float]:
         """The present values of all states by name, each with that of the run."""
@@ -86,7 +88,9 @@ class StartValues:
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.told)
 
 
-def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]) -> StartValues:
+def start_values(
+    simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
+) -> StartValues:
     """What is to be estimated of the start of a run, about where the first samples and the model's rest put it.
 
     Args:
@@ -115,7 +119,9 @@ def start_values(simulator: AnySimulator, data: DataSet, run: Run, parameters: M
     values = np.array([own.get(n, first[n]) for n in moving])
     low, high = _limits([simulator.interface.start_values[n] for n in moving])
     still = {n: first[n] for n in names if n not in moving}
-    return StartValues(run, moving, mean, sd, begins.shown, np.clip(values, low, high), low, high, still)
+    return StartValues(
+        run, moving, mean, sd, begins.shown, np.clip(values, low, high), low, high, still
+    )
 
 
 def _limits(variables: Sequence[Variable]) -> tuple[Array, Array]:
@@ -149,7 +155,9 @@ def eliminate(
     for _ in range(CRITERIA.starts.steps):
         if here.is_settled:
             break
-        step = here.step / max(1.0, float(np.max(np.abs(here.step) / of.sd)))  # no farther than they are known
+        step = here.step / max(
+            1.0, float(np.max(np.abs(here.step) / of.sd))
+        )  # no farther than they are known
         for _ in range(CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)
@@ -159,12 +167,16 @@ def eliminate(
         else:
             break
         here = there
-    of.values = np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
+    of.values = (
+        np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
+    )
     last, of.slopes = of.values - here.values, here.slopes
     return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
 
 
-def _tried(of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]) -> _Point[Result] | None:
+def _tried(
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
+) -> _Point[Result] | None:
     """The run from the present start values; None where it does not reach its end."""
     try:
         return _Point(of, *simulate())
@@ -184,9 +196,9 @@ class _Point(Generic[Result]):
         left = rows + self.slopes @ self.step
         gain = self.cost - float(left @ left)
         # little is left to gain, and that by the slopes alone
-        self.is_settled = gain <= max(CRITERIA.starts.settled, CRITERIA.starts.linear * self.cost) and bool(
-            np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd)
-        )
+        self.is_settled = gain <= max(
+            CRITERIA.starts.settled, CRITERIA.starts.linear * self.cost
+        ) and bool(np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd))
 
 
 __all__ = ["StartValues", "eliminate", "start_values"]

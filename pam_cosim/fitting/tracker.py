@@ -30,8 +30,13 @@ class FitProgress:
     values: dict[str, float] = field(default_factory=dict)
 
     def __str__(self) -> str:
-        errors = [f"{n} off by {format_quantity(e, self.units.get(n, ''))} rms" for n, e in self.rmse.items()]
-        return ", ".join([f"{self.evaluations} simulations", *errors, f"chi2 {self.chi2_reduced:.4g}"])
+        errors = [
+            f"{n} off by {format_quantity(e, self.units.get(n, ''))} rms"
+            for n, e in self.rmse.items()
+        ]
+        return ", ".join(
+            [f"{self.evaluations} simulations", *errors, f"chi2 {self.chi2_reduced:.4g}"]
+        )
 
 
 Progress = Callable[[FitProgress], object]
@@ -68,7 +73,9 @@ class Tracker:
         progress: called after each simulation.
     """
 
-    def __init__(self, units: dict[str, str] | None = None, progress: Progress | None = None) -> None:
+    def __init__(
+        self, units: dict[str, str] | None = None, progress: Progress | None = None
+    ) -> None:
         self.units, self.progress = units or {}, progress
         self.descents: list[float] = []
         self._lowest: list[tuple[int, float]] = []
@@ -89,7 +96,9 @@ class Tracker:
                 self._rmse, self._values = rmse(), values()
         if rmse is not None and self.progress is not None and self._lowest:
             lowest = self._lowest[-1][1]
-            self.progress(FitProgress(evaluations, lowest, dict(self._rmse), self.units, dict(self._values)))
+            self.progress(
+                FitProgress(evaluations, lowest, dict(self._rmse), self.units, dict(self._values))
+            )
 
     @property
     def convergence(self) -> Convergence:

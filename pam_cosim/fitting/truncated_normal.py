@@ -9,7 +9,12 @@ from pam_cosim.criteria import CRITERIA
 
 
 def truncated_normal(
-    mean: Array, precision: Array, bounds: tuple[Array, Array], start: Array, count: int, rng: np.random.Generator
+    mean: Array,
+    precision: Array,
+    bounds: tuple[Array, Array],
+    start: Array,
+    count: int,
+    rng: np.random.Generator,
 ) -> Array:
     """(count, k) samples by exact Hamiltonian Monte Carlo (Pakman and Paninski, J. Comput. Graph. Stat. 23, 2014).
 
@@ -24,17 +29,25 @@ def truncated_normal(
         count: of the samples.
         rng: random numbers.
     """
-    factor = np.linalg.inv(np.linalg.cholesky(precision)).T  # values are mean + factor @ w, with w standard normal
+    factor = np.linalg.inv(
+        np.linalg.cholesky(precision)
+    ).T  # values are mean + factor @ w, with w standard normal
     low, high = bounds
     walls = np.vstack([factor, -factor])
     offsets = np.concatenate([mean - low, high - mean])
-    inside = CRITERIA.fit.same_hit * (high - low)  # a particle that begins on a wall may fall through it by rounding
-    w = np.asarray(np.linalg.solve(factor, np.clip(start, low + inside, high - inside) - mean), dtype=float)
+    inside = CRITERIA.fit.same_hit * (
+        high - low
+    )  # a particle that begins on a wall may fall through it by rounding
+    w = np.asarray(
+        np.linalg.solve(factor, np.clip(start, low + inside, high - inside) - mean), dtype=float
+    )
     samples = []
     for _ in range(count + CRITERIA.fit.discarded_samples):
         w = _moved(w, rng.standard_normal(len(w)), walls, offsets)
         samples.append(mean + factor @ w)
-    return np.clip(np.array(samples[CRITERIA.fit.discarded_samples :]).reshape(count, -1), low, high)
+    return np.clip(
+        np.array(samples[CRITERIA.fit.discarded_samples :]).reshape(count, -1), low, high
+    )
 
 
 def _moved(w: Array, speed: Array, walls: Array, offsets: Array) -> Array:
@@ -64,6 +77,10 @@ def _times_of_hits(places: Array, speeds: Array, offsets: Array, last: int) -> A
     reached = size > np.abs(offsets)
     angle = np.arccos(-offsets[reached] / size[reached])
     times[reached] = np.mod(angle - phase[reached], 2 * np.pi)
-    if last >= 0 and reached[last] and min(times[last], 2 * np.pi - times[last]) < CRITERIA.fit.same_hit:
+    if (
+        last >= 0
+        and reached[last]
+        and min(times[last], 2 * np.pi - times[last]) < CRITERIA.fit.same_hit
+    ):
         times[last] = np.inf
     return times

@@ -30,4 +30,6 @@ def without_priors(fit: Fit) -> WithoutPriors:
         return WithoutPriors(values=known)
     step = bounded_step(replace(linear, priors={}))
     values = dict(zip(linear.names, (linear.values + step).tolist(), strict=True))
-    return WithoutPriors(reduction_by(linear, step), {n: values.get(n, v) for n, v in known.items()})
+    return WithoutPriors(
+        reduction_by(linear, step), {n: values.get(n, v) for n, v in known.items()}
+    )

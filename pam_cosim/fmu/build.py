@@ -65,7 +65,9 @@ def runtime(fmi: str = "2.0") -> tuple[str, ...]:
     return tuple(sorted((*_CORE, _SHELLS[fmi])))
 
 
-def build_fmu(ode: Ode, path: Path, *, platforms: Sequence[str] = ("native",), fmi: str = "2.0") -> Path:
+def build_fmu(
+    ode: Ode, path: Path, *, platforms: Sequence[str] = ("native",), fmi: str = "2.0"
+) -> Path:
     """Writes the FMU; the same model gives the same bytes. ``path`` is replaced whole or not at all.
 
     Args:
@@ -88,7 +90,11 @@ def build_fmu(ode: Ode, path: Path, *, platforms: Sequence[str] = ("native",), f
 
 
 def cached_fmu(
-    key: str, make_ode: Callable[[], Ode], *, platforms: Sequence[str] = ("native",), fmi: str = "2.0"
+    key: str,
+    make_ode: Callable[[], Ode],
+    *,
+    platforms: Sequence[str] = ("native",),
+    fmi: str = "2.0",
 ) -> Path:
     """The FMU of a model in the cache; ``make_ode`` is called only when it is not there yet.
 
@@ -191,7 +197,9 @@ def _platform_names(platforms: Sequence[str]) -> list[str]:
 
 def _version(fmi: str) -> str:
     if fmi not in FMI_VERSIONS:
-        raise InputError(f"there is no FMI version '{fmi}' to build; choose from {', '.join(FMI_VERSIONS)}")
+        raise InputError(
+            f"there is no FMI version '{fmi}' to build; choose from {', '.join(FMI_VERSIONS)}"
+        )
     return fmi
 
 
@@ -205,7 +213,11 @@ def _tool() -> str:
 @cache
 def _packaging_key() -> str:
     """Changes with this room's own code."""
-    return digest(_tool(), version("casadi"), *(f.read_bytes() for f in sorted(Path(__file__).parent.glob("*.py"))))
+    return digest(
+        _tool(),
+        version("casadi"),
+        *(f.read_bytes() for f in sorted(Path(__file__).parent.glob("*.py"))),
+    )
 
 
 def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
@@ -215,7 +227,9 @@ def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> d
     guid = _guid(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     # The first place is the right one: both files begin with it.
     source = source.replace(c_string(_NO_GUID), c_string(guid), 1)
-    described = {name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()}
+    described = {
+        name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()
+    }
     shipped = {} if lean else _sources(source, fmi)
     return described | shipped | _binaries(ode, source, names, fmi)
 
@@ -228,7 +242,9 @@ def _guid(*parts: str | bytes) -> str:
 def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]:
     entries, compiled = table(ode), (_MODEL, *runtime(fmi))
     if lean:
-        return {_DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), (), lean=True)}
+        return {
+            _DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), (), lean=True)
+        }
     if fmi == "2.0":
         return {_DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), compiled)}
     return {
@@ -240,7 +256,9 @@ def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]
 def _sources(model: str, fmi: str) -> dict[str, bytes]:
     """Everything that the binaries are compiled from."""
     shipped = [*(fmu_runtime() / name for name in runtime(fmi)), *headers(fmi)]
-    return {f"sources/{_MODEL}": model.encode()} | {f"sources/{file.name}": file.read_bytes() for file in shipped}
+    return {f"sources/{_MODEL}": model.encode()} | {
+        f"sources/{file.name}": file.read_bytes() for file in shipped
+    }
 
 
 def _binaries(ode: Ode, model: str, names: Sequence[str], fmi: str) -> dict[str, bytes]:
@@ -248,5 +266,9 @@ def _binaries(ode: Ode, model: str, names: Sequence[str], fmi: str) -> dict[str,
     for name in names:
         file = model_identifier(ode.interface.model) + PLATFORMS[name].suffix
         binary = f"binaries/{binary_folder(name, names, fmi)}/{file}"
-        slices.setdefault(binary, []).append(compile_library(runtime(fmi), {_MODEL: model}, name).read_bytes())
-    return {name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()}
+        slices.setdefault(binary, []).append(
+            compile_library(runtime(fmi), {_MODEL: model}, name).read_bytes()
+        )
+    return {
+        name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()
+    }

@@ -6,7 +6,9 @@ from collections.abc import Iterable
 
 # What stands for itself. Not among them: the quotation mark and the backslash, which end or change a literal; the
 # question mark, which begins a trigraph; the per cent sign, which would begin a conversion in a format.
-_PLAIN = frozenset(b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 _.,:;()[]<>=+-*/^")
+_PLAIN = frozenset(
+    b"abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789 _.,:;()[]<>=+-*/^"
+)
 
 
 def c_string(text: str) -> str:

@@ -13,7 +13,9 @@ import platformdirs
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_TEXT, make_folder, read_file, write_bytes
 
-CAN_BE_MADE_AGAIN = "what the cache holds can be made again: remove it, or name another folder in PAM_COSIM_CACHE"
+CAN_BE_MADE_AGAIN = (
+    "what the cache holds can be made again: remove it, or name another folder in PAM_COSIM_CACHE"
+)
 _SUMS = ".sums"  # ends the name of the file that says what others must hold
 
 
@@ -83,7 +85,9 @@ def _sum(content: bytes) -> str:
 
 
 _State = tuple[int, int, int]
-_seen: dict[Path, dict[Path, _State]] = {}  # by a file of sums: what was found whole, and how the files were then
+_seen: dict[
+    Path, dict[Path, _State]
+] = {}  # by a file of sums: what was found whole, and how the files were then
 
 
 def is_whole(sums: Path) -> bool:

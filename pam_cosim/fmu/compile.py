@@ -40,11 +40,26 @@ _FLAGS = (
 )
 # Under Linux nothing here needs the compiler's own library of arithmetic, and to build that, once a machine, takes
 # longer than a diagnosis; the driver ``zig cc`` cannot leave it out.
-_OWN_ARITHMETIC = ("build-lib", "-dynamic", "-fno-compiler-rt", "-fstrip", "-OReleaseFast", "-lc", "-lm")
+_OWN_ARITHMETIC = (
+    "build-lib",
+    "-dynamic",
+    "-fno-compiler-rt",
+    "-fstrip",
+    "-OReleaseFast",
+    "-lc",
+    "-lm",
+)
 
 
 _STALE = 3600.0  # [s]
-_NO_ROOM = ("NoSpaceLeft", "ReadOnlyFileSystem", "DiskQuota", "AccessDenied", "No space left", "Read-only file system")
+_NO_ROOM = (
+    "NoSpaceLeft",
+    "ReadOnlyFileSystem",
+    "DiskQuota",
+    "AccessDenied",
+    "No space left",
+    "Read-only file system",
+)
 
 
 class CompilerError(RuntimeError):
@@ -83,7 +98,9 @@ def native_platform() -> str:
     Raises:
         InputError: FMUs cannot be built for it.
     """
-    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(platform.machine().lower(), platform.machine().lower())
+    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(
+        platform.machine().lower(), platform.machine().lower()
+    )
     system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, sys.platform)
     name = f"{machine}-{system}"
     if name not in PLATFORMS:
@@ -98,7 +115,11 @@ def binary_folder(name: str, names: Sequence[str], fmi: str = "2.0") -> str:
     """
     if fmi == "3.0":
         return PLATFORMS[name].tuple
-    return "linux64" if name == "aarch64-linux" and "x86_64-linux" not in names else PLATFORMS[name].folder
+    return (
+        "linux64"
+        if name == "aarch64-linux" and "x86_64-linux" not in names
+        else PLATFORMS[name].folder
+    )
 
 
 def _zig() -> Path:
@@ -133,7 +154,9 @@ def _source_key(shipped: tuple[str, ...]) -> str:
     return digest(*_shipped(shipped), " ".join((*_FLAGS, *_OWN_ARITHMETIC)), version("ziglang"))
 
 
-def compile_library(shipped: Sequence[str], generated: Mapping[str, str], platform_name: str) -> Path:
+def compile_library(
+    shipped: Sequence[str], generated: Mapping[str, str], platform_name: str
+) -> Path:
     """A shared library in the cache, compiled from files of ``fmu/`` and generated sources.
 
     Args:
@@ -173,11 +196,16 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
 
 def _compiled(command: Sequence[str], folder: Path, cache: Path, target: Platform) -> str:
     """Runs the C compiler: what it complains of, if it failed."""
-    environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": str(cache), "ZIG_LOCAL_CACHE_DIR": str(cache)}
+    environment = os.environ | {
+        "ZIG_GLOBAL_CACHE_DIR": str(cache),
+        "ZIG_LOCAL_CACHE_DIR": str(cache),
+    }
     try:
         run = run_tool(command, folder, environment, LIMITS.c_seconds)
     except subprocess.TimeoutExpired:
-        raise CompilerError(f"the C compiler took more than {LIMITS.c_seconds:g} s for {target.target}") from None
+        raise CompilerError(
+            f"the C compiler took more than {LIMITS.c_seconds:g} s for {target.target}"
+        ) from None
     return "" if run.returncode == 0 else run.stderr.strip() or f"exit status {run.returncode}"
 
 

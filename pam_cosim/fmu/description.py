@@ -54,7 +54,9 @@ def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
         shown = displays.setdefault(variable.unit, {})
         if variable.display_unit:
             try:
-                shown[variable.display_unit] = _unit_of(variable, variable.display_unit).display(unit)
+                shown[variable.display_unit] = _unit_of(variable, variable.display_unit).display(
+                    unit
+                )
             except UnitError as error:
                 raise ModelError(f"variable '{variable.name}': {error}") from error
     if not displays:
@@ -163,7 +165,9 @@ class ModelStructure:
     starting: Dependencies
 
 
-def model_structure(ode: Ode, entries: Sequence[VariableEntry], *, dependencies: bool = True) -> ModelStructure:
+def model_structure(
+    ode: Ode, entries: Sequence[VariableEntry], *, dependencies: bool = True
+) -> ModelStructure:
     """Outputs, derivatives in the order of the states, and initial unknowns."""
     numbered = list(enumerate(entries, 1))
     outputs = [i for i, e in numbered if e.causality == "output"]
@@ -177,12 +181,21 @@ def model_structure(ode: Ode, entries: Sequence[VariableEntry], *, dependencies:
     if not dependencies:
         return ModelStructure(outputs, derivatives, initial, {}, {})
     return ModelStructure(
-        outputs, derivatives, initial, continuous_dependencies(ode, entries), initial_dependencies(ode, entries)
+        outputs,
+        derivatives,
+        initial,
+        continuous_dependencies(ode, entries),
+        initial_dependencies(ode, entries),
     )
 
 
 def unknown(
-    parent: Xml.Element, tag: str, key: str, index: int, dependencies: Dependencies, numbers: Mapping[int, int]
+    parent: Xml.Element,
+    tag: str,
+    key: str,
+    index: int,
+    dependencies: Dependencies,
+    numbers: Mapping[int, int],
 ) -> None:
     """One unknown; ``numbers`` turns an index into what this version of FMI refers to variables by."""
     known = dependencies.get(index)

@@ -14,7 +14,13 @@ _CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "canInterpol
 
 
 def model_description(
-    ode: Ode, entries: Sequence[VariableEntry], guid: str, tool: str, sources: Sequence[str], *, lean: bool = False
+    ode: Ode,
+    entries: Sequence[VariableEntry],
+    guid: str,
+    tool: str,
+    sources: Sequence[str],
+    *,
+    lean: bool = False,
 ) -> bytes:
     """The complete file; ``sources`` are the C files to compile.
 
@@ -38,10 +44,15 @@ def model_description(
     )
     identifier = {"modelIdentifier": shared.model_identifier(interface.model)}
     both = _SHARED | {"providesDirectionalDerivative": str(not lean).lower()}
-    if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
+    if (
+        not ode.delays
+    ):  # nobody tells an FMU for model exchange what its inputs were between two evaluations
         _source_files(Xml.SubElement(root, "ModelExchange", {**identifier, **both}), sources)
     order = {"maxOutputDerivativeOrder": str(int(not lean))}
-    _source_files(Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **order, **both}), sources)
+    _source_files(
+        Xml.SubElement(root, "CoSimulation", {**identifier, **_CO_SIMULATION, **order, **both}),
+        sources,
+    )
     shared.units(root, [entry.variable for entry in entries])
     shared.log_categories(root)
     shared.default_experiment(root, ode)

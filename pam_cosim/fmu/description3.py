@@ -37,7 +37,9 @@ def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, to
         },
     )
     identifier = {"modelIdentifier": shared.model_identifier(interface.model)}
-    if not ode.delays:  # nobody tells an FMU for model exchange what its inputs were between two evaluations
+    if (
+        not ode.delays
+    ):  # nobody tells an FMU for model exchange what its inputs were between two evaluations
         asked = {"needsCompletedIntegratorStep": "true"} if ode.statements else {}
         Xml.SubElement(root, "ModelExchange", {**identifier, **asked, **_SHARED})
     Xml.SubElement(root, "CoSimulation", {**identifier, **_SHARED, **_CO_SIMULATION})

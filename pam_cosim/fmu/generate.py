@@ -35,13 +35,17 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     du, dd = ca.SX.sym("du", u.numel()), ca.SX.sym("dd", d.numel())
     known = [t, x, u, d, p]
     # One seed for everything at once: the derivative along (st, sx, su, sd, sp).
-    seed = [ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)]
+    seed = [
+        ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)
+    ]
     sp = seed[-1]
     core, own = f[: ode.core], x[: ode.core]
     chosen = sensitivity_symbols(ode)
     total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
     conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
-    shown = ca.vertcat(ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values])
+    shown = ca.vertcat(
+        ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values]
+    )
     check = [_function("pam_check", known, [conditions, shown])] if ode.statements else []
     return [
         _function("pam_rhs", known, [f]),
@@ -49,16 +53,26 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
         _function("pam_loc", known, [w]),
         _function("pam_core_rhs", [t, own, u, d, p], [core]),
         _function("pam_lin", [t, own, u, d, du, dd, p], [core, ca.jacobian(core, own), total]),
-        _function("pam_variation", [t, own, u, d, p], [ca.jacobian(core, own), ca.jacobian(core, chosen).T]),
+        _function(
+            "pam_variation",
+            [t, own, u, d, p],
+            [ca.jacobian(core, own), ca.jacobian(core, chosen).T],
+        ),
         _function("pam_init", [p, u], [x0]),
         _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
         *check,
         *([] if lean else _directional(known, seed, (f, y, w), x0)),
-        *(_at_start(ode, [t, own, u, d, du, dd, p], chosen, None if lean else seed) if ode.following else []),
+        *(
+            _at_start(ode, [t, own, u, d, du, dd, p], chosen, None if lean else seed)
+            if ode.following
+            else []
+        ),
     ]
 
 
-def _at_start(ode: Ode, given: Sequence[ca.SX], chosen: ca.SX, seed: Sequence[ca.SX] | None) -> list[ca.Function]:
+def _at_start(
+    ode: Ode, given: Sequence[ca.SX], chosen: ca.SX, seed: Sequence[ca.SX] | None
+) -> list[ca.Function]:
     """As ``pam_lin``, ``pam_variation`` and ``pam_jvp``, of what vanishes where the model begins."""
     (t, own, u, d, du, dd, p), rates = given, ode.start_rates
     total = ca.jtimes(rates, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
@@ -72,13 +86,19 @@ def _at_start(ode: Ode, given: Sequence[ca.SX], chosen: ca.SX, seed: Sequence[ca
     ]
 
 
-def _directional(known: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX) -> list[ca.Function]:
+def _directional(
+    known: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX
+) -> list[ca.Function]:
     """Derivatives along a seed, of what is computed of everything known, and of the initial states."""
     told, moved = (known[-1], known[2]), (seed[-1], seed[2])  # parameters and inputs
     along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in of]
     return [
         _function("pam_jvp", [*known, *seed], along),
-        _function("pam_init_jvp", [*told, *moved], [ca.jtimes(start, ca.vertcat(*told), ca.vertcat(*moved))]),
+        _function(
+            "pam_init_jvp",
+            [*told, *moved],
+            [ca.jtimes(start, ca.vertcat(*told), ca.vertcat(*moved))],
+        ),
     ]
 
 
@@ -136,8 +156,16 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
     interface = ode.interface
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
     inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
-    sizes = [len(ode.states), *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals))]
-    sizes += [ode.core, len(ode.sensitivities), len(ode.statements), sum(len(s.values) for s in ode.statements)]
+    sizes = [
+        len(ode.states),
+        *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals)),
+    ]
+    sizes += [
+        ode.core,
+        len(ode.sensitivities),
+        len(ode.statements),
+        sum(len(s.values) for s in ode.statements),
+    ]
     sizes += [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     return {
         **dict(zip(SIZES, sizes, strict=True)),
@@ -184,7 +212,9 @@ def _statements(ode: Ode) -> list[str]:
     for i, s in enumerate(ode.statements):
         lines.append(c_array("const char *const", f"texts_{i}", map(c_string, s.texts)))
         lines.append(c_array("const int", f"digits_{i}", [str(digits) for _, digits in s.values]))
-        rows.append(f"{{{int(s.is_error)}, {int(s.at_start)}, {len(s.values)}, texts_{i}, digits_{i}}}")
+        rows.append(
+            f"{{{int(s.is_error)}, {int(s.at_start)}, {len(s.values)}, texts_{i}, digits_{i}}}"
+        )
     return [*lines, c_array("const pam_statement", "statements", rows or ["{0}"])]
 
 
@@ -226,7 +256,9 @@ _HELPERS = "|".join(
         "work_bytes",
     )
 )
-_HELPER = re.compile(rf"(?ms)^CASADI_SYMBOL_EXPORT [^\n]*?\w+_(?:{_HELPERS})\([^\n]*(?:}}|\{{\n.*?^}})\n+")
+_HELPER = re.compile(
+    rf"(?ms)^CASADI_SYMBOL_EXPORT [^\n]*?\w+_(?:{_HELPERS})\([^\n]*(?:}}|\{{\n.*?^}})\n+"
+)
 
 
 _START = re.compile(r"(?m)^(?=/\* pam_\w+:)")
@@ -241,7 +273,10 @@ def _unguarded(source: str) -> str:
     slower, and the compiler much slower.
     """
     parts = _START.split(source)
-    return "".join(p if p.startswith("/* pam_delay:") else _GIVEN.sub(r"\1", _ASKED_FOR.sub("", p)) for p in parts)
+    return "".join(
+        p if p.startswith("/* pam_delay:") else _GIVEN.sub(r"\1", _ASKED_FOR.sub("", p))
+        for p in parts
+    )
 
 
 def _seldom(name: str, source: str) -> str:

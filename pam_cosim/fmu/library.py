@@ -6,7 +6,14 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 
 from pam_cosim.catalogue import full_name
-from pam_cosim.compiler import Ode, compile_model, few_collections, flat_hash, smooth_parameters, with_sensitivities
+from pam_cosim.compiler import (
+    Ode,
+    compile_model,
+    few_collections,
+    flat_hash,
+    smooth_parameters,
+    with_sensitivities,
+)
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
@@ -51,7 +58,11 @@ def build_model(
 
 
 def _recipe(
-    model: str, files: Sequence[Path], sensitivities: Sequence[str], where_smooth: bool, library: str = ""
+    model: str,
+    files: Sequence[Path],
+    sensitivities: Sequence[str],
+    where_smooth: bool,
+    library: str = "",
 ) -> tuple[str, Callable[[], Ode]]:
     """What determines a model, and how it is compiled."""
     key = flat_hash(model, files=files, library=library)
@@ -60,7 +71,11 @@ def _recipe(
         ode = cached_ode(key, lambda: compile_model(model, files=files))
         known = smooth_parameters(ode) if where_smooth else sensitivities
         chosen = [name for name in sensitivities if name in known and name != START_VALUES]
-        starts = [s.name for s in ode.states if s.name not in chosen] if START_VALUES in sensitivities else []
+        starts = (
+            [s.name for s in ode.states if s.name not in chosen]
+            if START_VALUES in sensitivities
+            else []
+        )
         return with_sensitivities(ode, [*chosen, *starts])
 
     return digest(key, str(where_smooth), *sensitivities), make
@@ -110,7 +125,9 @@ def build_source(
     Raises:
         ModelError: the model cannot be compiled.
     """
-    key, make = _recipe(model, [*files, _source(text)], sensitivities, where_smooth=True, library=library)
+    key, make = _recipe(
+        model, [*files, _source(text)], sensitivities, where_smooth=True, library=library
+    )
     with few_collections():
         if brief:
             return cached_taped_model(key, make)

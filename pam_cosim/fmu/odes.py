@@ -72,6 +72,8 @@ def write_archives(folder: Path, archives: Mapping[str, Mapping[str, bytes]]) ->
     index = {}
     for name, models in archives.items():
         head = json.dumps({key: len(content) for key, content in models.items()}).encode()
-        write_bytes(folder / name, lzma.compress(head + b"\n" + b"".join(models.values()), preset=9))
+        write_bytes(
+            folder / name, lzma.compress(head + b"\n" + b"".join(models.values()), preset=9)
+        )
         index.update({key[:_LETTERS]: name for key in models})
     write_bytes(folder / _INDEX, json.dumps(index).encode())

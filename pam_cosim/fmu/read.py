@@ -19,7 +19,10 @@ from pam_cosim.model.interface import Interface, Variable, is_sensitivity, sensi
 from pam_cosim.wording import shown
 
 MOST_BYTES = 2_000_000_000  # of all files of an archive, unpacked
-_LONGEST_NAME, _LONGEST_PART = 1000, 200  # letters; systems have 4096 and 255, of which a folder takes some
+_LONGEST_NAME, _LONGEST_PART = (
+    1000,
+    200,
+)  # letters; systems have 4096 and 255, of which a folder takes some
 _LARGEST_REFERENCE = 2**32 - 1
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
@@ -34,7 +37,9 @@ def read_description(path: Path) -> ModelDescription:
     runs = description.coSimulation is not None or description.modelExchange is not None
     if fmi_version(description) not in ("2.0", "3.0") or not runs:
         kind = "" if runs else " with neither co-simulation nor model exchange"
-        raise InputError(f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {description.fmiVersion}{kind}", path)
+        raise InputError(
+            f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {description.fmiVersion}{kind}", path
+        )
     return description
 
 
@@ -108,10 +113,19 @@ def _check_names(path: Path) -> None:
         entries = archive.infolist()
     for entry in entries:
         parts = re.split(r"[/\\]", entry.filename)
-        if parts[0] in ("", "..") or ".." in parts or ":" in parts[0] or not entry.filename.isprintable():
-            raise InputError(f"the archive has a file {shown(entry.filename)} that leaves its folder", path)
+        if (
+            parts[0] in ("", "..")
+            or ".." in parts
+            or ":" in parts[0]
+            or not entry.filename.isprintable()
+        ):
+            raise InputError(
+                f"the archive has a file {shown(entry.filename)} that leaves its folder", path
+            )
         if len(entry.filename) > _LONGEST_NAME or max(map(len, parts)) > _LONGEST_PART:
-            raise InputError(f"the archive has a file whose name is too long: {shown(entry.filename)}", path)
+            raise InputError(
+                f"the archive has a file whose name is too long: {shown(entry.filename)}", path
+            )
     if sum(entry.file_size for entry in entries) > MOST_BYTES:
         raise InputError(f"the archive holds more than {MOST_BYTES / 1e9:g} GB", path)
 
@@ -129,7 +143,9 @@ def _check_numbers(description: ModelDescription, path: Path) -> None:
     for scalar in description.modelVariables:
         reference = scalar.valueReference
         if reference is not None and not 0 <= int(reference) <= _LARGEST_REFERENCE:
-            raise InputError(f"the value reference {reference} of {shown(scalar.name)} is beyond 32 bits", path)
+            raise InputError(
+                f"the value reference {reference} of {shown(scalar.name)} is beyond 32 bits", path
+            )
     for scalar in real_variables(description):
         for key in ("start", "min", "max", "nominal"):
             _check_number(_attribute(scalar, key), f"{key} of {shown(scalar.name)}", path)
@@ -141,7 +157,9 @@ def _check_number(text: Any, what: str, path: Path) -> None:
     except (TypeError, ValueError):
         wrong = True
     if wrong:
-        raise InputError(f"the description is not valid: {what} is {shown(text)}, which is no number", path)
+        raise InputError(
+            f"the description is not valid: {what} is {shown(text)}, which is no number", path
+        )
 
 
 def fmi_version(description: ModelDescription) -> str:
@@ -151,7 +169,9 @@ def fmi_version(description: ModelDescription) -> str:
 
 def real_variables(description: ModelDescription) -> list[Any]:
     """FMPy's scalar variables of double precision."""
-    return [v for v in description.modelVariables if v.type in ("Real", "Float64") and not v.dimensions]
+    return [
+        v for v in description.modelVariables if v.type in ("Real", "Float64") and not v.dimensions
+    ]
 
 
 def read_interface(path: Path) -> Interface:
@@ -167,7 +187,12 @@ def read_interface(path: Path) -> Interface:
 
 def interface_of(description: ModelDescription) -> Interface:
     """The interface that a model description declares."""
-    groups: dict[str, dict[str, Variable]] = {"input": {}, "output": {}, "parameter": {}, "local": {}}
+    groups: dict[str, dict[str, Variable]] = {
+        "input": {},
+        "output": {},
+        "parameter": {},
+        "local": {},
+    }
     for scalar in real_variables(description):
         if scalar.causality in groups:
             groups[scalar.causality][scalar.name] = _variable(scalar)
@@ -183,7 +208,12 @@ def interface_of(description: ModelDescription) -> Interface:
         given = {key: value for key, value in values.items() if value}
     outputs, parameters = groups["output"], groups["parameter"]
     states = _states(description, groups["local"] | groups["output"])
-    slopes = {n for o in outputs for p in (*parameters, *states) if (n := sensitivity_name(o, p)) in outputs}
+    slopes = {
+        n
+        for o in outputs
+        for p in (*parameters, *states)
+        if (n := sensitivity_name(o, p)) in outputs
+    }
     return Interface(
         description.modelName,
         groups["input"],
@@ -201,7 +231,11 @@ def _states(description: ModelDescription, known: Mapping[str, Variable]) -> dic
     """The continuous states that a run can be given other start values of, with their rates; no sensitivities."""
     rates = [unknown.variable for unknown in description.derivatives]
     names = {rate.derivative.name: rate.name for rate in rates if rate.derivative is not None}
-    return {n: r for n, r in names.items() if n in known and known[n].start is not None and not is_sensitivity(n)}
+    return {
+        n: r
+        for n, r in names.items()
+        if n in known and known[n].start is not None and not is_sensitivity(n)
+    }
 
 
 def _float(text: Any) -> float | None:
@@ -211,7 +245,11 @@ def _float(text: Any) -> float | None:
 def _attribute(scalar: Any, name: str) -> Any:
     """An attribute of the variable, or of its declared type."""
     value = getattr(scalar, name)
-    return getattr(scalar.declaredType, name, None) if value is None and scalar.declaredType is not None else value
+    return (
+        getattr(scalar.declaredType, name, None)
+        if value is None and scalar.declaredType is not None
+        else value
+    )
 
 
 def _variable(scalar: Any) -> Variable:
@@ -241,6 +279,10 @@ def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:
     outputs = [v.name for v in real_variables(description) if v.causality == "output"]
     declared = {u.variable.name: u.dependencies for u in description.outputs}
     known = {
-        name: frozenset(v.name for v in declared[name]) & inputs for name in outputs if declared.get(name) is not None
+        name: frozenset(v.name for v in declared[name]) & inputs
+        for name in outputs
+        if declared.get(name) is not None
     }
-    return {name: known.get(name, inputs) for name in outputs}, len(known) == len(outputs) or not inputs
+    return {name: known.get(name, inputs) for name in outputs}, len(known) == len(
+        outputs
+    ) or not inputs

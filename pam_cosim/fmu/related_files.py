@@ -57,7 +57,11 @@ def with_related_files(fmu: bytes, files: Sequence[RelatedFile]) -> bytes:
         files: with names that are all different.
     """
     with zipfile.ZipFile(io.BytesIO(fmu)) as archive:
-        content = {entry.filename: archive.read(entry) for entry in archive.infolist() if not entry.is_dir()}
+        content = {
+            entry.filename: archive.read(entry)
+            for entry in archive.infolist()
+            if not entry.is_dir()
+        }
     content |= {FOLDER + file.name: file.content for file in files}
     return archived(content | {_MANIFEST: _manifest(files)})
 
@@ -67,7 +71,12 @@ def _manifest(files: Sequence[RelatedFile]) -> bytes:
     for key, text in _ABOUT.items():
         root.set(f"{{{_SPACE}}}fmi-ls-{key}", text)
     for file in files:
-        described = {"type": file.type, "source": quote(file.name), "role": file.role, "description": file.description}
+        described = {
+            "type": file.type,
+            "source": quote(file.name),
+            "role": file.role,
+            "description": file.description,
+        }
         etree.SubElement(root, _RELATED, described)
     written: bytes = etree.tostring(root, xml_declaration=True, encoding="UTF-8", pretty_print=True)
     return written
@@ -91,7 +100,10 @@ def related_files(fmu: Path) -> list[RelatedFile]:
 
 
 def _listed(archive: zipfile.ZipFile, fmu: Path) -> list[RelatedFile]:
-    if sum(entry.file_size for entry in archive.infolist() if entry.filename.startswith(FOLDER)) > MOST_BYTES:
+    if (
+        sum(entry.file_size for entry in archive.infolist() if entry.filename.startswith(FOLDER))
+        > MOST_BYTES
+    ):
         raise InputError("the files that belong to it are larger than 2 GB", fmu)
     parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
     try:
@@ -103,10 +115,16 @@ def _listed(archive: zipfile.ZipFile, fmu: Path) -> list[RelatedFile]:
     found, held = [], set(archive.namelist())
     for element in root.iter(_RELATED):
         name = _name(element.get("source", ""))
-        if FOLDER + name in held:  # the standard: a tool that knows nothing of it may have taken files away
+        if (
+            FOLDER + name in held
+        ):  # the standard: a tool that knows nothing of it may have taken files away
             kind = element.get("type", "application/octet-stream")
             content = archive.read(FOLDER + name)
-            found.append(RelatedFile(name, element.get("role", ""), kind, element.get("description", ""), content))
+            found.append(
+                RelatedFile(
+                    name, element.get("role", ""), kind, element.get("description", ""), content
+                )
+            )
     return found
 
 
@@ -115,4 +133,6 @@ def _name(source: str) -> str:
     if urlsplit(source).scheme or "\\" in source or "\0" in source:
         return ""
     name = posixpath.normpath(unquote(source))
-    return "" if name.startswith(("/", "..")) or ":" in name or "\\" in name or "\0" in name else name
+    return (
+        "" if name.startswith(("/", "..")) or ":" in name or "\\" in name or "\0" in name else name
+    )

@@ -71,12 +71,18 @@ def _positions(entries: Sequence[VariableEntry], kind: Kind, count: int) -> list
 def _undelayed(ode: Ode) -> list[ca.SX]:
     """Derivatives and outputs as they are at the start, or where a delay is zero: the inputs act at once."""
     pairs = zip(ode.delays, ca.vertsplit(ode.d), strict=True) if ode.delays else ()
-    now = ca.vertcat(ca.SX(0, 1), *[d if delay.input is None else ode.u[delay.input] for delay, d in pairs])
+    now = ca.vertcat(
+        ca.SX(0, 1), *[d if delay.input is None else ode.u[delay.input] for delay, d in pairs]
+    )
     return list(ca.substitute([ode.derivatives, ode.outputs], [ode.d], [now]))
 
 
 def _assign(
-    ode: Ode, entries: Sequence[VariableEntry], unknowns: dict[Kind, ca.SX], knowns: _Knowns, fixed: ca.SX
+    ode: Ode,
+    entries: Sequence[VariableEntry],
+    unknowns: dict[Kind, ca.SX],
+    knowns: _Knowns,
+    fixed: ca.SX,
 ) -> Dependencies:
     # What acts late does not act with a factor.
     exact = not ode.delays
@@ -139,7 +145,11 @@ def _without_conditions(expression: ca.SX) -> ca.SX:
     work = [ca.SX(0)] * max(1, function.sz_w())
     result = ca.SX(expression.shape[0], 1)
     for k in range(function.n_instructions()):
-        code, reads, writes = function.instruction_id(k), function.instruction_input(k), function.instruction_output(k)
+        code, reads, writes = (
+            function.instruction_id(k),
+            function.instruction_input(k),
+            function.instruction_output(k),
+        )
         if code == ca.OP_OUTPUT:
             result[writes[1]] = work[reads[0]]
         elif code == ca.OP_INPUT:

@@ -61,7 +61,10 @@ def constant_starts(ode: Ode) -> list[float | None]:
     own = [state.name in found for state in ode.states[: ode.core]]
     sought = [*own, *(rests for rests in own for _ in ode.sensitivities)]
     values = ca.vertsplit(ca.SX(ode.initial))
-    return [float(x0) if x0.is_constant() and not s else None for x0, s in zip(values, sought, strict=True)]
+    return [
+        float(x0) if x0.is_constant() and not s else None
+        for x0, s in zip(values, sought, strict=True)
+    ]
 
 
 def derivative_name(state: str) -> str:
@@ -106,21 +109,29 @@ def table(ode: Ode) -> list[VariableEntry]:
     return list(entries.values())
 
 
-def _entry(kind: Kind, index: int, reference: int, variable: Variable, starts: Sequence[float | None]) -> VariableEntry:
+def _entry(
+    kind: Kind, index: int, reference: int, variable: Variable, starts: Sequence[float | None]
+) -> VariableEntry:
     if kind is Kind.STATE:
         start = starts[index]
         # One that follows from parameters is what the model begins with where nobody sets another value.
         initial, usual = ("approx", variable.start) if start is None else ("exact", start)
         initial = "calculated" if usual is None else initial
-        return VariableEntry(variable, reference, kind, index, "local", initial=initial, start=usual)
+        return VariableEntry(
+            variable, reference, kind, index, "local", initial=initial, start=usual
+        )
     if kind is Kind.DERIVATIVE:
         return VariableEntry(variable, reference, kind, index, "local", derivative_of=index)
     if kind is Kind.INPUT:
-        return VariableEntry(variable, reference, kind, index, "input", initial=None, start=variable.start or 0.0)
+        return VariableEntry(
+            variable, reference, kind, index, "input", initial=None, start=variable.start or 0.0
+        )
     if kind is Kind.PARAMETER:
         if variable.start is None:
             raise ModelError(f"parameter '{variable.name}' has no value")
-        return VariableEntry(variable, reference, kind, index, "parameter", "fixed", "exact", variable.start)
+        return VariableEntry(
+            variable, reference, kind, index, "parameter", "fixed", "exact", variable.start
+        )
     if kind is Kind.TIME:
         return VariableEntry(variable, reference, kind, index, "independent", initial=None)
     return VariableEntry(variable, reference, kind, index, kind.value)
@@ -131,10 +142,14 @@ def _merge(known: VariableEntry, other: VariableEntry) -> VariableEntry:
     if other.kind is Kind.LOCAL or (known.kind is Kind.LOCAL and other.kind is Kind.TIME):
         return known
     if other.kind is Kind.OUTPUT and known.causality == "local":
-        return replace(known, causality="output", variable=_described(known.variable, other.variable))
+        return replace(
+            known, causality="output", variable=_described(known.variable, other.variable)
+        )
     if other.kind is Kind.DERIVATIVE and known.kind is Kind.STATE:
         return replace(known, derivative_of=other.index)
-    raise ModelError(f"'{known.name}' is the name of two variables: {known.kind.value} and {other.kind.value}")
+    raise ModelError(
+        f"'{known.name}' is the name of two variables: {known.kind.value} and {other.kind.value}"
+    )
 
 
 def _described(state: Variable, output: Variable) -> Variable:

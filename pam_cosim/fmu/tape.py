@@ -82,7 +82,9 @@ def tape_of(function: ca.Function) -> Tape:
         NoTapeError: one of them is not among ``OPERATIONS``.
     """
     steps = _steps(function)
-    constants = sorted({function.instruction_constant(s.number) for s in steps if s.operation == ca.OP_CONST})
+    constants = sorted(
+        {function.instruction_constant(s.number) for s in steps if s.operation == ca.OP_CONST}
+    )
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
@@ -96,14 +98,26 @@ def tape_of(function: ca.Function) -> Tape:
         elif step.operation == ca.OP_OUTPUT:
             rows.append((_OUTPUT, step.to[0], place[step.of[0]], step.to[1]))
         elif step.operation in numbers:
-            row = (numbers[step.operation], begin[-1] + step.to[0], place[step.of[0]], place[step.of[-1]])
+            row = (
+                numbers[step.operation],
+                begin[-1] + step.to[0],
+                place[step.of[0]],
+                place[step.of[-1]],
+            )
             place[step.to[0]] = row[1]
             rows.append(row)
         else:
             raise NoTapeError(f"{function.name()}: operation {step.operation}")
     operations = np.array(rows, dtype=np.int32).reshape(-1, _WIDTH)
-    results = max((function.numel_out(i) for i in range(function.n_out())), default=0)  # w is looked at there too
-    return Tape(operations, np.array(constants, dtype=float), arguments, max(begin[-1] + function.sz_w(), results, 1))
+    results = max(
+        (function.numel_out(i) for i in range(function.n_out())), default=0
+    )  # w is looked at there too
+    return Tape(
+        operations,
+        np.array(constants, dtype=float),
+        arguments,
+        max(begin[-1] + function.sz_w(), results, 1),
+    )
 
 
 class _Step(NamedTuple):
@@ -118,7 +132,10 @@ class _Step(NamedTuple):
 def _steps(function: ca.Function) -> list[_Step]:
     numbers = range(function.n_instructions())
     operations = map(function.instruction_id, numbers)
-    sources, places = map(function.instruction_input, numbers), map(function.instruction_output, numbers)
+    sources, places = (
+        map(function.instruction_input, numbers),
+        map(function.instruction_output, numbers),
+    )
     return list(map(_Step, numbers, operations, sources, places))
 
 
@@ -137,8 +154,15 @@ def taped(ode: Ode) -> TapedModel:
 
 def tape_files(model: TapedModel, guid: str) -> dict[str, bytes]:
     """The model as two files by name."""
-    sizes = {n: [len(t.operations), len(t.constants), t.arguments, t.work] for n, t in model.tapes.items()}
-    parts = [part for t in model.tapes.values() for part in (t.constants.tobytes(), t.operations.tobytes())]
+    sizes = {
+        n: [len(t.operations), len(t.constants), t.arguments, t.work]
+        for n, t in model.tapes.items()
+    }
+    parts = [
+        part
+        for t in model.tapes.values()
+        for part in (t.constants.tobytes(), t.operations.tobytes())
+    ]
     text = json.dumps({"guid": guid, "functions": sizes, **model.tables}, sort_keys=False)
     return {TABLES: text.encode(), NUMBERS: b"".join(parts)}
 

@@ -1,6 +1,25 @@
 """Data set and model -> which balance fails, and its missing term as a signal."""
 
 from pam_cosim.ledger.estimate import keep_ledger
-from pam_cosim.ledger.ledger import BalanceEntry, Band, Ledger, Map, SensorReading, TermSeries, binned, mapped
+from pam_cosim.ledger.ledger import (
+    BalanceEntry,
+    Band,
+    Ledger,
+    Map,
+    SensorReading,
+    TermSeries,
+    binned,
+    mapped,
+)
 
-__all__ = ["Band", "TermSeries", "BalanceEntry", "Ledger", "Map", "SensorReading", "binned", "keep_ledger", "mapped"]
+__all__ = [
+    "Band",
+    "TermSeries",
+    "BalanceEntry",
+    "Ledger",
+    "Map",
+    "SensorReading",
+    "binned",
+    "keep_ledger",
+    "mapped",
+]

@@ -117,5 +117,7 @@ def _augmented(
         variable = ode.interface.parameters[name]
         base = next(c.owner for c in tree.components(term.qualified_name) if c.name == TERM)
         own = [c.name for c in tree.classes[base].components if c.name != TERM]
-        unknown_inputs.append(UnknownInput(name, term.balance, variable.unit, variable.description, base, tuple(own)))
+        unknown_inputs.append(
+            UnknownInput(name, term.balance, variable.unit, variable.description, base, tuple(own))
+        )
     return AugmentedModel(ode, tuple(unknown_inputs), replaced)

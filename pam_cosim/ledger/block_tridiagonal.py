@@ -33,7 +33,9 @@ class CholeskyFactor:
     def __init__(self, matrix: BlockTridiagonal) -> None:
         n, b, q = matrix.border.shape
         self._shape = (n, b)
-        self._banded = cholesky_banded(_band(matrix), lower=True, overwrite_ab=True, check_finite=False)
+        self._banded = cholesky_banded(
+            _band(matrix), lower=True, overwrite_ab=True, check_finite=False
+        )
         border = matrix.border.reshape(n * b, q)
         self._response = self._inner(border)
         schur = matrix.corner - border.T @ self._response

@@ -68,7 +68,9 @@ def keep_ledger(
     if any(run.is_static for run in data.runs):
         raise InputError("a ledger is kept over time, and points at rest have none", data.folder)
     if is_fmu(name):
-        raise InputError("a ledger can be kept of a Modelica model only: an FMU has no balances to open", name)
+        raise InputError(
+            "a ledger can be kept of a Modelica model only: an FMU has no balances to open", name
+        )
     sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)
@@ -88,13 +90,17 @@ class _Estimation:
         """All explanations, the best of them, and the entries that it leaves."""
         first = self.models[0]
         problem, states = self.explainer.problem(first, ())
-        unaugmented = try_sensors(problem, states, [(n, self.data.signals[n].unit) for n in self.signals])
+        unaugmented = try_sensors(
+            problem, states, [(n, self.data.signals[n].unit) for n in self.signals]
+        )
         augmented = self.explainer.explain(first, states)
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
         is_open = best > CRITERIA.ledger.at_noise
-        replaced = self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
+        replaced = (
+            self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
+        )
         plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
         beside = self._beside() if is_open and not plain else None
         return self._judged(Rivals(unaugmented, augmented, replaced, beside, samples))
@@ -102,7 +108,11 @@ class _Estimation:
     def _is_doubtful(self, unaugmented: Unaugmented, augmented: Explanation | None) -> bool:
         """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
         by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
-        return augmented is not None and augmented.smoothed.deviance < by_itself and self._swallows(augmented)
+        return (
+            augmented is not None
+            and augmented.smoothed.deviance < by_itself
+            and self._swallows(augmented)
+        )
 
     def _replaced(self) -> Explanation | None:
         """The best one with a law replaced by an unknown input."""
@@ -114,7 +124,9 @@ class _Estimation:
         if len(self.signals) < 2:
             return None
         tried = [self._beside_fault(name) for name in self.signals]
-        return min((one for one in tried if one is not None), key=lambda one: one.deviance, default=None)
+        return min(
+            (one for one in tried if one is not None), key=lambda one: one.deviance, default=None
+        )
 
     def _beside_fault(self, name: str) -> Explanation | None:
         """The unknown inputs of what the other signals show, with a fault of the instrument of this one."""
@@ -138,13 +150,17 @@ class _Estimation:
     def _swallows(self, explanation: Explanation) -> bool:
         """Whether a term is at work next to a balance without an unknown input, so that it may stand for it."""
         covered = {u.balance for u in explanation.unknown_inputs}
-        neighbours = [u for b in self.models[1:] for u in b.unknown_inputs if u.balance not in covered]
+        neighbours = [
+            u for b in self.models[1:] for u in b.unknown_inputs if u.balance not in covered
+        ]
         if not neighbours:
             return False
         hiding = {row[0] for row in self.domain.confused}
         working = [u for u in explanation.unknown_inputs if u.balance in hiding]
         return any(
-            explanation.without(u)[0] > explanation.smoothed.deviance + CRITERIA.evidence.very_strong for u in working
+            explanation.without(u)[0]
+            > explanation.smoothed.deviance + CRITERIA.evidence.very_strong
+            for u in working
         )
 
     # ---- judgement --------------------------------------------------------------------------------------------
@@ -156,11 +172,15 @@ class _Estimation:
             assert rivals.replaced is not None
             self.notes.append(self._confusion(self._replaced_balance(rivals.replaced)))
         losses = self._losses(rivals)
-        failing = [balance for balance, loss in losses.items() if loss > CRITERIA.evidence.very_strong]
+        failing = [
+            balance for balance, loss in losses.items() if loss > CRITERIA.evidence.very_strong
+        ]
         entries = self._entries(rivals, losses)
         if rivals.believed_fault is not None:
             signal = rivals.believed_fault.signal
-            self.notes.append(f"the reading of {signal} is not believed: the other balances were kept without it")
+            self.notes.append(
+                f"the reading of {signal} is not believed: the other balances were kept without it"
+            )
         free = tuple(winner.smoothed.point.free if winner else self.explainer.start)
         if rivals.best == "sensor" and rivals.fault:
             free = rivals.fault.free
@@ -181,7 +201,9 @@ class _Estimation:
     def _confusion(self, balance: str) -> str:
         """What to say where a law replaced by an unknown input in ``balance`` explains as much."""
         told = next((words for _, hidden, words in self.domain.confused if hidden == balance), None)
-        return told or f"a law that leaves the balance of {balance} open explains the samples as well"
+        return (
+            told or f"a law that leaves the balance of {balance} open explains the samples as well"
+        )
 
     def _losses(self, rivals: Rivals) -> dict[str, float]:
         """What the best explanation loses without each of its balances."""
@@ -191,7 +213,10 @@ class _Estimation:
             return {"sensor": second - deviances[best]}
         if winner is None:
             return {}
-        losses = {u.balance: max(winner.without(u)[0] - winner.smoothed.deviance, 0.0) for u in winner.unknown_inputs}
+        losses = {
+            u.balance: max(winner.without(u)[0] - winner.smoothed.deviance, 0.0)
+            for u in winner.unknown_inputs
+        }
         if winner.fault is not None:
             losses["sensor"] = max(second - deviances[best], 0.0)
         if winner.augmented.replaced:  # the law that was replaced counts too
@@ -211,10 +236,15 @@ class _Estimation:
         entries = _weighed(rivals, shares)
         shown = rivals.winner or rivals.augmented
         if rivals.best == "sensor" and rivals.fault is not None:
-            shown = self.explainer.explain(self.models[0], None, rivals.fault.signal) or rivals.augmented
+            shown = (
+                self.explainer.explain(self.models[0], None, rivals.fault.signal)
+                or rivals.augmented
+            )
         if shown is not None:
             for unknown_input in shown.unknown_inputs:
-                old = entries.get(unknown_input.balance) or BalanceEntry(unknown_input.balance, 0.0, 0.0, 0.0)
+                old = entries.get(unknown_input.balance) or BalanceEntry(
+                    unknown_input.balance, 0.0, 0.0, 0.0
+                )
                 entries[unknown_input.balance] = self._with_course(old, shown, unknown_input)
         if rivals.fault is not None:
             entries["sensor"] = BalanceEntry(
@@ -226,7 +256,9 @@ class _Estimation:
             )
         return list(entries.values())
 
-    def _with_course(self, entry: BalanceEntry, shown: Explanation, unknown_input: UnknownInput) -> BalanceEntry:
+    def _with_course(
+        self, entry: BalanceEntry, shown: Explanation, unknown_input: UnknownInput
+    ) -> BalanceEntry:
         courses, units = term_series(shown, unknown_input)
         return replace(
             entry,
@@ -236,14 +268,19 @@ class _Estimation:
             courses=courses,
             units=units,
             base=unknown_input.base,
-            same_as=() if shown.augmented.replaced else self.explainer.same.get(unknown_input.balance, ()),
+            same_as=()
+            if shown.augmented.replaced
+            else self.explainer.same.get(unknown_input.balance, ()),
         )
 
 
 def _readings(rivals: Rivals) -> list[SensorReading]:
     """What a fault of each instrument explains, that of the best explanation first."""
     before, winner = rivals.unaugmented.deviance, rivals.winner
-    readings = [_reading(f, before - f.deviance, rivals.explained(f.chi2)) for f in rivals.unaugmented.faults]
+    readings = [
+        _reading(f, before - f.deviance, rivals.explained(f.chi2))
+        for f in rivals.unaugmented.faults
+    ]
     if winner is None or winner.fault is None:
         return readings
     own = _reading(winner.fault, before - winner.deviance, rivals.explained(winner.chi2))

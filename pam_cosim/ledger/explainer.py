@@ -41,12 +41,18 @@ class Explainer:
     """
 
     def __init__(
-        self, data: DataSet, values: Mapping[str, float], models: Sequence[AugmentedModel], domain: Domain
+        self,
+        data: DataSet,
+        values: Mapping[str, float],
+        models: Sequence[AugmentedModel],
+        domain: Domain,
     ) -> None:
         self.data, self.values, self.models, self.domain = data, values, models, domain
         interface = models[0].ode.interface
         if not models[0].ode.states:
-            raise InputError(f"{data.model} has no states: there is no balance to keep a ledger of", data.model)
+            raise InputError(
+                f"{data.model} has no states: there is no balance to keep a ledger of", data.model
+            )
         self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
         self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)
         self.free = [n for n in data.fit if n in interface.parameters]
@@ -54,7 +60,9 @@ class Explainer:
         self.high = np.array([data.fit[n].max for n in self.free])
         starts = data.parameters_of(data.runs[0], values)
         defaults = {n: v.start or 0.0 for n, v in interface.parameters.items()}
-        self.start = np.clip([float({**defaults, **starts}[n]) for n in self.free], self.low, self.high)
+        self.start = np.clip(
+            [float({**defaults, **starts}[n]) for n in self.free], self.low, self.high
+        )
         self.notes: list[str] = []
         self.grids: dict[int, Grid] = {}
         self.same: dict[str, tuple[str, ...]] = {}
@@ -115,7 +123,14 @@ class Explainer:
         return self.grids[key]
 
     def _refined_grid(self, augmented: AugmentedModel) -> Grid:
-        args = (augmented.ode, self.data, self.data.runs, self.values, self.signals, self._spacing())
+        args = (
+            augmented.ode,
+            self.data,
+            self.data.runs,
+            self.values,
+            self.signals,
+            self._spacing(),
+        )
         grid, model = make_grid(*args), Model(augmented.ode, [], self.free, self.signals)
         p = grid.parameters.copy()
         p[:, model.free_at] = self.start
@@ -131,7 +146,9 @@ class Explainer:
             grid, states = finer, states_of_finer
         return grid
 
-    def _same_outputs(self, model: Model, coarse: tuple[Grid, Array], fine: tuple[Grid, Array], p: Array) -> bool:
+    def _same_outputs(
+        self, model: Model, coarse: tuple[Grid, Array], fine: tuple[Grid, Array], p: Array
+    ) -> bool:
         """Whether the signals agree where both grids have nodes, far below the noise."""
         outputs = []
         for grid, x in (coarse, fine):
@@ -146,7 +163,10 @@ class Explainer:
         return bool(np.sqrt(np.mean(difference**2)) < CRITERIA.ledger.far_below)
 
     def explain(
-        self, augmented: AugmentedModel, states: tuple[Array, Array] | None = None, hidden: str | None = None
+        self,
+        augmented: AugmentedModel,
+        states: tuple[Array, Array] | None = None,
+        hidden: str | None = None,
     ) -> Explanation | None:
         """The model with all unknown inputs that act and can be told apart; None without any, or if it breaks down."""
         problem, states = self.problem(augmented, augmented.unknown_inputs, hidden, states)
@@ -158,16 +178,22 @@ class Explainer:
         try:
             return Explanation(augmented, problem, kept, tuple(self.free), smooth(problem, start))
         except (np.linalg.LinAlgError, ValueError):
-            self.notes.append("the balances could not be opened: the model breaks down near the measured course")
+            self.notes.append(
+                "the balances could not be opened: the model breaks down near the measured course"
+            )
             return None
 
-    def _distinct(self, augmented: AugmentedModel, problem: SmoothingProblem, x: Array) -> tuple[UnknownInput, ...]:
+    def _distinct(
+        self, augmented: AugmentedModel, problem: SmoothingProblem, x: Array
+    ) -> tuple[UnknownInput, ...]:
         """The unknown inputs that act, one of each set that the model cannot tell apart."""
         if not augmented.unknown_inputs:
             return ()
         grid, kept = problem.grid, list[int]()
         p = grid.parameters[grid.run_of_node]
-        slopes = problem.model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p).by_unknown_input
+        slopes = problem.model.everything(
+            grid.time, x, grid.node_inputs, grid.node_delayed, p
+        ).by_unknown_input
         slopes = slopes / np.maximum(np.max(np.abs(slopes), axis=(0, 2), keepdims=True), 1e-300)
         places = [self.domain.place(one.balance) for one in augmented.unknown_inputs]
         for i in sorted(range(len(places)), key=lambda i: (places[i], i)):
@@ -181,7 +207,9 @@ class Explainer:
         return tuple(augmented.unknown_inputs[i] for i in kept)
 
     def _note_same(self, a: UnknownInput, b: UnknownInput) -> None:
-        text = f"in this model a missing {a.balance} term and a missing {b.balance} term do the same: "
+        text = (
+            f"in this model a missing {a.balance} term and a missing {b.balance} term do the same: "
+        )
         text += f"what is entered under {a.balance} [{a.unit}] may be either"
         if text not in self.notes:
             self.notes.append(text)

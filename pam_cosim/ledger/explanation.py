@@ -41,7 +41,9 @@ class Explanation:
     def without(self, unknown_input: UnknownInput) -> tuple[float, float]:
         """Deviance and chi-square where all others act."""
         return with_some(
-            self.problem, self.smoothed, [i for i, u in enumerate(self.unknown_inputs) if u is not unknown_input]
+            self.problem,
+            self.smoothed,
+            [i for i, u in enumerate(self.unknown_inputs) if u is not unknown_input],
         )
 
 
@@ -90,7 +92,9 @@ class Rivals:
     @property
     def winner(self) -> Explanation | None:
         """The best one, where it has unknown inputs."""
-        return {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}.get(self.best)
+        return {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}.get(
+            self.best
+        )
 
     @property
     def believed_fault(self) -> SensorFault | None:
@@ -104,7 +108,10 @@ class Rivals:
         """Whether an unknown input beside a law, and one in its place, explain the samples about as well."""
         rival = {"augmented": "replaced", "replaced": "augmented"}.get(self.best)
         deviances = self.deviances
-        return rival is not None and deviances[rival] < deviances[self.best] + CRITERIA.evidence.very_strong
+        return (
+            rival is not None
+            and deviances[rival] < deviances[self.best] + CRITERIA.evidence.very_strong
+        )
 
     @property
     def chi2(self) -> float:

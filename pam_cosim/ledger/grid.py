@@ -71,7 +71,16 @@ def make_grid(
 ) -> Grid:
     """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input; and at ``further`` times."""
     defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
-    times, inputs, stages, delayed, stage_delayed, measured, parameters, starts = [], [], [], [], [], [], [], []
+    times, inputs, stages, delayed, stage_delayed, measured, parameters, starts = (
+        [],
+        [],
+        [],
+        [],
+        [],
+        [],
+        [],
+        [],
+    )
     for r, run in enumerate(runs):
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
@@ -124,7 +133,11 @@ def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
 def _shown(ode: Ode, run: Run, p: Array) -> Array:
     """(n,) when the instruments showed what a run has recorded [s], by the clock of the inputs."""
     clocks = ode.interface.record_delays
-    late = sum(float(value) for name, value in zip(ode.interface.parameters, p, strict=True) if name in clocks)
+    late = sum(
+        float(value)
+        for name, value in zip(ode.interface.parameters, p, strict=True)
+        if name in clocks
+    )
     return np.maximum(run.time - late, start_time(run)) if late else run.time
 
 
@@ -157,7 +170,9 @@ def _at(courses: Sequence[Pieces], times: Array) -> Array:
 def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start: float) -> Array:
     columns = [np.zeros((len(times), 0))]
     if ode.delays:
-        late = np.array(ca.Function("late", [ode.p], [ca.vertcat(*[d.time for d in ode.delays])])(p)).ravel()
+        late = np.array(
+            ca.Function("late", [ode.p], [ca.vertcat(*[d.time for d in ode.delays])])(p)
+        ).ravel()
         for delay, by in zip(ode.delays, late.tolist(), strict=True):
             before = times - by
             if delay.input is None:

@@ -82,7 +82,9 @@ class BalanceEntry:
         """Part of the time in which the term is further from zero than two standard deviations."""
         if not self.courses:
             return float("nan")
-        return float(np.mean(np.concatenate([np.abs(c.value) > 2 * c.deviation for c in self.courses])))
+        return float(
+            np.mean(np.concatenate([np.abs(c.value) > 2 * c.deviation for c in self.courses]))
+        )
 
     def as_dict(self, courses: bool = True) -> dict[str, object]:
         """Plain data for JSON, SI units; without the courses it is short."""
@@ -181,11 +183,16 @@ class Ledger(Printed):
         }
 
     def __str__(self) -> str:
-        lines = [f"{self.model}: " + (f"fails in {' and '.join(self.failing)}" if self.failing else "no balance fails")]
+        lines = [
+            f"{self.model}: "
+            + (f"fails in {' and '.join(self.failing)}" if self.failing else "no balance fails")
+        ]
         lines[0] += f"; mean square error {self.before:.4g} -> {self.after:.4g} noise variances"
         for e in self.entries:
             what = f", {e.size:.3g} {e.unit} rms" if e.courses else ""
-            lines.append(f"  {e.balance:7} share {100 * e.share:5.1f} %, alone {100 * e.explains:5.1f} %{what}")
+            lines.append(
+                f"  {e.balance:7} share {100 * e.share:5.1f} %, alone {100 * e.explains:5.1f} %{what}"
+            )
         if "sensor" in self.failing:
             r = self.readings[0]
             lines.append(
@@ -238,7 +245,9 @@ def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[Band, ..
         own = float(1 / np.sqrt(weight[inside].max()))
         between = float(np.std(means, ddof=1) / np.sqrt(len(means))) if len(means) > 1 else 0.0
         scatter = float(np.std(value[inside]))
-        in_bands.append(Band(float(low), float(high), mean, max(own, between), scatter, int(inside.sum())))
+        in_bands.append(
+            Band(float(low), float(high), mean, max(own, between), scatter, int(inside.sum()))
+        )
     return tuple(in_bands)
 
 

@@ -29,10 +29,16 @@ class Slopes(NamedTuple):
 class Model:
     """f and h of an ``Ode`` for many points; unknown inputs and free parameters are elements of its p."""
 
-    def __init__(self, ode: Ode, unknown_inputs: Sequence[str], free: Sequence[str], signals: Sequence[str]) -> None:
+    def __init__(
+        self, ode: Ode, unknown_inputs: Sequence[str], free: Sequence[str], signals: Sequence[str]
+    ) -> None:
         names = list(ode.interface.parameters)
         self.ode = ode
-        self.states, self.unknown_inputs, self.free = len(ode.states), len(unknown_inputs), len(free)
+        self.states, self.unknown_inputs, self.free = (
+            len(ode.states),
+            len(unknown_inputs),
+            len(free),
+        )
         self.unknown_at = [names.index(u) for u in unknown_inputs]
         self.free_at = [names.index(f) for f in free]
         outputs = list(ode.interface.outputs)
@@ -56,10 +62,14 @@ class Model:
         """
         nodes = grid.first[:-1]
         inputs = grid.node_inputs[nodes]
-        own = [np.array(self._initial(p, u)).ravel() for p, u in zip(parameters, inputs, strict=True)]
+        own = [
+            np.array(self._initial(p, u)).ravel() for p, u in zip(parameters, inputs, strict=True)
+        ]
         begin = np.where(np.isnan(grid.starts), np.array(own), grid.starts)
         found = {*self.ode.resting, *(name for name, _ in self.ode.following)}
-        rests = np.isnan(grid.starts) & np.array([s.name in found for s in self.ode.states], dtype=bool)
+        rests = np.isnan(grid.starts) & np.array(
+            [s.name in found for s in self.ode.states], dtype=bool
+        )
         size = np.array([s.nominal or 1.0 for s in self.ode.states])
         for run in np.flatnonzero(rests.any(axis=1)).tolist():
             at, p = slice(nodes[run], nodes[run] + 1), parameters[run : run + 1]
@@ -85,7 +95,9 @@ class Model:
         (values,) = self._locals(t, x, u, d, p)
         return dict(zip(names, values.T.copy(), strict=True))
 
-    def _slopes(self, f: _AtPoints, rows: int, t: Array, x: Array, u: Array, d: Array, p: Array) -> Slopes:
+    def _slopes(
+        self, f: _AtPoints, rows: int, t: Array, x: Array, u: Array, d: Array, p: Array
+    ) -> Slopes:
         value, jacobian = f(t, x, u, d, p)
         columns = self.states + self.unknown_inputs + self.free
         slopes = jacobian.reshape(len(t), columns, rows).transpose(0, 2, 1)

@@ -51,11 +51,16 @@ def further_nodes(
     for half in range(2):
         _, middle = _step(model, _halved(grid, half), parameters[run], middle, steps, size, half)
     error = np.max(np.abs(middle - x[grid.left + 1]) / size, axis=1)
-    parts = np.minimum(np.ceil((np.nan_to_num(error, nan=1.0) / accuracy) ** 0.25), _MOST_PARTS).astype(int)
+    parts = np.minimum(
+        np.ceil((np.nan_to_num(error, nan=1.0) / accuracy) ** 0.25), _MOST_PARTS
+    ).astype(int)
     times = []
     for r in range(len(grid.runs)):
         own = np.flatnonzero((run == r) & (parts > 1))
-        inside = [grid.time[grid.left[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k] for k in own.tolist()]
+        inside = [
+            grid.time[grid.left[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k]
+            for k in own.tolist()
+        ]
         times.append(np.concatenate([np.zeros(0), *inside]))
     return times
 
@@ -86,7 +91,13 @@ def _halved(grid: Grid, half: int) -> Grid:
 
 
 def _step(
-    model: Model, grid: Grid, p: Array, x: Array, step: NDArray[np.intp], size: Array, offset: float = 0.0
+    model: Model,
+    grid: Grid,
+    p: Array,
+    x: Array,
+    step: NDArray[np.intp],
+    size: Array,
+    offset: float = 0.0,
 ) -> tuple[Array, Array]:
     """One step of each of some runs; ``offset``, in steps, is where it starts after its node."""
     h = grid.step[step][:, None]
@@ -103,10 +114,14 @@ def _step(
         f = model.rates(t, np.concatenate([s, y]), u, d, both)
         f1, f2, a1, a2 = f.value[:r], f.value[r:], f.by_state[:r], f.by_state[r:]
         hh = h[:, :, None]
-        residual = np.concatenate([s - x - h * (5 * f1 - f2) / 12, y - x - h * (3 * f1 + f2) / 4], axis=1)
+        residual = np.concatenate(
+            [s - x - h * (5 * f1 - f2) / 12, y - x - h * (3 * f1 + f2) / 4], axis=1
+        )
         top = np.concatenate([eye - hh * a1 * 5 / 12, hh * a2 / 12], axis=2)
         bottom = np.concatenate([-hh * a1 * 3 / 4, eye - hh * a2 / 4], axis=2)
-        change = np.linalg.solve(np.concatenate([top, bottom], axis=1), residual[:, :, None])[:, :, 0]
+        change = np.linalg.solve(np.concatenate([top, bottom], axis=1), residual[:, :, None])[
+            :, :, 0
+        ]
         if not np.isfinite(change).all():
             return x, x
         s, y = s - change[:, :n], y - change[:, n:]

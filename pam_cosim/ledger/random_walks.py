@@ -49,12 +49,18 @@ def walk_gradient(problem: SmoothingProblem, point: Point, q: Array) -> Array:
     gradient[at + 1, n:] += pull
     gradient[at, n:] -= pull
     first = problem.grid.first[:-1]
-    gradient[first, n:] += point.w[first] / problem.unknown_size / (q * run_spans(problem.grid)[:, None])
+    gradient[first, n:] += (
+        point.w[first] / problem.unknown_size / (q * run_spans(problem.grid)[:, None])
+    )
     return gradient
 
 
 def deviance(
-    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, factored: CholeskyFactor | None = None
+    problem: SmoothingProblem,
+    linear: LinearisedProblem,
+    point: Point,
+    q: Array,
+    factored: CholeskyFactor | None = None,
 ) -> float:
     """Minus twice the log marginal likelihood of the linearised problem, at its own minimum."""
     factored = factored or CholeskyFactor(with_walk(problem, linear.matrix, q))
@@ -77,7 +83,11 @@ CLOSED = float(np.exp(_LOWEST))
 
 
 def likeliest_noise_intensity(
-    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, active: Sequence[int] | None = None
+    problem: SmoothingProblem,
+    linear: LinearisedProblem,
+    point: Point,
+    q: Array,
+    active: Sequence[int] | None = None,
 ) -> Array:
     """(m,) the noise intensity of the (active) walks that makes the samples most probable, from ``q`` on."""
     chosen = list(range(len(q)) if active is None else active)

@@ -75,23 +75,36 @@ def try_sensors(
     none = linearised.least_squares()
     measured = [j for j in range(len(signals)) if np.isfinite(problem.grid.measured[:, j]).any()]
     faults = sorted((_fault(linearised, signals[j], j) for j in measured), key=lambda f: f.deviance)
-    for _ in range(CRITERIA.ledger.sensor_rounds):  # the free parameters move when an instrument is believed no more
+    for _ in range(
+        CRITERIA.ledger.sensor_rounds
+    ):  # the free parameters move when an instrument is believed no more
         if not faults or faults[0].chi2 > CRITERIA.ledger.sensor_promising * none.chi2:
             break
         j = [name for name, _ in signals].index(faults[0].signal)
         free = np.array(faults[0].free)
         better = _fault(
-            _Linearised(problem, free, integrate(problem.model, problem.grid, problem.parameters(free))), signals[j], j
+            _Linearised(
+                problem, free, integrate(problem.model, problem.grid, problem.parameters(free))
+            ),
+            signals[j],
+            j,
         )
         settled = abs(better.deviance - faults[0].deviance) < CRITERIA.ledger.sensor_settled
         faults[0] = better
         if settled:
             break
-    return Unaugmented(none.deviance, none.chi2, linearised.point, tuple(sorted(faults, key=lambda f: f.deviance)))
+    return Unaugmented(
+        none.deviance, none.chi2, linearised.point, tuple(sorted(faults, key=lambda f: f.deviance))
+    )
 
 
 def fault_beside(
-    grid: Grid, signal: tuple[str, str], measured: Array, course: Array, sigma: float, free: Sequence[float]
+    grid: Grid,
+    signal: tuple[str, str],
+    measured: Array,
+    course: Array,
+    sigma: float,
+    free: Sequence[float],
 ) -> SensorFault:
     """The likeliest fault of an instrument whose samples (N,) were not used to find its signal's course (N,).
 
@@ -101,7 +114,9 @@ def fault_beside(
     span = float(np.ptp(measured[kept])) or 1.0
     tried = []
     for lag, lagged in zip(
-        (0.0, *_lags(grid)), (course[:, None], *_lagged(grid, course[:, None], _lags(grid))), strict=True
+        (0.0, *_lags(grid)),
+        (course[:, None], *_lagged(grid, course[:, None], _lags(grid))),
+        strict=True,
     ):
         y = lagged[kept, 0]
         rows = (
@@ -141,7 +156,9 @@ def fault_beside(
 
 def _lags(grid: Grid) -> Array:
     longest = float(grid.step.sum()) / len(grid.runs) / 2
-    return np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, CRITERIA.ledger.sensor_lags)
+    return np.geomspace(
+        min(float(np.median(grid.step)), longest / 2), longest, CRITERIA.ledger.sensor_lags
+    )
 
 
 @dataclass(frozen=True)
@@ -163,9 +180,15 @@ class _Linearised:
         self.linear = linearise(problem, self.point)
         self.slopes = _output_slopes(problem, self.linear)
 
-    def least_squares(self, j: int | None = None, course: Array | None = None, span: float = 1.0) -> _Solution:
+    def least_squares(
+        self, j: int | None = None, course: Array | None = None, span: float = 1.0
+    ) -> _Solution:
         """The free parameters, and a fault of signal ``j`` whose reading with slopes is (N, 1 + Q) ``course``."""
-        problem, slopes, residual = self.problem, self.slopes, self.linear.residual / self.problem.sigma
+        problem, slopes, residual = (
+            self.problem,
+            self.slopes,
+            self.linear.residual / self.problem.sigma,
+        )
         extra = np.zeros((*slopes.shape[:2], 0))
         if j is not None and course is not None:
             residual, slopes = residual.copy(), slopes.copy()
@@ -173,7 +196,11 @@ class _Linearised:
             slopes[:, j] = course[:, 1:]
             extra = np.zeros((*slopes.shape[:2], 2))
             extra[:, j, 0] = CRITERIA.ledger.sensor_offset * span / problem.sigma[j]
-            extra[:, j, 1] = CRITERIA.ledger.sensor_gain * (course[:, 0] - np.mean(course[:, 0])) / problem.sigma[j]
+            extra[:, j, 1] = (
+                CRITERIA.ledger.sensor_gain
+                * (course[:, 0] - np.mean(course[:, 0]))
+                / problem.sigma[j]
+            )
         kept = np.isfinite(residual)
         rows, r = np.concatenate([slopes, extra], axis=2)[kept], residual[kept]
         prior = np.zeros(rows.shape[1])
@@ -188,7 +215,10 @@ class _Linearised:
         """The solution with free parameters held at a bound that they would pass."""
         problem, q = self.problem, len(self.free)
         low, high = (np.full(len(right), s * np.inf) for s in (-1, 1))
-        low[:q], high[:q] = (problem.low - self.free) / problem.spread, (problem.high - self.free) / problem.spread
+        low[:q], high[:q] = (
+            (problem.low - self.free) / problem.spread,
+            (problem.high - self.free) / problem.spread,
+        )
         held = np.zeros(len(right), dtype=bool)
         change = np.zeros(len(right))
         for _ in range(q + 1):
@@ -216,7 +246,9 @@ def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFa
     lag, best = min(tried, key=lambda t: t[1].deviance)
     q = len(linearised.free)
     free = np.clip(
-        linearised.free + best.change[:q] * linearised.problem.spread, linearised.problem.low, linearised.problem.high
+        linearised.free + best.change[:q] * linearised.problem.spread,
+        linearised.problem.low,
+        linearised.problem.high,
     )
     return SensorFault(
         signal=signal[0],

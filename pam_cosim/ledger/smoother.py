@@ -24,9 +24,20 @@ from pam_cosim.ledger.random_walks import (
     walk_gradient,
     with_walk,
 )
-from pam_cosim.ledger.smoothing_problem import SLACK, LinearisedProblem, Point, SmoothingProblem, linearise, products
+from pam_cosim.ledger.smoothing_problem import (
+    SLACK,
+    LinearisedProblem,
+    Point,
+    SmoothingProblem,
+    linearise,
+    products,
+)
 
-_FIRST_SLACKS = (1e-2, 1e-3, 1e-4)  # a step may miss the model by this in the first iterations, which come from far
+_FIRST_SLACKS = (
+    1e-2,
+    1e-3,
+    1e-4,
+)  # a step may miss the model by this in the first iterations, which come from far
 _ITERATIONS = 15
 _CLOSE = 1e-3  # change of a state, over its range, at which the iteration ends
 _SHORTENED = 6
@@ -86,20 +97,31 @@ def smooth(problem: SmoothingProblem, start: Point) -> Smoothed:
 
 
 def _advanced(
-    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, part: float, slack: float
+    problem: SmoothingProblem,
+    linear: LinearisedProblem,
+    point: Point,
+    q: Array,
+    part: float,
+    slack: float,
 ) -> tuple[Point, LinearisedProblem, float]:
     """One iteration; a step that leads out of what the model can evaluate is shortened."""
     for _ in range(_SHORTENED):
         new, moved = _stepped(problem, linear, point, q, part)
         with np.errstate(all="ignore"):
             about = linearise(problem, new, slack)
-        if np.isfinite(about.cost) and np.isfinite(about.matrix.diagonal).all() and np.isfinite(about.gradient).all():
+        if (
+            np.isfinite(about.cost)
+            and np.isfinite(about.matrix.diagonal).all()
+            and np.isfinite(about.gradient).all()
+        ):
             return new, about, moved
         part /= 3
     raise np.linalg.LinAlgError("the model has no finite values near the samples")
 
 
-def _result(problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, converged: bool) -> Smoothed:
+def _result(
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, converged: bool
+) -> Smoothed:
     factored = CholeskyFactor(with_walk(problem, linear.matrix, q))
     covariance, _ = factored.covariances()
     variance = np.diagonal(covariance, axis1=1, axis2=2)[:, problem.model.states :]
@@ -123,18 +145,26 @@ def _stepped(
     blocks = linear.gradient + walk_gradient(problem, point, q)
     change, outer = factored.solve(-blocks, -linear.corner_gradient)
     n, grid = problem.model.states, problem.grid
-    dx, dw, df = change[:, :n] * problem.size, change[:, n:] * problem.unknown_size, outer * problem.spread
+    dx, dw, df = (
+        change[:, :n] * problem.size,
+        change[:, n:] * problem.unknown_size,
+        outer * problem.spread,
+    )
     dx, dw, df = part * dx, part * dw, part * df
     constant, by_left, by_right, by_walk, by_free = linear.stage
     at = grid.left
-    ds = -(part * constant + products(by_left, dx[at]) + products(by_right, dx[at + 1]) + by_free @ df)
+    ds = -(
+        part * constant + products(by_left, dx[at]) + products(by_right, dx[at + 1]) + by_free @ df
+    )
     ds -= products(by_walk, np.concatenate([dw[at], dw[at + 1]], axis=1))
     free = np.clip(point.free + df, problem.low, problem.high)
     new = Point(point.x + dx, point.s + ds, point.w + dw, free)
     return new, float(np.max(np.abs(change[:, :n])))
 
 
-def with_some(problem: SmoothingProblem, smoothed: Smoothed, active: Sequence[int]) -> tuple[float, float]:
+def with_some(
+    problem: SmoothingProblem, smoothed: Smoothed, active: Sequence[int]
+) -> tuple[float, float]:
     """Deviance and chi-square with only some of the terms, of the problem linearised about an estimate with all."""
     q = np.full(len(smoothed.noise_intensity), CLOSED)
     q[list(active)] = smoothed.noise_intensity[list(active)]

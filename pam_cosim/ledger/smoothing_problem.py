@@ -99,7 +99,9 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     p_stage[:, model.unknown_at] = (1 - STAGE) * point.w[at] + STAGE * point.w[at + 1]
     h = grid.step
     node = model.everything(grid.time, point.x, grid.node_inputs, grid.node_delayed, p)
-    inner = model.rates(grid.time[at] + STAGE * h, point.s, grid.stage_inputs, grid.stage_delayed, p_stage)
+    inner = model.rates(
+        grid.time[at] + STAGE * h, point.s, grid.stage_inputs, grid.stage_delayed, p_stage
+    )
     f2, a2, b2, c2 = (v[at + 1, :n] for v in node)
     f1, a1, b1, c1 = inner
     hh, h1 = h[:, None, None], h[:, None]
@@ -107,13 +109,17 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     # the state inside a step follows from its ends
     solve = np.asarray(np.linalg.inv(eye - hh * a1 * 5 / 12), dtype=np.float64)
     d1 = point.s - point.x[at] - h1 * (5 * f1 - f2) / 12
-    w1 = np.concatenate([-(1 - STAGE) * hh * b1 * 5 / 12, -STAGE * hh * b1 * 5 / 12 + hh * b2 / 12], axis=2)
+    w1 = np.concatenate(
+        [-(1 - STAGE) * hh * b1 * 5 / 12, -STAGE * hh * b1 * 5 / 12 + hh * b2 / 12], axis=2
+    )
     c_in = -hh * c1 * 5 / 12 + hh * c2 / 12
     stage = (products(solve, d1), -solve, solve @ (hh * a2 / 12), solve @ w1, solve @ c_in)
     # the end of a step follows from its start
     k = hh * a1 * 3 / 4
     d2 = point.x[at + 1] - point.x[at] - h1 * (3 * f1 + f2) / 4
-    w2 = np.concatenate([-(1 - STAGE) * hh * b1 * 3 / 4, -STAGE * hh * b1 * 3 / 4 - hh * b2 / 4], axis=2)
+    w2 = np.concatenate(
+        [-(1 - STAGE) * hh * b1 * 3 / 4, -STAGE * hh * b1 * 3 / 4 - hh * b2 / 4], axis=2
+    )
     end = np.asarray(np.linalg.inv(eye - hh * a2 / 4 + k @ stage[2]), dtype=np.float64)
     scale = problem.size
     defect = products(end, d2 + products(k, stage[0])) / scale
@@ -128,7 +134,10 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     kept = np.isfinite(grid.measured)
     residual = np.where(kept, grid.measured - values[0], np.nan)
     r = np.where(kept, -residual / problem.sigma, 0.0)
-    rows = np.concatenate([values[1] * scale, values[2] * problem.unknown_size], axis=2) / problem.sigma[:, None]
+    rows = (
+        np.concatenate([values[1] * scale, values[2] * problem.unknown_size], axis=2)
+        / problem.sigma[:, None]
+    )
     rows = np.where(kept[:, :, None], rows, 0.0)
     rows_free = np.where(kept[:, :, None], values[3] * problem.spread / problem.sigma[:, None], 0.0)
 
@@ -163,11 +172,22 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     matrix = BlockTridiagonal(diagonal, coupling, border, corner)
     flow = (-by_left[:, :, :n], -by_free)
     return LinearisedProblem(
-        matrix, gradient, corner_gradient, cost, log_weights, residual, values[0], stage, flow, (rows, rows_free)
+        matrix,
+        gradient,
+        corner_gradient,
+        cost,
+        log_weights,
+        residual,
+        values[0],
+        stage,
+        flow,
+        (rows, rows_free),
     )
 
 
-def unknown_sizes(model: Model, grid: Grid, x: Array, free: Array, parameters: Array, sigma: Sequence[float]) -> Array:
+def unknown_sizes(
+    model: Model, grid: Grid, x: Array, free: Array, parameters: Array, sigma: Sequence[float]
+) -> Array:
     """(m,) [SI]: the term that would change a rate by its own largest size, or an output by its range.
 
     Zero where a term acts on nothing.

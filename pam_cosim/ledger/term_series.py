@@ -11,16 +11,28 @@ from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.ledger import TermSeries
 
 
-def term_series(explanation: Explanation, unknown_input: UnknownInput) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
+def term_series(
+    explanation: Explanation, unknown_input: UnknownInput
+) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
     """A term over time in each run, with variables and what free parameters imitate; and units of the variables."""
-    problem, smoothed, j = explanation.problem, explanation.smoothed, explanation.unknown_inputs.index(unknown_input)
+    problem, smoothed, j = (
+        explanation.problem,
+        explanation.smoothed,
+        explanation.unknown_inputs.index(unknown_input),
+    )
     grid: Grid = problem.grid
     p = problem.parameters(smoothed.point.free)[grid.run_of_node]
     p[:, problem.model.unknown_at] = smoothed.point.w
     names = _variables(explanation.augmented, unknown_input)
-    variables = problem.model.variables(grid.time, smoothed.point.x, grid.node_inputs, grid.node_delayed, p)
-    against = {short: variables[full] for short, full in names.items() if np.ptp(variables[full]) > 0}
-    against = {n: against[n] for n in sorted(against, key=lambda n: n not in unknown_input.variables)}
+    variables = problem.model.variables(
+        grid.time, smoothed.point.x, grid.node_inputs, grid.node_delayed, p
+    )
+    against = {
+        short: variables[full] for short, full in names.items() if np.ptp(variables[full]) > 0
+    }
+    against = {
+        n: against[n] for n in sorted(against, key=lambda n: n not in unknown_input.variables)
+    }
     against.pop(TERM, None)
     value = smoothed.point.w[:, j]
     against = {n: v for n, v in against.items() if not np.allclose(v, value, rtol=1e-6, atol=0)}
@@ -31,7 +43,11 @@ def term_series(explanation: Explanation, unknown_input: UnknownInput) -> tuple[
         at = grid.nodes(r)
         own = {n: v[at] for n, v in against.items()}
         same = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
-        courses.append(TermSeries(run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same))
+        courses.append(
+            TermSeries(
+                run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same
+            )
+        )
     return tuple(courses), units
 
 
@@ -53,7 +69,8 @@ def _imitated(explanation: Explanation, parameters: Array, j: int) -> Array:
             slopes.by_parameter[:, n:] / explanation.problem.sigma[:, None],
         )
     imitated: Array = (
-        np.einsum("ki,kiq->kq", unknown_input, free) / np.maximum(np.sum(unknown_input**2, axis=1), 1e-300)[:, None]
+        np.einsum("ki,kiq->kq", unknown_input, free)
+        / np.maximum(np.sum(unknown_input**2, axis=1), 1e-300)[:, None]
     )
     return imitated
 
@@ -61,5 +78,9 @@ def _imitated(explanation: Explanation, parameters: Array, j: int) -> Array:
 def _variables(augmented: AugmentedModel, unknown_input: UnknownInput) -> dict[str, str]:
     """Variables of the component that holds a term: short and full names."""
     prefix = unknown_input.parameter.rpartition(".")[0] + "."
-    names = [n for n in augmented.ode.interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
+    names = [
+        n
+        for n in augmented.ode.interface.locals
+        if n.startswith(prefix) and "." not in n[len(prefix) :]
+    ]
     return {n[len(prefix) :]: n for n in names}

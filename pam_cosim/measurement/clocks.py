@@ -15,7 +15,10 @@ from pam_cosim.simulation.inputs import Interpolation
 
 _COARSE = 2000  # Points of the longer recording by which offsets are looked for.
 _SLOPE = 3.0  # Samples to each side, by which a slope is told.
-_STEPS, _SHARE = 60, 0.5  # Of Newton's method, which lines between noisy samples would else make swing.
+_STEPS, _SHARE = (
+    60,
+    0.5,
+)  # Of Newton's method, which lines between noisy samples would else make swing.
 _CLOSE = 0.01  # Of its standard deviation, to which an offset is iterated.
 _LEAST = 0.5  # Of the shorter recording, which an offset must leave in common.
 
@@ -47,7 +50,11 @@ def estimate_offset(first: tuple[Array, Array], second: tuple[Array, Array]) -> 
     """
     t, y = _finite_samples(*first)
     s, z = _finite_samples(*second)
-    if min(len(t), len(s)) < CRITERIA.noise.fewest_samples or not np.ptp(y) > 0 or not np.ptp(z) > 0:
+    if (
+        min(len(t), len(s)) < CRITERIA.noise.fewest_samples
+        or not np.ptp(y) > 0
+        or not np.ptp(z) > 0
+    ):
         raise ClockError("the signal has too few samples, or does not change")
     step = max(t[-1] - t[0], s[-1] - s[0]) / _COARSE
     offset = _offset_on_grid(t, y, s, z, step)
@@ -61,7 +68,9 @@ def estimate_offset(first: tuple[Array, Array], second: tuple[Array, Array]) -> 
     raise ClockError("the signals do not agree at one offset")
 
 
-def _newton_step(t: Array, y: Array, s: Array, z: Array, reach: float, noise: float) -> tuple[float, float]:
+def _newton_step(
+    t: Array, y: Array, s: Array, z: Array, reach: float, noise: float
+) -> tuple[float, float]:
     """Change of the offset by linear least squares, and its standard deviation.
 
     Slopes are differences over samples apart from the one itself, whose noise they do not share; what the noise of
@@ -83,7 +92,9 @@ def _newton_step(t: Array, y: Array, s: Array, z: Array, reach: float, noise: fl
     return float(slope @ left) / (gain * information), spread
 
 
-def merged(first: Recording, second: Recording, offset: float, interpolation: Interpolation) -> Recording:
+def merged(
+    first: Recording, second: Recording, offset: float, interpolation: Interpolation
+) -> Recording:
     """One recording on the first one's clock: all rows of both, while both know their inputs.
 
     What both have is taken from the first.
@@ -110,7 +121,9 @@ def merged(first: Recording, second: Recording, offset: float, interpolation: In
 
     inputs = {}
     for name, values in first.inputs.items():
-        inputs[name] = joined(values[rows], _interpolated(first.time, values, moved[new], interpolation))
+        inputs[name] = joined(
+            values[rows], _interpolated(first.time, values, moved[new], interpolation)
+        )
     for name, values in second.inputs.items():
         if name not in inputs:
             inputs[name] = joined(_interpolated(moved, values, time, interpolation), values[new])
@@ -122,7 +135,9 @@ def merged(first: Recording, second: Recording, offset: float, interpolation: In
             at_rows[before[shared]] = values[further_rows[shared]]
             measured[name] = joined(at_rows, values[new])
     notes = (*first.notes, *second.notes)
-    return replace(first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes)
+    return replace(
+        first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes
+    )
 
 
 def _interpolated(time: Array, values: Array, at: Array, interpolation: Interpolation) -> Array:
@@ -141,7 +156,9 @@ def _offset_on_grid(t: Array, y: Array, s: Array, z: Array, step: float) -> floa
     a, b = (np.interp(np.arange(u[0], u[-1], step), u, v) for u, v in ((t, y), (s, z)))
     least = max(3, int(_LEAST * min(len(a), len(b))))
     lags = np.arange(least - len(b), len(a) - least + 1)
-    like = np.array([_correlation(a[max(0, k) : k + len(b)], b[max(0, -k) : len(a) - k]) for k in lags])
+    like = np.array(
+        [_correlation(a[max(0, k) : k + len(b)], b[max(0, -k) : len(a) - k]) for k in lags]
+    )
     best = int(np.argmax(like))
     left = np.maximum(1.0 - like**2, 1e-12)
     peaks = np.flatnonzero((like[1:-1] >= like[:-2]) & (like[1:-1] >= like[2:])) + 1

@@ -31,7 +31,11 @@ class Renaming:
     def sources(self) -> frozenset[str]:
         """Names of columns of the file that are read for others, as far as they stand there by themselves."""
         named = {t.column for t in self.tables.values() if isinstance(t.column, str)}
-        own = {name for name, table in self.tables.items() if table.column is None and table.formula is None}
+        own = {
+            name
+            for name, table in self.tables.items()
+            if table.column is None and table.formula is None
+        }
         return frozenset(named | own)
 
     def names_in_formulas(self) -> frozenset[str]:
@@ -60,7 +64,9 @@ def with_columns(table: Table, renaming: Renaming) -> Table:
         else:
             made[name] = _mapped(_renamed(table, renaming, name), renaming, name)
             used.add(made[name].heading)
-    rest = {name: c for name, c in table.columns.items() if name not in made and c.heading not in used}
+    rest = {
+        name: c for name, c in table.columns.items() if name not in made and c.heading not in used
+    }
     table = replace(table, columns={**rest, **made})
     for name, one in renaming.tables.items():
         if one.zero is not None:
@@ -83,7 +89,9 @@ def _renamed(table: Table, renaming: Renaming, name: str) -> Column:
         alike = [column for column in columns if wanted in (column.name, column.heading)]
         if not alike:
             hint = did_you_mean(wanted, [column.name for column in columns])
-            raise renaming.error(f"{table.file.name} has no column {shown(wanted)}; {hint}", name, "column")
+            raise renaming.error(
+                f"{table.file.name} has no column {shown(wanted)}; {hint}", name, "column"
+            )
         source = alike[0]
     return Column(name, one.unit or source.unit, source.values, source.heading or source.name)
 
@@ -106,7 +114,11 @@ def _mapped(column: Column, renaming: Renaming, name: str) -> Column:
 
 
 def _stated(value: str | float | None, otherwise: float) -> Any:
-    return quantity(value) if isinstance(value, str) else quantity(otherwise if value is None else value)
+    return (
+        quantity(value)
+        if isinstance(value, str)
+        else quantity(otherwise if value is None else value)
+    )
 
 
 def _derived(
@@ -117,7 +129,9 @@ def _derived(
     for key in ("column", "unit", "gain", "offset"):
         if getattr(one, key) is not None:
             raise renaming.error(f"it has a formula and a {key}; keep one of them", name, key)
-    known = _Quantities({**{c.heading: c for c in table.columns.values() if c.heading}, **table.columns, **made})
+    known = _Quantities(
+        {**{c.heading: c for c in table.columns.values() if c.heading}, **table.columns, **made}
+    )
     try:
         with np.errstate(all="ignore"):
             result = evaluate(formula, known, quantity)
@@ -127,7 +141,9 @@ def _derived(
     except ModelError as error:
         raise renaming.error(with_place(error), name, "formula") from None
     except registry_errors() as error:
-        raise renaming.error(f"the units of the formula do not fit: {error}", name, "formula") from None
+        raise renaming.error(
+            f"the units of the formula do not fit: {error}", name, "formula"
+        ) from None
     except (ArithmeticError, RecursionError, TypeError, ValueError) as error:
         raise renaming.error(f"the formula cannot be evaluated: {error}", name, "formula") from None
     count = len(next(iter(table.columns.values())).values)
@@ -167,7 +183,9 @@ def _zeroed(table: Table, renaming: Renaming, name: str) -> Table:
     at_rest = at_rest[np.isfinite(at_rest)]
     if not at_rest.size:
         span = f"{time[0]:.6g} to {time[-1]:.6g} s"
-        raise renaming.error(f"no sample in the rest interval; {table.file.name} is of {span}", name, "zero")
+        raise renaming.error(
+            f"no sample in the rest interval; {table.file.name} is of {span}", name, "zero"
+        )
     zero = float(np.mean(at_rest))
     said = f"{zero:.3g} {column.unit}".strip()
     note = f"the zero of {name}, {said}, is the mean of {at_rest.size} samples at rest"

@@ -32,7 +32,11 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     if not means:
         return data, ""
     runs = tuple(means.get(run.name, run) for run in data.runs)
-    stated = {name: one.as_stated() for name, one in data.signals.items() if any(name in r.measurements for r in dense)}
+    stated = {
+        name: one.as_stated()
+        for name, one in data.signals.items()
+        if any(name in r.measurements for r in dense)
+    }
     changed = complete_noise(with_noise_of_means(stated, runs), runs)
     result = replace(data, runs=runs, signals=data.signals | changed)
     over = format_quantity(interval, "s")
@@ -55,7 +59,10 @@ def _rounded(interval: float) -> float:
 def _means(run: Run, interval: float) -> Run | None:
     recording = Recording(run.time, run.inputs, run.measurements, run.notes, run.averaged)
     means = resampled(recording, interval, run.interpolation)
-    if any(_lost(recording, means, name) > PULSES * float(np.ptp(values)) for name, values in run.inputs.items()):
+    if any(
+        _lost(recording, means, name) > PULSES * float(np.ptp(values))
+        for name, values in run.inputs.items()
+    ):
         return None
     return replace(
         run,

@@ -44,7 +44,10 @@ def levels(values: Array) -> Indices | None:
     number = np.concatenate([[0], np.cumsum(apart)])
     if number[-1] and len(values) < CRITERIA.static.shared * (number[-1] + 1):
         return None
-    wide = any(np.ptp(ordered[number == k]) > 2 * CRITERIA.static.level * span for k in range(int(number[-1]) + 1))
+    wide = any(
+        np.ptp(ordered[number == k]) > 2 * CRITERIA.static.level * span
+        for k in range(int(number[-1]) + 1)
+    )
     if wide:
         return None
     found = np.empty(len(values), dtype=np.int64)
@@ -52,7 +55,9 @@ def levels(values: Array) -> Indices | None:
     return found
 
 
-def curves(inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Sequence[Array] = ()) -> list[Curve]:
+def curves(
+    inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Sequence[Array] = ()
+) -> list[Curve]:
     """The rows as curves, sorted by what they are at.
 
     Args:
@@ -67,13 +72,19 @@ def curves(inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Se
     count = len(inputs[along])
     key = np.column_stack([np.zeros(count), *apart, *dividing.values()])
     rows = [np.flatnonzero((key == one).all(axis=1)) for one in np.unique(key, axis=0)]
-    if count < CRITERIA.static.fewest * len(rows) and dividing:  # points that stand alone are no curves
-        return curves({along: inputs[along]}, {**measured, **{name: inputs[name] for name in dividing}}, apart)
+    if (
+        count < CRITERIA.static.fewest * len(rows) and dividing
+    ):  # points that stand alone are no curves
+        return curves(
+            {along: inputs[along]}, {**measured, **{name: inputs[name] for name in dividing}}, apart
+        )
     ties = [np.nan_to_num(values) for values in (*measured.values(), *others.values())]
     made = []
     for chosen in rows:
         position = inputs[along][chosen]
-        order = _mixed(np.lexsort([*(values[chosen] for values in reversed(ties)), position]), position)
+        order = _mixed(
+            np.lexsort([*(values[chosen] for values in reversed(ties)), position]), position
+        )
         at = {name: _level(inputs[name], chosen) for name in dividing}
         made.append(Curve(chosen[order], along, at))
     return made
@@ -82,7 +93,11 @@ def curves(inputs: Mapping[str, Array], measured: Mapping[str, Array], apart: Se
 def _dividing(level_of: Mapping[str, Indices | None], names: Iterable[str]) -> dict[str, Indices]:
     """The levels of those inputs that lie on a few of them, and on more than one."""
     known = {name: level_of[name] for name in names}
-    return {name: level for name, level in known.items() if level is not None and level.max(initial=0) > 0}
+    return {
+        name: level
+        for name, level in known.items()
+        if level is not None and level.max(initial=0) > 0
+    }
 
 
 def _level(values: Array, chosen: Indices) -> float:
@@ -98,7 +113,9 @@ def _mixed(order: Indices, values: Array) -> Indices:
     return np.asarray(order[np.lexsort([chance, places])])
 
 
-def _along(inputs: Mapping[str, Array], on: Mapping[str, Indices | None], measured: Mapping[str, Array]) -> str:
+def _along(
+    inputs: Mapping[str, Array], on: Mapping[str, Indices | None], measured: Mapping[str, Array]
+) -> str:
     """The input that takes most values; of several that vary continuously, the one that most is read by."""
     free = [name for name, k in on.items() if k is None]
     if len(free) == 1:
@@ -138,7 +155,9 @@ def directions(inputs: Mapping[str, Array], first: Sequence[str]) -> Array:
     cuts = [0, *(np.flatnonzero(np.any(np.diff(key, axis=0) != 0, axis=1)) + 1), count]
     values = inputs[along]
     least = CRITERIA.static.turn * float(np.ptp(values))
-    return np.concatenate([_ways(values[a:b], least) for a, b in zip(cuts[:-1], cuts[1:], strict=True)])
+    return np.concatenate(
+        [_ways(values[a:b], least) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+    )
 
 
 def _ways(values: Array, least: float) -> Array:

@@ -55,7 +55,9 @@ def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
     made = {}
     for run, pair in stated.items():
         if isinstance(pair, str) or len(pair) != 2:
-            raise InputError(f"{shown(run)}: a run is cut to a first and a last time, not {shown(pair)}")
+            raise InputError(
+                f"{shown(run)}: a run is cut to a first and a last time, not {shown(pair)}"
+            )
         made[run] = cut_of(run, *pair)
     return made
 
@@ -76,16 +78,26 @@ def cut_run(run: Run, cut: Cut) -> Run:
         InputError: nothing, or one row, would be left; points at rest.
     """
     near = _NEAR * float(run.time[-1] - run.time[0])
-    first = 0 if cut.begin is None else int(np.searchsorted(run.time, cut.begin - near, side="left"))
-    last = len(run.time) if cut.end is None else int(np.searchsorted(run.time, cut.end + near, side="right"))
+    first = (
+        0 if cut.begin is None else int(np.searchsorted(run.time, cut.begin - near, side="left"))
+    )
+    last = (
+        len(run.time)
+        if cut.end is None
+        else int(np.searchsorted(run.time, cut.end + near, side="right"))
+    )
     if (first, last) == (0, len(run.time)) and not run.is_static:
         return run
     if run.is_static:
-        raise InputError(f"{run.name} holds points at rest, which have no times to be cut at", run.file)
+        raise InputError(
+            f"{run.name} holds points at rest, which have no times to be cut at", run.file
+        )
     kept = slice(first, last)
     measurements = {name: values[kept] for name, values in run.measurements.items()}
     if last - first < 2 or run.time[kept][0] == run.time[kept][-1]:
-        raise InputError(f"{run.name} {_span(run)}: nothing would be left between {_ends(run, cut)}", run.file)
+        raise InputError(
+            f"{run.name} {_span(run)}: nothing would be left between {_ends(run, cut)}", run.file
+        )
     if not any(np.isfinite(values).any() for values in measurements.values()):
         raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
     return replace(
@@ -135,7 +147,9 @@ class Overrides:
         """
         for name in (*self.cuts, *self.starts):
             if name not in known and name != ALL_RUNS:
-                raise InputError(f"{title} has no run {shown(name)}; {did_you_mean(str(name), known)}")
+                raise InputError(
+                    f"{title} has no run {shown(name)}; {did_you_mean(str(name), known)}"
+                )
 
 
 def overrides_of(
@@ -150,6 +164,8 @@ def overrides_of(
     for run, stated in (starts or {}).items():
         mode = next((one for one in START_MODES if one == stated), None)
         if mode is None:
-            raise InputError(f"{shown(run)} cannot begin as {shown(stated)}; it is one of {', '.join(START_MODES)}")
+            raise InputError(
+                f"{shown(run)} cannot begin as {shown(stated)}; it is one of {', '.join(START_MODES)}"
+            )
         modes[run] = mode
     return Overrides(cuts_of(cuts or {}), modes)

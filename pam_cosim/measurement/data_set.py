@@ -116,7 +116,12 @@ class Signal:
         repeatability = 0.0 if self.repeats else self.repeatability
         growth = self.sigma_of_reading
         return StatedSignal(
-            self.name, self.unit, stated, self.fitted, repeatability=repeatability, sigma_of_reading=growth
+            self.name,
+            self.unit,
+            stated,
+            self.fitted,
+            repeatability=repeatability,
+            sigma_of_reading=growth,
         )
 
     @property
@@ -316,7 +321,10 @@ class DataSet(Printed):
     @property
     def files(self) -> tuple[Path, ...]:
         """What it was read from: its description and its recordings."""
-        return (self.folder / FILE_NAME, *(file for run in self.runs for file in (run.file, *run.more_files)))
+        return (
+            self.folder / FILE_NAME,
+            *(file for run in self.runs for file in (run.file, *run.more_files)),
+        )
 
     @property
     def free_names(self) -> tuple[str, ...]:
@@ -337,7 +345,11 @@ class DataSet(Printed):
     def constants(self) -> dict[str, float]:
         """What all runs have alike [SI] and the data set does not state: also a free parameter that was not fitted."""
         first, *others = self.runs
-        alike = {n: v for n, v in first.parameters.items() if all(run.parameters.get(n) == v for run in others)}
+        alike = {
+            n: v
+            for n, v in first.parameters.items()
+            if all(run.parameters.get(n) == v for run in others)
+        }
         return {name: value for name, value in alike.items() if name not in self.parameters}
 
     @property
@@ -359,16 +371,22 @@ class DataSet(Printed):
         known = [run.name for run in self.runs]
         for name, role in roles.items():
             if name not in known:
-                raise InputError(f"{self.title} has no run {shown(name)}; {did_you_mean(str(name), known)}")
+                raise InputError(
+                    f"{self.title} has no run {shown(name)}; {did_you_mean(str(name), known)}"
+                )
             if role not in ROLES:
-                raise InputError(f"{shown(role)} is no role of a run; it is one of {', '.join(ROLES)}")
+                raise InputError(
+                    f"{shown(role)} is no role of a run; it is one of {', '.join(ROLES)}"
+                )
         by_name = {name: one for name, role in roles.items() for one in ROLES if one == role}
         runs = tuple(replace(run, role=by_name.get(run.name, run.role)) for run in self.runs)
         if roles and not any(run.role == "fit" for run in runs):
             raise InputError("no run would be left to fit")
         return replace(self, runs=runs) if roles else self
 
-    def parameters_of(self, run: Run, fitted: Mapping[str, float] | None = None) -> dict[str, float]:
+    def parameters_of(
+        self, run: Run, fitted: Mapping[str, float] | None = None
+    ) -> dict[str, float]:
         """What to simulate ``run`` with [SI]: stated start values, ``fitted``, what is known of it, its own ones.
 
         A fitted value of one run alone has "@" and the run's name after that of the parameter; a ratio to what is
@@ -376,9 +394,13 @@ class DataSet(Printed):
         """
         start = {name: free.start for name, free in self.fit.items() if free.start is not None}
         every = {**start, **(fitted or {})}
-        known = self._with_own(run, {name: value for name, value in every.items() if not is_ratio(name)})
+        known = self._with_own(
+            run, {name: value for name, value in every.items() if not is_ratio(name)}
+        )
         ratios = {parameter_of(name): value for name, value in every.items() if is_ratio(name)}
-        return known | {name: ratio * known[name] for name, ratio in ratios.items() if name in known}
+        return known | {
+            name: ratio * known[name] for name, ratio in ratios.items() if name in known
+        }
 
     def _with_own(self, run: Run, values: Mapping[str, float]) -> dict[str, float]:
         if not any("@" in name for name in values):
@@ -386,12 +408,18 @@ class DataSet(Printed):
         ends = tuple(f"@{other.name}" for other in self.runs)
         shared = {name: value for name, value in values.items() if not name.endswith(ends)}
         end = f"@{run.name}"
-        own = {name.removesuffix(end): value for name, value in values.items() if name.endswith(end)}
+        own = {
+            name.removesuffix(end): value for name, value in values.items() if name.endswith(end)
+        }
         return {**shared, **run.parameters, **own}
 
     def notes(self) -> tuple[str, ...]:
         """What a reader of results from these data should know."""
-        notes = [] if self.holdout_runs else ["no holdout run: nothing checks a fit on data it has not seen"]
+        notes = (
+            []
+            if self.holdout_runs
+            else ["no holdout run: nothing checks a fit on data it has not seen"]
+        )
         for name, signal in self.signals.items():
             if signal.assumed:
                 notes.append(f"the noise of {name} is not known: it is assumed")
@@ -401,7 +429,9 @@ class DataSet(Printed):
         for run in self.runs:
             notes += [f"{run.name}: {note}" for note in run.notes]
             if run.default_inputs:
-                notes.append(f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}")
+                notes.append(
+                    f"{run.name}: model defaults for the inputs {', '.join(run.default_inputs)}"
+                )
         return tuple(notes)
 
     @property
@@ -423,7 +453,9 @@ class DataSet(Printed):
         lines = [f"{self.title} ({self.model})"]
         for signal in self.signals.values():
             unit = f" {signal.unit}" if signal.unit not in ("", "1") else ""
-            lines.append(f"  signal {signal.name}: {signal.scatter} {signal.sigma:.3g}{unit} ({signal.source})")
+            lines.append(
+                f"  signal {signal.name}: {signal.scatter} {signal.sigma:.3g}{unit} ({signal.source})"
+            )
         lines += [f"  known {name} = {value:g}" for name, value in self.parameters.items()]
         for free in self.fit.values():
             start = "the model's default" if free.start is None else f"{free.start:g}"

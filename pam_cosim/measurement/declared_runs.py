@@ -36,12 +36,16 @@ def check_runs(document: ExperimentFile) -> None:
         if file in files:
             raise document.error(f"the file {shown(run.file)} is listed twice", *path)
         if name in names:
-            raise document.error(f"two runs would be called {shown(name)}; rename one of the files", *path)
+            raise document.error(
+                f"two runs would be called {shown(name)}; rename one of the files", *path
+            )
         files.add(file)
         names.add(name)
 
 
-def check_branches(document: ExperimentFile, interface: Interface, read: Sequence[Sequence[Run]]) -> None:
+def check_branches(
+    document: ExperimentFile, interface: Interface, read: Sequence[Sequence[Run]]
+) -> None:
     """Where one file tells the direction of its branches, the others do so too."""
     if BRANCH not in interface.inputs:
         return
@@ -68,12 +72,21 @@ def parameters_of_run(
             message = f"{one} is free under [runs.fit] and has a value under [runs.parameters]; keep one of them"
             raise document.error(message, *path, one)
         if "@" in name:
-            raise document.error(f"the run {shown(name)} has parameters of its own; its name must have no '@'", *path)
-    return [free_parameter(document, interface, one, free, known, *path, run=name) for one, free in table.fit.items()]
+            raise document.error(
+                f"the run {shown(name)} has parameters of its own; its name must have no '@'", *path
+            )
+    return [
+        free_parameter(document, interface, one, free, known, *path, run=name)
+        for one, free in table.fit.items()
+    ]
 
 
 def runs_of_table(
-    document: ExperimentFile, interface: Interface, index: int, known: Mapping[str, float], instead: Overrides
+    document: ExperimentFile,
+    interface: Interface,
+    index: int,
+    known: Mapping[str, float],
+    instead: Overrides,
 ) -> list[Run]:
     """The runs of one table of ``[[runs]]``: of a recording or its pieces, or of the curves of points at rest.
 
@@ -113,7 +126,11 @@ def runs_of_table(
 
 
 def _check_constants(
-    document: ExperimentFile, index: int, recording: Recording, values: Mapping[str, float], own: Mapping[str, float]
+    document: ExperimentFile,
+    index: int,
+    recording: Recording,
+    values: Mapping[str, float],
+    own: Mapping[str, float],
 ) -> None:
     """No input is both a column and a constant; ``own`` are the values that are stated for this run alone."""
     file = document.content.runs[index].file
@@ -125,7 +142,11 @@ def _check_constants(
 
 
 def _whole_run(
-    table: RunTable, interface: Interface, recording: Recording, files: Sequence[Path], values: dict[str, float]
+    table: RunTable,
+    interface: Interface,
+    recording: Recording,
+    files: Sequence[Path],
+    values: dict[str, float],
 ) -> Run:
     """The run with all rows of its recording, and no start yet."""
     stated = {*recording.inputs, *values}
@@ -156,7 +177,9 @@ def _check_dynamic(document: ExperimentFile, table: RunTable, index: int) -> Non
             raise document.error(message, "runs", index, key)
 
 
-def _own_values(document: ExperimentFile, interface: Interface, index: int, table: RunTable) -> dict[str, float]:
+def _own_values(
+    document: ExperimentFile, interface: Interface, index: int, table: RunTable
+) -> dict[str, float]:
     """What is stated of one run alone [SI]."""
     path = ("runs", index, "parameters")
     for name in table.parameters:
@@ -181,7 +204,14 @@ def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
         raise document.error(error.message, "runs", index, next(iter(ends), "file")) from None
 
 
-def _begun(document: ExperimentFile, interface: Interface, index: int, whole: Run, run: Run, instead: Overrides) -> Run:
+def _begun(
+    document: ExperimentFile,
+    interface: Interface,
+    index: int,
+    whole: Run,
+    run: Run,
+    instead: Overrides,
+) -> Run:
     """A run, or a piece of one, with its start; cut to other ends than are stated, where that is asked for.
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
@@ -202,7 +232,10 @@ def _curve(run: Run, points: Points, first: bool) -> Run:
     """One curve of a file; the first says how the file was read."""
     recording = points.recording
     unknown = BRANCH in run.default_inputs
-    notes = (*run.notes, *(["no direction of a branch is stated: dry friction is left out"] if unknown else []))
+    notes = (
+        *run.notes,
+        *(["no direction of a branch is stated: dry friction is left out"] if unknown else []),
+    )
     return replace(
         run,
         name=f"{run.name} {points.label}".rstrip(),

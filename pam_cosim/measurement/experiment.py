@@ -26,7 +26,9 @@ def _value(value: object) -> str | float:
     if isinstance(value, dict):
         raise ValueError('names with a dot need quotes: "component.parameter" = ...')
     if isinstance(value, bool) or not isinstance(value, str | int | float):
-        raise ValueError('write a text with a unit such as "2.27 kg", or a number where there is no unit')
+        raise ValueError(
+            'write a text with a unit such as "2.27 kg", or a number where there is no unit'
+        )
     try:
         return value if isinstance(value, str) else float(value)
     except OverflowError:
@@ -194,7 +196,11 @@ class ExperimentFile:
 def error_in(folder: Path, message: str, *path: str | int) -> InputError:
     """An error about a key of the data set in a folder, with its line where the file is still there."""
     file = folder / FILE_NAME
-    return InputError(message, file, line_of(read_text(file), path)) if file.is_file() else InputError(message, file)
+    return (
+        InputError(message, file, line_of(read_text(file), path))
+        if file.is_file()
+        else InputError(message, file)
+    )
 
 
 def read_experiment(file: Path) -> ExperimentFile:
@@ -209,7 +215,9 @@ def read_experiment(file: Path) -> ExperimentFile:
         return ExperimentFile(file, text, Experiment.model_validate(data))
     except ValidationError as error:
         # An unknown key first: a misspelt key is also a missing one.
-        worst = min(error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden")
+        worst = min(
+            error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden"
+        )
         path, message = _complaint(worst)
         raise InputError(message, file, line_of(text, path)) from None
 
@@ -255,7 +263,12 @@ def _hint_for_missing(path: KeyPath) -> str:
 
 def _unknown_key(path: KeyPath, value: Any) -> str:
     inner = path[2:] if path[0] == "runs" else path
-    if inner and inner[0] in ("fit", "signals", "columns") and len(inner) > 2 and isinstance(value, dict):
+    if (
+        inner
+        and inner[0] in ("fit", "signals", "columns")
+        and len(inner) > 2
+        and isinstance(value, dict)
+    ):
         return f'a name with a dot needs quotes: "{inner[1]}.{inner[2]}"'
     known = [field.alias or name for name, field in _table_of(path).model_fields.items()]
     return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), known)}"
@@ -263,7 +276,11 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
 
 def _table_of(path: KeyPath) -> type[_Table]:
     """The table that a key stands in."""
-    within: dict[str | int, type[_Table]] = {"prior": PriorTable, "zero": IntervalTable, "recording": RecordingTable}
+    within: dict[str | int, type[_Table]] = {
+        "prior": PriorTable,
+        "zero": IntervalTable,
+        "recording": RecordingTable,
+    }
     if len(path) > 1 and path[-2] in within:
         return within[path[-2]]
     match path:

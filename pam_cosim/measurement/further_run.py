@@ -14,7 +14,11 @@ from pam_cosim.simulation.inputs import Inputs
 
 
 def further_run(
-    data: DataSet, time: Array, inputs: Mapping[str, Array], parameters: Mapping[str, float], name: str = "planned run"
+    data: DataSet,
+    time: Array,
+    inputs: Mapping[str, Array],
+    parameters: Mapping[str, float],
+    name: str = "planned run",
 ) -> Run:
     """A run without measurements; it begins as the model does by itself, or steady where the first run does.
 

@@ -46,11 +46,17 @@ def _place(opened: Any, name: str | None, file: Path) -> Any:
     groups = [one for one, place in places.items() if _holds_columns(place)]
     if name is not None:
         if name.strip("/") not in places:
-            raise InputError(f"there is no group {shown(name)}; {did_you_mean(name, groups or places)}", file)
+            raise InputError(
+                f"there is no group {shown(name)}; {did_you_mean(name, groups or places)}", file
+            )
         return places[name.strip("/")]
     if len(groups) != 1:
         named = ", ".join(one or "/" for one in groups[:20])
-        hint = f'state one of {named} under [recording], as table = "{groups[0] or "/"}"' if groups else "there is none"
+        hint = (
+            f'state one of {named} under [recording], as table = "{groups[0] or "/"}"'
+            if groups
+            else "there is none"
+        )
         raise InputError(f"columns are data sets of numbers of one dimension; {hint}", file)
     return places[groups[0]]
 
@@ -68,7 +74,11 @@ def _places(opened: Any) -> dict[str, Any]:
 
 
 def _holds_columns(place: Any) -> bool:
-    return any(_is_vector(one) for _, one in _members(place)) if _is_group(place) else bool(place.dtype.names)
+    return (
+        any(_is_vector(one) for _, one in _members(place))
+        if _is_group(place)
+        else bool(place.dtype.names)
+    )
 
 
 def _members(group: Any) -> Iterator[tuple[str, Any]]:
@@ -97,7 +107,9 @@ def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
                 unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
                 yield from _column(heading, unit, one, stated, file)
     elif place.is_virtual or place.external:
-        raise InputError(f"{shown(place.name)} is kept in other files; export the recording whole", file)
+        raise InputError(
+            f"{shown(place.name)} is kept in other files; export the recording whole", file
+        )
     elif place.dtype.names:
         for heading in place.dtype.names:
             if place.dtype[heading].kind in "fiu" and not place.dtype[heading].shape:
@@ -107,7 +119,10 @@ def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
         for index, heading in enumerate(stated.names):
             yield from _column(heading, "", place[:, index], stated, file)
     else:
-        raise InputError(f"{shown(place.name)} is no group; state names = [...] for the columns of a matrix", file)
+        raise InputError(
+            f"{shown(place.name)} is no group; state names = [...] for the columns of a matrix",
+            file,
+        )
 
 
 def _column(heading: str, unit: str, values: Any, stated: Layout, file: Path) -> Iterator[Column]:

@@ -33,7 +33,9 @@ def input_maps(document: ExperimentFile, interface: Interface) -> list[InputMap]
             if table.fit:
                 message = "a map that is fitted is one for all runs: state it under [columns]"
                 raise document.error(message, "runs", index, "columns", name, "fit")
-    return maps + [_constant(document, interface.inputs[name]) for name in _free_inputs(document, interface)]
+    return maps + [
+        _constant(document, interface.inputs[name]) for name in _free_inputs(document, interface)
+    ]
 
 
 def with_names_of_maps(document: ExperimentFile, interface: Interface) -> ExperimentFile:
@@ -48,10 +50,18 @@ def with_names_of_maps(document: ExperimentFile, interface: Interface) -> Experi
     raw = {name: raw_of(name) for name in mapped}
     constants = {
         name: constant_of(name)
-        for name in {**content.parameters, **content.fit, **{n: 0 for run in content.runs for n in run.fit}}
+        for name in {
+            **content.parameters,
+            **content.fit,
+            **{n: 0 for run in content.runs for n in run.fit},
+        }
         if name not in interface.inputs and constant_of(name) in interface.parameters
     }
-    free = {key: one for name, table in mapped.items() for key, one in _free(document, name, table, interface).items()}
+    free = {
+        key: one
+        for name, table in mapped.items()
+        for key, one in _free(document, name, table, interface).items()
+    }
     runs = [_run(run, raw, constants) for run in content.runs]
     return replace(
         document,
@@ -72,7 +82,10 @@ def _run(run: RunTable, raw: Mapping[str, str], constants: Mapping[str, str]) ->
             "columns": _columns(run.columns, raw),
             "parameters": _renamed(run.parameters, constants),
             "fit": _renamed(run.fit, constants),
-            "loggers": [logger.model_copy(update={"columns": _columns(logger.columns, raw)}) for logger in run.loggers],
+            "loggers": [
+                logger.model_copy(update={"columns": _columns(logger.columns, raw)})
+                for logger in run.loggers
+            ],
         }
     )
 
@@ -82,7 +95,8 @@ def _columns(columns: Mapping[str, ColumnTable], raw: Mapping[str, str]) -> dict
     plain = {"gain": None, "offset": None, "fit": False}
     return {
         raw.get(name, name): table.model_copy(
-            update=plain | ({} if table.formula else {"column": name if table.column is None else table.column})
+            update=plain
+            | ({} if table.formula else {"column": name if table.column is None else table.column})
         )
         if name in raw
         else table
@@ -111,7 +125,11 @@ def _constant(document: ExperimentFile, known: Variable) -> InputMap:
 def _map(document: ExperimentFile, known: Variable, table: ColumnTable) -> InputMap:
     path = ("columns", known.name)
     gain, offset = 1.0 if table.gain is None else table.gain, table.offset
-    shift = 0.0 if offset is None else _quantity(document, offset, known.unit, *path, "offset", difference=True)
+    shift = (
+        0.0
+        if offset is None
+        else _quantity(document, offset, known.unit, *path, "offset", difference=True)
+    )
     for raw in dict.fromkeys((known.unit, *_RECORDED_IN)):
         try:
             factor = parse_quantity(gain, quotient(known.unit, raw))
@@ -124,11 +142,18 @@ def _map(document: ExperimentFile, known: Variable, table: ColumnTable) -> Input
     raise document.error(message, *path, "gain")
 
 
-def _free(document: ExperimentFile, name: str, table: ColumnTable, interface: Interface) -> dict[str, FreeTable]:
+def _free(
+    document: ExperimentFile, name: str, table: ColumnTable, interface: Interface
+) -> dict[str, FreeTable]:
     """Gain and offset as free parameters: within a factor of two, and half of what such an input usually is."""
-    gain, offset = interface.parameters.get(gain_of(name)), interface.parameters.get(offset_of(name))
+    gain, offset = (
+        interface.parameters.get(gain_of(name)),
+        interface.parameters.get(offset_of(name)),
+    )
     if gain is None or offset is None:
-        raise document.error(f"{interface.model} has no map of {name} that could be fitted", "columns", name, "fit")
+        raise document.error(
+            f"{interface.model} has no map of {name} that could be fitted", "columns", name, "fit"
+        )
     one = _map(document, Variable(name, offset.unit), table)
     low, high = sorted((one.gain / 2, one.gain * 2))
     span = _usual(interface, offset.unit) / 2 or abs(one.gain)
@@ -159,7 +184,9 @@ def _text(value: float, unit: str) -> Value:
     return value if unit in ("", "1") else f"{value!r} {unit}"
 
 
-def _quantity(document: ExperimentFile, value: Value, unit: str, *path: str, difference: bool = False) -> float:
+def _quantity(
+    document: ExperimentFile, value: Value, unit: str, *path: str, difference: bool = False
+) -> float:
     try:
         number = parse_quantity(value, unit, difference=difference)
     except UnitError as error:

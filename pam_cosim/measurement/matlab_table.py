@@ -25,7 +25,9 @@ def read_matlab(file: Path, stated: Layout) -> Table:
     if file.is_file() and is_hdf5(file):
         return read_hdf5(file, stated)
     try:
-        content = scipy.io.loadmat(str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True)
+        content = scipy.io.loadmat(
+            str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True
+        )
     except FileNotFoundError:
         raise InputError("the file does not exist", file) from None
     except Exception as error:  # The reader lets out whatever a broken file makes of it.
@@ -38,14 +40,18 @@ def read_matlab(file: Path, stated: Layout) -> Table:
 def _chosen(variables: Mapping[str, Any], name: str | None, file: Path) -> Any:
     if name is not None:
         if name not in variables:
-            raise InputError(f"there is no variable {shown(name)}; {did_you_mean(name, variables)}", file)
+            raise InputError(
+                f"there is no variable {shown(name)}; {did_you_mean(name, variables)}", file
+            )
         return variables[name]
     if any(_is_vector(value) for value in variables.values()):
         return variables
     structures = [one for one, value in variables.items() if _fields(value)]
     if len(structures) != 1:
         message = f"there is no vector of numbers among {listed(variables)}"
-        raise InputError(f"{message}; state a structure or a matrix under [recording], as table = ...", file)
+        raise InputError(
+            f"{message}; state a structure or a matrix under [recording], as table = ...", file
+        )
     return variables[structures[0]]
 
 
@@ -58,15 +64,27 @@ def _fields(value: Any) -> dict[str, Any]:
 
 
 def _is_vector(value: Any) -> bool:
-    return isinstance(value, np.ndarray) and value.ndim == 1 and value.dtype.kind in "fiu" and value.size > 1
+    return (
+        isinstance(value, np.ndarray)
+        and value.ndim == 1
+        and value.dtype.kind in "fiu"
+        and value.size > 1
+    )
 
 
 def _columns(chosen: Any, stated: Layout, file: Path) -> Iterator[Column]:
-    if isinstance(chosen, np.ndarray) and chosen.ndim == 2 and chosen.dtype.kind in "fiu" and stated.names:
+    if (
+        isinstance(chosen, np.ndarray)
+        and chosen.ndim == 2
+        and chosen.dtype.kind in "fiu"
+        and stated.names
+    ):
         check_names(stated.names, chosen.shape[1], file)
         vectors = dict(zip(stated.names, chosen.T, strict=True))
     elif isinstance(chosen, np.ndarray) and chosen.ndim == 2:
-        raise InputError('the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file)
+        raise InputError(
+            'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
+        )
     else:
         vectors = dict(chosen) if isinstance(chosen, Mapping) else _fields(chosen)
     for heading, values in vectors.items():

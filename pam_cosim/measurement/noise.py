@@ -61,7 +61,13 @@ def _growing(signal: Signal, growth: float, samples: Sequence[Array]) -> Signal:
     readings = np.concatenate(samples)
     typical = growth * sqrt(float(np.nanmean(readings**2)))
     at_zero = signal.sigma
-    return replace(signal, sigma=hypot(at_zero, typical), sigma_of_reading=growth, sigma_at_zero=at_zero, step=0.0)
+    return replace(
+        signal,
+        sigma=hypot(at_zero, typical),
+        sigma_of_reading=growth,
+        sigma_at_zero=at_zero,
+        step=0.0,
+    )
 
 
 def _assumed(samples: Sequence[Array]) -> float:
@@ -70,7 +76,10 @@ def _assumed(samples: Sequence[Array]) -> float:
     values = values[np.isfinite(values)]
     if not values.size:
         values = np.zeros(1)
-    return CRITERIA.noise.assumed_share * float(np.ptp(values)) or max(abs(float(np.mean(values))), 1.0) * 1e-6
+    return (
+        CRITERIA.noise.assumed_share * float(np.ptp(values))
+        or max(abs(float(np.mean(values))), 1.0) * 1e-6
+    )
 
 
 def record_step(values: ArrayLike) -> float:
@@ -111,8 +120,12 @@ def _with_steps(signal: Signal, samples: Sequence[Array]) -> Signal:
 def _typical(all_runs: Sequence[Run], signal: str) -> float:
     """Median over the runs: a run in which the signal shakes says nothing about the instrument. 0: none shows it."""
     runs = [run for run in all_runs if signal in run.measurements]
-    estimates = [estimate_noise(run.time, run.measurements[signal]) for run in runs if not run.is_static]
-    estimates.append(_along_curves([(run.time, run.measurements[signal]) for run in runs if run.is_static]))
+    estimates = [
+        estimate_noise(run.time, run.measurements[signal]) for run in runs if not run.is_static
+    ]
+    estimates.append(
+        _along_curves([(run.time, run.measurements[signal]) for run in runs if run.is_static])
+    )
     finite = [sigma for sigma in estimates if np.isfinite(sigma)]
     return float(np.median(finite)) if finite else 0.0
 

@@ -13,7 +13,10 @@ from pam_cosim.wording import did_you_mean, shown
 
 
 def known_values(
-    document: ExperimentFile, interface: Interface, values: Mapping[str, str | float], *path: str | int
+    document: ExperimentFile,
+    interface: Interface,
+    values: Mapping[str, str | float],
+    *path: str | int,
 ) -> dict[str, float]:
     """The table at ``path`` in the model's units: parameters, and inputs that are constant.
 
@@ -49,7 +52,9 @@ def free_parameter(
     if not low < high:
         raise document.error(f"{name}: the bounds are reversed or equal, {bounds}", *path)
     if table.transform == "log" and not low > 0.0:
-        raise document.error(f"{name}: a logarithm needs bounds above zero, not {bounds}", *path, "transform")
+        raise document.error(
+            f"{name}: a logarithm needs bounds above zero, not {bounds}", *path, "transform"
+        )
     if table.start is not None and name in known and not run:
         message = f"{name} has a start value here and a value under [parameters]; keep one of them"
         raise document.error(message, *path, "start")
@@ -66,16 +71,22 @@ def free_parameter(
     return FreeParameter(own, low, high, start, parameter.unit, table.transform, prior, run)
 
 
-def _prior(document: ExperimentFile, parameter: Variable, table: FreeTable, *path: str | int) -> Prior | None:
+def _prior(
+    document: ExperimentFile, parameter: Variable, table: FreeTable, *path: str | int
+) -> Prior | None:
     if table.prior is None:
         return None
     mean = _value(document, parameter, table.prior.mean, *path, "prior", "mean")
     try:
         sd = parse_quantity(table.prior.sd, parameter.unit, difference=True)
     except UnitError as error:
-        raise document.error(f"sd of the prior of {parameter.name}: {error}", *path, "prior", "sd") from None
+        raise document.error(
+            f"sd of the prior of {parameter.name}: {error}", *path, "prior", "sd"
+        ) from None
     if not 0.0 < sd < inf:
-        raise document.error(f"sd of the prior of {parameter.name} must be greater than zero", *path, "prior", "sd")
+        raise document.error(
+            f"sd of the prior of {parameter.name} must be greater than zero", *path, "prior", "sd"
+        )
     return Prior(mean, sd)
 
 
@@ -87,9 +98,13 @@ def _known(document: ExperimentFile, interface: Interface, name: str, *path: str
     return known[name]
 
 
-def _parameter(document: ExperimentFile, interface: Interface, name: str, *path: str | int) -> Variable:
+def _parameter(
+    document: ExperimentFile, interface: Interface, name: str, *path: str | int
+) -> Variable:
     if name in interface.inputs:
-        message = f"{shown(name)} is an input of {interface.model}, and only parameters can be fitted"
+        message = (
+            f"{shown(name)} is an input of {interface.model}, and only parameters can be fitted"
+        )
         raise document.error(f"{message}; state its value under [parameters]", *path, name)
     known = interface.parameters
     if name not in known:
@@ -98,7 +113,9 @@ def _parameter(document: ExperimentFile, interface: Interface, name: str, *path:
     return known[name]
 
 
-def _value(document: ExperimentFile, parameter: Variable, value: str | float, *path: str | int) -> float:
+def _value(
+    document: ExperimentFile, parameter: Variable, value: str | float, *path: str | int
+) -> float:
     try:
         number = parse_quantity(value, parameter.unit)
     except UnitError as error:

@@ -44,5 +44,7 @@ def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:
         elif types.is_integer(field.type) or types.is_floating(field.type):
             yield Column(name, unit, np.array(column.to_numpy(), dtype=float), field.name)
         else:
-            message = f"it holds {field.type} and no numbers; leave it out: [recording] ignore = [...]"
+            message = (
+                f"it holds {field.type} and no numbers; leave it out: [recording] ignore = [...]"
+            )
             raise InputError(message, file, None, name)

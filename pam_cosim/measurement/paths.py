@@ -18,7 +18,12 @@ def file_inside(document: ExperimentFile, name: str, *path: str | int) -> Path:
     windows = PureWindowsPath(name)  # Also refuses C:\\x and ..\\x, wherever the data set is read.
     try:
         root, target = folder.resolve(), (folder / name).resolve()
-        leaves = windows.anchor or ".." in windows.parts or not target.is_relative_to(root) or target == root
+        leaves = (
+            windows.anchor
+            or ".." in windows.parts
+            or not target.is_relative_to(root)
+            or target == root
+        )
         exists, is_file = target.exists(), target.is_file()
     except (OSError, ValueError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or "its name cannot be used"

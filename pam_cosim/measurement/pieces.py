@@ -36,9 +36,15 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
     steps[back] = pause
     time = column.values[0] + np.concatenate([[0.0], np.cumsum(steps)])
     places = ", ".join(f"{column.values[i]:g}" for i in back[: CRITERIA.starts.pauses_listed])
-    meant = "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
+    meant = (
+        "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
+    )
     note = f"time goes back {_times(back.size)}, after {places} {column.unit or 's'}: {meant}"
-    return replace(table, columns={**table.columns, TIME: replace(column, values=time)}, notes=(*table.notes, note))
+    return replace(
+        table,
+        columns={**table.columns, TIME: replace(column, values=time)},
+        notes=(*table.notes, note),
+    )
 
 
 def _times(count: int) -> str:
@@ -66,7 +72,9 @@ def pieces_of(run: Run, gaps: Gaps | None) -> list[Run]:
     if gaps is None:
         return [replace(run, notes=(*run.notes, _note(run.time, after)))]
     ends = [0, *(after + 1).tolist(), len(run.time)]
-    return [_piece(run, a, b, k) for k, (a, b) in enumerate(zip(ends[:-1], ends[1:], strict=True), 1)]
+    return [
+        _piece(run, a, b, k) for k, (a, b) in enumerate(zip(ends[:-1], ends[1:], strict=True), 1)
+    ]
 
 
 def _note(time: Array, after: Sequence[int] | NDArray[np.intp]) -> str:
@@ -80,7 +88,9 @@ def _note(time: Array, after: Sequence[int] | NDArray[np.intp]) -> str:
 
 def _piece(run: Run, begin: int, end: int, number: int) -> Run:
     if end - begin < 2:
-        raise InputError(f"the piece at {run.time[begin]:g} s has one row; it cannot be a run", run.file)
+        raise InputError(
+            f"the piece at {run.time[begin]:g} s has one row; it cannot be a run", run.file
+        )
     rows = slice(begin, end)
     return replace(
         run,

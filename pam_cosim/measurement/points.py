@@ -12,7 +12,14 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import Curve, Indices, curves, directions
 from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.recording import Recording, converted, locked, only_whole_rows, unknown_column, without_gaps
+from pam_cosim.measurement.recording import (
+    Recording,
+    converted,
+    locked,
+    only_whole_rows,
+    unknown_column,
+    without_gaps,
+)
 from pam_cosim.measurement.table import TIME, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
@@ -44,7 +51,11 @@ class Points:
 
 
 def points_of(
-    table: Table, interface: Interface, document: ExperimentFile, index: int, held: Mapping[str, float]
+    table: Table,
+    interface: Interface,
+    document: ExperimentFile,
+    index: int,
+    held: Mapping[str, float],
 ) -> list[Points]:
     """The curves of a table of points at rest.
 
@@ -62,11 +73,17 @@ def points_of(
     _check_columns(table, interface)
     table = only_whole_rows(table, interface.inputs)
     imposed = {
-        name: without_gaps(table, name, interface.inputs[name].unit, "a row must say what is imposed")
+        name: without_gaps(
+            table, name, interface.inputs[name].unit, "a row must say what is imposed"
+        )
         for name in table.columns
         if name in interface.inputs
     }
-    read = {n: converted(table, n, interface.outputs[n].unit) for n in table.columns if n in interface.outputs}
+    read = {
+        n: converted(table, n, interface.outputs[n].unit)
+        for n in table.columns
+        if n in interface.outputs
+    }
     _check_imposed(table, interface, imposed, held)
     branch = _branch(table, interface, document, index, imposed)
     driving = {name: values for name, values in imposed.items() if name != BRANCH}
@@ -77,7 +94,9 @@ def points_of(
     found = []
     for curve in curves(driving, read, apart):
         out = bool(apart[0][curve.rows[0]])
-        label = ", ".join(filter(None, (_label(curve, interface), _way(branch, curve), "held out" if out else "")))
+        label = ", ".join(
+            filter(None, (_label(curve, interface), _way(branch, curve), "held out" if out else ""))
+        )
         recording = _recording(table, curve.rows, imposed, read, curve.along)
         found.append(Points(label, curve.along, interface.inputs[curve.along].unit, recording, out))
     return _distinct(found)
@@ -105,11 +124,15 @@ def _distinct(found: list[Points]) -> list[Points]:
     named = []
     for one in found:
         seen[one.label] = seen.get(one.label, 0) + 1
-        named.append(one if seen[one.label] == 1 else replace(one, label=f"{one.label} ({seen[one.label]})"))
+        named.append(
+            one if seen[one.label] == 1 else replace(one, label=f"{one.label} ({seen[one.label]})")
+        )
     return named
 
 
-def _check_imposed(table: Table, interface: Interface, imposed: Mapping[str, Array], held: Mapping[str, float]) -> None:
+def _check_imposed(
+    table: Table, interface: Interface, imposed: Mapping[str, Array], held: Mapping[str, float]
+) -> None:
     needed = [name for name in interface.inputs if name != BRANCH]
     missing = [name for name in needed if name not in imposed and name not in held]
     if missing:
@@ -125,22 +148,33 @@ def _check_imposed(table: Table, interface: Interface, imposed: Mapping[str, Arr
 
 
 def _branch(
-    table: Table, interface: Interface, document: ExperimentFile, index: int, imposed: dict[str, Array]
+    table: Table,
+    interface: Interface,
+    document: ExperimentFile,
+    index: int,
+    imposed: dict[str, Array],
 ) -> Array | None:
     """(n,) direction of each row; None: nobody says."""
     stated, column = document.content.runs[index].branch, imposed.get(BRANCH)
     path = ("runs", index, "branch")
     if stated is not None and BRANCH not in interface.inputs:
-        message = f"{interface.model} has no input '{BRANCH}', by which friction could take a direction"
+        message = (
+            f"{interface.model} has no input '{BRANCH}', by which friction could take a direction"
+        )
         hint = "take a quasi-static bench, or put one together with pam-cosim bench --static"
         raise document.error(f"{message}; {hint}", *path)
     if column is not None:
         if stated is not None:
-            raise document.error(f"{BRANCH} is stated here and a column of {table.file.name}; keep one of them", *path)
+            raise document.error(
+                f"{BRANCH} is stated here and a column of {table.file.name}; keep one of them",
+                *path,
+            )
         wrong = np.flatnonzero(~np.isin(column, list(WORDS.values())))
         if wrong.size:
             row = int(wrong[0])
-            raise table.error(f"{column[row]:g} is no direction; write up, down or none (1, -1, 0)", BRANCH, row)
+            raise table.error(
+                f"{column[row]:g} is no direction; write up, down or none (1, -1, 0)", BRANCH, row
+            )
         return column
     if stated is None:
         return None
@@ -151,7 +185,9 @@ def _branch(
     first = [name for names in by_unit.values() for name in names]
     ways = directions(imposed, first)
     if not ways.any():
-        message = f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
+        message = (
+            f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
+        )
         raise document.error(message, *path)
     return _signed(imposed, interface, first) * ways
 
@@ -162,7 +198,11 @@ def _signed(imposed: Mapping[str, Array], interface: Interface, first: list[str]
 
 
 def _held_out(
-    table: Table, interface: Interface, document: ExperimentFile, index: int, imposed: Mapping[str, Array]
+    table: Table,
+    interface: Interface,
+    document: ExperimentFile,
+    index: int,
+    imposed: Mapping[str, Array],
 ) -> Array:
     """(n,) 1 where a row is held out."""
     run = document.content.runs[index]
@@ -175,7 +215,10 @@ def _held_out(
             message = f"{shown(name)} is no column of {table.file.name} that is imposed; those are {listed(imposed)}"
             raise document.error(message, *path)
         column, unit = imposed[name], interface.inputs[name].unit
-        near = max(CRITERIA.static.near * float(np.ptp(column)), CRITERIA.static.constant * float(np.abs(column).max()))
+        near = max(
+            CRITERIA.static.near * float(np.ptp(column)),
+            CRITERIA.static.constant * float(np.abs(column).max()),
+        )
         for value in values:
             try:
                 wanted = parse_quantity(value, unit)
@@ -184,15 +227,22 @@ def _held_out(
             meant = np.abs(column - wanted) <= near
             if not meant.any():
                 nearest = format_quantity(float(column[np.argmin(np.abs(column - wanted))]), unit)
-                raise document.error(f"no row has {name} = {shown(value)}; the nearest is {nearest}", *path)
+                raise document.error(
+                    f"no row has {name} = {shown(value)}; the nearest is {nearest}", *path
+                )
             aside[meant] = 1.0
     if aside.all():
-        raise document.error(f"no row of {table.file.name} is left to fit", "runs", index, "hold_out")
+        raise document.error(
+            f"no row of {table.file.name} is left to fit", "runs", index, "hold_out"
+        )
     return aside
 
 
 def _label(curve: Curve, interface: Interface) -> str:
-    said = (f"{name} = {format_quantity(value, interface.inputs[name].unit)}" for name, value in curve.at.items())
+    said = (
+        f"{name} = {format_quantity(value, interface.inputs[name].unit)}"
+        for name, value in curve.at.items()
+    )
     return ", ".join(said).replace("/", " per ")
 
 

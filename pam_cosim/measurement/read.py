@@ -9,7 +9,12 @@ from pathlib import Path
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Overrides
 from pam_cosim.measurement.data_set import DataSet, Run, StatedSignal
-from pam_cosim.measurement.declared_runs import check_branches, check_runs, parameters_of_run, runs_of_table
+from pam_cosim.measurement.declared_runs import (
+    check_branches,
+    check_runs,
+    parameters_of_run,
+    runs_of_table,
+)
 from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, Value, read_experiment
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.noise import complete_noise
@@ -65,12 +70,17 @@ def _converted(document: ExperimentFile, interface: Interface, overrides: Overri
     content = document.content
     title = content.title or document.file.parent.resolve().name
     stated = known_values(document, interface, content.parameters, "parameters")
-    free = {one: free_parameter(document, interface, one, table, stated, "fit") for one, table in content.fit.items()}
+    free = {
+        one: free_parameter(document, interface, one, table, stated, "fit")
+        for one, table in content.fit.items()
+    }
     shared = {one: value for one, value in stated.items() if one not in free}
     _check_signals(document, interface)
     check_runs(document)
     tables = range(len(content.runs))
-    of_runs = [one for index in tables for one in parameters_of_run(document, interface, index, stated)]
+    of_runs = [
+        one for index in tables for one in parameters_of_run(document, interface, index, stated)
+    ]
     read = [runs_of_table(document, interface, index, shared, overrides) for index in tables]
     runs = tuple(run for several in read for run in several)
     overrides.check(title, [run.name for run in runs])
@@ -92,7 +102,9 @@ def _converted(document: ExperimentFile, interface: Interface, overrides: Overri
 
 def _no_map(document: ExperimentFile, one: InputMap) -> InputError:
     message = f"{one.name} is an input, and an FMU takes no parameters in its place: name a bench or a Modelica model"
-    return document.error(message, *(("fit", one.name) if one.raw is None else ("columns", one.name, "fit")))
+    return document.error(
+        message, *(("fit", one.name) if one.raw is None else ("columns", one.name, "fit"))
+    )
 
 
 def _experiment_file(folder: Path) -> Path:
@@ -103,7 +115,9 @@ def _experiment_file(folder: Path) -> Path:
             return folder
     except (OSError, ValueError) as error:
         raise InputError(f"the folder cannot be read: {error}", shown(folder)) from None
-    raise InputError(f"a data set is a folder with {FILE_NAME} and CSV files; this is not one", folder)
+    raise InputError(
+        f"a data set is a folder with {FILE_NAME} and CSV files; this is not one", folder
+    )
 
 
 def _model_of(document: ExperimentFile, benches: Callable[[], Sequence[str]]) -> str:
@@ -122,7 +136,9 @@ def _bench(document: ExperimentFile) -> str:
     return str(file_inside(document, name, "model")) if is_file(name) else name
 
 
-def _interface(document: ExperimentFile, name: str, describe: Callable[[str], Interface]) -> Interface:
+def _interface(
+    document: ExperimentFile, name: str, describe: Callable[[str], Interface]
+) -> Interface:
     try:
         return describe(name)
     except InputError as error:
@@ -138,7 +154,9 @@ def _check_signals(document: ExperimentFile, interface: Interface) -> None:
             raise document.error(message, "signals", name)
 
 
-def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]) -> dict[str, StatedSignal]:
+def _signals(
+    document: ExperimentFile, interface: Interface, runs: tuple[Run, ...]
+) -> dict[str, StatedSignal]:
     """Declared signals in the file's order, then measured columns that are not declared.
 
     Where some signals are declared, the others are shown but not fitted: a column may be in a file for other reasons.
@@ -146,7 +164,9 @@ def _signals(document: ExperimentFile, interface: Interface, runs: tuple[Run, ..
     declared = document.content.signals
     for name in declared:
         if not any(run.sample_count(name) for run in runs):
-            raise document.error(f"no run has a sample of the signal {shown(name)}", "signals", name)
+            raise document.error(
+                f"no run has a sample of the signal {shown(name)}", "signals", name
+            )
     measured = [name for run in runs for name in run.measurements]
     names = dict.fromkeys([*declared, *measured])
     return {name: _signal(document, name, interface.outputs[name].unit) for name in names}
@@ -165,12 +185,19 @@ def _signal(document: ExperimentFile, name: str, unit: str) -> StatedSignal:
         raise document.error(message, "signals", name, "sigma_of_reading")
     if growth >= 1.0:
         raise document.error(
-            f"sigma_of_reading of {name} is a share of the reading, below 1", "signals", name, "sigma_of_reading"
+            f"sigma_of_reading of {name} is a share of the reading, below 1",
+            "signals",
+            name,
+            "sigma_of_reading",
         )
-    return StatedSignal(name, unit, sigma, repeatability=repeatability or 0.0, sigma_of_reading=growth)
+    return StatedSignal(
+        name, unit, sigma, repeatability=repeatability or 0.0, sigma_of_reading=growth
+    )
 
 
-def _deviation(document: ExperimentFile, name: str, key: str, value: Value | None, unit: str) -> float | None:
+def _deviation(
+    document: ExperimentFile, name: str, key: str, value: Value | None, unit: str
+) -> float | None:
     """A standard deviation of a signal [unit]; None: not stated."""
     if value is None:
         return None
@@ -182,5 +209,7 @@ def _deviation(document: ExperimentFile, name: str, key: str, value: Value | Non
     if deviation <= 0.0:
         raise document.error(f"{key} of {name} must be greater than zero", *path)
     if deviation < 1 / LARGEST:
-        raise document.error(f"{key} of {name} is smaller than that of any instrument: {shown(value)}", *path)
+        raise document.error(
+            f"{key} of {name} is smaller than that of any instrument: {shown(value)}", *path
+        )
     return deviation

@@ -11,7 +11,13 @@ import numpy as np
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
 from pam_cosim.measurement.columns import Renaming, with_columns
-from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, LoggerTable, RecordingTable, RunTable
+from pam_cosim.measurement.experiment import (
+    ExperimentFile,
+    KeyPath,
+    LoggerTable,
+    RecordingTable,
+    RunTable,
+)
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import with_time_going_on
@@ -25,7 +31,9 @@ from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown
 
 
-def read_run(document: ExperimentFile, index: int, interface: Interface) -> tuple[Recording, tuple[Path, ...]]:
+def read_run(
+    document: ExperimentFile, index: int, interface: Interface
+) -> tuple[Recording, tuple[Path, ...]]:
     """The recording of a run, and its files; what a file states itself overrides what is stated for all.
 
     Raises:
@@ -48,7 +56,9 @@ def read_run(document: ExperimentFile, index: int, interface: Interface) -> tupl
             raise document.error(f"{logger.file}: {error}", *where) from None
     stated = _stated(document, run)
     if stated.resample is not None:
-        level: KeyPath = (*place, "recording") if run.recording.resample is not None else ("recording",)
+        level: KeyPath = (
+            (*place, "recording") if run.recording.resample is not None else ("recording",)
+        )
         interval = _duration(document, stated.resample, *level, "resample")
         recording = resampled(recording, interval, run.interpolation)
     return recording, tuple(files)
@@ -66,17 +76,27 @@ def read_points(
     stated, renaming = _stated(document, run), _renaming(document, run, *place)
     for key in ("interval", "resample"):
         if getattr(stated, key) is not None:
-            level: KeyPath = (*place, "recording") if getattr(run.recording, key) is not None else ("recording",)
-            raise document.error(f'{key} is for recordings over time; points of kind = "static" have none', *level, key)
+            level: KeyPath = (
+                (*place, "recording") if getattr(run.recording, key) is not None else ("recording",)
+            )
+            raise document.error(
+                f'{key} is for recordings over time; points of kind = "static" have none',
+                *level,
+                key,
+            )
     if run.loggers:
-        message = 'other loggers are joined by their clocks, and points of kind = "static" have none'
+        message = (
+            'other loggers are joined by their clocks, and points of kind = "static" have none'
+        )
         raise document.error(message, *place, "loggers", 0)
     file = file_inside(document, run.file, *place, "file")
     branch = renaming.tables.get(BRANCH)
     source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
     words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
     layout = replace(_layout(stated, renaming, interface), words={source: words})
-    return points_of(with_columns(read_table(file, layout), renaming), interface, document, index, held), (file,)
+    return points_of(
+        with_columns(read_table(file, layout), renaming), interface, document, index, held
+    ), (file,)
 
 
 def _own_words(stated: Mapping[str, str]) -> dict[str, float]:
@@ -85,12 +105,18 @@ def _own_words(stated: Mapping[str, str]) -> dict[str, float]:
 
 
 def _recording(
-    document: ExperimentFile, entry: RunTable | LoggerTable, file: Path, interface: Interface, *place: str | int
+    document: ExperimentFile,
+    entry: RunTable | LoggerTable,
+    file: Path,
+    interface: Interface,
+    *place: str | int,
 ) -> Recording:
     stated, renaming = _stated(document, entry), _renaming(document, entry, *place)
     table = read_table(file, _layout(stated, renaming, interface))
     if stated.interval is not None:
-        where: KeyPath = (*place, "recording") if entry.recording.interval is not None else ("recording",)
+        where: KeyPath = (
+            (*place, "recording") if entry.recording.interval is not None else ("recording",)
+        )
         table = _with_time(table, _duration(document, stated.interval, *where, "interval"))
     gaps = document.content.gaps
     if isinstance(entry, RunTable):
@@ -104,7 +130,9 @@ def _stated(document: ExperimentFile, entry: RunTable | LoggerTable) -> Recordin
     return shared.model_copy(update=own)
 
 
-def _renaming(document: ExperimentFile, entry: RunTable | LoggerTable, *place: str | int) -> Renaming:
+def _renaming(
+    document: ExperimentFile, entry: RunTable | LoggerTable, *place: str | int
+) -> Renaming:
     """Another logger has columns of its own."""
     shared = document.content.columns if isinstance(entry, RunTable) else {}
     places: dict[str, KeyPath] = {name: ("columns", name) for name in shared}
@@ -113,7 +141,11 @@ def _renaming(document: ExperimentFile, entry: RunTable | LoggerTable, *place: s
 
 
 def _offset(
-    document: ExperimentFile, logger: LoggerTable, one: Recording, other: Recording, *place: str | int
+    document: ExperimentFile,
+    logger: LoggerTable,
+    one: Recording,
+    other: Recording,
+    *place: str | int,
 ) -> Offset:
     if (logger.offset is None) == (logger.match is None):
         message = 'state what to add to its times, offset = "0.12 s", or a signal that both files have, match = "p"'
@@ -131,13 +163,21 @@ def _offset(
     except UnitError as error:
         raise document.error(f"offset: {error}", *place, "offset") from None
     except ClockError as error:
-        message = f"the offset of {logger.file} cannot be estimated: {error}; state it as offset = ..."
+        message = (
+            f"the offset of {logger.file} cannot be estimated: {error}; state it as offset = ..."
+        )
         raise document.error(message, *place, "match") from None
 
 
 def _layout(stated: RecordingTable, renaming: Renaming, interface: Interface) -> Layout:
     names = None if stated.names is None else tuple(stated.names)
-    asked = {TIME, *interface.inputs, *interface.outputs, *renaming.sources, *renaming.names_in_formulas()}
+    asked = {
+        TIME,
+        *interface.inputs,
+        *interface.outputs,
+        *renaming.sources,
+        *renaming.names_in_formulas(),
+    }
     return Layout(
         encoding=stated.encoding,
         separator=stated.separator,
@@ -165,7 +205,9 @@ def _duration(document: ExperimentFile, value: str | float, *place: str | int) -
 def _with_time(table: Table, interval: float) -> Table:
     """The table with time from zero in equal steps."""
     if TIME in table.columns:
-        raise InputError("an interval is stated, and the file has a column 'time'; keep one of them", table.file)
+        raise InputError(
+            "an interval is stated, and the file has a column 'time'; keep one of them", table.file
+        )
     count = len(next(iter(table.columns.values())).values)
     time = Column(TIME, "s", interval * np.arange(count, dtype=np.float64))
     return replace(table, columns={TIME: time, **table.columns})

@@ -41,32 +41,46 @@ def with_start(
         InputError: what contradicts itself, an unknown input, a duration that is none.
     """
     content, table = document.content, document.content.runs[index]
-    own: dict[str, KeyPath] = {key: ("runs", index, key) for key in _KEYS if getattr(table, key) is not None}
-    places: dict[str, KeyPath] = {key: (key,) for key in _KEYS if getattr(content, key) is not None} | own
+    own: dict[str, KeyPath] = {
+        key: ("runs", index, key) for key in _KEYS if getattr(table, key) is not None
+    }
+    places: dict[str, KeyPath] = {
+        key: (key,) for key in _KEYS if getattr(content, key) is not None
+    } | own
     if run.is_static:
         if own:
             key = next(iter(own))
-            raise document.error(f"{key} is for recordings over time; points at rest have no start", *own[key])
+            raise document.error(
+                f"{key} is for recordings over time; points at rest have no start", *own[key]
+            )
         return run
     if mode is not None or anew:
         return _with_mode(document, index, replace(run, start=Start(mode=mode)), lead=not anew)
-    start = Start(mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic")))
+    start = Start(
+        mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic"))
+    )
     if start.periodic:
         _check_periodic(document, own, places)
     lead = _stated(content, table, "lead")
     if lead is not None:
         start = replace(start, lead=_seconds(document, lead, *places["lead"]))
     if "before" in places and not start.periodic:
-        start = _with_before(document, interface, start, _stated(content, table, "before"), places["before"])
+        start = _with_before(
+            document, interface, start, _stated(content, table, "before"), places["before"]
+        )
     return _without_lead(document, replace(run, start=start), places.get("lead", ()))
 
 
-def _check_periodic(document: ExperimentFile, own: dict[str, KeyPath], places: dict[str, KeyPath]) -> None:
+def _check_periodic(
+    document: ExperimentFile, own: dict[str, KeyPath], places: dict[str, KeyPath]
+) -> None:
     """A periodic run begins where its period ends; what is stated of all runs gives way to what is stated of one."""
     for key in ("start", "before"):
         shared_counts = key in places and "periodic" not in own
         if key in own or shared_counts:
-            message = f"{key} says where the run begins, and so does periodic = true; keep one of them"
+            message = (
+                f"{key} says where the run begins, and so does periodic = true; keep one of them"
+            )
             raise document.error(message, *places[key])
 
 
@@ -87,17 +101,24 @@ def _stated(content: Experiment, table: RunTable, key: str):  # type: ignore[no-
 
 
 def _with_before(
-    document: ExperimentFile, interface: Interface, start: Start, table: dict[str, str | float], place: KeyPath
+    document: ExperimentFile,
+    interface: Interface,
+    start: Start,
+    table: dict[str, str | float],
+    place: KeyPath,
 ) -> Start:
     if start.mode in ("measured", "estimated"):
         message = f'{shown(start.mode)} begins with the first samples, and before says what led there; state "rest"'
         raise document.error(f'{message} or "steady", as it was then', *place)
     if _FOR not in table:
-        raise document.error('for is missing: state how long, before = { ..., for = "5 s" }', *place)
+        raise document.error(
+            'for is missing: state how long, before = { ..., for = "5 s" }', *place
+        )
     for name in table:
         if name != _FOR and name not in interface.inputs:
             raise document.error(
-                f"{shown(name)} is no input of {interface.model}: {', '.join(interface.inputs)}", *place
+                f"{shown(name)} is no input of {interface.model}: {', '.join(interface.inputs)}",
+                *place,
             )
     seconds = _seconds(document, table[_FOR], *place, _FOR)
     inputs = {name: value for name, value in table.items() if name != _FOR}
@@ -121,7 +142,9 @@ def _without_lead(document: ExperimentFile, run: Run, place: KeyPath) -> Run:
         return run
     early = run.time < run.time[0] + run.start.lead
     if early.all():
-        raise document.error(f"{run.name} is not longer than its lead: nothing would be scored", *place)
+        raise document.error(
+            f"{run.name} is not longer than its lead: nothing would be scored", *place
+        )
     leading = {name: (run.time[early], values[early]) for name, values in run.measurements.items()}
     scored = {name: np.where(early, np.nan, values) for name, values in run.measurements.items()}
     return replace(run, measurements=scored, start=replace(run.start, leading=leading))

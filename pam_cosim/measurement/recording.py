@@ -85,7 +85,9 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
     whole = np.asarray(~np.isnan(np.array(columns)).any(axis=0))
     if whole.all():
         return table
-    kept = {name: replace(column, values=column.values[whole]) for name, column in table.columns.items()}
+    kept = {
+        name: replace(column, values=column.values[whole]) for name, column in table.columns.items()
+    }
     count, words = int((~whole).sum()), listed(map(shown, table.missing))
     note = f"left out: {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
     lines = None if table.lines is None else table.lines[whole]
@@ -125,7 +127,10 @@ def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 def without_gaps(
-    table: Table, name: str, unit: str, rule: str = "only measured outputs may lack samples, time and inputs may not"
+    table: Table,
+    name: str,
+    unit: str,
+    rule: str = "only measured outputs may lack samples, time and inputs may not",
 ) -> NDArray[np.float64]:
     """As ``converted``; an empty cell is an error, which ends with the ``rule``."""
     values = converted(table, name, unit)
@@ -153,7 +158,9 @@ def _time(table: Table) -> NDArray[np.float64]:
     third = np.flatnonzero((steps[1:] == 0.0) & (steps[:-1] == 0.0))
     if third.size:
         row = int(third[0]) + 2
-        raise table.error(f"a third row at {time[row]:.9g} s; a step is two rows at one time", TIME, row)
+        raise table.error(
+            f"a third row at {time[row]:.9g} s; a step is two rows at one time", TIME, row
+        )
     if time[-1] == time[0]:
         raise table.error("the recording has no duration", TIME, 0)
     return time

@@ -43,7 +43,10 @@ def repeatability(runs: Sequence[Run], signal: str) -> float:
 
 def with_repeatability(signals: Mapping[str, Signal], runs: Sequence[Run]) -> dict[str, Signal]:
     """The signals with their repeatability, stated or estimated, as their noise where it is larger."""
-    return {name: _with_repeatability_as_noise(_with_estimate(signal, runs)) for name, signal in signals.items()}
+    return {
+        name: _with_repeatability_as_noise(_with_estimate(signal, runs))
+        for name, signal in signals.items()
+    }
 
 
 def _with_estimate(signal: Signal, runs: Sequence[Run]) -> Signal:
@@ -58,14 +61,18 @@ def _with_estimate(signal: Signal, runs: Sequence[Run]) -> Signal:
 def _with_repeatability_as_noise(signal: Signal) -> Signal:
     if signal.repeatability <= signal.sigma:
         return signal
-    return replace(signal, sigma=signal.repeatability, estimated=False, assumed=False, sigma_of_reading=0.0)
+    return replace(
+        signal, sigma=signal.repeatability, estimated=False, assumed=False, sigma_of_reading=0.0
+    )
 
 
 def _repeated_pairs(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
     """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
     span = {name: _span(runs, name) for run in runs for name in run.inputs}
     for a, b in itertools.combinations(runs, 2):
-        if _are_same_test(a, b) and all(_has_near_input(a, b, name, span[name]) for name in a.inputs):
+        if _are_same_test(a, b) and all(
+            _has_near_input(a, b, name, span[name]) for name in a.inputs
+        ):
             yield a, b
 
 
@@ -75,7 +82,11 @@ def _span(runs: Sequence[Run], name: str) -> float:
 
 
 def _are_same_test(a: Run, b: Run) -> bool:
-    if (a.along, a.parameters, a.inputs.keys()) != (b.along, b.parameters, b.inputs.keys()) or not a.inputs:
+    if (a.along, a.parameters, a.inputs.keys()) != (
+        b.along,
+        b.parameters,
+        b.inputs.keys(),
+    ) or not a.inputs:
         return False
     one, other = (float(np.ptp(run.time)) for run in (a, b))
     return abs(one - other) <= CRITERIA.noise.same_test * max(one, other)
@@ -90,7 +101,9 @@ def _has_near_input(a: Run, b: Run, name: str, span: float) -> bool:
         return False
     if sqrt(square) <= CRITERIA.noise.same_test * size:
         return True
-    noise = estimate_noise(a.time, near - other)  # of an input that rests beside others and is recorded
+    noise = estimate_noise(
+        a.time, near - other
+    )  # of an input that rests beside others and is recorded
     return square <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2
 
 

@@ -55,14 +55,20 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         recording,
         time=locked(times[order]),
         inputs={
-            name: locked(np.concatenate([v, _own(recording, name, kept, starts, inputs, interpolation)])[order])
+            name: locked(
+                np.concatenate([v, _own(recording, name, kept, starts, inputs, interpolation)])[
+                    order
+                ]
+            )
             for name, v in inputs.items()
         },
         measurements={
-            name: locked(np.concatenate([v, np.full(len(kept), np.nan)])[order]) for name, (v, _) in means.items()
+            name: locked(np.concatenate([v, np.full(len(kept), np.nan)])[order])
+            for name, (v, _) in means.items()
         },
         averaged={
-            name: Averaged(samples, record_step(recording.measurements[name])) for name, (_, samples) in means.items()
+            name: Averaged(samples, record_step(recording.measurements[name]))
+            for name, (_, samples) in means.items()
         },
     )
     means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
@@ -82,7 +88,9 @@ def noise_of_mean(sigma: float, averaged: Averaged) -> float:
     return sqrt(sigma**2 / averaged.samples + rounding)
 
 
-def with_noise_of_means(signals: Mapping[str, StatedSignal], runs: Sequence[Run]) -> dict[str, StatedSignal]:
+def with_noise_of_means(
+    signals: Mapping[str, StatedSignal], runs: Sequence[Run]
+) -> dict[str, StatedSignal]:
     """Stated noise is that of a sample: where runs hold means of several, that of the run with the fewest counts."""
     changed = dict(signals)
     for name, signal in signals.items():
@@ -111,7 +119,11 @@ def _starts(time: Array, jumps: _Places, interval: float) -> _Places:
 
 
 def _kept_rows(
-    recording: Recording, single: _Places, starts: _Places, jumps: _Places, interpolation: Interpolation
+    recording: Recording,
+    single: _Places,
+    starts: _Places,
+    jumps: _Places,
+    interpolation: Interpolation,
 ) -> _Places:
     """Rows of inputs alone; a mean of one sample is that row already."""
     if not recording.inputs:
@@ -123,7 +135,12 @@ def _kept_rows(
 
 
 def _own(
-    recording: Recording, name: str, rows: _Places, starts: _Places, means: dict[str, Array], held: Interpolation
+    recording: Recording,
+    name: str,
+    rows: _Places,
+    starts: _Places,
+    means: dict[str, Array],
+    held: Interpolation,
 ) -> Array:
     """What an input is in the rows kept: itself, or where it is held the mean that begins or goes on there."""
     if held != "previous":
@@ -144,4 +161,8 @@ def _mean(values: Array, starts: _Places) -> tuple[Array, int]:
 def _third(times: Array) -> NDArray[np.bool_]:
     """Which rows are between two others at the same time."""
     same = np.diff(times) == 0.0
-    return np.concatenate([[False], same[:-1] & same[1:], [False]]) if len(times) > 2 else np.zeros(len(times), bool)
+    return (
+        np.concatenate([[False], same[:-1] & same[1:], [False]])
+        if len(times) > 2
+        else np.zeros(len(times), bool)
+    )

@@ -98,7 +98,9 @@ class Layout:
             return False
         if heading in self.asked or name in self.asked:
             return True
-        return not any("*" in p and (fnmatchcase(name, p) or fnmatchcase(heading, p)) for p in self.ignore)
+        return not any(
+            "*" in p and (fnmatchcase(name, p) or fnmatchcase(heading, p)) for p in self.ignore
+        )
 
 
 def split_heading(text: str) -> tuple[str, str] | None:
@@ -141,8 +143,12 @@ def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:
     first = next(iter(named.values()))
     for column in named.values():
         if len(column.values) != len(first.values):
-            message = f"it has {len(column.values)} values, {shown(first.name)} has {len(first.values)}"
-            raise InputError(f"{message}; state which to leave out: ignore = [...]", file, None, column.name)
+            message = (
+                f"it has {len(column.values)} values, {shown(first.name)} has {len(first.values)}"
+            )
+            raise InputError(
+                f"{message}; state which to leave out: ignore = [...]", file, None, column.name
+            )
     return named
 
 
@@ -154,9 +160,13 @@ def headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
     """
     parts = split_heading(heading)
     if parts is None:
-        raise InputError(f"the name {shown(heading)} of a column must be 'name' or 'name [unit]'", file)
+        raise InputError(
+            f"the name {shown(heading)} of a column must be 'name' or 'name [unit]'", file
+        )
     if unit and parts[1] and unit != parts[1]:
-        raise InputError(f"its name says {shown(parts[1])} and its unit {shown(unit)}", file, None, parts[0])
+        raise InputError(
+            f"its name says {shown(parts[1])} and its unit {shown(unit)}", file, None, parts[0]
+        )
     return parts[0], parts[1] or unit
 
 

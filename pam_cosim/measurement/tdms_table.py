@@ -9,7 +9,15 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import TIME, Column, Layout, Table, headed, same_length, since_first
+from pam_cosim.measurement.table import (
+    TIME,
+    Column,
+    Layout,
+    Table,
+    headed,
+    same_length,
+    since_first,
+)
 from pam_cosim.wording import listed, shown
 
 
@@ -33,15 +41,21 @@ def read_tdms(file: Path, stated: Layout) -> Table:
     wanted = [stated.table] if stated.table is not None else list(groups)
     if len(wanted) != 1 or wanted[0] not in groups:
         said = "" if stated.table is None else f"there is no group {shown(stated.table)}; "
-        raise InputError(f"{said}state one of {listed(groups)} under [recording], as table = ...", file)
+        raise InputError(
+            f"{said}state one of {listed(groups)} under [recording], as table = ...", file
+        )
     return Table(file, same_length(_columns(groups[wanted[0]].channels(), stated, file), file))
 
 
 def _columns(channels: list[Any], stated: Layout, file: Path) -> Iterator[Column]:
-    columns = [column for channel in channels if (column := _column(channel, stated, file)) is not None]
+    columns = [
+        column for channel in channels if (column := _column(channel, stated, file)) is not None
+    ]
     increments = {float(c.properties.get("wf_increment", 0.0) or 0.0) for c in channels} - {0.0}
     if len(increments) == 1 and columns and all(column.name != TIME for column in columns):
-        yield Column(TIME, "s", increments.pop() * np.arange(len(columns[0].values), dtype=np.float64), TIME)
+        yield Column(
+            TIME, "s", increments.pop() * np.arange(len(columns[0].values), dtype=np.float64), TIME
+        )
     yield from columns
 
 
@@ -53,5 +67,7 @@ def _column(channel: Any, stated: Layout, file: Path) -> Column | None:
     if values.dtype.kind == "M":
         return Column(name, "s", since_first(values), channel.name)
     if values.dtype.kind not in "fiu":
-        raise InputError("it holds no numbers; leave it out: [recording] ignore = [...]", file, None, name)
+        raise InputError(
+            "it holds no numbers; leave it out: [recording] ignore = [...]", file, None, name
+        )
     return Column(name, unit, values.astype(float), channel.name)

@@ -10,7 +10,11 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_BYTES, read_file
 from pam_cosim.wording import shown
 
-_MARKS = ((codecs.BOM_UTF8, "utf-8-sig"), (codecs.BOM_UTF16_LE, "utf-16"), (codecs.BOM_UTF16_BE, "utf-16"))
+_MARKS = (
+    (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF16_LE, "utf-16"),
+    (codecs.BOM_UTF16_BE, "utf-16"),
+)
 _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f\x81\x8d\x8f\x90\x9d]")
 WESTERN = "cp1252"
 _MOST = 20_000_000  # bytes of a text that a person wrote
@@ -56,7 +60,11 @@ def any_text(data: bytes, path: Path, encoding: str | None = None) -> tuple[str,
         return data.decode(WESTERN), WESTERN
     line = data.count(b"\n", 0, other.start()) + 1
     message = f"byte 0x{other[0][0]:02x} is no text, neither UTF-8 nor Western European"
-    raise InputError(f'{message}; state the encoding under [recording], such as encoding = "utf-16-le"', path, line)
+    raise InputError(
+        f'{message}; state the encoding under [recording], such as encoding = "utf-16-le"',
+        path,
+        line,
+    )
 
 
 def read_bytes(path: Path, most: int = MOST_BYTES) -> bytes:

@@ -84,7 +84,9 @@ def split_cells(line: str, separator: str) -> list[str]:
         csv.Error: a quote is not closed.
     """
     if '"' in line:
-        cells = next(csv.reader([line.strip(" ")], delimiter=separator, strict=True, skipinitialspace=True))
+        cells = next(
+            csv.reader([line.strip(" ")], delimiter=separator, strict=True, skipinitialspace=True)
+        )
         return [cell.strip() for cell in cells]
     return line.split() if separator == " " else [cell.strip() for cell in line.split(separator)]
 
@@ -126,7 +128,9 @@ def _only_consistent(layouts: list[TextLayout], file: Path) -> TextLayout | None
         fits.pop()
     if len(fits) > 1:
         words = " or ".join(WORDS[layout.separator] for layout in fits)
-        message = f"the columns may be separated by {words}; state it under [recording], as separator = "
+        message = (
+            f"the columns may be separated by {words}; state it under [recording], as separator = "
+        )
         raise InputError(f'{message}"{_key(fits[0].separator)}"', file, fits[0].header_line)
     return fits[0] if fits else None
 
@@ -161,7 +165,9 @@ def _layout_by(separator: str, lines: list[Line], stated: Layout) -> TextLayout 
     if isinstance(header, str):
         return TextLayout(separator, (), 0, rows[start].index, False, (rows[start].number, header))
     headings = header.headings()
-    kept = [i for i, (heading, _) in enumerate(headings) if stated.keeps(heading, _name_in(heading))]
+    kept = [
+        i for i, (heading, _) in enumerate(headings) if stated.keeps(heading, _name_in(heading))
+    ]
     fits = all(_fits(row.cells, len(headings), kept, stated.missing) for row in rows[start:])
     return TextLayout(separator, headings, header.line, rows[start].index, fits)
 
@@ -169,7 +175,9 @@ def _layout_by(separator: str, lines: list[Line], stated: Layout) -> TextLayout 
 def _first_row(rows: list[_Row], start: int) -> int:
     """The first row of numbers: a faulty one is no header, a number is among its cells, and a header stands above."""
     count = len(rows[start].cells)
-    while start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count:
+    while (
+        start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count
+    ):
         start -= 1
     return start
 
@@ -218,7 +226,9 @@ def _holds_number(row: _Row, count: int) -> bool:
 def _fits(cells: list[str], count: int, kept: list[int], missing: frozenset[str]) -> bool:
     if len(cells) < count or any(cells[count:]):
         return False
-    return all(not cells[i] or _NUMBER.fullmatch(cells[i]) or cells[i].casefold() in missing for i in kept)
+    return all(
+        not cells[i] or _NUMBER.fullmatch(cells[i]) or cells[i].casefold() in missing for i in kept
+    )
 
 
 def _ends(count: int, row: list[str]) -> bool:
@@ -226,7 +236,9 @@ def _ends(count: int, row: list[str]) -> bool:
     return 0 < count <= len(row) and not any(row[count:])
 
 
-def _header(separator: str, above: list[_Row], ends: list[str], comments: list[Line], stated: Layout) -> _Header | str:
+def _header(
+    separator: str, above: list[_Row], ends: list[str], comments: list[Line], stated: Layout
+) -> _Header | str:
     """The header of rows such as ``ends``, or why there is none."""
     count = len(ends)
     if stated.names is not None:
@@ -243,7 +255,9 @@ def _header(separator: str, above: list[_Row], ends: list[str], comments: list[L
     names = _names(separator, last.text, count)
     if _ends(len(names), ends):
         return _Header(last.number, names)
-    decimal = "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
+    decimal = (
+        "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
+    )
     return f"this row has {count} cells, the header has {len(names)}{decimal}"
 
 
@@ -268,11 +282,19 @@ def _stated_header(separator: str, above: list[_Row], count: int, stated: Layout
     if stated.units_line is not None and units is None:
         return f"units_line = {stated.units_line}, but there is no such line above this first row"
     earlier = [row for row in above if units is None or row.number < units.number]
-    names = by_line.get(stated.header_line) if stated.header_line is not None else earlier[-1] if earlier else None
+    names = (
+        by_line.get(stated.header_line)
+        if stated.header_line is not None
+        else earlier[-1]
+        if earlier
+        else None
+    )
     if names is None:
         return f"header_line = {stated.header_line}, but there is no such line above this first row"
     cells = _names(separator, names.text, count)
-    if len(cells) not in (count, count - 1) or (units is not None and len(units.cells) < len(cells)):
+    if len(cells) not in (count, count - 1) or (
+        units is not None and len(units.cells) < len(cells)
+    ):
         return f"this row has {count} cells, the header has {len(cells)}"
     return _Header(names.number, cells, None if units is None else _bare(units.cells))
 
@@ -323,6 +345,8 @@ def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -
     if first is None:
         return "."
     sign = "," if "," in first[1] else "."
-    message = f"{shown(first[1])} may have decimals or be grouped by thousands, and no other number tells"
+    message = (
+        f"{shown(first[1])} may have decimals or be grouped by thousands, and no other number tells"
+    )
     hint = f'state decimal = "{sign}" under [recording], or write numbers without groups'
     raise InputError(f"{message}; {hint}", file, first[0])

@@ -32,7 +32,9 @@ _BLOCK = 20_000  # Lines that are turned into numbers at once.
 _LONGEST = 1000  # letters of a cell that is looked at as a number
 _TALLEST = 8  # Lines of one quoted cell.
 _NUMBER = re.compile(r"[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
-_MEANT = re.compile(r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE)  # as a number
+_MEANT = re.compile(
+    r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE
+)  # as a number
 _NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
 _PLAIN = frozenset("0123456789-+.,;")  # No comment begins so.
 _NOT_FINITE = ("nan", "inf", "infinity")
@@ -56,7 +58,9 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     layout = find_layout(lines, stated, file)
     names = _names(layout, file)
     keep = [i for i, (name, _) in enumerate(names) if stated.keeps(layout.headings[i][0], name)]
-    body = [line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])]
+    body = [
+        line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])
+    ]
     reader = _Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
@@ -151,12 +155,16 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
         parts = split_heading(heading)
         if parts is None:
             message = f"the heading {shown(heading)} of column {number} must be 'name [unit]'"
-            raise InputError(message, file, line, heading[:60] if heading.isprintable() and heading else None)
+            raise InputError(
+                message, file, line, heading[:60] if heading.isprintable() and heading else None
+            )
         name, unit = parts
         if name in seen:
             raise InputError("this column stands twice in the header", file, line, name)
         if unit and below and unit != below:
-            raise InputError(f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name)
+            raise InputError(
+                f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name
+            )
         seen.add(name)
         named.append((name, unit or below))
     return named
@@ -176,7 +184,9 @@ def _notes(layout: TextLayout, encoding: str, decimal: str) -> tuple[str, ...]:
 class _Reader:
     """Rows of text to columns of numbers: quickly where they are plain, else cell by cell."""
 
-    def __init__(self, layout: TextLayout, names: list[str], keep: list[int], file: Path, decimal: str) -> None:
+    def __init__(
+        self, layout: TextLayout, names: list[str], keep: list[int], file: Path, decimal: str
+    ) -> None:
         self.separator, self.names, self.keep, self.file = layout.separator, names, keep, file
         self.decimal = decimal
         self.words: list[Mapping[str, float]] = [{} for _ in names]
@@ -201,7 +211,10 @@ class _Reader:
         if plain is not None:
             return plain
         rows = [(number, self._row(number, line)) for number, line in lines]
-        return [np.array([self._number(number, cells[i], i) for number, cells in rows]) for i in self.keep]
+        return [
+            np.array([self._number(number, cells[i], i) for number, cells in rows])
+            for i in self.keep
+        ]
 
     def _plain(self, lines: list[Line]) -> list[NDArray[np.float64]] | None:
         """The block, when every row has as many cells and every cell is a number or empty."""
@@ -220,7 +233,11 @@ class _Reader:
                 return None
             cells = joined.split(self.separator)
         columns = [_floats(cells[i::count], self.decimal) for i in self.keep]
-        return None if any(column is None for column in columns) else [c for c in columns if c is not None]
+        return (
+            None
+            if any(column is None for column in columns)
+            else [c for c in columns if c is not None]
+        )
 
     def _split(self, number: int, line: str) -> list[str]:
         try:
@@ -235,14 +252,21 @@ class _Reader:
         if len(cells) >= count and not any(cells[count:]):
             return cells[:count]
         hint = "; write decimal points, not commas" if len(cells) == 2 * len(self.names) else ""
-        raise InputError(f"this row has {len(cells)} cells, the header has {len(self.names)}{hint}", self.file, number)
+        raise InputError(
+            f"this row has {len(cells)} cells, the header has {len(self.names)}{hint}",
+            self.file,
+            number,
+        )
 
     def _number(self, line: int, cell: str, column: int) -> float:
         if not cell:
             return math.nan
         if len(cell) > _LONGEST:
             raise InputError(
-                f"{shown(cell)} has {len(cell)} letters: that is no number", self.file, line, self.names[column]
+                f"{shown(cell)} has {len(cell)} letters: that is no number",
+                self.file,
+                line,
+                self.names[column],
             )
         if cell.casefold() in self.missing:
             self.met[cell] = None
@@ -253,7 +277,11 @@ class _Reader:
         number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
         name = self.names[column]
         if not _NUMBER.fullmatch(number) or (self.decimal == "," and "." in cell):
-            wrong = f"{shown(cell)} is none of {', '.join(words)}" if words else self._not_a_number(cell)
+            wrong = (
+                f"{shown(cell)} is none of {', '.join(words)}"
+                if words
+                else self._not_a_number(cell)
+            )
             raise InputError(wrong, self.file, line, name)
         value = float(number)
         if math.isinf(value):
@@ -262,7 +290,11 @@ class _Reader:
 
     def _not_a_number(self, cell: str) -> str:
         if cell.lower().lstrip("+-") in _NOT_FINITE:
-            where = f', or state the word under [recording]: missing = ["{cell}"]' if "nan" in cell.lower() else ""
+            where = (
+                f', or state the word under [recording]: missing = ["{cell}"]'
+                if "nan" in cell.lower()
+                else ""
+            )
             return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{where}"
         if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
             if self.decimal == ".":
@@ -288,7 +320,9 @@ def _floats(cells: list[str], decimal: str) -> NDArray[np.float64] | None:
         values = np.fromiter(map(float, cells), float, len(cells))
     except ValueError:
         try:
-            values = np.array([float(cell) if cell and not cell.isspace() else math.nan for cell in cells])
+            values = np.array(
+                [float(cell) if cell and not cell.isspace() else math.nan for cell in cells]
+            )
         except ValueError:
             return None
     return None if np.isinf(values).any() else values

@@ -14,7 +14,9 @@ from pam_cosim.errors import InputError
 _MOST_PARSED = 3_000_000  # letters, about a second
 _PARTS = 40
 _PART = r"""(?:[\w-]+|"[^"\n]{0,200}"|'[^'\n]{0,200}')[ \t]{0,9}"""
-_DEEP_KEY = re.compile(rf"(?:^|[\[{{,])[ \t]{{0,99}}(?:{_PART}\.[ \t]{{0,9}}){{{_PARTS}}}", re.MULTILINE)
+_DEEP_KEY = re.compile(
+    rf"(?:^|[\[{{,])[ \t]{{0,99}}(?:{_PART}\.[ \t]{{0,9}}){{{_PARTS}}}", re.MULTILINE
+)
 _PLACE = re.compile(r"\s*\(at (?:line (\d+), column (\d+)|end of document)\)$")
 
 
@@ -27,7 +29,9 @@ def parse_toml(text: str, file: Path) -> dict[str, Any]:
     deep = _DEEP_KEY.search(text)
     if deep is not None:
         line = text.count("\n", 0, deep.start()) + 1
-        raise InputError(f"a key of more than {_PARTS} parts: names with a dot need quotes", file, line)
+        raise InputError(
+            f"a key of more than {_PARTS} parts: names with a dot need quotes", file, line
+        )
     try:
         return tomllib.loads(text)
     except RecursionError:
@@ -35,7 +39,9 @@ def parse_toml(text: str, file: Path) -> dict[str, Any]:
     except ValueError as error:  # TOMLDecodeError, or an integer with thousands of digits
         message = str(error)
         place = _PLACE.search(message)
-        line, column = (int(place[1]), int(place[2])) if place and place[1] else (text.count("\n") + 1, None)
+        line, column = (
+            (int(place[1]), int(place[2])) if place and place[1] else (text.count("\n") + 1, None)
+        )
         cause = _PLACE.sub("", message)
         raise InputError(f"this is not valid TOML: {cause}", file, line, column) from None
 
@@ -87,7 +93,9 @@ class _Beginnings:
 
 def _named_line(lines: list[str], path: tuple[str | int, ...]) -> int | None:
     name = next((str(part) for part in reversed(path) if isinstance(part, str)), "")
-    return next((number for number, line in enumerate(lines, start=1) if name and name in line), None)
+    return next(
+        (number for number, line in enumerate(lines, start=1) if name and name in line), None
+    )
 
 
 def _exact_line(lines: list[str], path: tuple[str | int, ...]) -> int | None:

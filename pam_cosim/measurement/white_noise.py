@@ -22,7 +22,9 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 
 _CLIP = CRITERIA.noise.clip
-_CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(_CLIP / sqrt(2.0))
+_CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(
+    _CLIP / sqrt(2.0)
+)
 
 
 def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
@@ -62,7 +64,9 @@ def quantum_of(values: Array) -> float:
 
 def _white_level(time: Array, values: Array) -> float:
     """The estimate of the lowest order that higher orders do not lower; NaN when every order lowers it."""
-    tolerance = 1.0 + max(CRITERIA.noise.level_tolerance, CRITERIA.noise.level_spread / sqrt(len(values)))
+    tolerance = 1.0 + max(
+        CRITERIA.noise.level_tolerance, CRITERIA.noise.level_spread / sqrt(len(values))
+    )
     previous = inf
     for order in CRITERIA.noise.orders:
         sigma = robust_scale(_differences(time, values, order))

@@ -79,7 +79,9 @@ def _write_texts(folder: Path, texts: Mapping[str, str]) -> None:
 class _Writer:
     """Texts of the files, with the caller's units."""
 
-    def __init__(self, data_set: DataSet, interface: Interface, units: dict[str, str], digits: int) -> None:
+    def __init__(
+        self, data_set: DataSet, interface: Interface, units: dict[str, str], digits: int
+    ) -> None:
         self.data_set, self.units, self.digits = data_set, units, digits
         variables = {**interface.parameters, **interface.outputs, **interface.inputs}
         self.si = {TIME: "s", **{name: variable.unit for name, variable in variables.items()}}
@@ -92,7 +94,9 @@ class _Writer:
         return "\n".join([header, *rows, ""])
 
     def experiment(self) -> str:
-        return "\n".join([*self._head(), *self._parameters(), *self._free(), *self._effects(), *self._runs(), ""])
+        return "\n".join(
+            [*self._head(), *self._parameters(), *self._free(), *self._effects(), *self._runs(), ""]
+        )
 
     def _head(self) -> Iterator[str]:
         yield f"title = {toml_string(self.data_set.title)}"
@@ -123,11 +127,16 @@ class _Writer:
     def _free_table(self, free: FreeParameter) -> str:
         name = free.parameter
         bounds = {"min": free.min, "max": free.max, "start": free.start}
-        cells = [f"{key} = {self._quantity(name, one)}" for key, one in bounds.items() if one is not None]
+        cells = [
+            f"{key} = {self._quantity(name, one)}" for key, one in bounds.items() if one is not None
+        ]
         if free.transform is not None:
             cells.append(f'transform = "{free.transform}"')
         if free.prior is not None:
-            mean, sd = self._quantity(name, free.prior.mean), self._quantity(name, free.prior.sd, difference=True)
+            mean, sd = (
+                self._quantity(name, free.prior.mean),
+                self._quantity(name, free.prior.sd, difference=True),
+            )
             cells.append(f"prior = {{ mean = {mean}, sd = {sd} }}")
         return f"{toml_string(name)} = {{ {', '.join(cells)} }}"
 
@@ -135,7 +144,11 @@ class _Writer:
         known = {"exclude": self.data_set.excluded, "expect": self.data_set.expected}
         if any(known.values()):
             yield "\n[effects]"
-        yield from (f"{key} = [{', '.join(map(toml_string, names))}]" for key, names in known.items() if names)
+        yield from (
+            f"{key} = [{', '.join(map(toml_string, names))}]"
+            for key, names in known.items()
+            if names
+        )
 
     def _runs(self) -> Iterator[str]:
         known = self.data_set.parameters
@@ -149,7 +162,9 @@ class _Writer:
                 yield "periodic = true"
             if run.interpolation != "linear":
                 yield f'interpolation = "{run.interpolation}"'
-            own = {name: value for name, value in run.parameters.items() if known.get(name) != value}
+            own = {
+                name: value for name, value in run.parameters.items() if known.get(name) != value
+            }
             if own:
                 yield "[runs.parameters]"
             yield from self._values(own)
@@ -159,7 +174,9 @@ class _Writer:
             yield from map(self._free_table, free)
 
     def _values(self, values: Mapping[str, float]) -> Iterator[str]:
-        return (f"{toml_string(name)} = {self._quantity(name, value)}" for name, value in values.items())
+        return (
+            f"{toml_string(name)} = {self._quantity(name, value)}" for name, value in values.items()
+        )
 
     def _unit(self, name: str) -> str:
         return self.units.get(name, self._si_unit(name))

@@ -37,7 +37,10 @@ class Domain:
 
     def faults(self, families: Sequence[str]) -> dict[str, str]:
         """What those families say of an instrument that are faults of one, by family."""
-        said = {WRONG_PARAMETER: "what the data set states of a parameter is not so", **dict(self.instruments)}
+        said = {
+            WRONG_PARAMETER: "what the data set states of a parameter is not so",
+            **dict(self.instruments),
+        }
         return {family: said[family] for family in families if family in said}
 
     def place(self, balance: str) -> int:

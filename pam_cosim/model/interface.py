@@ -62,7 +62,13 @@ class Interface(Printed):
     @property
     def variables(self) -> dict[str, Variable]:
         """What can be read of a run: outputs and everything else that changes with time, and parameters."""
-        return {**self.outputs, **self.sensitivities, **self.inputs, **self.locals, **self.parameters}
+        return {
+            **self.outputs,
+            **self.sensitivities,
+            **self.inputs,
+            **self.locals,
+            **self.parameters,
+        }
 
     @property
     def record_delays(self) -> dict[str, Variable]:
@@ -72,7 +78,9 @@ class Interface(Printed):
     @property
     def settable(self) -> dict[str, Variable]:
         """What may be given one value for a whole run: parameters, inputs, which are then held, and start values."""
-        starts = {name: v for name, v in (self.locals | self.outputs).items() if v.start is not None}
+        starts = {
+            name: v for name, v in (self.locals | self.outputs).items() if v.start is not None
+        }
         return {**self.parameters, **self.inputs, **starts}
 
     @property
@@ -98,6 +106,18 @@ def is_sensitivity(name: str) -> bool:
 def _line(variable: Variable) -> str:
     start = "" if variable.start is None else f" = {variable.start:g}"
     low, high = ("" if end is None else f"{end:g}" for end in (variable.min, variable.max))
-    within = f"{low} to {high}" if low and high else f"at least {low}" if low else f"at most {high}" if high else ""
+    within = (
+        f"{low} to {high}"
+        if low and high
+        else f"at least {low}"
+        if low
+        else f"at most {high}"
+        if high
+        else ""
+    )
     within = f", {within}" if within else ""
-    return f"{variable.name}{start} [{variable.unit or '1'}]{within}: {variable.description}".rstrip(": ")
+    return (
+        f"{variable.name}{start} [{variable.unit or '1'}]{within}: {variable.description}".rstrip(
+            ": "
+        )
+    )

@@ -34,7 +34,9 @@ def settable(name: str, interface: Interface) -> Variable:
     if name not in known:
         if name in interface.outputs:
             raise InputError(f"'{name}' is an output of {interface.model} and cannot be set")
-        raise InputError(f"{interface.model} has no parameter or input '{name}'; {did_you_mean(name, known)}")
+        raise InputError(
+            f"{interface.model} has no parameter or input '{name}'; {did_you_mean(name, known)}"
+        )
     return known[name]
 
 
@@ -56,7 +58,13 @@ def value_of(value: Setting, variable: Variable) -> float:
 def _range(variable: Variable) -> str:
     low, high = variable.min, variable.max
     unit = "" if variable.unit == "1" else variable.unit
-    span = f"at most {high}" if low is None else f"at least {low}" if high is None else f"between {low} and {high}"
+    span = (
+        f"at most {high}"
+        if low is None
+        else f"at least {low}"
+        if high is None
+        else f"between {low} and {high}"
+    )
     return f"{span} {unit}".rstrip()
 
 
@@ -68,7 +76,9 @@ def _number(value: Setting, variable: Variable) -> float:
     try:
         return float(value)
     except TypeError:
-        raise InputError(f"{_said(value, variable)}: this is neither a number nor a text with a unit") from None
+        raise InputError(
+            f"{_said(value, variable)}: this is neither a number nor a text with a unit"
+        ) from None
     except ValueError:
         pass
     try:

@@ -62,12 +62,17 @@ def sigint_unblocked() -> Iterator[None]:
 
 
 def _once(number: int, frame: FrameType | None) -> None:
-    signal.pthread_sigmask(signal.SIG_BLOCK, _INTERRUPT)  # what is interrupted may clean up in peace
+    signal.pthread_sigmask(
+        signal.SIG_BLOCK, _INTERRUPT
+    )  # what is interrupted may clean up in peace
     raise KeyboardInterrupt
 
 
 def run_tool(
-    command: Sequence[str], folder: Path, environment: Mapping[str, str], patience: float | None = None
+    command: Sequence[str],
+    folder: Path,
+    environment: Mapping[str, str],
+    patience: float | None = None,
 ) -> subprocess.CompletedProcess[str]:
     """Runs a program to its end in ``folder``; whatever interrupts that ends the program and all that it started.
 
@@ -76,7 +81,13 @@ def run_tool(
     """
     group: dict[str, int] = {"process_group": 0} if os.name == "posix" else {}
     process = subprocess.Popen(
-        command, cwd=folder, env=environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **group
+        command,
+        cwd=folder,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        **group,
     )  # type: ignore[call-overload]
     try:
         out, err = process.communicate(timeout=patience)

@@ -37,6 +37,9 @@ def limit_memory() -> None:
 
 def _data() -> int:
     """Bytes of data that this process has already."""
-    with contextlib.suppress(OSError, ValueError, IndexError), open("/proc/self/status", encoding="ascii") as status:
+    with (
+        contextlib.suppress(OSError, ValueError, IndexError),
+        open("/proc/self/status", encoding="ascii") as status,
+    ):
         return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmData"))
     return 0

@@ -55,7 +55,9 @@ def read_frame(stream: IO[bytes]) -> tuple[bytes, bytes]:
     if len(head) < _HEAD.size:
         raise EOFError
     kind, length = _HEAD.unpack(head)
-    if kind not in _KINDS or length > _LONGEST:  # somebody else has written here, such as an FMU into every file
+    if (
+        kind not in _KINDS or length > _LONGEST
+    ):  # somebody else has written here, such as an FMU into every file
         raise EOFError
     content = stream.read(length)
     if len(content) < length:
@@ -77,7 +79,10 @@ class Watchdog:
         self._requests, self._answers = process.stdin, process.stdout
         self.events: SimpleQueue[tuple[bytes, bytes]] = SimpleQueue()
         self._doing = b""
-        self._relays = [threading.Thread(target=f, daemon=True) for f in (self._relay_requests, self._relay_answers)]
+        self._relays = [
+            threading.Thread(target=f, daemon=True)
+            for f in (self._relay_requests, self._relay_answers)
+        ]
         for relay in self._relays:
             relay.start()
 
@@ -108,7 +113,9 @@ class Watchdog:
         started = closing = False
         while True:
             try:
-                kind, content = self.events.get(timeout=None if deadline is None else max(0.0, deadline - _now()))
+                kind, content = self.events.get(
+                    timeout=None if deadline is None else max(0.0, deadline - _now())
+                )
             except Empty:
                 return _GONE if closing else LATE, self._doing
             if kind in (_GONE, CRASHED):
@@ -128,7 +135,9 @@ class Watchdog:
         """
         with contextlib.suppress(subprocess.TimeoutExpired):
             self.process.wait(patience)
-        with contextlib.suppress(OSError, AttributeError):  # none is left; a platform without process groups
+        with contextlib.suppress(
+            OSError, AttributeError
+        ):  # none is left; a platform without process groups
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
         status = self.process.wait()
@@ -145,7 +154,10 @@ def main(limit: float, command: list[str]) -> None:
     folder = tempfile.mkdtemp(prefix="pam-cosim-fmu-")
     try:
         process = subprocess.Popen(
-            [*command, folder], stdin=subprocess.PIPE, stdout=subprocess.PIPE, start_new_session=True
+            [*command, folder],
+            stdin=subprocess.PIPE,
+            stdout=subprocess.PIPE,
+            start_new_session=True,
         )
         watchdog = Watchdog(process, limit)
         signal.signal(signal.SIGTERM, lambda *_: watchdog.events.put((_GONE, b"")))
@@ -153,7 +165,9 @@ def main(limit: float, command: list[str]) -> None:
         status = watchdog.end(_DYING if kind in (CRASHED, CLOSE) else 0.0)
     finally:
         shutil.rmtree(folder, ignore_errors=True)
-    if kind == _GONE and "PAM_COSIM_SCRATCH" in os.environ:  # the command's own folder, if it was killed (``command``)
+    if (
+        kind == _GONE and "PAM_COSIM_SCRATCH" in os.environ
+    ):  # the command's own folder, if it was killed (``command``)
         shutil.rmtree(os.environ["PAM_COSIM_SCRATCH"], ignore_errors=True)
     with contextlib.suppress(OSError):
         if kind == LATE:

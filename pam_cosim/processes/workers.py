@@ -31,7 +31,10 @@ from pam_cosim.processes.interrupts import sigint_blocked, sigint_unblocked
 _IDLE = 60.0  # [s] after which a process without work ends
 _GRACE = 2.0  # [s] for tasks that are interrupted to clean up
 _BETWEEN = 0.05  # [s] between two interrupts
-_ALONE = {"OMP_NUM_THREADS": "1", "OPENBLAS_NUM_THREADS": "1"}  # a process for each processor is enough
+_ALONE = {
+    "OMP_NUM_THREADS": "1",
+    "OPENBLAS_NUM_THREADS": "1",
+}  # a process for each processor is enough
 _LOOK = 0.5  # [s] between two looks whether the parent is still there
 
 _running: set[Future[Any]] = set()
@@ -78,7 +81,9 @@ threading.Thread(target=watch, daemon=True).start()
 
 def _pool(count: int) -> ProcessPoolExecutor:
     known = {"parent": os.getpid(), "pause": _LOOK}
-    return get_reusable_executor(count, timeout=_IDLE, env=_ALONE, initializer=exec, initargs=(_END_WITH_PARENT, known))
+    return get_reusable_executor(
+        count, timeout=_IDLE, env=_ALONE, initializer=exec, initargs=(_END_WITH_PARENT, known)
+    )
 
 
 def _start_helpers() -> None:
@@ -149,7 +154,9 @@ class _Interruptible(Executor):
         self._pool = pool
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
-        future: Future[Any] = self._pool.submit(_interruptibly, _folder(), partial(fn, *args, **kwargs))
+        future: Future[Any] = self._pool.submit(
+            _interruptibly, _folder(), partial(fn, *args, **kwargs)
+        )
         return future
 
 
@@ -248,7 +255,10 @@ def _attempt(
 
 
 def _collect(
-    running: dict[Future[Result], int], results: dict[int, Result], lost: list[int], done: Callable[[Result], None]
+    running: dict[Future[Result], int],
+    results: dict[int, Result],
+    lost: list[int],
+    done: Callable[[Result], None],
 ) -> None:
     """Takes each result as it comes out of ``running``, until nothing is left there."""
     _running.update(running)

@@ -53,7 +53,11 @@ def _headline(comparison: Comparison) -> str:
         signal = comparison.data.signals[name]
         error, noise = (quantity_text(value, signal.unit) for value in (s.rmse, signal.sigma))
         parts.append(f"{error} in {name} (noise {noise})")
-    return f"The rms error over all runs is {listed(parts)}." if parts else "There is no sample to compare with."
+    return (
+        f"The rms error over all runs is {listed(parts)}."
+        if parts
+        else "There is no sample to compare with."
+    )
 
 
 def _beside(comparisons: Sequence[Comparison]) -> list[dict[str, object]]:

@@ -56,7 +56,8 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     fitted = diagnosis.candidates
     shown = [i < _MOST_ROWS or was_added(diagnosis.path, c) for i, c in enumerate(fitted)]
     palette = balance_colours(
-        diagnosis.data.domain.balances, [*diagnosis.balance, *(c.balance for c in diagnosis.candidates)]
+        diagnosis.data.domain.balances,
+        [*diagnosis.balance, *(c.balance for c in diagnosis.candidates)],
     )
     rules = diagnosis.base.comparison.where
     return render(
@@ -84,15 +85,29 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         rules=rule_rows(rules),
         ranking=_ranking_picture(diagnosis, fitted, palette),
         very_strong=number(CRITERIA.evidence.very_strong, 2),
-        candidates=[candidate_row(diagnosis.base, c, diagnosis.path) for c, s in zip(fitted, shown, strict=True) if s],
-        others=[candidate_row(diagnosis.base, c, diagnosis.path) for c, s in zip(fitted, shown, strict=True) if not s],
+        candidates=[
+            candidate_row(diagnosis.base, c, diagnosis.path)
+            for c, s in zip(fitted, shown, strict=True)
+            if s
+        ],
+        others=[
+            candidate_row(diagnosis.base, c, diagnosis.path)
+            for c, s in zip(fitted, shown, strict=True)
+            if not s
+        ],
         failed=[
-            {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure or "no reason was given"}
+            {
+                "effect": " + ".join(c.effects),
+                "family": words(c.family),
+                "reason": c.failure or "no reason was given",
+            }
             for c in diagnosis.failed
         ],
         parameters=parameter_rows(diagnosis),
         added=bool(diagnosis.path),
-        balance=balance_picture(diagnosis.balance, palette) if any(diagnosis.balance.values()) else None,
+        balance=balance_picture(diagnosis.balance, palette)
+        if any(diagnosis.balance.values())
+        else None,
         map=residual_map(layers, signals),
         ledger=ledger_part(diagnosis),
         learned=learned_part(diagnosis),
@@ -129,13 +144,18 @@ def _probability_picture(verdict: Verdict) -> Picture | None:
     return probability_picture(rows) if rows else None
 
 
-def _ranking_picture(diagnosis: Diagnosis, fitted: Sequence[Candidate], palette: Mapping[str, str]) -> Picture | None:
+def _ranking_picture(
+    diagnosis: Diagnosis, fitted: Sequence[Candidate], palette: Mapping[str, str]
+) -> Picture | None:
     if not fitted:
         return None
     base, path = diagnosis.base, diagnosis.path
     bars = [
         CandidateBar(
-            f"{' + '.join(c.effects)} ({words(c.family)})", explained(base, c.fit), c.balance, was_added(path, c)
+            f"{' + '.join(c.effects)} ({words(c.family)})",
+            explained(base, c.fit),
+            c.balance,
+            was_added(path, c),
         )
         for c in fitted
     ]

@@ -4,7 +4,9 @@ from __future__ import annotations
 
 WORDS = {
     "balance": "of force, mass or energy in the model; *sensor* where an instrument is wrong, not the model",
-    "ledger": ("which balance fails: missing terms estimated as unknown inputs by a smoother, with their uncertainty"),
+    "ledger": (
+        "which balance fails: missing terms estimated as unknown inputs by a smoother, with their uncertainty"
+    ),
     "residual": "measured minus model",
     "noise floor": "the mean square of residuals that the instruments' noise explains",
     "repeatability": "standard deviation between runs of the same test (ISO 5725), the instrument's noise included",

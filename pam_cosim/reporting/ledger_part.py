@@ -16,7 +16,10 @@ def ledger_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
     ledger = diagnosis.ledger
     if ledger is None:
         return None
-    return {"picture": _picture(ledger), **ledger_words(ledger, [c.balance for c in diagnosis.path])}
+    return {
+        "picture": _picture(ledger),
+        **ledger_words(ledger, [c.balance for c in diagnosis.path]),
+    }
 
 
 def _picture(ledger: Ledger) -> Picture:

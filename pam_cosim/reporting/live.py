@@ -8,7 +8,15 @@ from html import escape
 from importlib import import_module
 from typing import Any
 
-from pam_cosim.diagnosis import BaseFitted, Candidate, CandidateTried, EffectProbed, Event, Judged, SearchRestarted
+from pam_cosim.diagnosis import (
+    BaseFitted,
+    Candidate,
+    CandidateTried,
+    EffectProbed,
+    Event,
+    Judged,
+    SearchRestarted,
+)
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row
@@ -78,10 +86,14 @@ class Live:
 
     def _table(self, base: Fit) -> str:
         path = self._judged.path if self._judged else ()
-        rows = [candidate_row(base, c, path) for c in rank(base, list(self._tried.values()))[:_MOST_ROWS]]
+        rows = [
+            candidate_row(base, c, path)
+            for c in rank(base, list(self._tried.values()))[:_MOST_ROWS]
+        ]
         head = "".join(f"<th>{escape(title)}</th>" for title in _COLUMNS.values())
         body = "".join(
-            "<tr>" + "".join(f"<td>{escape(str(row[key]))}</td>" for key in _COLUMNS) + "</tr>" for row in rows
+            "<tr>" + "".join(f"<td>{escape(str(row[key]))}</td>" for key in _COLUMNS) + "</tr>"
+            for row in rows
         )
         return f"<table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
 

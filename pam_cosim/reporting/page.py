@@ -56,7 +56,9 @@ def signal_rows(data: DataSet) -> list[dict[str, str]]:
     """The measured signals with their noise."""
     rows = []
     for name, signal in data.signals.items():
-        counts = {role: sum(r.sample_count(name) for r in data.runs if r.role == role) for role in ROLES}
+        counts = {
+            role: sum(r.sample_count(name) for r in data.runs if r.role == role) for role in ROLES
+        }
         rows.append(
             {
                 "name": name,
@@ -79,7 +81,9 @@ def score_rows(comparison: Comparison) -> list[dict[str, str]]:
             rows.append(
                 {
                     "role": role,
-                    "name": name if comparison.data.signals[name].fitted else f"{name} (not fitted)",
+                    "name": name
+                    if comparison.data.signals[name].fitted
+                    else f"{name} (not fitted)",
                     "rmse": quantity_text(s.rmse, unit),
                     "noise": quantity_text(s.noise_rmse, unit),
                     "range": number(100 * s.nrmse),
@@ -97,5 +101,9 @@ def score_rows(comparison: Comparison) -> list[dict[str, str]]:
 def _place(comparison: Comparison, s: SignalScore) -> str:
     """Where a signal is furthest off."""
     along = next((r.run.along for r in comparison.runs if r.run.name == s.max_run), None)
-    at = f"{number(s.max_time)} s" if along is None else f"{along.name} = {quantity_text(s.max_time, along.unit)}"
+    at = (
+        f"{number(s.max_time)} s"
+        if along is None
+        else f"{along.name} = {quantity_text(s.max_time, along.unit)}"
+    )
     return f"{at} in {s.max_run}"

@@ -70,7 +70,9 @@ def _(product: Fit, path: Path | str) -> None:
 
 
 @draw.register
-def plot_comparison(comparison: Comparison, path: Path | str, against: Sequence[Comparison] = ()) -> None:
+def plot_comparison(
+    comparison: Comparison, path: Path | str, against: Sequence[Comparison] = ()
+) -> None:
     """Draws measured and modelled signals of all runs, one column a run, as PNG.
 
     Raises:

@@ -11,14 +11,18 @@ from pam_cosim.measurement import Signal
 from pam_cosim.reporting.figures.layer import Layer
 
 
-def most_telling(layers: Sequence[Layer], signals: Sequence[Signal]) -> tuple[RunComparison, Signal] | None:
+def most_telling(
+    layers: Sequence[Layer], signals: Sequence[Signal]
+) -> tuple[RunComparison, Signal] | None:
     """The holdout run (a fitted one where there is none) and signal in which the last layer gains most on the first.
 
     The gain is the fall of the mean square error in noise variances; without a second layer, that error itself.
     """
     first, last = layers[0], layers[-1]
     signals = [s for s in signals if s.fitted] or list(signals)
-    runs = [r for r in last.comparison.runs if r.run.role == "holdout"] or list(last.comparison.runs)
+    runs = [r for r in last.comparison.runs if r.run.role == "holdout"] or list(
+        last.comparison.runs
+    )
     gains: list[tuple[float, RunComparison, Signal]] = []
     for run in runs:
         before = first.run(run.run.name)

@@ -15,11 +15,26 @@ from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
 # Okabe and Ito (2008): distinguishable with every kind of colour vision, and in grey by their brightness.
-BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY = "#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"
+BLUE, VERMILLION, GREEN, PINK, ORANGE, SKY = (
+    "#0072b2",
+    "#d55e00",
+    "#009e73",
+    "#cc79a7",
+    "#e69f00",
+    "#56b4e9",
+)
 INK, SOFT, LINE, HALO, BAND = "#2b2f33", "#6b7178", "#d5d9dd", "#aeb4ba", "#e4e7ea"
 BEFORE, AFTER = VERMILLION, BLUE
 SENSOR = PINK  # what is wrong with an instrument, in every field
-BALANCES = (ORANGE, GREEN, BLUE, SKY, VERMILLION, INK, SOFT)  # in the order of the field, the same in all figures
+BALANCES = (
+    ORANGE,
+    GREEN,
+    BLUE,
+    SKY,
+    VERMILLION,
+    INK,
+    SOFT,
+)  # in the order of the field, the same in all figures
 FURTHER = (VERMILLION, GREEN, PINK, ORANGE, SKY)
 
 WIDTH = 11.0  # in, the full width of a page
@@ -85,7 +100,9 @@ def drawing() -> Iterator[None]:
     with matplotlib.rc_context():
         # A user's matplotlibrc must not change a report; the backend is left alone, no context would restore it.
         settings: Any = matplotlib.rcParams
-        settings.update({k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")})
+        settings.update(
+            {k: v for k, v in matplotlib.rcParamsDefault.items() if not k.startswith("backend")}
+        )
         settings.update(_SETTINGS)
         yield
 
@@ -101,7 +118,11 @@ def picture(figure: Figure, alt: str, caption: str) -> Picture:
     """The figure as an embedded vector picture; call it inside ``drawing``."""
     file = io.BytesIO()
     figure.savefig(file, format="svg", dpi=160, metadata={"Date": None, "Creator": None})
-    return Picture("data:image/svg+xml;base64," + base64.b64encode(file.getvalue()).decode("ascii"), alt, caption)
+    return Picture(
+        "data:image/svg+xml;base64," + base64.b64encode(file.getvalue()).decode("ascii"),
+        alt,
+        caption,
+    )
 
 
 def png(figure: Figure, dpi: float = 150) -> bytes:
@@ -113,4 +134,6 @@ def png(figure: Figure, dpi: float = 150) -> bytes:
 
 def message(axes: Axes, text: str) -> None:
     """An empty panel that says why it is empty."""
-    axes.text(0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=SOFT, fontsize=8)
+    axes.text(
+        0.5, 0.5, text, transform=axes.transAxes, ha="center", va="center", color=SOFT, fontsize=8
+    )

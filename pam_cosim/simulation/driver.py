@@ -51,7 +51,18 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         "pam_settle",
     ),
 }
-_SLOTS = ("reset", "setup", "enter", "leave", "set_real", "get_real", "set_slopes", "do_step", "terminate", "settle")
+_SLOTS = (
+    "reset",
+    "setup",
+    "enter",
+    "leave",
+    "set_real",
+    "get_real",
+    "set_slopes",
+    "do_step",
+    "terminate",
+    "settle",
+)
 Settle = Literal["none", "others", "all"]
 _SETTLING: dict[Settle, int] = {"none": 0, "others": 1, "all": 2}  # as the loop numbers them
 # Named instead of a function where the run took too long.
@@ -129,7 +140,9 @@ class Callbacks:
         self._log = _Log()
         self.functions = fmi2CallbackFunctions()
         self.functions.logger = ctypes.cast(library.pam_driver_logger, fmi2CallbackLoggerTYPE)
-        self.functions.allocateMemory = ctypes.cast(library.pam_driver_allocate, fmi2CallbackAllocateMemoryTYPE)
+        self.functions.allocateMemory = ctypes.cast(
+            library.pam_driver_allocate, fmi2CallbackAllocateMemoryTYPE
+        )
         self.functions.freeMemory = ctypes.cast(library.pam_driver_free, fmi2CallbackFreeMemoryTYPE)
         self.functions.componentEnvironment = ctypes.addressof(self._log)
 
@@ -245,11 +258,20 @@ class Driver:
     def progress(self) -> RunProgress | None:
         """How far a run in another thread is; None where there is none."""
         run = self._running
-        return None if run is None else RunProgress(self._names[run.active], run.calls, run.time_reached)
+        return (
+            None
+            if run is None
+            else RunProgress(self._names[run.active], run.calls, run.time_reached)
+        )
 
     def run(self, request: Request) -> Outcome:
         """One simulation."""
-        plan, parameters, inputs, outputs = request.plan, request.parameters, request.inputs, request.outputs
+        plan, parameters, inputs, outputs = (
+            request.plan,
+            request.parameters,
+            request.inputs,
+            request.outputs,
+        )
         tolerance = request.tolerance
         references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
         values = np.array(parameters[1], dtype=np.float64)

@@ -47,10 +47,16 @@ class _Integrator(CVodeSolver):  # type: ignore[misc]
     A value for which these cannot be computed makes it try a shorter step; what went wrong is kept.
     """
 
-    def __init__(self, equations: ExchangeDriver, start: float, longest: float, tolerance: float) -> None:
+    def __init__(
+        self, equations: ExchangeDriver, start: float, longest: float, tolerance: float
+    ) -> None:
         model, self._equations = equations.model, equations
         self.problem: Exception | None = None
-        rates = model.getContinuousStateDerivatives if major_version(model) == 3 else model.getDerivatives
+        rates = (
+            model.getContinuousStateDerivatives
+            if major_version(model) == 3
+            else model.getDerivatives
+        )
         super().__init__(
             nx=equations.states,
             nz=equations.indicators,
@@ -102,13 +108,17 @@ class ExchangeDriver:
 
     settles = False
 
-    def __init__(self, model: Instance, description: ModelDescription, callbacks: Callbacks) -> None:
+    def __init__(
+        self, model: Instance, description: ModelDescription, callbacks: Callbacks
+    ) -> None:
         self.model, self._callbacks = model, callbacks
         self.states = int(description.numberOfContinuousStates)
         self.indicators = int(description.numberOfEventIndicators or 0)
         self._told_steps = bool(description.modelExchange.needsCompletedIntegratorStep)
         self._tolerance = _given(description)
-        self._discrete = {v.valueReference for v in real_variables(description) if v.variability == "discrete"}
+        self._discrete = {
+            v.valueReference for v in real_variables(description) if v.variability == "discrete"
+        }
         self._calls, self._function = 0, ""
         self.time = 0.0
 
@@ -171,7 +181,9 @@ class ExchangeDriver:
     def _settle_discrete(self) -> None:
         """From event mode, where the discrete states change until they stay, to continuous time."""
         model = self._calling("newDiscreteStates")
-        iterate = model.updateDiscreteStates if major_version(model) == 3 else model.newDiscreteStates
+        iterate = (
+            model.updateDiscreteStates if major_version(model) == 3 else model.newDiscreteStates
+        )
         for _ in range(_MOST_ITERATIONS):
             again, terminate, _, _, timed, at = iterate()
             if terminate:
@@ -179,7 +191,10 @@ class ExchangeDriver:
             if not again:
                 break
         else:
-            raise _Ended("newDiscreteStates", f"the discrete states still change after {_MOST_ITERATIONS} iterations")
+            raise _Ended(
+                "newDiscreteStates",
+                f"the discrete states still change after {_MOST_ITERATIONS} iterations",
+            )
         self._next_event = float(at) if timed else math.inf
         self._calling("enterContinuousTimeMode").enterContinuousTimeMode()
 
@@ -203,7 +218,9 @@ class ExchangeDriver:
         self._knot, self._since = knot, self.time
         self._write(self._inputs, self._plan.values[knot].tolist())
         slopes = self._plan.slopes[knot]
-        self._rising = [i for i, vr in enumerate(self._inputs) if slopes[i] != 0.0 and vr not in self._discrete]
+        self._rising = [
+            i for i, vr in enumerate(self._inputs) if slopes[i] != 0.0 and vr not in self._discrete
+        ]
 
     def move_to(self, time: float) -> None:
         """Tells the FMU the time [s], and the inputs that change with it."""
@@ -211,7 +228,9 @@ class ExchangeDriver:
         if self._knot >= 0 and self._rising:
             values, slopes = self._plan.values[self._knot], self._plan.slopes[self._knot]
             ahead = values + slopes * (time - self._since)
-            self._write([self._inputs[i] for i in self._rising], [float(ahead[i]) for i in self._rising])
+            self._write(
+                [self._inputs[i] for i in self._rising], [float(ahead[i]) for i in self._rising]
+            )
 
     def _read(self, row: int) -> None:
         if row >= 0 and self._outputs:
@@ -227,7 +246,9 @@ class ExchangeDriver:
         present = (c_double * count)()
         self.model.getContinuousStates(present, count)
         start = np.abs(np.array(present))
-        sizes[:] = np.where(undeclared, np.where(start == 0.0, 1.0, np.clip(start, 1e-6, 1.0)), np.abs(sizes))
+        sizes[:] = np.where(
+            undeclared, np.where(start == 0.0, 1.0, np.clip(start, 1e-6, 1.0)), np.abs(sizes)
+        )
 
     # Integration
 
@@ -270,7 +291,9 @@ class ExchangeDriver:
             problem = solver.problem
             if isinstance(problem, _Ended):
                 raise problem from None
-            raise _Ended(CVODE, f"CVode gives up: {error if problem is None else problem}") from None
+            raise _Ended(
+                CVODE, f"CVode gives up: {error if problem is None else problem}"
+            ) from None
         if solver.problem is not None:
             self._callbacks.take_messages()  # of states that were only tried
         self.time = float(reached)
@@ -280,7 +303,11 @@ class ExchangeDriver:
 
 def _given(description: ModelDescription) -> float:
     experiment = description.defaultExperiment
-    given = float(experiment.tolerance) if experiment is not None and experiment.tolerance else _TOLERANCE
+    given = (
+        float(experiment.tolerance)
+        if experiment is not None and experiment.tolerance
+        else _TOLERANCE
+    )
     return min(given, _TOLERANCE)
 
 

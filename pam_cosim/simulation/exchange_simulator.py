@@ -29,4 +29,7 @@ class ExchangeSimulator(Simulator):
 
     def stepper(self) -> Stepper:
         """Raises InputError: steps need co-simulation."""
-        raise InputError("an FMU is run step by step by its co-simulation interface, which this one lacks", self.path)
+        raise InputError(
+            "an FMU is run step by step by its co-simulation interface, which this one lacks",
+            self.path,
+        )

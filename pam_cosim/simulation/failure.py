@@ -16,7 +16,9 @@ class RunFailure(SimulationFailure):
         parameters: values that differ from the model's defaults.
     """
 
-    def __init__(self, reason: str, time: float | None = None, parameters: Mapping[str, float] | None = None):
+    def __init__(
+        self, reason: str, time: float | None = None, parameters: Mapping[str, float] | None = None
+    ):
         self.reason, self.time, self.parameters = reason, time, dict(parameters or {})
         super().__init__(reason, time, self.parameters)
 
@@ -25,5 +27,7 @@ class RunFailure(SimulationFailure):
         if self.time is not None:
             text += f" (simulated up to {self.time:.6g} s)"
         if self.parameters:
-            text += "; with " + ", ".join(f"{name} = {value:.6g}" for name, value in self.parameters.items())
+            text += "; with " + ", ".join(
+                f"{name} = {value:.6g}" for name, value in self.parameters.items()
+            )
         return text

@@ -44,8 +44,13 @@ def run_with_fmpy(
     names = list(interface.outputs if outputs is None else outputs)
     for name in names:
         if name not in known:
-            raise InputError(f"{interface.model} has no output '{name}'; {did_you_mean(name, known)}")
-    held = {name: parameters.get(name, variable.start or 0.0) for name, variable in interface.inputs.items()}
+            raise InputError(
+                f"{interface.model} has no output '{name}'; {did_you_mean(name, known)}"
+            )
+    held = {
+        name: parameters.get(name, variable.start or 0.0)
+        for name, variable in interface.inputs.items()
+    }
     try:
         made = fmpy.simulate_fmu(
             str(path),
@@ -59,10 +64,14 @@ def run_with_fmpy(
         )
     except Exception as problem:  # FMPy raises bare Exceptions
         raise RunFailure(f"FMPy: {problem}", None, dict(parameters)) from problem
-    if not np.isfinite(made["time"]).all() or made["time"][-1] < times[-1] - 1e-9 * max(1.0, abs(times[-1])):
+    if not np.isfinite(made["time"]).all() or made["time"][-1] < times[-1] - 1e-9 * max(
+        1.0, abs(times[-1])
+    ):
         raise SimulationFailure(f"FMPy stopped at {made['time'][-1]:g} s")
     values = {name: np.ascontiguousarray(made[name]) for name in names}
-    return Trajectory(np.ascontiguousarray(made["time"]), values, {name: known[name].unit for name in names})
+    return Trajectory(
+        np.ascontiguousarray(made["time"]), values, {name: known[name].unit for name in names}
+    )
 
 
 def _signals(inputs: Inputs | None, held: Mapping[str, float]) -> np.ndarray | None:

@@ -17,7 +17,10 @@ from pam_cosim.processes.memory import MOST_MEMORY
 from pam_cosim.simulation.driver import RunProgress, prepare_driver
 from pam_cosim.simulation.failure import RunFailure
 
-CO_SIMULATION, MODEL_EXCHANGE = "pam_cosim.simulation.worker", "pam_cosim.simulation.exchange_worker"
+CO_SIMULATION, MODEL_EXCHANGE = (
+    "pam_cosim.simulation.worker",
+    "pam_cosim.simulation.exchange_worker",
+)
 _TICKS = 4  # looks at the progress within the limit, at least
 _LONGEST_TICK = 1.0  # [s]
 
@@ -72,7 +75,9 @@ class FmuProcess:
             raise self._late(None, request)
         if self._process is not None and self._process.poll() is not None:
             self._end()
-        process = self._process = self._process or start_watched(self.path, self.timeout, self._worker)
+        process = self._process = self._process or start_watched(
+            self.path, self.timeout, self._worker
+        )
         assert process.stdin is not None and process.stdout is not None
         try:
             with contextlib.suppress(OSError):  # it has ended: the answer says why
@@ -91,7 +96,9 @@ class FmuProcess:
             progress = pickle.loads(content) if content else None
             self._never_loaded = bool(content) and progress is None
             raise self._late(progress, request)
-        raise ProcessFailure(f"{self.path.name} crashed its process ({cause_of_end(int(content))}){_memory(content)}")
+        raise ProcessFailure(
+            f"{self.path.name} crashed its process ({cause_of_end(int(content))}){_memory(content)}"
+        )
 
     def _unpacked(self, content: bytes) -> tuple[str, Any]:
         """An answer as the FMU's process packed it, unless the FMU wrote into it."""
@@ -99,18 +106,26 @@ class FmuProcess:
             kind, answer = pickle.loads(content)
         except Exception:
             self._end()
-            raise ProcessFailure(f"{self.path.name} has written into the files of its process") from None
+            raise ProcessFailure(
+                f"{self.path.name} has written into the files of its process"
+            ) from None
         return kind, answer
 
     def _late(self, progress: RunProgress | None, request: dict[str, Any]) -> ProcessFailure:
         place = (
-            progress.function if progress else "while it was loaded" if self._never_loaded else "while it was made anew"
+            progress.function
+            if progress
+            else "while it was loaded"
+            if self._never_loaded
+            else "while it was made anew"
         )
         reason = (
             f"{self.path.name} was ended: no progress for {self.timeout:g} s, {place}; "
             "a longer time limit (--timeout) may help"
         )
-        return ProcessFailure(reason, progress.time if progress else None, request["arguments"].get("parameters"))
+        return ProcessFailure(
+            reason, progress.time if progress else None, request["arguments"].get("parameters")
+        )
 
 
 def start_watched(path: Path, timeout: float, worker: str) -> subprocess.Popen[bytes]:
@@ -123,7 +138,11 @@ def start_watched(path: Path, timeout: float, worker: str) -> subprocess.Popen[b
     command = [sys.executable, "-I", "-S", str(Path(watchdog.__file__)), str(limit), *answering]
     # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
     return subprocess.Popen(
-        command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, env=environment, start_new_session=True
+        command,
+        stdin=subprocess.PIPE,
+        stdout=subprocess.PIPE,
+        env=environment,
+        start_new_session=True,
     )
 
 
@@ -139,4 +158,8 @@ def cause_of_end(code: int) -> str:
 
 def _memory(content: bytes) -> str:
     """A hint where the end may come of too little memory."""
-    return f"; it may use {MOST_MEMORY / 1e9:g} GB of memory at most" if int(content) in (-6, -11, 134, 139) else ""
+    return (
+        f"; it may use {MOST_MEMORY / 1e9:g} GB of memory at most"
+        if int(content) in (-6, -11, 134, 139)
+        else ""
+    )

@@ -37,7 +37,9 @@ class Inputs:
     def __post_init__(self) -> None:
         time = np.asarray(self.time, dtype=float)
         object.__setattr__(self, "time", time)
-        object.__setattr__(self, "values", {k: np.asarray(v, dtype=float) for k, v in self.values.items()})
+        object.__setattr__(
+            self, "values", {k: np.asarray(v, dtype=float) for k, v in self.values.items()}
+        )
         if time.ndim != 1 or time.size == 0 or not np.isfinite(time).all():
             raise InputError("the times of the inputs must be a non-empty list of finite numbers")
         if (np.diff(time) < 0.0).any():
@@ -48,7 +50,9 @@ class Inputs:
             if not np.isfinite(values).all():
                 raise InputError(f"input '{name}' has a value that is not a finite number")
         if self.interpolation not in ("linear", "previous"):
-            raise InputError(f"interpolation must be 'linear' or 'previous', not '{self.interpolation}'")
+            raise InputError(
+                f"interpolation must be 'linear' or 'previous', not '{self.interpolation}'"
+            )
 
 
 def with_held(inputs: Inputs | None, held: Mapping[str, float], start: float) -> Inputs | None:
@@ -62,7 +66,9 @@ def with_held(inputs: Inputs | None, held: Mapping[str, float], start: float) ->
     course = inputs or Inputs(np.array([start]), {})
     for name in held:
         if name in course.values:
-            raise InputError(f"the input '{name}' is given over time and as a constant; keep one of them")
+            raise InputError(
+                f"the input '{name}' is given over time and as a constant; keep one of them"
+            )
     constant = {name: np.full(course.time.shape, value) for name, value in held.items()}
     return Inputs(course.time, {**course.values, **constant}, course.interpolation)
 

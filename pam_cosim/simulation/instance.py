@@ -18,7 +18,9 @@ from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.tape import is_taped, use_tapes
 
-Instance: TypeAlias = Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
+Instance: TypeAlias = (
+    Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
+)
 
 
 def load_instance(
@@ -39,7 +41,9 @@ def load_instance(
         directory = os.path.abspath(path)
     else:
         fmpy.extract(str(path), unzipdir=directory, include=_needed)
-    identifier = (description.modelExchange if exchange else description.coSimulation).modelIdentifier
+    identifier = (
+        description.modelExchange if exchange else description.coSimulation
+    ).modelIdentifier
     arguments = {
         "guid": description.guid,
         "unzipDirectory": directory,
@@ -50,7 +54,9 @@ def load_instance(
     try:
         if fmi_version(description) == "3.0":
             return (FMU3Model if exchange else FMU3Slave)(**arguments)
-        made = (FMU2Model if exchange else FMU2Slave)(**arguments, libraryPath=own_library(directory, identifier))
+        made = (FMU2Model if exchange else FMU2Slave)(
+            **arguments, libraryPath=own_library(directory, identifier)
+        )
         if is_taped(Path(directory)):
             use_tapes(made.dll, Path(directory))
         return made

@@ -21,7 +21,9 @@ from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.stepper import Abilities
 from pam_cosim.simulation.trajectory import Trajectory
 
-TIME_LIMIT = 60.0  # [s] without progress: loading and each call of an FMU take milliseconds as a rule
+TIME_LIMIT = (
+    60.0  # [s] without progress: loading and each call of an FMU take milliseconds as a rule
+)
 
 
 class IsolatedSimulator:
@@ -45,7 +47,10 @@ class IsolatedSimulator:
     """
 
     def __init__(self, path: Path, timeout: float | None = None) -> None:
-        self.path, self.timeout = Path(path), checked_time(TIME_LIMIT if timeout is None else timeout)
+        self.path, self.timeout = (
+            Path(path),
+            checked_time(TIME_LIMIT if timeout is None else timeout),
+        )
         self._longest = None if timeout is None else self.timeout
         self.interface: Interface = read_interface(self.path)
         self._settles: bool | None = None
@@ -56,7 +61,10 @@ class IsolatedSimulator:
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         self.close()
 
@@ -91,7 +99,9 @@ class IsolatedSimulator:
             "settle": settle,
         }
         if not has_co_simulation(self.path):
-            return self._exchanged(request, f"{self.path.name} is for model exchange: run with CVode")
+            return self._exchanged(
+                request, f"{self.path.name} is for model exchange: run with CVode"
+            )
         try:
             answer = self._process.answer("run", request)
         except ProcessFailure:
@@ -125,7 +135,9 @@ class IsolatedSimulator:
         outputs: Sequence[str] | None = None,
     ) -> Trajectory:
         """As ``Simulator.equilibria``; likewise."""
-        answer = self._process.answer("equilibria", {"inputs": inputs, "parameters": parameters, "outputs": outputs})
+        answer = self._process.answer(
+            "equilibria", {"inputs": inputs, "parameters": parameters, "outputs": outputs}
+        )
         assert isinstance(answer, Trajectory)
         return answer
 
@@ -158,9 +170,13 @@ class RemoteStepper:
         abilities: Abilities = self._answer("abilities", {}, False)
         return abilities
 
-    def begin(self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None) -> None:
+    def begin(
+        self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
+    ) -> None:
         """As ``AnyStepper``."""
-        self._answer("begin", {"values": values, "start_time": start_time, "tolerance": tolerance}, True)
+        self._answer(
+            "begin", {"values": values, "start_time": start_time, "tolerance": tolerance}, True
+        )
 
     def initialised(self) -> None:
         """As ``AnyStepper``."""

@@ -41,7 +41,9 @@ def build(
     """
     if output is not None:
         check_writable(Path(output), new_folder=True)
-    made = build_model(model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities)
+    made = build_model(
+        model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities
+    )
     if output is None:
         return made
     target = Path(output)

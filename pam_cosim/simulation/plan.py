@@ -43,7 +43,9 @@ class CommunicationPlan:
     row_count: int
 
 
-def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float | None = None) -> CommunicationPlan:
+def plan(
+    times: Array, start: float, inputs: Inputs | None, sample_ramps: float | None = None
+) -> CommunicationPlan:
     """Lays out a run.
 
     An output at the time of a step in an input is read after the step; where a time is asked for twice, the
@@ -62,13 +64,19 @@ def plan(times: Array, start: float, inputs: Inputs | None, sample_ramps: float 
     if inputs is None:
         return _laid_out(times.tobytes(), start, b"", (), "linear", sample_ramps)
     columns = tuple(values.tobytes() for values in inputs.values.values())
-    return _laid_out(times.tobytes(), start, inputs.time.tobytes(), columns, inputs.interpolation, sample_ramps)
+    return _laid_out(
+        times.tobytes(), start, inputs.time.tobytes(), columns, inputs.interpolation, sample_ramps
+    )
 
 
 def points(values: Mapping[str, Array], count: int) -> CommunicationPlan:
     """One point for each of ``count`` rows of inputs [SI], which have no time; they are numbered."""
     numbers, width = np.arange(count, dtype=np.int64), len(values)
-    table = np.ascontiguousarray(np.stack(list(values.values()), axis=1)) if values else np.zeros((count, 0))
+    table = (
+        np.ascontiguousarray(np.stack(list(values.values()), axis=1))
+        if values
+        else np.zeros((count, 0))
+    )
     none = np.full(count, -1, dtype=np.int64)
     knots = numbers if width else none
     return CommunicationPlan(
@@ -101,8 +109,12 @@ def _laid_out(
     return CommunicationPlan(
         points,
         np.where(known, np.cumsum(known) - 1, -1).astype(np.int64),
-        np.ascontiguousarray(np.stack([v for v, _ in columns], axis=1)) if columns else np.zeros(shape),
-        np.ascontiguousarray(np.stack([s for _, s in columns], axis=1)) if columns else np.zeros(shape),
+        np.ascontiguousarray(np.stack([v for v, _ in columns], axis=1))
+        if columns
+        else np.zeros(shape),
+        np.ascontiguousarray(np.stack([s for _, s in columns], axis=1))
+        if columns
+        else np.zeros(shape),
         *_rows(point_of_time, points.size),
     )
 
@@ -113,7 +125,9 @@ def _check(times: Array, start: float) -> None:
     if (np.diff(times) < 0.0).any():
         raise InputError("the times of a run must not decrease")
     if not np.isfinite(start) or start > times[0]:
-        raise InputError(f"the run cannot start at {start:g} s, after its first output at {times[0]:g} s")
+        raise InputError(
+            f"the run cannot start at {start:g} s, after its first output at {times[0]:g} s"
+        )
 
 
 def _inside(times: Array, start: float, end: float) -> Array:

@@ -20,7 +20,16 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.model.interface import Interface
-from pam_cosim.simulation.driver import TOO_SLOW, AnyDriver, Callbacks, Driver, Outcome, Request, RunProgress, Settle
+from pam_cosim.simulation.driver import (
+    TOO_SLOW,
+    AnyDriver,
+    Callbacks,
+    Driver,
+    Outcome,
+    Request,
+    RunProgress,
+    Settle,
+)
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs, with_held
 from pam_cosim.simulation.instance import (
@@ -116,7 +125,10 @@ class Simulator:
         return self
 
     def __exit__(
-        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
     ) -> None:
         self.close()
 
@@ -173,7 +185,9 @@ class Simulator:
         start = float(wanted[0]) if start_time is None and wanted.size else start_time or 0.0
         held, own = self._split(parameters)
         course = with_held(inputs, held, start)
-        late = sum(own.get(name, v.start or 0.0) for name, v in self.interface.record_delays.items())
+        late = sum(
+            own.get(name, v.start or 0.0) for name, v in self.interface.record_delays.items()
+        )
         shown = np.maximum(wanted - late, start) if late else wanted
         layout = plan(shown, start, course, None if self._slopes else self.interface.interval)
         names = self._wanted(outputs)
@@ -223,19 +237,29 @@ class Simulator:
         course = with_held(Inputs(np.arange(count, dtype=float), given), held, 0.0)
         values, names = course.values if course else {}, self._wanted(outputs)
         limit = max_seconds or self._usual_limit(count)
-        outcome = self._outcome(points(values, count), own, values, names, None, limit, at_rest=True)
+        outcome = self._outcome(
+            points(values, count), own, values, names, None, limit, at_rest=True
+        )
         settings = {**own, **held}
         if outcome.failed is not None:
             row = int(outcome.time)
             units = self.interface.inputs
-            under = ", ".join(f"{n} = {format_quantity(float(v[row]), units[n].unit)}" for n, v in values.items())
+            under = ", ".join(
+                f"{n} = {format_quantity(float(v[row]), units[n].unit)}" for n, v in values.items()
+            )
             failure = self._failure(outcome.failed, None, settings, limit)
-            raise RunFailure(f"{failure.reason} (under {under})", None, failure.parameters) if under else failure
+            raise (
+                RunFailure(f"{failure.reason} (under {under})", None, failure.parameters)
+                if under
+                else failure
+            )
         numbers = np.arange(count, dtype=float)
         self._check_finite(numbers, names, outcome.values, settings)
         return self._trajectory(numbers, names, outcome)
 
-    def _split(self, parameters: Mapping[str, float] | None) -> tuple[dict[str, float], dict[str, float]]:
+    def _split(
+        self, parameters: Mapping[str, float] | None
+    ) -> tuple[dict[str, float], dict[str, float]]:
         """Inputs that are held, and parameters."""
         values = {name: _number(name, value) for name, value in (parameters or {}).items()}
         self._lookup(values, self._settable, "parameter or input")
@@ -243,7 +267,9 @@ class Simulator:
         return held, {name: value for name, value in values.items() if name not in held}
 
     def _wanted(self, outputs: Sequence[str] | None) -> list[str]:
-        return list(self.interface.outputs | self.interface.sensitivities if outputs is None else outputs)
+        return list(
+            self.interface.outputs | self.interface.sensitivities if outputs is None else outputs
+        )
 
     def _outcome(
         self,
@@ -263,7 +289,9 @@ class Simulator:
         output_references = self._lookup(names, self._references, "output")
         self._callbacks.take_messages()
         parameter_values = list(own.values())
-        plain = all(name in self.interface.outputs for name in names)  # sensitivities stand elsewhere
+        plain = all(
+            name in self.interface.outputs for name in names
+        )  # sensitivities stand elsewhere
 
         def drive() -> Outcome:
             parameters = parameter_references, parameter_values
@@ -307,7 +335,9 @@ class Simulator:
         if self._used:
             self._fresh(self._instance)
         self._used = True
-        self._stepper = Stepper(self._instance, self.abilities, self._callbacks, self._references, self.path.name)
+        self._stepper = Stepper(
+            self._instance, self.abilities, self._callbacks, self._references, self.path.name
+        )
         return self._stepper
 
     @property
@@ -357,18 +387,28 @@ class Simulator:
         return references
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
-        return {name: value for name, value in values.items() if value != self._settable[name].start}
+        return {
+            name: value for name, value in values.items() if value != self._settable[name].start
+        }
 
     def _failure(
         self, function: str, time: float | None, values: Mapping[str, float], limit: float | None
     ) -> RunFailure:
         messages = self._callbacks.take_messages()
         if function == TOO_SLOW:
-            messages = [f"the run takes longer than it may, {limit:.3g} s of processor time; {_REMEDY}"]
-        reason = "; ".join(messages) if messages else f"the FMU reports an error in {function} and no reason"
+            messages = [
+                f"the run takes longer than it may, {limit:.3g} s of processor time; {_REMEDY}"
+            ]
+        reason = (
+            "; ".join(messages)
+            if messages
+            else f"the FMU reports an error in {function} and no reason"
+        )
         return RunFailure(reason, time, self._changed(values))
 
-    def _check_finite(self, times: Array, names: Sequence[str], results: Array, values: Mapping[str, float]) -> None:
+    def _check_finite(
+        self, times: Array, names: Sequence[str], results: Array, values: Mapping[str, float]
+    ) -> None:
         bad = np.argwhere(~np.isfinite(results))
         if bad.size:
             row, column = bad[0]

@@ -16,7 +16,9 @@ from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import Instance, major_version
 
-_SLOPES_BESIDE_FMI = "pam_set_input_slopes"  # of our own FMUs of version 3.0, which has no slopes of inputs
+_SLOPES_BESIDE_FMI = (
+    "pam_set_input_slopes"  # of our own FMUs of version 3.0, which has no slopes of inputs
+)
 _LAST_SUCCESSFUL_TIME = 2  # fmi2StatusKind
 
 
@@ -58,7 +60,9 @@ class AnyStepper(Protocol):
     def abilities(self) -> Abilities:
         """What the FMU can do."""
 
-    def begin(self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None) -> None:
+    def begin(
+        self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
+    ) -> None:
         """Starts a run with these parameters, inputs and start values; it is then in initialization mode."""
 
     def initialised(self) -> None:
@@ -112,7 +116,12 @@ class Stepper:
     """
 
     def __init__(
-        self, instance: Instance, abilities: Abilities, callbacks: Callbacks, references: Mapping[str, int], file: str
+        self,
+        instance: Instance,
+        abilities: Abilities,
+        callbacks: Callbacks,
+        references: Mapping[str, int],
+        file: str,
     ) -> None:
         self._instance, self._abilities, self._callbacks = instance, abilities, callbacks
         self._references, self._file = references, file
@@ -137,7 +146,9 @@ class Stepper:
         """As ``AnyStepper``."""
         return self._callbacks.take_messages()
 
-    def begin(self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None) -> None:
+    def begin(
+        self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
+    ) -> None:
         """As ``AnyStepper``."""
         self._callbacks.take_messages()
         self._begun, self.time = True, start_time
@@ -168,7 +179,9 @@ class Stepper:
             values = get([self._references[name] for name in names])
         for name, value in zip(names, values, strict=True):
             if not math.isfinite(value):
-                raise RunFailure(f"'{name}' is not a finite number at time {self.time:.6g} s", self.time)
+                raise RunFailure(
+                    f"'{name}' is not a finite number at time {self.time:.6g} s", self.time
+                )
         return list(values)
 
     def advance(
@@ -185,7 +198,12 @@ class Stepper:
             self._set(given)
             self._set_slopes({name: rising.get(name, 0.0) for name in given})
         else:
-            self._set({name: value + 0.5 * duration * rising.get(name, 0.0) for name, value in given.items()})
+            self._set(
+                {
+                    name: value + 0.5 * duration * rising.get(name, 0.0)
+                    for name, value in given.items()
+                }
+            )
         self._step(duration, can_go_back)
         self.time += duration
         return self.read(names)
@@ -211,15 +229,23 @@ class Stepper:
 
     def freeze(self, number: int) -> bytes:
         """As ``AnyStepper``."""
-        self._demand(self._abilities.serialises, "turn its state into bytes", "canSerializeFMUstate")
+        self._demand(
+            self._abilities.serialises, "turn its state into bytes", "canSerializeFMUstate"
+        )
         state, _ = self._states[number]
-        with self._calling("fmi2SerializeFMUstate" if self._version == 2 else "fmi3SerializeFMUState"):
+        with self._calling(
+            "fmi2SerializeFMUstate" if self._version == 2 else "fmi3SerializeFMUState"
+        ):
             return bytes(self._instance.serializeFMUState(state))
 
     def thaw(self, state: bytes, time: float) -> int:
         """As ``AnyStepper``."""
-        self._demand(self._abilities.serialises, "make its state from bytes", "canSerializeFMUstate")
-        with self._calling("fmi2DeSerializeFMUstate" if self._version == 2 else "fmi3DeserializeFMUState"):
+        self._demand(
+            self._abilities.serialises, "make its state from bytes", "canSerializeFMUstate"
+        )
+        with self._calling(
+            "fmi2DeSerializeFMUstate" if self._version == 2 else "fmi3DeserializeFMUState"
+        ):
             return self._keep(self._instance.deserializeFMUState(state), time)
 
     def close(self) -> None:
@@ -270,7 +296,12 @@ class Stepper:
 
         n = len(references)
         function = getattr(self._instance.dll, _SLOPES_BESIDE_FMI)
-        arguments = (c_uint32 * n)(*references), c_size_t(n), (c_int32 * n)(*[1] * n), (c_double * n)(*values)
+        arguments = (
+            (c_uint32 * n)(*references),
+            c_size_t(n),
+            (c_int32 * n)(*[1] * n),
+            (c_double * n)(*values),
+        )
         with self._calling(_SLOPES_BESIDE_FMI):
             if function(c_void_p(self._instance.component), *arguments) > 1:
                 raise FMICallException(function=_SLOPES_BESIDE_FMI, status=3)

@@ -70,14 +70,22 @@ class _Given:
             tolerance=tables["tolerance"],
             max_step=tables["max_step"],
             state_names=self._texts(tables["state_names"]),
-            **{n: self._array(tables[n], float) for n in ("state_nominals", "input_starts", "parameter_starts")},
-            **{n: self._array(tables[n], np.intc) for n in ("delayed_inputs", "direct_inputs", "start_of", "resting")},
+            **{
+                n: self._array(tables[n], float)
+                for n in ("state_nominals", "input_starts", "parameter_starts")
+            },
+            **{
+                n: self._array(tables[n], np.intc)
+                for n in ("delayed_inputs", "direct_inputs", "start_of", "resting")
+            },
             statements=self._statements(tables["statements"]),
         )
         self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))
 
     def _texts(self, texts: Sequence[str]) -> Any:
-        made = (ctypes.c_char_p * max(len(texts), 1))(*(text.encode("utf-8", "replace") for text in texts))
+        made = (ctypes.c_char_p * max(len(texts), 1))(
+            *(text.encode("utf-8", "replace") for text in texts)
+        )
         self._kept.append(made)
         return ctypes.cast(made, ctypes.POINTER(ctypes.c_char_p))
 
@@ -89,7 +97,11 @@ class _Given:
     def _statements(self, every: Sequence[Mapping[str, Any]]) -> Any:
         made = (_Statement * max(len(every), 1))()
         for at, one in zip(made, every, strict=False):
-            at.is_error, at.at_start, at.values = one["is_error"], one["at_start"], len(one["digits"])
+            at.is_error, at.at_start, at.values = (
+                one["is_error"],
+                one["at_start"],
+                len(one["digits"]),
+            )
             at.texts, at.digits = self._texts(one["texts"]), self._array(one["digits"], np.intc)
         self._kept.append(made)
         return ctypes.cast(made, ctypes.POINTER(_Statement))

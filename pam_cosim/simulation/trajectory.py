@@ -60,7 +60,10 @@ class Trajectory(Printed):
         """A variable for each signal over "time" [s], with its unit as an attribute."""
         import xarray
 
-        variables = {name: ("time", v, {"units": self.units.get(name) or "1"}) for name, v in self.values.items()}
+        variables = {
+            name: ("time", v, {"units": self.units.get(name) or "1"})
+            for name, v in self.values.items()
+        }
         said = {"solver": self.solver} if self.solver else {}
         return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, said)
 
@@ -91,7 +94,9 @@ class Trajectory(Printed):
             frame = self.to_frame().reset_index()
             units = frame.attrs.pop("units")
             with written_whole(path) as name:
-                frame.rename(columns={n: f"{n} [{units[n] or '1'}]" for n in frame.columns}).to_parquet(name)
+                frame.rename(
+                    columns={n: f"{n} [{units[n] or '1'}]" for n in frame.columns}
+                ).to_parquet(name)
         else:
             self.to_csv(path)
         return path
@@ -120,7 +125,11 @@ class Trajectory(Printed):
         columns = np.array(_numbers(lines, len(heads), path)).reshape(-1, len(heads)).T
         names = [head["name"] for head in heads[1:]]
         units = [head["unit"] or "" for head in heads[1:]]
-        return cls(columns[0], dict(zip(names, columns[1:], strict=True)), dict(zip(names, units, strict=True)))
+        return cls(
+            columns[0],
+            dict(zip(names, columns[1:], strict=True)),
+            dict(zip(names, units, strict=True)),
+        )
 
 
 def _header(name: str, unit: str) -> str:

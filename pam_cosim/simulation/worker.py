@@ -68,7 +68,9 @@ class _Worker:
     def _answer(self, request: dict[str, Any]) -> tuple[str, Any]:
         try:
             if self.simulator is None:
-                self._send(PROGRESS, None)  # before the FMU is loaded: nothing in this process can speak meanwhile
+                self._send(
+                    PROGRESS, None
+                )  # before the FMU is loaded: nothing in this process can speak meanwhile
                 self.simulator = self._make(self._path)
             return "result", self._do(self.simulator, **request)
         except (InputError, SimulationFailure) as error:
@@ -106,7 +108,9 @@ def unlimited(path: Path) -> Simulator:
     return simulator
 
 
-def main(path: Path, tick: float, folder: str, make: Callable[[Path], Simulator] = unlimited) -> None:
+def main(
+    path: Path, tick: float, folder: str, make: Callable[[Path], Simulator] = unlimited
+) -> None:
     """Serves one FMU, with ``folder`` for all temporary files: who ends this process removes it."""
     tempfile.tempdir = folder
     limit_memory()

@@ -57,7 +57,9 @@ class Actuator(Printed):
             " to ".join(format_quantity(one, unit) for one in span)
             for span, unit in ((self.pressures, "Pa"), (self.contractions, "m"))
         )
-        rms, worst, most = (format_quantity(one, "N") for one in (self.rms, self.worst, self.greatest))
+        rms, worst, most = (
+            format_quantity(one, "N") for one in (self.rms, self.worst, self.greatest)
+        )
         return (
             f"{self.model} as an actuator of MuJoCo, p {p}, contraction {x}\n"
             f"  its pull is off by {rms} rms, {100 * self.rms / self.greatest:.1f} % of the greatest pull of {most}; "
@@ -68,7 +70,9 @@ class Actuator(Printed):
     def pull(self, pressure: Array, contraction: Array) -> Array:
         """Its pull [N] at gauge pressures [Pa] and contractions [m]; a muscle does not push."""
         along = self.length - contraction
-        force = (self.gain[0] + self.gain[1] * along) * pressure + self.bias[0] + self.bias[1] * along
+        force = (
+            (self.gain[0] + self.gain[1] * along) * pressure + self.bias[0] + self.bias[1] * along
+        )
         return np.maximum(-force, 0.0)
 
     def xml(self, time_constant: float | None = None) -> str:
@@ -79,7 +83,11 @@ class Actuator(Printed):
         """
         root = ElementTree.Element("mujoco", model="muscle")
         root.append(ElementTree.Comment(f" {str(self).replace('--', '- -')} "))
-        root.append(ElementTree.Comment(" take along <tendon> and <actuator>; control: gauge pressure in Pa "))
+        root.append(
+            ElementTree.Comment(
+                " take along <tendon> and <actuator>; control: gauge pressure in Pa "
+            )
+        )
         ElementTree.SubElement(root, "option", timestep="0.001", integrator="implicitfast")
         world = ElementTree.SubElement(root, "worldbody")
         ElementTree.SubElement(world, "site", name="fixed", pos=f"0 0 {2 * self.length:.9g}")
@@ -96,10 +104,16 @@ class Actuator(Printed):
         )
         ElementTree.SubElement(body, "geom", type="sphere", size="0.02", mass="1")
         ElementTree.SubElement(body, "site", name="moving")
-        tendon = ElementTree.SubElement(ElementTree.SubElement(root, "tendon"), "spatial", name="muscle")
+        tendon = ElementTree.SubElement(
+            ElementTree.SubElement(root, "tendon"), "spatial", name="muscle"
+        )
         for site in ("fixed", "moving"):
             ElementTree.SubElement(tendon, "site", site=site)
-        follows = {} if time_constant is None else {"dyntype": "filterexact", "dynprm": f"{time_constant:.9g}"}
+        follows = (
+            {}
+            if time_constant is None
+            else {"dyntype": "filterexact", "dynprm": f"{time_constant:.9g}"}
+        )
         ElementTree.SubElement(
             ElementTree.SubElement(root, "actuator"),
             "general",
@@ -160,10 +174,14 @@ def actuator(
     """
     interface = describe(model, files)
     for name, known in zip(
-        (*names, length), (interface.inputs, interface.inputs, interface.outputs, interface.parameters), strict=True
+        (*names, length),
+        (interface.inputs, interface.inputs, interface.outputs, interface.parameters),
+        strict=True,
     ):
         if name not in known:
-            raise InputError(f"{model} has no '{name}' for an actuator; {did_you_mean(name, list(known))}")
+            raise InputError(
+                f"{model} has no '{name}' for an actuator; {did_you_mean(name, list(known))}"
+            )
     values = resolve(parameters or {}, interface)
     spans = [
         (value_of(low, interface.inputs[name]), value_of(high, interface.inputs[name]))
@@ -174,7 +192,9 @@ def actuator(
     rest = values.get(length, interface.parameters[length].start)
     if rest is None:
         raise InputError(f"{model} has no value of '{length}': state one")
-    p, x = (one.ravel() for one in np.meshgrid(*(np.linspace(low, high, GRID) for low, high in spans)))
+    p, x = (
+        one.ravel() for one in np.meshgrid(*(np.linspace(low, high, GRID) for low, high in spans))
+    )
     with opened(model, files) as simulator:
         course = simulator.equilibria({names[0]: p, names[1]: x}, parameters=values)
     return _fitted(model, p, x, course[names[2]], float(rest))

@@ -61,13 +61,17 @@ def add(
         return _added(_fitted_model(what), to, output, values or {}, as_paths(files))
     diagnosis = load(what) if isinstance(what, Path) else what
     if not isinstance(diagnosis, Diagnosis) or diagnosis.learned is None:
-        raise InputError("nothing was learned: a term is learned where a diagnosis says unknown, and --save keeps it")
+        raise InputError(
+            "nothing was learned: a term is learned where a diagnosis says unknown, and --save keeps it"
+        )
     term, model = diagnosis.learned.term, diagnosis.learned.model
     fitted = FittedModel(diagnosis.model, model.effects, model.fit.values, diagnosis.data.constants)
     with TemporaryDirectory(prefix="pam-cosim-") as folder:
         file = Path(folder, f"{term.name}.mo")
         write_text(file, term.modelica_source)
-        return _added(fitted, to, output, values or {}, [*as_paths(files), file], term.modelica_source)
+        return _added(
+            fitted, to, output, values or {}, [*as_paths(files), file], term.modelica_source
+        )
 
 
 def add_fitted(fitted: FittedModel, output: Path, files: Paths = ()) -> str:
@@ -98,7 +102,9 @@ def _added(
         raise InputError("effects and values are added to a Modelica model: name it by to")
     ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
     if ratio is not None and not fitted.values:
-        raise InputError(f"what is stated of {ratio} is no part of a model: correct it in the data set")
+        raise InputError(
+            f"what is stated of {ratio} is no part of a model: correct it in the data set"
+        )
     extra = sources_of(files, base)
     name = Path(output).stem if output else None
     parameters = describe(base, files).parameters if fitted.values else ()
@@ -114,7 +120,9 @@ def _added(
     return composition.text
 
 
-def _resolved(values: Mapping[str, Setting], composition: Composition, files: Paths) -> dict[str, float]:
+def _resolved(
+    values: Mapping[str, Setting], composition: Composition, files: Paths
+) -> dict[str, float]:
     """Values of parameters of a composed model [SI]."""
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"{composition.name}.mo"
@@ -122,7 +130,9 @@ def _resolved(values: Mapping[str, Setting], composition: Composition, files: Pa
         interface = describe(str(file), files)
     stray = next((name for name in values if name not in interface.parameters), None)
     if stray is not None:
-        raise InputError(f"there is no parameter '{stray}'; {did_you_mean(stray, list(interface.parameters))}")
+        raise InputError(
+            f"there is no parameter '{stray}'; {did_you_mean(stray, list(interface.parameters))}"
+        )
     return resolve(values, interface)
 
 

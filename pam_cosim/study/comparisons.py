@@ -35,5 +35,7 @@ def compare(
     values = overriding(values_of_runs(parameters or {}, data, interface), data)
     data = data_with_starts(data, name, values, files, timeout)
     with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
-        starts = estimated_starts(simulator, data, runs_without_start(data, values, interface), values)
+        starts = estimated_starts(
+            simulator, data, runs_without_start(data, values, interface), values
+        )
         return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})

@@ -96,15 +96,20 @@ def couple(
         InputError: an unknown model or name, units that do not fit, an input with two sources.
     """
     made = {
-        name: one if isinstance(one, Controller) else _part(name, str(one), files) for name, one in components.items()
+        name: one if isinstance(one, Controller) else _part(name, str(one), files)
+        for name, one in components.items()
     }
     joined = tuple(connect(text, made) for text in connections)
-    return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(samples or {})
+    return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(
+        samples or {}
+    )
 
 
 def _part(name: str, model: str, files: models.Paths) -> CoupledFmu:
     path = models.build(model, files=files)
-    return CoupledFmu(name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model))
+    return CoupledFmu(
+        name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model)
+    )
 
 
 def read_system(
@@ -135,7 +140,9 @@ def read_system(
     written = read_toml(file)
     both: dict[str, str | Path | Controller] = {**written.components, **(controllers or {})}
     if len(both) < len(written.components) + len(controllers or {}):
-        raise InputError(f"a controller has the name of a component: {', '.join(controllers or {})}", file)
+        raise InputError(
+            f"a controller has the name of a component: {', '.join(controllers or {})}", file
+        )
     try:
         system = couple(
             both,
@@ -152,11 +159,15 @@ def read_system(
 
 
 def _from_ssp(
-    file: Path, controllers: Mapping[str, Controller], parameters: Mapping[str, Setting], timeout: float | None
+    file: Path,
+    controllers: Mapping[str, Controller],
+    parameters: Mapping[str, Setting],
+    timeout: float | None,
 ) -> System:
     if controllers:
         raise InputError(
-            "a controller in Python has no connections in an SSP archive; describe the system as .toml", file
+            "a controller in Python has no connections in an SSP archive; describe the system as .toml",
+            file,
         )
     if not file.exists():
         raise InputError("there is no such file", file)
@@ -164,7 +175,15 @@ def _from_ssp(
     try:
         archive = read_ssp(file, Path(scratch.name), lambda name, fmu: _part(name, str(fmu), ()))
         values = couple_values({**archive.parameters, **parameters}, archive.parts)
-        return System(archive.parts, archive.connections, values, timeout, archive.title, archive.stop_time, scratch)
+        return System(
+            archive.parts,
+            archive.connections,
+            values,
+            timeout,
+            archive.title,
+            archive.stop_time,
+            scratch,
+        )
     except InputError as problem:
         scratch.cleanup()
         raise problem if problem.file else InputError(problem.message, file) from problem

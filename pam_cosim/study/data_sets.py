@@ -66,7 +66,9 @@ def read(
     overrides = overrides_of(cuts, starts)
     if Path(folder).suffix.lower() == ".npz":
         if cuts or starts:
-            raise InputError("what was judged keeps its ends and starts; cut the data set that it is of", folder)
+            raise InputError(
+                "what was judged keeps its ends and starts; cut the data set that it is of", folder
+            )
         data = judged_data(Path(folder))
         data = replace(data, model=model or data.model)
     else:
@@ -78,7 +80,9 @@ def read(
             with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
             overrides=overrides,
         )
-    data = replace(data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files))
+    data = replace(
+        data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files)
+    )
     return for_model(data, model, files)
 
 
@@ -142,7 +146,12 @@ def new(
     wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
     made = draft(
-        Path(folder), paths, wishes, read_library(files=as_paths(files)), described_with(files), as_paths(files)
+        Path(folder),
+        paths,
+        wishes,
+        read_library(files=as_paths(files)),
+        described_with(files),
+        as_paths(files),
     )
     written = read(folder, files=files)
     begun = data_with_starts(written, written.model, files=files)
@@ -173,11 +182,18 @@ def data_with_starts(
 
 def overriding(values: Mapping[str, float], data: DataSet) -> dict[str, float]:
     """Values of all runs [SI], also of those runs of which the data set states another one."""
-    own = {f"{name}@{run.name}": v for run in data.runs for name, v in values.items() if name in run.parameters}
+    own = {
+        f"{name}@{run.name}": v
+        for run in data.runs
+        for name, v in values.items()
+        if name in run.parameters
+    }
     return {**own, **values}
 
 
-def values_of_runs(parameters: Mapping[str, Setting], data: DataSet, interface: Interface) -> dict[str, float]:
+def values_of_runs(
+    parameters: Mapping[str, Setting], data: DataSet, interface: Interface
+) -> dict[str, float]:
     """Values by name [SI], of all runs or of one: "load.m", "load.m@run-01"."""
     values: dict[str, float] = {}
     for name, value in parameters.items():

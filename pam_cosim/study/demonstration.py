@@ -39,7 +39,12 @@ class Demonstration:
 
 def results_of(output: Path, name: str, model: str) -> tuple[Path, Path, Path, Path]:
     """Where a demonstration leaves its page, its picture, its numbers and its model."""
-    return output / f"{name}.html", output / f"{name}.png", output / f"{name}.json", output / f"{model}.mo"
+    return (
+        output / f"{name}.html",
+        output / f"{name}.png",
+        output / f"{name}.json",
+        output / f"{model}.mo",
+    )
 
 
 def demonstrate(
@@ -89,9 +94,15 @@ def unpack(folder: Path) -> Path:
     ours = {DATA, *(path.name for path in results_of(folder, "report", "Better"))}
     if folder.exists() and not folder.is_dir():
         raise InputError("is a file; name a folder for the demonstration", folder)
-    others = sorted(path.name for path in folder.iterdir() if path.name not in ours) if folder.exists() else []
+    others = (
+        sorted(path.name for path in folder.iterdir() if path.name not in ours)
+        if folder.exists()
+        else []
+    )
     if others:
-        raise InputError(f"holds {others[0]}; name a new or an empty folder for the demonstration", folder)
+        raise InputError(
+            f"holds {others[0]}; name a new or an empty folder for the demonstration", folder
+        )
     place = folder / DATA
     make_folder(place)
     for file in sorted(demonstration_data().iterdir()):

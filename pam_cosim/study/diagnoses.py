@@ -82,7 +82,9 @@ def draw(product: Product | Sweep, path: Path | str) -> None:
     Raises:
         InputError: there is nothing to draw, or the file cannot be written.
     """
-    from pam_cosim.reporting import draw as _draw  # half a second for matplotlib, which no worker needs
+    from pam_cosim.reporting import (
+        draw as _draw,
+    )  # half a second for matplotlib, which no worker needs
 
     _draw(product, path)
 

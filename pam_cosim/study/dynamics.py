@@ -54,7 +54,11 @@ def exchange(model: str, files: models.Paths = ()) -> Exchange:
 def interface(model: str, files: models.Paths = ()) -> Interface:
     """As ``models.describe``, also for an FMU for model exchange alone."""
     path = models.build(model, files=files)
-    return interface_of(exchange_description(path)) if has_exchange(path) else models.describe(model, files)
+    return (
+        interface_of(exchange_description(path))
+        if has_exchange(path)
+        else models.describe(model, files)
+    )
 
 
 def linearise(
@@ -94,7 +98,9 @@ def linearise(
         raise InputError(f"'{at}' is no point: give 'rest', values by name, or a time")
     if isinstance(at, str | Mapping):
         if inputs is not None:
-            raise InputError("inputs over time are for a time of a run; inputs that are held belong to the parameters")
+            raise InputError(
+                "inputs over time are for a time of a run; inputs that are held belong to the parameters"
+            )
         conditions = {} if isinstance(at, str) else conditions_of(at, known.interface)
         rest = isinstance(at, str) or bool(free)
         return work_on(
@@ -114,7 +120,9 @@ def linearise(
         points = [_of_trajectory(at[0], float(at[1]), known)]
     else:
         points = _of_run(model, settings, inputs, [float(at)], known, files, timeout)
-    return work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))[0]
+    return work_on(
+        known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs)
+    )[0]
 
 
 def linearise_along(
@@ -147,7 +155,9 @@ def linearise_along(
     known = exchange(model, files)
     settings = resolve(parameters or {}, known.interface)
     points = _of_run(model, settings, inputs, [float(t) for t in times], known, files, timeout)
-    linear_models = work_on(known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs))
+    linear_models = work_on(
+        known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs)
+    )
     return LinearCourse(tuple(linear_models))
 
 
@@ -163,7 +173,9 @@ def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, 
         if name in interface.parameters:
             raise InputError(f"'{name}' is a parameter: set it with the parameters")
         if name not in known:
-            raise InputError(f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}")
+            raise InputError(
+                f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}"
+            )
     return {name: value_of(value, known[name]) for name, value in at.items()}
 
 
@@ -171,7 +183,9 @@ def _listed(names: Sequence[str] | None) -> list[str] | None:
     return None if names is None else list(names)
 
 
-def _of_trajectory(trajectory: Trajectory, time: float, known: Exchange) -> tuple[float, dict[str, float]]:
+def _of_trajectory(
+    trajectory: Trajectory, time: float, known: Exchange
+) -> tuple[float, dict[str, float]]:
     needed = state_names(known.path)
     missing = [name for name in needed if name not in trajectory.values]
     if missing:
@@ -182,7 +196,9 @@ def _of_trajectory(trajectory: Trajectory, time: float, known: Exchange) -> tupl
         span = f"from {trajectory.time[0]:g} s to {trajectory.time[-1]:g} s"
         raise InputError(f"the trajectory is {span}, without {time:g} s")
     starts = {name: variable.start or 0.0 for name, variable in known.interface.inputs.items()}
-    values = {n: float(np.interp(time, trajectory.time, trajectory.values[n])) for n in trajectory.values}
+    values = {
+        n: float(np.interp(time, trajectory.time, trajectory.values[n])) for n in trajectory.values
+    }
     return time, starts | values
 
 
@@ -200,7 +216,9 @@ def _of_run(
         raise InputError(f"the times must increase, from {start:g} s on")
     names = [*state_names(known.path), *known.interface.inputs]
     with models.opened(model, files, timeout=timeout) as simulator:
-        run = simulator.run(times, parameters=settings, inputs=inputs, outputs=names, start_time=start)
+        run = simulator.run(
+            times, parameters=settings, inputs=inputs, outputs=names, start_time=start
+        )
     return [(t, {name: float(run[name][i]) for name in names}) for i, t in enumerate(times)]
 
 
@@ -246,7 +264,9 @@ def frequency_response(
         InputError: as ``linearise``; an amplitude or frequency that is not above zero.
         SimulationFailure: as ``linearise``.
     """
-    chosen = np.geomspace(0.1, 20.0, 16) if frequencies is None else np.asarray(frequencies, dtype=float)
+    chosen = (
+        np.geomspace(0.1, 20.0, 16) if frequencies is None else np.asarray(frequencies, dtype=float)
+    )
     if not chosen.size or not np.all(np.isfinite(chosen) & (chosen > 0)):
         raise InputError("frequencies must be above zero")
     if most_periods < 2:
@@ -259,16 +279,24 @@ def frequency_response(
     if not size > 0:
         raise InputError(f"the amplitude must be above zero, not {size:g}")
     sines = Sines(
-        input, tuple(face.outputs if outputs is None else outputs), tuple(chosen.tolist()), size, most_periods
+        input,
+        tuple(face.outputs if outputs is None else outputs),
+        tuple(chosen.tolist()),
+        size,
+        most_periods,
     )
     settings = resolve(parameters or {}, face)
     conditions = {} if isinstance(at, str) else conditions_of(at, face)
     if conditions and not free:
-        raise InputError("a sine swings about a rest: name the inputs that may be chosen for it (free)")
+        raise InputError(
+            "a sine swings about a rest: name the inputs that may be chosen for it (free)"
+        )
     if exchanging:
         trusted = not is_fmu(model)
         told = progress if trusted else None  # what runs in another process cannot call
-        return work_on(path, trusted, timeout, respond, settings, conditions, list(free), sines, told)
+        return work_on(
+            path, trusted, timeout, respond, settings, conditions, list(free), sines, told
+        )
     if conditions:
         raise InputError("a rest can be looked for in an FMU with model exchange only", path)
     with models.opened(model, files, timeout=timeout) as simulator:

@@ -69,9 +69,17 @@ def fit(
     with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
         chosen = base_parameters(data, simulator.interface)
         if not chosen:
-            raise InputError("nothing to fit: name the free parameters under [fit]", data.folder / "experiment.toml")
-        options, kept = FitOptions(method, starts=starts), Path(resume) if resume is not None else None
-        return _fit(simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept)
+            raise InputError(
+                "nothing to fit: name the free parameters under [fit]",
+                data.folder / "experiment.toml",
+            )
+        options, kept = (
+            FitOptions(method, starts=starts),
+            Path(resume) if resume is not None else None,
+        )
+        return _fit(
+            simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept
+        )
 
 
 def _freed(

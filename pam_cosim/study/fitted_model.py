@@ -84,7 +84,9 @@ def with_own_values(data: DataSet, model: str, files: Sequence[Path]) -> DataSet
     sources = sources_of(files, data.bench, model)
     tree = read_library(files=sources)
     stated = {
-        n for one in _lineage(tree, model, sources) - _lineage(tree, data.bench, sources) for n in _stated(tree, one)
+        n
+        for one in _lineage(tree, model, sources) - _lineage(tree, data.bench, sources)
+        for n in _stated(tree, one)
     }
     fit = {n: replace(f, start=None) if f.parameter in stated else f for n, f in data.fit.items()}
     return replace(data, fit=fit)

@@ -25,7 +25,9 @@ Source = Inputs | Trajectory | Path | str | Mapping[str, Any] | Any
 _HEADER = re.compile(r"\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
-def inputs_of(source: Source | None, interface: Interface, times: Callable[[], Array]) -> Inputs | None:
+def inputs_of(
+    source: Source | None, interface: Interface, times: Callable[[], Array]
+) -> Inputs | None:
     """Inputs from anything that says them.
 
     Args:
@@ -51,7 +53,9 @@ def inputs_of(source: Source | None, interface: Interface, times: Callable[[], A
     if time is None:
         time = times()
     named = {_named(head, interface): (head, values) for head, values in columns.items()}
-    return Inputs(time, {name: _values(name, head, v, time, interface) for name, (head, v) in named.items()})
+    return Inputs(
+        time, {name: _values(name, head, v, time, interface) for name, (head, v) in named.items()}
+    )
 
 
 def is_formulas(text: str) -> bool:
@@ -69,11 +73,15 @@ def _of_formulas(text: str, interface: Interface, time: Array) -> Inputs:
             raise InputError(f"the input '{name}' has two formulas")
         try:
             with np.errstate(all="ignore"):
-                values[name] = np.array(np.broadcast_to(elementwise(formula, {"time": time}), time.shape))
+                values[name] = np.array(
+                    np.broadcast_to(elementwise(formula, {"time": time}), time.shape)
+                )
         except ModelError as problem:
             raise InputError(f"the formula of the input '{name}': {with_place(problem)}") from None
         except (ArithmeticError, RecursionError, TypeError, ValueError) as problem:
-            raise InputError(f"the formula of the input '{name}' cannot be evaluated: {problem}") from None
+            raise InputError(
+                f"the formula of the input '{name}' cannot be evaluated: {problem}"
+            ) from None
         wrong = time[~np.isfinite(values[name])]
         if wrong.size:
             raise InputError(f"the formula of the input '{name}' is no number at {wrong[0]:g} s")
@@ -89,13 +97,18 @@ def read_inputs(file: Path, interface: Interface) -> Inputs:
     recording = read_recording(file, interface)
     if not recording.inputs:
         known = ", ".join(interface.inputs) or "none"
-        raise InputError(f"has no column of an input; the inputs of {interface.model}: {known}", file, 1)
+        raise InputError(
+            f"has no column of an input; the inputs of {interface.model}: {known}", file, 1
+        )
     return Inputs(recording.time, recording.inputs, "linear")
 
 
 def _columns(source: Any, interface: Interface) -> dict[str, Any]:
     if isinstance(source, Trajectory):
-        return {"time": source.time, **{n: v for n, v in source.values.items() if n in interface.inputs}}
+        return {
+            "time": source.time,
+            **{n: v for n, v in source.values.items() if n in interface.inputs},
+        }
     if isinstance(source, Mapping):
         return dict(source)
     if hasattr(source, "columns") and hasattr(source, "index"):
@@ -129,7 +142,9 @@ def _split(head: str) -> tuple[str, str | None]:
 def _named(head: str, interface: Interface) -> str:
     name = _split(head)[0]
     if name not in interface.inputs:
-        raise InputError(f"{interface.model} has no input '{name}'; {did_you_mean(name, interface.inputs)}")
+        raise InputError(
+            f"{interface.model} has no input '{name}'; {did_you_mean(name, interface.inputs)}"
+        )
     return name
 
 
@@ -146,7 +161,9 @@ def _at(name: str, function: Callable[[float], Any], t: float) -> float:
     try:
         return float(function(t))
     except Exception as problem:  # somebody else's function
-        raise InputError(f"the function of the input '{name}' fails at {t:g} s: {problem!r}") from problem
+        raise InputError(
+            f"the function of the input '{name}' fails at {t:g} s: {problem!r}"
+        ) from problem
 
 
 def _converted(head: str, values: Any, unit: str) -> Array:

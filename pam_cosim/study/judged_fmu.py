@@ -29,7 +29,12 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, printable
 
 _DATA = "recordings/"
-_VALUES, _JUDGED, _VERDICT, _SUMMARY = "fitted.ssv", "diagnosis.npz", "verdict.json", "judgement.json"
+_VALUES, _JUDGED, _VERDICT, _SUMMARY = (
+    "fitted.ssv",
+    "diagnosis.npz",
+    "verdict.json",
+    "judgement.json",
+)
 _VALIDATION = "experiment/validation"
 _TYPES = {".toml": "application/toml", ".csv": "text/csv", ".json": "application/json"}
 
@@ -74,7 +79,10 @@ class Evidence(Printed):
         lines += [f"  verdict: {self.verdict}"] if self.verdict else []
         for role, errors in self.rms.items():
             if errors and role != "all":
-                found = (f"{n} {format_quantity(e, self.data.signals[n].unit)}" for n, e in errors.items())
+                found = (
+                    f"{n} {format_quantity(e, self.data.signals[n].unit)}"
+                    for n, e in errors.items()
+                )
                 lines.append(f"  {role:8} rms error {', '.join(found)}")
         return "\n".join(lines)
 
@@ -85,8 +93,14 @@ class Evidence(Printed):
     def deviation(self, comparison: Comparison) -> float:
         """The largest relative difference of an error from the one that was written."""
         found = _errors(comparison)
-        pairs = [(found[role][name], rms) for role, errors in self.rms.items() for name, rms in errors.items()]
-        return max((abs(new - old) / max(abs(old), abs(new), 1e-300) for new, old in pairs), default=0.0)
+        pairs = [
+            (found[role][name], rms)
+            for role, errors in self.rms.items()
+            for name, rms in errors.items()
+        ]
+        return max(
+            (abs(new - old) / max(abs(old), abs(new), 1e-300) for new, old in pairs), default=0.0
+        )
 
 
 def build_with_data(
@@ -132,9 +146,13 @@ def build_with_data(
     name = model_identifier(Path(output).stem)
     with TemporaryDirectory(prefix="pam-cosim-") as folder:
         made = _built(fitted, name, Path(folder), files, platforms, fmi)
-        parts = _related(read_first, fitted, judged, None if diagnosis is None else Path(diagnosis), made)
+        parts = _related(
+            read_first, fitted, judged, None if diagnosis is None else Path(diagnosis), made
+        )
         draft = Path(folder, f"{name}.fmu")
-        write_bytes(draft, with_related_files(made.read_bytes(), [*parts, _summary(fitted, judged, {})]))
+        write_bytes(
+            draft, with_related_files(made.read_bytes(), [*parts, _summary(fitted, judged, {})])
+        )
         rms = _errors(evidence(draft).compare())
         content = with_related_files(made.read_bytes(), [*parts, _summary(fitted, judged, rms)])
     make_folder(Path(output).parent)
@@ -151,16 +169,27 @@ def evidence(fmu: Path | str) -> Evidence:
     source = Path(fmu)
     files = {file.name: file for file in related_files(source)}
     if _SUMMARY not in files:
-        raise InputError("carries no recordings to be judged by: 'pam-cosim build --with-data' puts them in", source)
+        raise InputError(
+            "carries no recordings to be judged by: 'pam-cosim build --with-data' puts them in",
+            source,
+        )
     try:
         summary = _Summary.model_validate_json(files[_SUMMARY].content)
     except ValidationError as error:
         wrong = error.errors()[0]
-        raise InputError(f"{_SUMMARY}: {'.'.join(map(str, wrong['loc']))}: {wrong['msg']}", source) from None
+        raise InputError(
+            f"{_SUMMARY}: {'.'.join(map(str, wrong['loc']))}: {wrong['msg']}", source
+        ) from None
     with TemporaryDirectory(prefix="pam-cosim-") as folder:
         data = read(_unpacked(files, Path(folder), source), model=str(source))
     return Evidence(
-        source, data, summary.model, tuple(summary.effects), summary.values, printable(summary.verdict), summary.rms
+        source,
+        data,
+        summary.model,
+        tuple(summary.effects),
+        summary.values,
+        printable(summary.verdict),
+        summary.rms,
     )
 
 
@@ -169,17 +198,24 @@ def _diagnosis(path: Path | str | None) -> Diagnosis | None:
         return None
     product = load(path)
     if not isinstance(product, Diagnosis):
-        raise InputError(f"a {type(product).__name__} is no diagnosis: 'pam-cosim diagnose --save' writes one", path)
+        raise InputError(
+            f"a {type(product).__name__} is no diagnosis: 'pam-cosim diagnose --save' writes one",
+            path,
+        )
     return product
 
 
-def _fitted(judged: Diagnosis | None, fit: Path | str | None, model: str | None) -> FittedModel | None:
+def _fitted(
+    judged: Diagnosis | None, fit: Path | str | None, model: str | None
+) -> FittedModel | None:
     """Model, effects and values: of the diagnosis, with the values of the fit where there is one."""
     found = None if judged is None else fitted_model(judged)
     if fit is not None:
         values = read_fitted_model(Path(fit))
         if found is not None and values.effects and values.effects != found.effects:
-            raise InputError("its values are of a model with other effects than the diagnosis came to", fit)
+            raise InputError(
+                "its values are of a model with other effects than the diagnosis came to", fit
+            )
         effects = values.effects if found is None else found.effects
         base = values.model if found is None else found.model
         constants = {} if found is None else found.constants
@@ -189,7 +225,9 @@ def _fitted(judged: Diagnosis | None, fit: Path | str | None, model: str | None)
     return FittedModel(model or found.model, found.effects, found.values, found.constants)
 
 
-def _built(fitted: FittedModel, name: str, folder: Path, files: Paths, platforms: Sequence[str], fmi: str) -> Path:
+def _built(
+    fitted: FittedModel, name: str, folder: Path, files: Paths, platforms: Sequence[str], fmi: str
+) -> Path:
     """The FMU, whose start values are the fitted ones."""
     if is_fmu(fitted.model):
         return build(fitted.model, files=files, platforms=platforms, fmi=fmi)
@@ -205,13 +243,21 @@ def _related(
     """The files to carry, but for the summary."""
     found = []
     known = describe(str(fmu)).parameters
-    values = {name: (value, known[name].unit) for name, value in fitted.stated(known).items() if name in known}
+    values = {
+        name: (value, known[name].unit)
+        for name, value in fitted.stated(known).items()
+        if name in known
+    }
     if values:
         text = parameter_set(fitted.model, values).encode()
         kind = "application/x-ssp-parameter-set"
         found.append(
             RelatedFile(
-                _VALUES, "parameter", kind, "Values that were stated of the rig, and fitted to the recordings", text
+                _VALUES,
+                "parameter",
+                kind,
+                "Values that were stated of the rig, and fitted to the recordings",
+                text,
             )
         )
     for file in dict.fromkeys(data.files):
@@ -221,23 +267,36 @@ def _related(
         found.append(RelatedFile(_DATA + name, _VALIDATION, kind, about, read_file(file)))
     if judged is not None and saved is not None:
         verdict = json_text(judged.as_dict()).encode()
-        found.append(RelatedFile(_VERDICT, "report", _TYPES[".json"], "The diagnosis in numbers", verdict))
+        found.append(
+            RelatedFile(_VERDICT, "report", _TYPES[".json"], "The diagnosis in numbers", verdict)
+        )
         about = "The diagnosis with the samples that were judged"
         found.append(RelatedFile(_JUDGED, "result", "application/x-npz", about, read_file(saved)))
     return found
 
 
-def _summary(fitted: FittedModel, judged: Diagnosis | None, rms: dict[str, dict[str, float]]) -> RelatedFile:
+def _summary(
+    fitted: FittedModel, judged: Diagnosis | None, rms: dict[str, dict[str, float]]
+) -> RelatedFile:
     verdict = "" if judged is None else str(judged).splitlines()[0].removeprefix("Verdict: ")
     summary = _Summary(
-        model=fitted.model, effects=list(fitted.effects), values=dict(fitted.values), verdict=verdict, rms=rms
+        model=fitted.model,
+        effects=list(fitted.effects),
+        values=dict(fitted.values),
+        verdict=verdict,
+        rms=rms,
     )
     about = "What was judged, with which values, and the errors that came of it"
-    return RelatedFile(_SUMMARY, "meta-data", _TYPES[".json"], about, summary.model_dump_json(indent=1).encode())
+    return RelatedFile(
+        _SUMMARY, "meta-data", _TYPES[".json"], about, summary.model_dump_json(indent=1).encode()
+    )
 
 
 def _errors(comparison: Comparison) -> dict[str, dict[str, float]]:
-    return {role: {name: float(s.rmse) for name, s in scores.items()} for role, scores in comparison.scores.items()}
+    return {
+        role: {name: float(s.rmse) for name, s in scores.items()}
+        for role, scores in comparison.scores.items()
+    }
 
 
 def _unpacked(files: Mapping[str, RelatedFile], folder: Path, fmu: Path) -> Path:

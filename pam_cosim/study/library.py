@@ -61,7 +61,9 @@ def bench(
         ModelError: a part is not what its interface asks for.
     """
     name = Path(output).stem if output else None
-    rig = compose_bench(read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static)
+    rig = compose_bench(
+        read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static
+    )
     if output:
         write_text(Path(output), rig.text)
     return rig.text

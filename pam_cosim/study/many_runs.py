@@ -89,7 +89,9 @@ def sweep(
     interface = read_interface(fmu)
     patterns = _patterns(interface, vary, stop_time, interval)
     longest = max((p.inputs for p in patterns), key=lambda i: float(i.time[-1]), default=None)
-    course, times = _course(interface, longest if patterns and inputs is None else inputs, stop_time, interval)
+    course, times = _course(
+        interface, longest if patterns and inputs is None else inputs, stop_time, interval
+    )
     course = None if patterns and inputs is None else course
     asked = read_scalars(scalars, interface)
     plan = SweepPlan(
@@ -106,7 +108,9 @@ def sweep(
         timeout=timeout,
     )
     result = None if output is None else Path(output)
-    made = make_sweep(plan, result, executor=executor, workers=checked_workers(workers, 1), progress=progress)
+    made = make_sweep(
+        plan, result, executor=executor, workers=checked_workers(workers, 1), progress=progress
+    )
     if result is not None:
         made.save(result)
     return made
@@ -118,4 +122,6 @@ def _patterns(
     """The inputs over time that a sweep varies; none where it does not."""
     if not varies_inputs(vary, interface):
         return ()
-    return read_patterns(vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0])
+    return read_patterns(
+        vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0]
+    )

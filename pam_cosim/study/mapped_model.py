@@ -14,7 +14,9 @@ from pam_cosim.model.references import sources_of
 from pam_cosim.study.fitted_model import with_base
 
 
-def mapped_model(model: str, interface: Interface, maps: Sequence[InputMap], files: Sequence[Path] = ()) -> str:
+def mapped_model(
+    model: str, interface: Interface, maps: Sequence[InputMap], files: Sequence[Path] = ()
+) -> str:
     """The file of the class that extends a model and binds its inputs; its text stands by itself.
 
     Args:

@@ -67,7 +67,9 @@ def observe(
     unmeasured = dict(unknown or {})
     for name in unmeasured:
         if name not in face.inputs:
-            raise InputError(f"{face.model} has no input '{name}'; {did_you_mean(name, face.inputs)}")
+            raise InputError(
+                f"{face.model} has no input '{name}'; {did_you_mean(name, face.inputs)}"
+            )
         if name in read[1]:
             raise InputError(f"'{name}' is recorded and unknown; keep one of them")
     random_walks = {
@@ -85,10 +87,14 @@ def observe(
     settings = resolve(parameters or {}, face)
     begins = ""
     if not start and not is_fmu(model):
-        states, begins = recorded_start(model, read, belief.noise, settings, interpolation, files, timeout)
+        states, begins = recorded_start(
+            model, read, belief.noise, settings, interpolation, files, timeout
+        )
         belief = replace(belief, start=states)
     chosen = list(face.outputs if outputs is None else outputs)
-    made = work_on(known.path, known.trusted, timeout, observe_samples, settings, samples, belief, chosen)
+    made = work_on(
+        known.path, known.trusted, timeout, observe_samples, settings, samples, belief, chosen
+    )
     return replace(made, begins=begins)
 
 
@@ -102,7 +108,9 @@ def _recorded(
         rows = read_recording(Path(recording), face)
         time, columns = rows.time, {**rows.inputs, **rows.measurements}
     if not noise:
-        raise InputError("nothing is measured: give the noise of each signal that is, such as p: 0.5 kPa")
+        raise InputError(
+            "nothing is measured: give the noise of each signal that is, such as p: 0.5 kPa"
+        )
     for name in noise:
         if name not in columns:
             raise InputError(f"the recording has no column '{name}'; {did_you_mean(name, columns)}")

@@ -55,7 +55,9 @@ def run_limits(
     return limits_of(data, ranges, _seconds(seconds, "length of the run"))
 
 
-def _ranges(data: DataSet, limits: Mapping[str, Sequence[Setting]], files: Paths) -> dict[str, Range]:
+def _ranges(
+    data: DataSet, limits: Mapping[str, Sequence[Setting]], files: Paths
+) -> dict[str, Range]:
     if not limits:
         return {}
     interface = describe(data.model, files)
@@ -63,7 +65,9 @@ def _ranges(data: DataSet, limits: Mapping[str, Sequence[Setting]], files: Paths
     ranges = {}
     for name, ends in limits.items():
         if name not in known:
-            raise InputError(f"{interface.model} has no '{name}' to limit; {did_you_mean(name, known)}")
+            raise InputError(
+                f"{interface.model} has no '{name}' to limit; {did_you_mean(name, known)}"
+            )
         if isinstance(ends, str) or len(ends) != 2:
             raise InputError(f"'{name}': limits are two values, the lowest and the highest")
         ranges[name] = (value_of(ends[0], known[name]), value_of(ends[1], known[name]))

@@ -59,7 +59,11 @@ def predict(
     """
     if samples < 2:
         raise InputError("a band takes two samples at least")
-    fit, data = (product.final, product.data) if isinstance(product, Diagnosis) else (product, product.comparison.data)
+    fit, data = (
+        (product.final, product.data)
+        if isinstance(product, Diagnosis)
+        else (product, product.comparison.data)
+    )
     if not fit.parameters:
         raise InputError("nothing was fitted: no parameter leaves anything open")
     with _simulator(product, data, files) as simulator:
@@ -74,11 +78,15 @@ def predict(
         return _bands(simulator, data, chosen, posterior, fit.values | fit.start_values)
 
 
-def _simulator(product: Fit | Diagnosis, data: DataSet, files: Paths) -> AbstractContextManager[AnySimulator]:
+def _simulator(
+    product: Fit | Diagnosis, data: DataSet, files: Paths
+) -> AbstractContextManager[AnySimulator]:
     if isinstance(product, Diagnosis) and product.path:
         text = product.path[-1].equations
         names = [parameter_of(name) for name in product.final.parameters]
-        return Simulator(build_source(text.split()[1], text, as_paths(files), sensitivities=names, lean=True))
+        return Simulator(
+            build_source(text.split()[1], text, as_paths(files), sensitivities=names, lean=True)
+        )
     model = product.model if isinstance(product, Diagnosis) else data.model
     return opened(model, files, data.differentiated)
 
@@ -111,7 +119,9 @@ def _run(
     course, times = _course(interface, inputs, stop_time, interval)
     values = resolve(parameters, interface)
     first = data.runs[0].parameters
-    open_ones = [n for n in first if len({r.parameters.get(n) for r in data.runs}) > 1 and n not in values]
+    open_ones = [
+        n for n in first if len({r.parameters.get(n) for r in data.runs}) > 1 and n not in values
+    ]
     if open_ones:
         raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
     if course is None:

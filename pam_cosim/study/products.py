@@ -74,7 +74,9 @@ def save(product: Product, path: Path | str) -> Path:
         content = {"kind": kind, "version": _VERSION, "content": _converter().unstructure(product)}
     text = np.frombuffer(json.dumps(content).encode(), dtype=np.uint8)
     file = io.BytesIO()
-    named: dict[str, Any] = {_TEXT: text} | {f"array_{number}": array for number, array in arrays.values()}
+    named: dict[str, Any] = {_TEXT: text} | {
+        f"array_{number}": array for number, array in arrays.values()
+    }
     np.savez_compressed(file, **named)
     write_bytes(target, file.getvalue())
     return target
@@ -103,7 +105,9 @@ def load(path: Path | str) -> Any:
             product.as_dict()
     except InputError:
         raise
-    except Exception as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
+    except (
+        Exception
+    ) as problem:  # whatever readers of archives, arrays and JSON raise for what they do not know
         raise InputError(_DAMAGED, source) from problem
     return product
 
@@ -133,7 +137,11 @@ def _at_hand(arrays: dict[Any, Any]) -> Iterator[None]:
 def _put(array: np.ndarray) -> dict[str, str]:
     """The array among those of the file, once; what stands in the text for it."""
     arrays = _arrays.get()
-    key = array.dtype.str.encode() + repr(array.shape).encode() + np.ascontiguousarray(array).tobytes()
+    key = (
+        array.dtype.str.encode()
+        + repr(array.shape).encode()
+        + np.ascontiguousarray(array).tobytes()
+    )
     number, _ = arrays.setdefault(key, (len(arrays), array))
     return {"array": f"array_{number}"}
 
@@ -151,11 +159,16 @@ def _converter() -> Converter:
     converter.register_structure_hook_func(_is_array, lambda reference, _: _taken(reference))
     converter.register_unstructure_hook(
         HoldoutUncertainty,
-        lambda v: {"cost": v.cost, "shifts": [[*key, _put(shift)] for key, shift in v.shifts.items()]},
+        lambda v: {
+            "cost": v.cost,
+            "shifts": [[*key, _put(shift)] for key, shift in v.shifts.items()],
+        },
     )
     converter.register_structure_hook(
         HoldoutUncertainty,
-        lambda v, _: HoldoutUncertainty({(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"])),
+        lambda v, _: HoldoutUncertainty(
+            {(r, s): _taken(a) for r, s, a in v["shifts"]}, float(v["cost"])
+        ),
     )
     converter.register_unstructure_hook(Path, str)
     converter.register_structure_hook(Path, lambda text, _: Path(text))
@@ -163,8 +176,12 @@ def _converter() -> Converter:
         converter.register_structure_hook(kind, plain_value)
     include_subclasses(Record, converter, union_strategy=configure_tagged_union)
     saved_name = override(rename="leeway")  # the key in version 1 of the file
-    converter.register_unstructure_hook(Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name))
-    converter.register_structure_hook(Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name))
+    converter.register_unstructure_hook(
+        Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name)
+    )
+    converter.register_structure_hook(
+        Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name)
+    )
     return converter
 
 

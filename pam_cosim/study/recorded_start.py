@@ -41,7 +41,9 @@ def recorded_start(
         InputError: the model cannot be used.
     """
     times, inputs, measurements = recording
-    run = Run("the recording", Path(), "fit", interpolation, dict(parameters), times, inputs, measurements)
+    run = Run(
+        "the recording", Path(), "fit", interpolation, dict(parameters), times, inputs, measurements
+    )
     with opened(model, files, timeout=timeout) as simulator:
         known = simulator.interface.variables
         signals = {name: Signal(name, known[name].unit, noise[name]) for name in measurements}
@@ -52,7 +54,9 @@ def recorded_start(
                 return {}, ""
             at_first = replace(run, start=replace(run.start, mode="measured"))
             course = state_course(simulator, data, at_first, {}, ())
-            return {name: float(one[0]) for name, one in course.items()}, run.start.reason.removesuffix(": estimated")
+            return {
+                name: float(one[0]) for name, one in course.items()
+            }, run.start.reason.removesuffix(": estimated")
         except SimulationFailure:  # the filter says what it cannot do
             return {}, ""
 

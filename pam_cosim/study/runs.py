@@ -64,7 +64,9 @@ def simulate(
         course, times = _course(interface, inputs, stop_time, interval)
         values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
         if engine == "fmpy":
-            return run_with_fmpy(simulator.path, times, parameters=values, inputs=course, outputs=kept)
+            return run_with_fmpy(
+                simulator.path, times, parameters=values, inputs=course, outputs=kept
+            )
         return simulator.run(times, parameters=values, inputs=course, outputs=kept)
 
 
@@ -72,7 +74,9 @@ def _course(
     interface: Interface, source: Source | None, stop_time: Setting | None, interval: Setting | None
 ) -> tuple[Inputs | None, np.ndarray]:
     """Inputs over time, and the times of the outputs."""
-    stop, step = (_seconds(given, what) for given, what in ((stop_time, "stop time"), (interval, "interval")))
+    stop, step = (
+        _seconds(given, what) for given, what in ((stop_time, "stop time"), (interval, "interval"))
+    )
     inputs = inputs_of(source, interface, lambda: output_times(interface, None, stop, step))
     return inputs, output_times(interface, inputs, stop, step)
 
@@ -95,19 +99,32 @@ def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:
     known = interface.variables
     for name in outputs:
         if name not in known:
-            raise InputError(f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}")
+            raise InputError(
+                f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}"
+            )
     return list(dict.fromkeys([*interface.outputs, *interface.sensitivities, *outputs]))
 
 
 def output_times(
-    interface: Interface, inputs: Inputs | None, stop_time: float | None = None, interval: float | None = None
+    interface: Interface,
+    inputs: Inputs | None,
+    stop_time: float | None = None,
+    interval: float | None = None,
 ) -> np.ndarray:
     """(n,) [s]: from the first input sample (or zero) to the last (or the model's default stop time)."""
     start = float(inputs.time[0]) if inputs is not None else 0.0
-    end = stop_time if stop_time is not None else float(inputs.time[-1]) if inputs is not None else interface.stop_time
+    end = (
+        stop_time
+        if stop_time is not None
+        else float(inputs.time[-1])
+        if inputs is not None
+        else interface.stop_time
+    )
     step = interval if interval is not None else interface.interval or (end - start) / 1000
     if not end > start or not step > 0:
-        raise InputError(f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s")
+        raise InputError(
+            f"the run must end after its start: from {start:g} s to {end:g} s in steps of {step:g} s"
+        )
     steps = (end - start) / step
     if not steps <= MOST_STEPS:
         span = f"from {start:g} s to {end:g} s in steps of {step:g} s"

@@ -44,7 +44,9 @@ def plain_value(value: Any, kind: type[Any]) -> Any:
     wanted = (float, int) if kind is float else (kind,)
     if type(value) not in wanted:
         raise TypeError(f"{type(value).__name__} where {kind.__name__} is needed")
-    if isinstance(value, str) and not all(c in "\n\t" or category(c) not in _INVISIBLE for c in value):
+    if isinstance(value, str) and not all(
+        c in "\n\t" or category(c) not in _INVISIBLE for c in value
+    ):
         raise ValueError("a character that cannot be seen")
     return float(value) if kind is float else value
 
@@ -60,7 +62,11 @@ def check_plain(content: Any, arrays: Mapping[str, Any], is_unit: bool = False) 
     if isinstance(content, dict):
         _check_lengths(content, arrays)
         for key, value in content.items():
-            if key != _COMPLEX and _is_reference(value) and arrays[value["array"]].dtype.kind == "c":
+            if (
+                key != _COMPLEX
+                and _is_reference(value)
+                and arrays[value["array"]].dtype.kind == "c"
+            ):
                 raise ValueError(f"complex numbers in the place of '{key}'")
             check_plain(value, arrays, is_unit or key in _UNITS)
     elif isinstance(content, list):
@@ -82,7 +88,11 @@ def _check_lengths(content: dict[str, Any], arrays: Mapping[str, Any]) -> None:
     shape = arrays[time["array"]].shape
     for place, key in timed:
         value = place.get(key)
-        several = list(value.values()) if isinstance(value, dict) and not _is_reference(value) else [value]
+        several = (
+            list(value.values())
+            if isinstance(value, dict) and not _is_reference(value)
+            else [value]
+        )
         for one in several:
             if isinstance(one, dict) and _is_reference(one) and arrays[one["array"]].shape != shape:
                 raise ValueError(f"'{key}' is not of the length of its times")

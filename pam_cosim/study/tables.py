@@ -67,11 +67,17 @@ def planned_files(path: Path, count: int) -> list[Path]:
 
 
 def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> list[str]:
-    return [f"set {name} = {_cell(v, units[name])} {_file_unit(units[name])}" for name, v in parameters.items()]
+    return [
+        f"set {name} = {_cell(v, units[name])} {_file_unit(units[name])}"
+        for name, v in parameters.items()
+    ]
 
 
 def _text_of_run(
-    said: Sequence[str], names: Sequence[str], rows: Sequence[tuple[float, ...]], units: Mapping[str, str]
+    said: Sequence[str],
+    names: Sequence[str],
+    rows: Sequence[tuple[float, ...]],
+    units: Mapping[str, str],
 ) -> str:
     """Comments, and the inputs of a run as a table with units."""
     units = {"time": "s", **units}
@@ -119,7 +125,9 @@ def read_comparison(path: Path) -> dict[str, Any]:
     return comparison
 
 
-def against_lines(comparison: Comparison, earlier: Sequence[tuple[str, dict[str, Any]]]) -> list[str]:
+def against_lines(
+    comparison: Comparison, earlier: Sequence[tuple[str, dict[str, Any]]]
+) -> list[str]:
     """One line for each signal and earlier result: by how much the error changed."""
     lines = []
     for name, content in earlier:

@@ -72,7 +72,9 @@ def track(
     joined, acting = _connections(face, _face(made[0], files), output)
     rows = []
     for i, (frequency, one) in enumerate(zip(chosen, made, strict=True)):
-        system = couple({_PLANT: plant, _CONTROL: one}, joined, parameters, files=files, timeout=timeout)
+        system = couple(
+            {_PLANT: plant, _CONTROL: one}, joined, parameters, files=files, timeout=timeout
+        )
         wanted = _sine(middle, swing, float(frequency), lead, periods)
         run = system.simulate(
             float(wanted[0][-1]),
@@ -85,7 +87,9 @@ def track(
         rows.append(_measured(run, output, acting, middle, swing, float(frequency), lead, periods))
         if progress is not None:
             progress(i + 1, len(chosen))
-    gain, error, peak, settled, courses = (np.array(column) for column in list(zip(*rows, strict=True))[:5])
+    gain, error, peak, settled, courses = (
+        np.array(column) for column in list(zip(*rows, strict=True))[:5]
+    )
     return Tracking(
         face.model,
         _name_of(controller),
@@ -106,7 +110,11 @@ def track(
 
 
 def _check_times(frequencies: Array, rate: float, lead: float, periods: int) -> None:
-    if not frequencies.size or not np.all(np.isfinite(frequencies) & (frequencies > 0)) or not rate > 0:
+    if (
+        not frequencies.size
+        or not np.all(np.isfinite(frequencies) & (frequencies > 0))
+        or not rate > 0
+    ):
         raise InputError("frequencies and the rate must be above zero")
     if periods < 2 or not lead > 0:
         raise InputError("two periods at least are compared, after a lead above zero")
@@ -115,7 +123,9 @@ def _check_times(frequencies: Array, rate: float, lead: float, periods: int) -> 
 def _sizes(plant: Interface, output: str, mean: Setting, amplitude: Setting) -> tuple[float, float]:
     """Mean and amplitude of the sine [SI]."""
     if output not in plant.outputs:
-        raise InputError(f"{plant.model} has no output '{output}'; {did_you_mean(output, plant.outputs)}")
+        raise InputError(
+            f"{plant.model} has no output '{output}'; {did_you_mean(output, plant.outputs)}"
+        )
     middle, swing = (value_of(value, plant.outputs[output]) for value in (mean, amplitude))
     if not swing > 0:
         raise InputError(f"the amplitude must be above zero, not {swing:g}")
@@ -146,13 +156,17 @@ def _connections(plant: Interface, control: Interface, output: str) -> tuple[lis
     acting = [name for name in control.outputs if name in plant.inputs]
     if not acting:
         known = ", ".join(plant.inputs) or "none"
-        raise InputError(f"no output of {control.model} has the name of an input of {plant.model}: {known}")
+        raise InputError(
+            f"no output of {control.model} has the name of an input of {plant.model}: {known}"
+        )
     seen = [name for name in control.inputs if name in plant.outputs]
     there = [f"{_PLANT}.{name} -> {_CONTROL}.{name}" for name in seen]
     return [*there, *(f"{_CONTROL}.{name} -> {_PLANT}.{name}" for name in acting)], acting
 
 
-def _sine(middle: float, swing: float, frequency: float, lead: float, periods: int) -> tuple[Array, Array]:
+def _sine(
+    middle: float, swing: float, frequency: float, lead: float, periods: int
+) -> tuple[Array, Array]:
     """What is wanted: half the lead to the mean along a line, half of it there, then the sine."""
     t = np.arange(periods * SAMPLES + 1) / (SAMPLES * frequency)
     time = np.concatenate(([0.0, lead / 2], lead + t))
@@ -177,7 +191,9 @@ def _measured(
     acts = {}
     for name in acting:  # held between samples
         values = run[f"{_PLANT}.{name}"]
-        acts[name] = values[np.clip(np.searchsorted(run.time, times[1], side="right") - 1, 0, len(values) - 1)]
+        acts[name] = values[
+            np.clip(np.searchsorted(run.time, times[1], side="right") - 1, 0, len(values) - 1)
+        ]
     settled = bool(np.abs(last - before).max() <= _SETTLED * swing)
     rms, peak = float(np.sqrt(np.mean(off**2))), float(np.abs(off).max())
     return complex(fundamental / (-1j * swing)), rms, peak, settled, last, acts

@@ -85,9 +85,13 @@ def design_of(
         raise InputError(f"there is no design '{kind}'; there are {', '.join(DESIGNS)}")
     columns = _columns(vary, kind)
     if not columns:
-        raise InputError("nothing is varied: name a parameter, an input or a start value and its values")
+        raise InputError(
+            "nothing is varied: name a parameter, an input or a start value and its values"
+        )
     if patterns and sampled:
-        raise InputError(f"the design '{kind}' draws between two values, and '{INPUTS}' has none; use grid or list")
+        raise InputError(
+            f"the design '{kind}' draws between two values, and '{INPUTS}' has none; use grid or list"
+        )
     values: dict[str, Array] = {}
     units: dict[str, str] = {}
     for name, given in columns.items():
@@ -113,7 +117,9 @@ def _check_count(kind: str, runs: int | None, sampled: bool) -> None:
     if sampled and runs is None:
         raise InputError(f"the design '{kind}' says how many runs to make: give the number of runs")
     if not sampled and runs is not None:
-        raise InputError(f"the design '{kind}' makes the runs that its values say: leave out the number of runs")
+        raise InputError(
+            f"the design '{kind}' makes the runs that its values say: leave out the number of runs"
+        )
 
 
 def _columns(vary: Any, kind: str) -> dict[str, Any]:
@@ -163,7 +169,9 @@ def _listed(values: Mapping[str, Array]) -> Array:
 def _sampled(values: Mapping[str, Array], kind: str, runs: int, seed: int) -> Array:
     for name, ends in values.items():
         if len(ends) != 2 or not ends[0] < ends[1]:
-            raise InputError(f"'{name}': the design '{kind}' needs its lowest and its highest value, and no more")
+            raise InputError(
+                f"'{name}': the design '{kind}' needs its lowest and its highest value, and no more"
+            )
     if not 1 <= runs <= MOST_RUNS:
         raise InputError(f"a sweep has between 1 and {MOST_RUNS} runs, not {runs}")
     low, high = np.stack(list(values.values()), axis=1)

@@ -23,7 +23,9 @@ _AHEAD = 2  # batches that wait for each process
 Say = Callable[[Sequence[Row]], None]
 
 
-def run_all(job: SweepJob, runs: Sequence[int], points: Array, executor: Any, workers: int | None, say: Say) -> None:
+def run_all(
+    job: SweepJob, runs: Sequence[int], points: Array, executor: Any, workers: int | None, say: Say
+) -> None:
     """Makes the runs; ``say`` gets them as they come, in any order.
 
     Args:
@@ -89,7 +91,9 @@ def _client(address: str) -> Any:
     try:
         from distributed import Client
     except ImportError:
-        raise InputError("runs on a Dask cluster need Dask: pip install 'pam-cosim[dask]'") from None
+        raise InputError(
+            "runs on a Dask cluster need Dask: pip install 'pam-cosim[dask]'"
+        ) from None
     try:
         return Client(address, timeout="10s")  # type: ignore[no-untyped-call]
     except (OSError, ValueError, TimeoutError) as problem:
@@ -102,7 +106,13 @@ def _parts(runs: Sequence[int], size: int) -> Iterator[list[int]]:
 
 
 def _feed(
-    job: SweepJob, runs: Sequence[int], points: Array, pool: Executor, count: int, say: Say, known: Batch | None
+    job: SweepJob,
+    runs: Sequence[int],
+    points: Array,
+    pool: Executor,
+    count: int,
+    say: Say,
+    known: Batch | None,
 ) -> None:
     """Hands out batches that take a part of a second each, a few ahead of what is done."""
     left, size = list(runs), _size(known)
@@ -120,7 +130,9 @@ def _feed(
                 size = _size(batch)
                 say(batch.rows)
     except BrokenExecutor as problem:
-        raise SimulationFailure(f"a process that makes runs has ended ({problem}); the same sweep goes on") from problem
+        raise SimulationFailure(
+            f"a process that makes runs has ended ({problem}); the same sweep goes on"
+        ) from problem
     finally:
         for future in waiting:
             future.cancel()

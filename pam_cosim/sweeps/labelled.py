@@ -26,13 +26,15 @@ def frame(sweep: Sweep) -> pandas.DataFrame:
     """A row for each run."""
     design = sweep.design
     columns: dict[str, Any] = {
-        axis_name(sweep, n): design.labels(n, design.points[:, i]) for i, n in enumerate(design.names)
+        axis_name(sweep, n): design.labels(n, design.points[:, i])
+        for i, n in enumerate(design.names)
     }
     columns |= {scalar.name: sweep.column(scalar.name) for scalar in sweep.scalars}
     columns[FAILURE] = sweep.table.failures()
     table = pandas.DataFrame(columns, index=pandas.RangeIndex(len(sweep), name=RUN))
     table.attrs["units"] = {
-        axis_name(sweep, name) if name in sweep.design.units else name: unit for name, unit in sweep.units.items()
+        axis_name(sweep, name) if name in sweep.design.units else name: unit
+        for name, unit in sweep.units.items()
     }
     return table
 
@@ -56,7 +58,11 @@ def skeleton(sweep: Sweep) -> xarray.Dataset:
     if sweep.outputs:
         coordinates["time"] = ("time", sweep.time, {"units": "s"})
     made = xarray.Dataset({**variables, FAILURE: (dims, failures)}, coordinates)
-    made.attrs = {"model": sweep.interface.model, "settings": json.dumps(sweep.fixed), "design": sweep.design.kind}
+    made.attrs = {
+        "model": sweep.interface.model,
+        "settings": json.dumps(sweep.fixed),
+        "design": sweep.design.kind,
+    }
     return made
 
 
@@ -73,12 +79,17 @@ def _axes(sweep: Sweep) -> tuple[tuple[str, ...], tuple[int, ...], dict[str, Any
     """Dimensions, their lengths, and coordinates."""
     design, known = sweep.design, sweep.interface.settable
     told = {n: known[n].description if n in known else "" for n in design.names}
-    described = {n: {"units": design.units[n] or "1", "long_name": told[n] or n} for n in design.names}
+    described = {
+        n: {"units": design.units[n] or "1", "long_name": told[n] or n} for n in design.names
+    }
     names = {n: axis_name(sweep, n) for n in design.names}
     if design.kind == "grid" and all(len(np.unique(v)) == len(v) for v in design.axes.values()):
         coordinates: dict[str, Any] = {
             names[n]: (names[n], design.labels(n, v), described[n]) for n, v in design.axes.items()
         }
         return tuple(names.values()), tuple(len(v) for v in design.axes.values()), coordinates
-    columns = {names[n]: (RUN, design.labels(n, design.points[:, i]), described[n]) for i, n in enumerate(design.names)}
+    columns = {
+        names[n]: (RUN, design.labels(n, design.points[:, i]), described[n])
+        for i, n in enumerate(design.names)
+    }
     return (RUN,), (len(design),), {RUN: np.arange(len(design)), **columns}

@@ -38,8 +38,14 @@ def read_patterns(given: Any, read: Callable[[Any], Inputs | None]) -> tuple[Pat
         InputError: not a list, none at all, two of one name; as ``read``.
     """
     if isinstance(given, (str, Path)) or not isinstance(given, Iterable):
-        raise InputError(f"'{INPUTS}' is varied: give a list of inputs over time, or a mapping of names to them")
-    pairs = list(given.items()) if isinstance(given, Mapping) else [(_name(s, i), s) for i, s in enumerate(given)]
+        raise InputError(
+            f"'{INPUTS}' is varied: give a list of inputs over time, or a mapping of names to them"
+        )
+    pairs = (
+        list(given.items())
+        if isinstance(given, Mapping)
+        else [(_name(s, i), s) for i, s in enumerate(given)]
+    )
     patterns = []
     for name, source in pairs:
         inputs = read(source)

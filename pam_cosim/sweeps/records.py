@@ -58,7 +58,13 @@ class Records:
     """
 
     def __init__(
-        self, path: Path, identity: Mapping[str, Any], runs: int, scalars: int, outputs: int, times: int
+        self,
+        path: Path,
+        identity: Mapping[str, Any],
+        runs: int,
+        scalars: int,
+        outputs: int,
+        times: int,
     ) -> None:
         self.path, self.runs = path, runs
         self.kind = np.dtype(
@@ -122,12 +128,14 @@ class Records:
             kept = None
         if not isinstance(kept, dict) or kept.get("format") != _MARK:
             raise InputError(
-                "is not what a sweep leaves when it is stopped; remove it or name another result", self.path
+                "is not what a sweep leaves when it is stopped; remove it or name another result",
+                self.path,
             )
         other = [name for name in dict.fromkeys([*head, *kept]) if head.get(name) != kept.get(name)]
         if other:
             raise InputError(
-                f"is left of another sweep: {', '.join(other)} differ; remove it or name another result", self.path
+                f"is left of another sweep: {', '.join(other)} differ; remove it or name another result",
+                self.path,
             )
         return len(line)
 
@@ -188,7 +196,9 @@ class RunTable:
 
     def failures(self) -> list[str]:
         """Of all runs."""
-        return [text.decode("utf-8", "replace") for text in self.records["failure"][self.place].tolist()]
+        return [
+            text.decode("utf-8", "replace") for text in self.records["failure"][self.place].tolist()
+        ]
 
     def scalars(self) -> Array:
         """(runs, scalars)."""

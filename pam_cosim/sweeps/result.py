@@ -86,7 +86,9 @@ class Sweep:
         failure = self.table.failure(run) or None
         numbers = self.table.records["scalars"][self.table.place[run]].tolist()
         scalars = dict(zip((s.name for s in self.scalars), numbers, strict=True))
-        return SweepPoint(self.design.settings(run), None if failure else self._trajectory(run), scalars, failure)
+        return SweepPoint(
+            self.design.settings(run), None if failure else self._trajectory(run), scalars, failure
+        )
 
     def __iter__(self) -> Iterator[SweepPoint]:
         return (self[i] for i in range(len(self)))
@@ -151,7 +153,9 @@ class Sweep:
         lines = [f"{len(self)} runs of {self.interface.model} ({self.design.kind}): {varied}"]
         lines += [f"  {line}" for line in self.told()]
         if self.failed:
-            lines.append(f"  {len(self.failed)} runs failed; the first: {next(iter(self.failed.values()))}")
+            lines.append(
+                f"  {len(self.failed)} runs failed; the first: {next(iter(self.failed.values()))}"
+            )
         return "\n".join(lines)
 
     def told(self) -> list[str]:
@@ -161,7 +165,9 @@ class Sweep:
             values = self.column(scalar.name)
             good = values[np.isfinite(values)]
             if good.size:
-                low, high = (format_quantity(float(v), scalar.unit) for v in (good.min(), good.max()))
+                low, high = (
+                    format_quantity(float(v), scalar.unit) for v in (good.min(), good.max())
+                )
                 lines.append(f"{scalar.name}: from {low} to {high}")
             if unknown := len(self) - len(self.failed) - good.size:
                 runs = "1 run has" if unknown == 1 else f"{unknown} runs have"
@@ -174,7 +180,10 @@ class Sweep:
         values, unit = self.design.points[:, i], list(self.design.units.values())[i]
         if self.design.patterns and self.design.names[i] == INPUTS:
             return f"of {len(self.design.patterns)} patterns"
-        low, high = format_quantity(float(values.min()), unit), format_quantity(float(values.max()), unit)
+        low, high = (
+            format_quantity(float(values.min()), unit),
+            format_quantity(float(values.max()), unit),
+        )
         return low if low == high else f"from {low} to {high}"
 
     def _repr_html_(self) -> str:

@@ -36,7 +36,9 @@ def save(sweep: Sweep, path: Path) -> None:
 def _netcdf(sweep: Sweep, path: Path) -> None:
     with_netcdf_names(skeleton(sweep)).to_netcdf(path, engine="h5netcdf")
     for name in sweep.outputs:  # one at a time
-        with_netcdf_names(output(sweep, name).to_dataset()).to_netcdf(path, mode="a", engine="h5netcdf")
+        with_netcdf_names(output(sweep, name).to_dataset()).to_netcdf(
+            path, mode="a", engine="h5netcdf"
+        )
 
 
 def _parquet(sweep: Sweep, path: Path) -> None:
@@ -75,7 +77,9 @@ def _tables(sweep: Sweep) -> Iterator[pandas.DataFrame]:
     if sweep.scalars or not sweep.outputs:
         whole = frame(sweep)
         units = whole.attrs["units"]
-        yield whole.rename(columns={n: f"{n} [{units[n] or '1'}]" for n in whole.columns if n != FAILURE})
+        yield whole.rename(
+            columns={n: f"{n} [{units[n] or '1'}]" for n in whole.columns if n != FAILURE}
+        )
         return
     runs = max(1, _ROWS // sweep.time.size)
     for first in range(0, len(sweep), runs):
@@ -90,18 +94,30 @@ def _long(sweep: Sweep, runs: range) -> pandas.DataFrame:
     for run in runs:
         failure = sweep.table.failure(run)
         varied = {
-            f"{axis_name(sweep, n)} [{u or '1'}]": sweep.design.labels(n, sweep.design.points[run, i : i + 1])[0]
+            f"{axis_name(sweep, n)} [{u or '1'}]": sweep.design.labels(
+                n, sweep.design.points[run, i : i + 1]
+            )[0]
             for i, (n, u) in enumerate(sweep.design.units.items())
         }
         names = {n: f"{n} [{sweep.units[n] or '1'}]" for n in sweep.outputs}
         if failure:
-            columns = {"time [s]": np.array([np.nan]), **{head: np.array([np.nan]) for head in names.values()}}
+            columns = {
+                "time [s]": np.array([np.nan]),
+                **{head: np.array([np.nan]) for head in names.values()},
+            }
         else:
             values = sweep.table.values(run)
-            columns = {"time [s]": sweep.time, **{head: values[i] for i, head in enumerate(names.values())}}
+            columns = {
+                "time [s]": sweep.time,
+                **{head: values[i] for i, head in enumerate(names.values())},
+            }
         parts.append(
             pandas.DataFrame(
-                {**{n: [v] * len(columns["time [s]"]) for n, v in varied.items()}, **columns, FAILURE: failure}
+                {
+                    **{n: [v] * len(columns["time [s]"]) for n, v in varied.items()},
+                    **columns,
+                    FAILURE: failure,
+                }
             )
         )
     return pandas.concat(parts, ignore_index=True)

@@ -17,7 +17,9 @@ from pam_cosim.simulation import Trajectory
 from pam_cosim.units import UnitError, parse_quantity, product
 from pam_cosim.wording import did_you_mean, shown
 
-_FORM = re.compile(r"\s*(?P<function>\w+)\s*\(\s*(?P<variable>[^()]+(?:\([^()]*\))?[^()]*?)\s*\)\s*")
+_FORM = re.compile(
+    r"\s*(?P<function>\w+)\s*\(\s*(?P<variable>[^()]+(?:\([^()]*\))?[^()]*?)\s*\)\s*"
+)
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,9 @@ FUNCTIONS: dict[str, _Function] = {
     "initial": _Function(lambda t, y, a: float(y[0]), "the first value"),
     "final": _Function(lambda t, y, a: float(y[-1]), "the last value"),
     "steady": _Function(
-        _steady, "the mean over the last part of the run, 10 % if not said", argument=CRITERIA.run.steady_part
+        _steady,
+        "the mean over the last part of the run, 10 % if not said",
+        argument=CRITERIA.run.steady_part,
     ),
     "min": _Function(lambda t, y, a: float(y.min()), "the lowest value"),
     "max": _Function(lambda t, y, a: float(y.max()), "the highest value"),
@@ -84,10 +88,14 @@ FUNCTIONS: dict[str, _Function] = {
         0.9,
     ),
     "time_of_max": _Function(
-        lambda t, y, a: float(t[np.argmax(y)] - t[0]), "time from the start to the highest value", _seconds
+        lambda t, y, a: float(t[np.argmax(y)] - t[0]),
+        "time from the start to the highest value",
+        _seconds,
     ),
     "time_of_min": _Function(
-        lambda t, y, a: float(t[np.argmin(y)] - t[0]), "time from the start to the lowest value", _seconds
+        lambda t, y, a: float(t[np.argmin(y)] - t[0]),
+        "time from the start to the lowest value",
+        _seconds,
     ),
 }
 
@@ -112,16 +120,24 @@ class Scalar:
 
     def of(self, run: Trajectory) -> float:
         """Its value [``unit``] in one run."""
-        return FUNCTIONS[self.function].evaluate(run.time, np.asarray(run[self.variable]), self.argument)
+        return FUNCTIONS[self.function].evaluate(
+            run.time, np.asarray(run[self.variable]), self.argument
+        )
 
 
-def read_scalars(asked: Mapping[str, str] | Sequence[str], interface: Interface) -> tuple[Scalar, ...]:
+def read_scalars(
+    asked: Mapping[str, str] | Sequence[str], interface: Interface
+) -> tuple[Scalar, ...]:
     """Scalars from texts such as "max(T)", "time_to(p, 90 %)", by name or each under its own text.
 
     Raises:
         InputError: another form, an unknown function or variable, a name twice.
     """
-    pairs = list(asked.items()) if isinstance(asked, Mapping) else [(text.strip(), text) for text in asked]
+    pairs = (
+        list(asked.items())
+        if isinstance(asked, Mapping)
+        else [(text.strip(), text) for text in asked]
+    )
     scalars = tuple(_read(name, text, interface) for name, text in pairs)
     for i, scalar in enumerate(scalars):
         if scalar.name in [other.name for other in scalars[:i]]:
@@ -132,7 +148,9 @@ def read_scalars(asked: Mapping[str, str] | Sequence[str], interface: Interface)
 def _read(name: str, text: str, interface: Interface) -> Scalar:
     match = _FORM.fullmatch(text)
     if match is None:
-        raise InputError(f"{shown(text)}: write FUNCTION(VARIABLE), such as max(T) or time_to(p, 90 %)")
+        raise InputError(
+            f"{shown(text)}: write FUNCTION(VARIABLE), such as max(T) or time_to(p, 90 %)"
+        )
     if match["function"] not in FUNCTIONS:
         raise InputError(
             f"{shown(text)}: there is no function of that name; {did_you_mean(match['function'], FUNCTIONS)}"
@@ -146,7 +164,13 @@ def _read(name: str, text: str, interface: Interface) -> Scalar:
         raise InputError(
             f"{shown(text)}: {interface.model} has no variable '{variable}'; {did_you_mean(variable, variables)}"
         )
-    return Scalar(name, match["function"], variable, argument or 0.0, function.unit(variables[variable].unit or "1"))
+    return Scalar(
+        name,
+        match["function"],
+        variable,
+        argument or 0.0,
+        function.unit(variables[variable].unit or "1"),
+    )
 
 
 def _part(number: str, text: str) -> float:

@@ -57,7 +57,9 @@ def alike(texts: list[str], word: str) -> list[str]:
     if not all(text.strip() for text in texts):
         raise InputError(f"'{word}': a value is missing")
     if len({_is_number(text) for text in texts}) > 1:
-        raise InputError(f"'{word}': some of the values have a unit and some have none; write it with each of them")
+        raise InputError(
+            f"'{word}': some of the values have a unit and some have none; write it with each of them"
+        )
     return texts
 
 

@@ -62,10 +62,14 @@ class SweepPlan:
             if name in self.fixed:
                 raise InputError(f"'{name}' is both set and varied; keep one of them")
             if self.inputs is not None and name in self.inputs.values:
-                raise InputError(f"the input '{name}' is given over time and varied; keep one of them")
+                raise InputError(
+                    f"the input '{name}' is given over time and varied; keep one of them"
+                )
         self._check_patterns()
         if not self.keep and not self.scalars:
-            raise InputError("a sweep that keeps no trajectories needs a scalar of each run, such as max(T)")
+            raise InputError(
+                "a sweep that keeps no trajectories needs a scalar of each run, such as max(T)"
+            )
 
     def _check_patterns(self) -> None:
         if self.design.patterns and self.inputs is not None:
@@ -74,7 +78,9 @@ class SweepPlan:
         for pattern in self.design.patterns:
             twice = next((name for name in pattern.inputs.values if name in held), None)
             if twice is not None:
-                raise InputError(f"the input '{twice}' is in '{pattern.name}' and given otherwise; keep one of them")
+                raise InputError(
+                    f"the input '{twice}' is in '{pattern.name}' and given otherwise; keep one of them"
+                )
 
     def identity(self) -> dict[str, Any]:
         """What tells this sweep from others; numbers by their bytes."""
@@ -169,7 +175,13 @@ def make_sweep(
             run_all(plan.job(), missing, plan.design.points, executor, workers, say)
         table = records.table()
     sweep = Sweep(
-        plan.interface, plan.design, plan.fixed, plan.times, plan.outputs if plan.keep else (), plan.scalars, table
+        plan.interface,
+        plan.design,
+        plan.fixed,
+        plan.times,
+        plan.outputs if plan.keep else (),
+        plan.scalars,
+        table,
     )
     if result is None:
         weakref.finalize(sweep, _forget, path)
@@ -193,5 +205,6 @@ def same(one: Sweep, other: Sweep) -> bool:
     equal = np.array_equal(one.table.scalars(), other.table.scalars(), equal_nan=True)
     equal = equal and one.table.failures() == other.table.failures()
     return equal and all(
-        np.array_equal(one.table.output(i), other.table.output(i), equal_nan=True) for i in range(len(one.outputs))
+        np.array_equal(one.table.output(i), other.table.output(i), equal_nan=True)
+        for i in range(len(one.outputs))
     )

@@ -75,7 +75,9 @@ class Batch:
     running: float
 
 
-def make_runs(job: SweepJob, runs: Sequence[int], points: Array, seconds: float | None = None) -> Batch:
+def make_runs(
+    job: SweepJob, runs: Sequence[int], points: Array, seconds: float | None = None
+) -> Batch:
     """Makes runs one after another; a run that fails is a row with its reason.
 
     Args:
@@ -89,7 +91,9 @@ def make_runs(job: SweepJob, runs: Sequence[int], points: Array, seconds: float 
         opened = time.perf_counter()
         rows: list[Row] = []
         for run, point in zip(runs, points, strict=True):
-            rows.append(_row(job, simulator, run, dict(zip(job.names, point.tolist(), strict=True))))
+            rows.append(
+                _row(job, simulator, run, dict(zip(job.names, point.tolist(), strict=True)))
+            )
             if seconds is not None and time.perf_counter() - opened > seconds:
                 break
         return Batch(rows, opened - begin, time.perf_counter() - opened)
@@ -140,4 +144,6 @@ def _opened(job: SweepJob) -> Iterator[AnySimulator]:
 
 
 def _simulator(job: SweepJob, fmu: Path) -> AnySimulator:
-    return IsolatedSimulator(fmu, job.timeout) if job.foreign else limited(Simulator(fmu), job.timeout)
+    return (
+        IsolatedSimulator(fmu, job.timeout) if job.foreign else limited(Simulator(fmu), job.timeout)
+    )

@@ -52,7 +52,9 @@ def base_unit(text: str) -> BaseUnit:
         UnitError: the text is not a unit or contains an unknown symbol.
     """
     if not _MODELICA.fullmatch(text.replace(" ", "")):
-        raise UnitError(f"unit '{text}' cannot be read; write it as Modelica does, for example 'W/(m2.K)'")
+        raise UnitError(
+            f"unit '{text}' cannot be read; write it as Modelica does, for example 'W/(m2.K)'"
+        )
     unit = read_unit(text, False)
     try:
         zero, one = (registry().Quantity(value, unit).to_base_units() for value in (0.0, 1.0))

@@ -8,7 +8,13 @@ import re
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from pam_cosim.units.grammar import UnitError, is_dimensionless, read_unit, registry, registry_errors
+from pam_cosim.units.grammar import (
+    UnitError,
+    is_dimensionless,
+    read_unit,
+    registry,
+    registry_errors,
+)
 from pam_cosim.wording import shown
 
 LARGEST = 1e100  # [SI] of what anybody measures or states: its square is a number too
@@ -30,7 +36,9 @@ def examples(unit: str) -> str:
     return f"{unit}, {_EXAMPLES[unit]}" if unit in _EXAMPLES else unit
 
 
-def convert(values: ArrayLike, unit: str, target: str, *, difference: bool = False) -> NDArray[np.float64]:
+def convert(
+    values: ArrayLike, unit: str, target: str, *, difference: bool = False
+) -> NDArray[np.float64]:
     """Numbers in ``unit`` as numbers in ``target``.
 
     Args:
@@ -45,10 +53,14 @@ def convert(values: ArrayLike, unit: str, target: str, *, difference: bool = Fal
     source, goal = read_unit(unit, difference), read_unit(target, difference)
     if source.dimensionality != goal.dimensionality:
         if is_dimensionless(target):
-            raise UnitError(f"unit {shown(unit)} does not fit a number without dimension; leave it out")
+            raise UnitError(
+                f"unit {shown(unit)} does not fit a number without dimension; leave it out"
+            )
         if is_dimensionless(unit):
             raise UnitError(f"a unit is missing; use one of {examples(target)}")
-        message = f"unit {shown(unit)} cannot be converted to '{target}'; use one of {examples(target)}"
+        message = (
+            f"unit {shown(unit)} cannot be converted to '{target}'; use one of {examples(target)}"
+        )
         raise UnitError(message)
     numbers = np.array(values, dtype=float)
     try:

@@ -72,7 +72,9 @@ class _Parser:
         while at < len(text):
             match = _TOKEN.match(text, at)
             if match is None or len(text) > _LONGEST:
-                raise UnitError(f"unit {shown(self.text)} cannot be read; write for example 'kPa' or 'N.s/m'")
+                raise UnitError(
+                    f"unit {shown(self.text)} cannot be read; write for example 'kPa' or 'N.s/m'"
+                )
             tokens.append((str(match.lastgroup), match.group(match.lastgroup or 0)))
             at = match.end()
         return tokens
@@ -133,7 +135,9 @@ class _Parser:
                 delta = f"delta_{unit:D}"
                 unit = registry().parse_units(delta) if f"{unit:D}" in _offset_units() else unit
         except registry_errors(AttributeError, ValueError, TypeError, KeyError):
-            raise UnitError(f"unit {shown(symbol)} is unknown; write 'kPa', 'mm', 'degC' or the like") from None
+            raise UnitError(
+                f"unit {shown(symbol)} is unknown; write 'kPa', 'mm', 'degC' or the like"
+            ) from None
         return unit
 
 

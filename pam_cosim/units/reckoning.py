@@ -21,7 +21,9 @@ def quantity(values: ArrayLike | str, unit: str = "") -> Any:
     if isinstance(values, str):
         parts = number_and_unit(values)
         if parts is None:
-            raise UnitError(f"{shown(values)} is not a number with a unit; write for example '5 kPa'")
+            raise UnitError(
+                f"{shown(values)} is not a number with a unit; write for example '5 kPa'"
+            )
         values, unit = parts
     numbers = np.asarray(values, dtype=float)
     try:

@@ -55,12 +55,19 @@ class Guard:
         token = parse_qs(scope.get("query_string", b"").decode("latin-1")).get("token", [""])[0]
         if scope["type"] == "http" and scope["path"] == "/" and self._is_token(token):
             response: Response = RedirectResponse("/", 303)
-            response.set_cookie(self.cookie(host), self.token, httponly=True, samesite="strict", path="/")
+            response.set_cookie(
+                self.cookie(host), self.token, httponly=True, samesite="strict", path="/"
+            )
             response.headers["Referrer-Policy"] = "no-referrer"
             await response(scope, receive, send)
             return
         if not self._is_token(_cookies(headers).get(self.cookie(host), "")):
-            await _refuse(scope, receive, send, "open the address that 'pam-cosim workbench' printed: it has a token")
+            await _refuse(
+                scope,
+                receive,
+                send,
+                "open the address that 'pam-cosim workbench' printed: it has a token",
+            )
             return
         await self.app(scope, receive, _with_headers(send, host))
 
@@ -86,7 +93,11 @@ class Guard:
             if scope["type"] == "websocket" or scope.get("method") not in ("GET", "HEAD"):
                 return "the request does not say from which page it comes"
             return None
-        return None if origin == f"http://{host}" else "the request comes from the page of another site"
+        return (
+            None
+            if origin == f"http://{host}"
+            else "the request comes from the page of another site"
+        )
 
 
 def new_token() -> str:
@@ -96,7 +107,9 @@ def new_token() -> str:
 
 def _cookies(headers: Headers) -> dict[str, str]:
     try:
-        return {name: morsel.value for name, morsel in SimpleCookie(headers.get("cookie", "")).items()}
+        return {
+            name: morsel.value for name, morsel in SimpleCookie(headers.get("cookie", "")).items()
+        }
     except Exception:  # a cookie of another site that is no cookie
         return {}
 

@@ -27,7 +27,8 @@ from pam_cosim.study.fitted_model import FittedModel, compose_fitted
 from pam_cosim.workbench.protocol import ShownEffect
 
 _EQUATIONS = re.compile(
-    r"^\s*(?:initial\s+)?equation\s*$\n(.*?)(?=^\s*(?:annotation\b|end\s+\w+\s*;|protected\b))", re.M | re.S
+    r"^\s*(?:initial\s+)?equation\s*$\n(.*?)(?=^\s*(?:annotation\b|end\s+\w+\s*;|protected\b))",
+    re.M | re.S,
 )
 _FINGERPRINT = re.compile(r"<p>\s*Fingerprint:\s*(.*?)</p>", re.S)
 _SOURCE = re.compile(r"Source:\s*(.*?)(?:\.\s+[A-Z]|</p>)", re.S)
@@ -116,7 +117,9 @@ def _equations(effect: EffectClass) -> str:
         text = effect.file.read_text(encoding="utf-8")
     except OSError:
         return ""
-    own = re.search(rf"\b(?:model|block|class)\s+{effect.name}\b.*?\bend\s+{effect.name}\s*;", text, re.S)
+    own = re.search(
+        rf"\b(?:model|block|class)\s+{effect.name}\b.*?\bend\s+{effect.name}\s*;", text, re.S
+    )
     parts = _EQUATIONS.findall(own.group() if own else "")
     return "\n".join(line.strip() for part in parts for line in part.splitlines() if line.strip())
 

@@ -74,8 +74,13 @@ def thinned(values: Array) -> Array:
     known = np.isfinite(values)
     low, high = np.where(known, values, np.inf), np.where(known, values, -np.inf)
     bottom, top = np.minimum.reduceat(low, parts[:-1]), np.maximum.reduceat(high, parts[:-1])
-    first = [np.argmin(low[a:b]) <= np.argmax(high[a:b]) for a, b in zip(parts[:-1], parts[1:], strict=True)]
-    pairs = np.where(np.array(first)[:, None], np.stack([bottom, top], 1), np.stack([top, bottom], 1))
+    first = [
+        np.argmin(low[a:b]) <= np.argmax(high[a:b])
+        for a, b in zip(parts[:-1], parts[1:], strict=True)
+    ]
+    pairs = np.where(
+        np.array(first)[:, None], np.stack([bottom, top], 1), np.stack([top, bottom], 1)
+    )
     return np.where(np.isfinite(pairs), pairs, np.nan).ravel()
 
 

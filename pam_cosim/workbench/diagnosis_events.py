@@ -10,7 +10,15 @@ from typing import Any
 import numpy as np
 
 from pam_cosim import diagnosis as rooms
-from pam_cosim.diagnosis import BaseFitted, CandidateTried, Diagnosis, FailedTrial, Judged, LedgerKept, SearchRestarted
+from pam_cosim.diagnosis import (
+    BaseFitted,
+    CandidateTried,
+    Diagnosis,
+    FailedTrial,
+    Judged,
+    LedgerKept,
+    SearchRestarted,
+)
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.verdict import explained
 from pam_cosim.fitting import Fit
@@ -42,7 +50,14 @@ from pam_cosim.reporting.account import (
     words,
 )
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.protocol import CandidateEvent, Json, LedgerEvent, PageEvent, RankingEvent, VerdictEvent
+from pam_cosim.workbench.protocol import (
+    CandidateEvent,
+    Json,
+    LedgerEvent,
+    PageEvent,
+    RankingEvent,
+    VerdictEvent,
+)
 
 MOST_POINTS = 400  # of a missing term, each run
 _AGAINST = 2  # variables that a missing term is drawn over
@@ -116,7 +131,9 @@ class Following:
             explained=share,
             explained_text=percent(share),
             delta_bic=ranked.delta_bic,
-            rms=shown_rms({n: s.rmse for n, s in c.fit.comparison.scores["fit"].items()}, self.data),
+            rms=shown_rms(
+                {n: s.rmse for n, s in c.fit.comparison.scores["fit"].items()}, self.data
+            ),
             brief=c.brief,
             state="fitted",
             reason="",
@@ -138,13 +155,19 @@ def ranking(
     """All models that were fitted, as rows."""
     rows = []
     for place, c in enumerate(candidates):
-        numbers = {"share": explained(base, c.fit), "bic": c.delta_bic, "number": place, "brief": c.brief}
+        numbers = {
+            "share": explained(base, c.fit),
+            "bic": c.delta_bic,
+            "number": place,
+            "brief": c.brief,
+        }
         rows.append({**candidate_row(base, c, path), "effects": list(c.effects), **numbers})
     reasons = {c.effects: c for c in failed}
     return RankingEvent(
         tuple(rows),
         tuple(
-            {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure} for c in reasons.values()
+            {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure}
+            for c in reasons.values()
         ),
         final,
     )
@@ -159,7 +182,12 @@ def _judged(event: Judged, domain: Domain) -> VerdictEvent:
         reason=verdict.reason,
         probability=probability_sentence(verdict),
         probabilities=tuple(
-            {"what": row.what, "share": row.probability, "percent": percent(row.probability), "named": row.named}
+            {
+                "what": row.what,
+                "share": row.probability,
+                "percent": percent(row.probability),
+                "named": row.named,
+            }
             for row in probability_rows(verdict)
         ),
         meaning=meaning(verdict, domain),
@@ -192,7 +220,10 @@ def verdict_event(d: Diagnosis) -> VerdictEvent:
 
 def diagnosis_events(d: Diagnosis) -> list[PageEvent]:
     """All that there is to be shown of a finished diagnosis."""
-    events: list[PageEvent] = [ranking(d.base, d.candidates, d.path, d.failed, final=True), verdict_event(d)]
+    events: list[PageEvent] = [
+        ranking(d.base, d.candidates, d.path, d.failed, final=True),
+        verdict_event(d),
+    ]
     if d.ledger is not None:
         events.append(ledger_event(d.ledger, [c.balance for c in d.path]))
     return events
@@ -227,7 +258,12 @@ def _courses(entry: BalanceEntry, domain: Domain) -> Json:
             }
         )
     against = [_against(entry, name, factor) for name in against_of(entry, domain)[:_AGAINST]]
-    return {"balance": words(entry.balance), "unit": unit_text(entry.unit), "runs": runs, "against": against}
+    return {
+        "balance": words(entry.balance),
+        "unit": unit_text(entry.unit),
+        "runs": runs,
+        "against": against,
+    }
 
 
 def _against(entry: BalanceEntry, name: str, factor: float) -> Json:

@@ -38,9 +38,16 @@ def document(session: Session, name: str) -> str:
             raise InputError("no effect is switched on: the model is the bench itself")
         return opened.text
     if name == "report.html":
-        from pam_cosim.reporting import comparison_report, diagnosis_report  # half a second for pictures
+        from pam_cosim.reporting import (
+            comparison_report,
+            diagnosis_report,
+        )  # half a second for pictures
 
-        return comparison_report(session.comparison) if diagnosis is None else diagnosis_report(diagnosis)
+        return (
+            comparison_report(session.comparison)
+            if diagnosis is None
+            else diagnosis_report(diagnosis)
+        )
     if name == "learned.mo" and diagnosis is not None and diagnosis.learned is not None:
         return diagnosis.learned.term.modelica_source
     if name == "next.csv" and diagnosis is not None and diagnosis.next_experiment is not None:

@@ -130,7 +130,9 @@ def _checked(wishes: Mapping[str, Any]) -> Json:
     made: Json = {key: text_of(said[key], key) for key in _TEXTS if key in said}
     made |= {key: _texts_by_name(said[key], key) for key in _BY_NAME if key in said}
     if "model" in made and any(c in made["model"] for c in "/\\"):
-        raise InputError("a bench is named, or a Modelica class; files are given where the workbench is started")
+        raise InputError(
+            "a bench is named, or a Modelica class; files are given where the workbench is started"
+        )
     return made
 
 
@@ -139,7 +141,9 @@ _BY_NAME = ("columns", "parameters", "recording", "roles")
 
 
 def _texts_by_name(value: Any, key: str) -> dict[str, str]:
-    if not isinstance(value, Mapping) or not all(isinstance(one, str) for pair in value.items() for one in pair):
+    if not isinstance(value, Mapping) or not all(
+        isinstance(one, str) for pair in value.items() for one in pair
+    ):
         raise InputError(f"{key} wants texts by name")
     return {name: text for name, text in value.items() if text}
 
@@ -156,7 +160,12 @@ def _drafted(made: NewDataSet) -> DraftEvent:
         to_check=made.to_check,
         runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
         names=tuple(
-            {"name": n, "unit": unit_text(v.unit), "input": n in interface.inputs, "description": v.description}
+            {
+                "name": n,
+                "unit": unit_text(v.unit),
+                "input": n in interface.inputs,
+                "description": v.description,
+            }
             for n, v in {**interface.inputs, **interface.outputs}.items()
         ),
         parameters=tuple(
@@ -205,15 +214,22 @@ def _shown(file: Path) -> DroppedFile:
         return DroppedFile(file.name, size, (), ())
     lines = _lines(file)
     header = _header(lines)
-    return DroppedFile(file.name, size, tuple(header), tuple(_cells(line, lines) for line in lines[1 : 1 + _ROWS]))
+    return DroppedFile(
+        file.name, size, tuple(header), tuple(_cells(line, lines) for line in lines[1 : 1 + _ROWS])
+    )
 
 
 def _lines(file: Path) -> list[str]:
     with file.open("rb") as stream:
         head = stream.read(_BYTES)
     if len(head) == _BYTES:
-        head = head[: head.rfind(b"\n")]  # no letter is cut; of two bytes each where they have as many
-        head = head[: len(head) - len(head) % 2 * head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))]
+        head = head[
+            : head.rfind(b"\n")
+        ]  # no letter is cut; of two bytes each where they have as many
+        head = head[
+            : len(head)
+            - len(head) % 2 * head.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE))
+        ]
     try:
         text, _ = any_text(head, file)
     except InputError:  # the page shows what there is; whoever reads the file says what is wrong
@@ -245,4 +261,8 @@ def _is_named(cell: str, column: int | str | None) -> bool:
     if not isinstance(column, str) or not column:
         return False
     bare = cell.strip().strip('"')
-    return bare == column or bare.partition("[")[0].strip() == column or bare.partition("(")[0].strip() == column
+    return (
+        bare == column
+        or bare.partition("[")[0].strip() == column
+        or bare.partition("(")[0].strip() == column
+    )

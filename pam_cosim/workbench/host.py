@@ -30,7 +30,12 @@ class Workbench:
     """
 
     def __init__(
-        self, folder: Path, *, model: str | None = None, files: Sequence[Path] = (), worker: Worker | None = None
+        self,
+        folder: Path,
+        *,
+        model: str | None = None,
+        files: Sequence[Path] = (),
+        worker: Worker | None = None,
     ) -> None:
         self.folder, self.model, self.files = Path(folder), model, tuple(files)
         self.windows, self.worker = Windows(), worker or Worker()
@@ -40,7 +45,11 @@ class Workbench:
         if is_to_be_made(self.folder):
             self.drop = Drop(self.folder, self.files)
             self.windows.tell(
-                StudyEvent(title=self.folder.resolve().name, folder=self.folder.resolve().name, state="drop")
+                StudyEvent(
+                    title=self.folder.resolve().name,
+                    folder=self.folder.resolve().name,
+                    state="drop",
+                )
             )
             self.windows.tell(self.drop.dropped())
         else:
@@ -52,7 +61,13 @@ class Workbench:
             self.session.submit(self.session.prepare)
 
     def _session(self) -> Session:
-        return Session(self.folder, model=self.model, files=self.files, windows=self.windows, worker=self.worker)
+        return Session(
+            self.folder,
+            model=self.model,
+            files=self.files,
+            windows=self.windows,
+            worker=self.worker,
+        )
 
     def close(self) -> None:
         """Ends everything."""
@@ -92,7 +107,9 @@ class Workbench:
 
     def _dropping(self) -> Drop:
         if self.drop is None:
-            raise InputError("there is a data set already: begin another with pam-cosim workbench NEW-FOLDER")
+            raise InputError(
+                "there is a data set already: begin another with pam-cosim workbench NEW-FOLDER"
+            )
         return self.drop
 
     def _do(self, command: Json) -> Json:

@@ -48,16 +48,22 @@ class Worker:
                 )
             return self._process
 
-    def run(self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, done: Done) -> None:
+    def run(
+        self, job: str, data: Any, model: str, options: dict[str, Any], heard: Heard, done: Done
+    ) -> None:
         """Begins a job; what it tells and how it ends is told to the two functions, from another thread.
 
         ``done`` is called with whether it went well, and the result or the exception; not at all after ``end``.
         """
         process = self.wake()
         content = pickle.dumps((job, data, model, options))
-        threading.Thread(target=self._follow, args=(process, content, heard, done), daemon=True).start()
+        threading.Thread(
+            target=self._follow, args=(process, content, heard, done), daemon=True
+        ).start()
 
-    def _follow(self, process: subprocess.Popen[bytes], content: bytes, heard: Heard, done: Done) -> None:
+    def _follow(
+        self, process: subprocess.Popen[bytes], content: bytes, heard: Heard, done: Done
+    ) -> None:
         assert process.stdin is not None and process.stdout is not None
         try:
             with self._turn:
@@ -69,7 +75,9 @@ class Worker:
                         break
                     heard(said)
         except (EOFError, OSError, ValueError):
-            with contextlib.suppress(subprocess.TimeoutExpired):  # it is ending, and the next job needs to know
+            with contextlib.suppress(
+                subprocess.TimeoutExpired
+            ):  # it is ending, and the next job needs to know
                 process.wait(_PATIENCE)
             if self._process is process:
                 done(False, JobEnded("the process that did it ended without a word"))

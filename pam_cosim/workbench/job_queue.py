@@ -71,7 +71,9 @@ class JobQueue:
             InputError: it does.
         """
         if self.job is not None and not self.job.held:
-            raise InputError(f"{_WORDS[self.job.what]} is running: stop it first, or wait until it is done")
+            raise InputError(
+                f"{_WORDS[self.job.what]} is running: stop it first, or wait until it is done"
+            )
 
     def make_room(self) -> None:
         """As ``check_free``; what was stopped is given up, for it would be of another study."""
@@ -79,7 +81,9 @@ class JobQueue:
         if self.job is not None:
             self.discard()
 
-    def begin(self, what: str, text: str, options: Mapping[str, Any], finish: Callable[[Any], None]) -> None:
+    def begin(
+        self, what: str, text: str, options: Mapping[str, Any], finish: Callable[[Any], None]
+    ) -> None:
         """Begins something, of the standing model."""
         self.make_room()
         session, windows = self.session, self.session.windows
@@ -143,7 +147,9 @@ class JobQueue:
         """Tells the verdict of the standing study, or that there is none."""
         windows, diagnosis = self.session.windows, self.session.state.diagnosis
         windows.forget("Ranking", "Verdict", "Ledger")
-        for event in diagnosis_events(diagnosis) if diagnosis is not None else [RankingEvent((), (), False)]:
+        for event in (
+            diagnosis_events(diagnosis) if diagnosis is not None else [RankingEvent((), (), False)]
+        ):
             windows.tell(event)
 
     def failed(self, problem: BaseException, during: str = "") -> None:
@@ -191,7 +197,9 @@ class JobQueue:
         values = {n: v for n, v in standing.values.items() if n in parameters}
         shown = {n: v * readable_factor(parameters[n].unit) for n, v in values.items()}
         rms = shown_rms(standing.rmse, session.state.data)
-        session.windows.tell(ProgressEvent(standing.evaluations, rms, standing.chi2_reduced, shown, str(standing)))
+        session.windows.tell(
+            ProgressEvent(standing.evaluations, rms, standing.chi2_reduced, shown, str(standing))
+        )
         if values and time.monotonic() - job.drawn >= _PACE:
             session.draw_passing(values)
             job.drawn = time.monotonic()
@@ -221,4 +229,6 @@ def failed_by(problem: BaseException, during: str = "") -> FailedEvent:
         return FailedEvent(problem.message, place, problem.line, column, during)
     if isinstance(problem, SimulationFailure):
         return FailedEvent(f"the simulation failed: {problem}", during=during)
-    return FailedEvent(f"something went wrong that should not ({type(problem).__name__}: {problem})", during=during)
+    return FailedEvent(
+        f"something went wrong that should not ({type(problem).__name__}: {problem})", during=during
+    )

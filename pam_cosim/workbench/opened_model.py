@@ -53,16 +53,26 @@ class Opened:
 
     def is_of(self, data: DataSet, model: str, effects: Sequence[str]) -> bool:
         """Whether it is this model, for these data."""
-        same = (self.model, self.effects, self.estimates_starts) == (model, tuple(effects), data.estimates_starts)
+        same = (self.model, self.effects, self.estimates_starts) == (
+            model,
+            tuple(effects),
+            data.estimates_starts,
+        )
         return same and self.declared == tuple(data.fit.items())
 
     def start_values_in(self, values: Mapping[str, float]) -> dict[str, float]:
         """Those of the values that are where a run begins, by "state@run" [SI]."""
         states = self.simulator.interface.states
-        return {n: v for n, v in values.items() if n not in self.parameters and n.rpartition("@")[0] in states}
+        return {
+            n: v
+            for n, v in values.items()
+            if n not in self.parameters and n.rpartition("@")[0] in states
+        }
 
 
-def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Catalogue, scratch: Path) -> Opened:
+def open_model(
+    data: DataSet, model: str, effects: Sequence[str], catalogue: Catalogue, scratch: Path
+) -> Opened:
     """Composes and builds a model with effects; its source is put into the folder ``scratch``.
 
     Raises:
@@ -77,7 +87,9 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
         write_text(file, text)
         name, needed = str(file), catalogue.sources(model)
     slopes = [START_VALUES] * data.estimates_starts
-    simulators = Simulators(models.opened(name, needed, slopes), lambda: models.opened(name, needed, slopes))
+    simulators = Simulators(
+        models.opened(name, needed, slopes), lambda: models.opened(name, needed, slopes)
+    )
     simulator = simulators.first
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
@@ -92,7 +104,18 @@ def open_model(data: DataSet, model: str, effects: Sequence[str], catalogue: Cat
         raise
     declared = tuple(data.fit.items())
     estimates = data.estimates_starts
-    return Opened(model, tuple(effects), name, needed, simulators, parameters, origin, text, declared, estimates)
+    return Opened(
+        model,
+        tuple(effects),
+        name,
+        needed,
+        simulators,
+        parameters,
+        origin,
+        text,
+        declared,
+        estimates,
+    )
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

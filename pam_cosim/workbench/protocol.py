@@ -559,7 +559,9 @@ class DraftEvent(PageEvent):
 def answer(number: Any, result: Json | None = None, failed: FailedEvent | None = None) -> str:
     """The message to the window that sent a command with this ``id``."""
     told = None if failed is None else plain_fields(failed)
-    return json.dumps({"event": "answer", "id": number, "failed": told, **plain(result or {})}, allow_nan=False)
+    return json.dumps(
+        {"event": "answer", "id": number, "failed": told, **plain(result or {})}, allow_nan=False
+    )
 
 
 @dataclass(frozen=True)
@@ -571,7 +573,9 @@ class PlottedCurve:
     arrays: dict[str, Array]
 
 
-def frame(kind: str, version: int, curves: Sequence[PlottedCurve], label: str = "", answers: Any = None) -> bytes:
+def frame(
+    kind: str, version: int, curves: Sequence[PlottedCurve], label: str = "", answers: Any = None
+) -> bytes:
     """The binary message with these curves."""
     runs: dict[str, list[Json]] = {}
     parts: list[Array] = []
@@ -588,7 +592,14 @@ def frame(kind: str, version: int, curves: Sequence[PlottedCurve], label: str = 
         runs.setdefault(c.run, []).append(told)
     named = [{"name": run, "signals": signals} for run, signals in runs.items()]
     header = json.dumps(
-        {"event": "curves", "kind": kind, "version": version, "answers": answers, "label": label, "runs": named}
+        {
+            "event": "curves",
+            "kind": kind,
+            "version": version,
+            "answers": answers,
+            "label": label,
+            "runs": named,
+        }
     ).encode()
     header += b" " * (-len(header) % 4)
     body = np.concatenate(parts).astype("<f4") if parts else np.zeros(0, "<f4")
@@ -617,5 +628,7 @@ def read_frame(message: bytes) -> tuple[Json, dict[tuple[str, str, str], Array]]
         for signal in run["signals"]:
             for key, at in signal.items():
                 if key.endswith("_at"):
-                    arrays[run["name"], signal["name"], key.removesuffix("_at")] = floats[at : at + signal["n"]]
+                    arrays[run["name"], signal["name"], key.removesuffix("_at")] = floats[
+                        at : at + signal["n"]
+                    ]
     return header, arrays

@@ -44,7 +44,9 @@ def _visible(text: str) -> str:
 
 
 def _legible(text: str) -> str:
-    hidden = next((c for c in text if not c.isprintable() and unicodedata.category(c) != "Zs"), None)
+    hidden = next(
+        (c for c in text if not c.isprintable() and unicodedata.category(c) != "Zs"), None
+    )
     if hidden is not None:
         raise ValueError(f"holds the character {ascii(hidden)}, which cannot be seen")
     return text
@@ -68,7 +70,9 @@ def _effect(text: str) -> str:
 
 def _method(text: str) -> str:
     if text not in METHODS:
-        raise ValueError(f"there is no method {shown(text)} to fit with; {did_you_mean(text, METHODS)}")
+        raise ValueError(
+            f"there is no method {shown(text)} to fit with; {did_you_mean(text, METHODS)}"
+        )
     return text
 
 
@@ -102,7 +106,10 @@ Names = Annotated[list[Name], Field(max_length=MOST)]
 Effects = Annotated[list[Effect], Field(max_length=MOST)]
 Values = Annotated[dict[Name, Number], Field(max_length=MOST)]
 Roles = Annotated[dict[Name, Literal["fit", "holdout"]], Field(max_length=MOST)]
-Cuts = Annotated[dict[Name, Annotated[list[Number | None], Field(min_length=2, max_length=2)]], Field(max_length=MOST)]
+Cuts = Annotated[
+    dict[Name, Annotated[list[Number | None], Field(min_length=2, max_length=2)]],
+    Field(max_length=MOST),
+]
 Starts = Annotated[dict[Name, StartMode], Field(max_length=MOST)]
 
 

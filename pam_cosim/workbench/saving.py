@@ -26,7 +26,9 @@ from pam_cosim.workbench.steps import step_of
 
 FILE = "workbench.json"
 _FORMAT = "pam-cosim workbench 1"
-_PRODUCT = re.compile(r"workbench-(fit|diagnosis)-[0-9a-f]{12}\.npz")  # what a study may remove with itself
+_PRODUCT = re.compile(
+    r"workbench-(fit|diagnosis)-[0-9a-f]{12}\.npz"
+)  # what a study may remove with itself
 
 
 @dataclass(frozen=True)
@@ -50,7 +52,9 @@ def lean(diagnosis: Diagnosis) -> Diagnosis:
 def lean_fit(fit: Fit) -> Fit:
     """A fit without its curves: values, intervals and scores stay."""
     comparison = replace(fit.comparison, data=replace(fit.comparison.data, runs=()), runs=())
-    return replace(fit, comparison=comparison, linear=None, holdout_uncertainty=HoldoutUncertainty())
+    return replace(
+        fit, comparison=comparison, linear=None, holdout_uncertainty=HoldoutUncertainty()
+    )
 
 
 def save_state(state: State, folder: Path) -> SavedStudy:
@@ -117,7 +121,11 @@ def load_state(folder: Path, first: State) -> State:
     if not isinstance(content, Mapping) or content.get("format") != _FORMAT:
         raise InputError("is no study that the workbench saved", target)
     try:
-        return _state(checked_content(content, {first.model, first.data.model, first.data.bench}), folder, first)
+        return _state(
+            checked_content(content, {first.model, first.data.model, first.data.bench}),
+            folder,
+            first,
+        )
     except ValueError as problem:
         raise InputError(f"the saved study was damaged: {problem}", target) from problem
 
@@ -125,7 +133,9 @@ def load_state(folder: Path, first: State) -> State:
 def _state(content: SavedContent, folder: Path, first: State) -> State:
     roles = content.roles
     if set(roles) != {run.name for run in first.data.runs}:
-        raise InputError("the saved study is of other runs than the data set has now", folder / FILE)
+        raise InputError(
+            "the saved study is of other runs than the data set has now", folder / FILE
+        )
     same = all(roles[run.name] == run.role for run in first.data.runs)
     runs = tuple(replace(run, role=roles[run.name]) for run in first.data.runs)
     cuts: dict[str, Ends] = {name: (begin, end) for name, (begin, end) in content.cuts.items()}
@@ -148,7 +158,8 @@ def _state(content: SavedContent, folder: Path, first: State) -> State:
 
 def _rung(saved: SavedRung) -> LadderStep:
     fit, holdout = (
-        {name: Level(**level.model_dump()) for name, level in by.items()} for by in (saved.fit, saved.holdout)
+        {name: Level(**level.model_dump()) for name, level in by.items()}
+        for by in (saved.fit, saved.holdout)
     )
     return LadderStep(saved.label, fit, holdout, saved.chi2_fit, saved.chi2_holdout)
 

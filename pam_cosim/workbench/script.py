@@ -89,7 +89,13 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
     return "\n".join(lines) + "\n"
 
 
-_DIAGNOSED = ("time_limit", "exclude", "expect", "free", "start")  # what a step of a diagnosis may hold
+_DIAGNOSED = (
+    "time_limit",
+    "exclude",
+    "expect",
+    "free",
+    "start",
+)  # what a step of a diagnosis may hold
 _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
 
 
@@ -114,9 +120,8 @@ def _python_step(step: Step, place: _Place) -> list[str]:
             place.take_runs(arguments)
             return [_python_read(place), f"values = {_numbers(arguments['values'])}", _COMPARED]
         case "fit":
-            options = (
-                f"method={arguments['method']!r}, free={arguments['free']!r}, start={_numbers(arguments['start'])}"
-            )
+            options = f"method={arguments['method']!r}, free={arguments['free']!r}"
+            options += f", start={_numbers(arguments['start'])}"
             return [
                 f"fit = pam.fit(data, model, {options}, files=files)",
                 f"values |= {_numbers(arguments['start'])} | fit.values",
@@ -124,9 +129,16 @@ def _python_step(step: Step, place: _Place) -> list[str]:
             ]
         case "diagnose":
             place.diagnosed = place.effects
-            known = {name: arguments[name] for name in _DIAGNOSED if arguments.get(name) or arguments.get(name) == 0}
+            known = {
+                name: arguments[name]
+                for name in _DIAGNOSED
+                if arguments.get(name) or arguments.get(name) == 0
+            }
             options = "".join(f"{name}={_value(v)}, " for name, v in known.items())
-            return [f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)", "print(diagnosis)"]
+            return [
+                f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)",
+                "print(diagnosis)",
+            ]
         case "take":
             effects = tuple(arguments["effects"])
             return [
@@ -201,44 +213,78 @@ def _command_step(step: Step, place: _Place, data: str) -> list[str]:
         case "fit":
             place.fits += 1
             file = f"fit-{place.fits}.json"
-            options = [f"--method {quote(arguments['method'])}", *_free_words(arguments), f"-o {file}"]
+            options = [
+                f"--method {quote(arguments['method'])}",
+                *_free_words(arguments),
+                f"-o {file}",
+            ]
             place.fitted = file
-            place.held = {n: v for n, v in {**place.held, **arguments["start"]}.items() if n not in arguments["free"]}
+            place.held = {
+                n: v
+                for n, v in {**place.held, **arguments["start"]}.items()
+                if n not in arguments["free"]
+            }
             return [_command("fit", data, place, *options), _compare(data, place)]
         case "diagnose":
             place.diagnosed = place.effects
             place.diagnoses += 1
-            words = [f"--{key} {quote(name)}" for key in ("exclude", "expect") for name in arguments.get(key, ())]
+            words = [
+                f"--{key} {quote(name)}"
+                for key in ("exclude", "expect")
+                for name in arguments.get(key, ())
+            ]
             limit = (
                 [f"--time-limit {quote(str(arguments['time_limit']))}"]
                 if arguments.get("time_limit") is not None
                 else []
             )
             report = f"--report diagnosis-{place.diagnoses}.html"
-            return [_command("diagnose", data, place, *limit, *words, *_free_words(arguments), report)]
+            return [
+                _command("diagnose", data, place, *limit, *words, *_free_words(arguments), report)
+            ]
         case "take":
             place.held, place.fitted = {**arguments["kept"], **arguments["values"]}, ""
-            return [*_command_effects((*place.diagnosed, *arguments["effects"]), place), _compare(data, place)]
+            return [
+                *_command_effects((*place.diagnosed, *arguments["effects"]), place),
+                _compare(data, place),
+            ]
         case "add":
-            return [_add(arguments["effects"], arguments["file"], place, arguments.get("values", {}))]
+            return [
+                _add(arguments["effects"], arguments["file"], place, arguments.get("values", {}))
+            ]
     return []
 
 
 def _free_words(arguments: Mapping[str, Any]) -> list[str]:
     free = [f"--free {quote(name)}" for name in arguments.get("free", ())]
-    return [*free, *(f"--start {quote(f'{name}={value!r}')}" for name, value in arguments.get("start", {}).items())]
+    return [
+        *free,
+        *(
+            f"--start {quote(f'{name}={value!r}')}"
+            for name, value in arguments.get("start", {}).items()
+        ),
+    ]
 
 
 def _compare(data: str, place: _Place) -> str:
     fitted = [f"--params {quote(place.fitted)}"] if place.fitted else []
-    return _command("compare", data, place, *fitted, *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()))
+    return _command(
+        "compare",
+        data,
+        place,
+        *fitted,
+        *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()),
+    )
 
 
 def _command(name: str, data: str, place: _Place, *options: str) -> str:
     model = [f"--model {quote(place.model)}"]
     further = [f"--file {quote(file)}" for file in place.further]
     roles = [f"--role {quote(f'{run}={role}')}" for run, role in place.roles.items()]
-    cuts = [f"--cut {quote(f'{run}={_moment(first)}:{_moment(last)}')}" for run, (first, last) in place.cuts.items()]
+    cuts = [
+        f"--cut {quote(f'{run}={_moment(first)}:{_moment(last)}')}"
+        for run, (first, last) in place.cuts.items()
+    ]
     begins = [f"--begin {quote(f'{run}={mode}')}" for run, mode in place.starts.items()]
     return " ".join(["pam-cosim", name, data, *model, *further, *roles, *cuts, *begins, *options])
 
@@ -247,7 +293,12 @@ def _moment(time: float | None) -> str:
     return "" if time is None else repr(time)
 
 
-def _add(effects: Sequence[str], file: str, place: _Place, values: Mapping[str, float] = MappingProxyType({})) -> str:
+def _add(
+    effects: Sequence[str],
+    file: str,
+    place: _Place,
+    values: Mapping[str, float] = MappingProxyType({}),
+) -> str:
     stated = [f"--set {quote(f'{name}={value!r}')}" for name, value in values.items()]
     further = [f"--file {quote(f)}" for f in place.files]
     words = [*map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}"]

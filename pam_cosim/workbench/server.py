@@ -34,7 +34,10 @@ from pam_cosim.workbench.protocol import FailedEvent, answer, is_model
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
 SWITCH = 0.0005  # [s] after which what is sent need no longer wait for what is reckoned
-MOST_WAITING, MOST_WAITING_LETTERS = 20_000, 100_000_000  # that a window may be behind before it is given up
+MOST_WAITING, MOST_WAITING_LETTERS = (
+    20_000,
+    100_000_000,
+)  # that a window may be behind before it is given up
 MOST_ASKED = 1000  # commands of a window that are not answered yet; further ones wait in its socket
 MOST_AT_ONCE = 2  # files that are taken at the same time
 _PATIENCE = 1.0  # [s] for a window that is given up to hear of it
@@ -104,7 +107,10 @@ class Window:
 
     async def serve(self, workbench: Workbench) -> None:
         """Sends and receives until the window is closed, or given up."""
-        work = [asyncio.create_task(part) for part in (self.send(), self.receive(workbench), self.lost.wait())]
+        work = [
+            asyncio.create_task(part)
+            for part in (self.send(), self.receive(workbench), self.lost.wait())
+        ]
         try:
             done, _ = await asyncio.wait(work, return_when=asyncio.FIRST_COMPLETED)
         finally:
@@ -123,7 +129,11 @@ def _answer(done: Any, number: Any) -> str:
     if done.cancelled():
         return answer(number, failed=FailedEvent("the workbench is being closed"))
     problem = done.exception()
-    return answer(number, done.result()) if problem is None else answer(number, failed=failed_by(problem))
+    return (
+        answer(number, done.result())
+        if problem is None
+        else answer(number, failed=failed_by(problem))
+    )
 
 
 async def _send(socket: WebSocket, message: str | bytes) -> None:
@@ -174,7 +184,9 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
         try:
             async with taken:
                 content = await _body(request)
-                result = await asyncio.wrap_future(workbench.put(request.query_params.get("name", ""), content))
+                result = await asyncio.wrap_future(
+                    workbench.put(request.query_params.get("name", ""), content)
+                )
         except ClientDisconnect:
             return Response(status_code=400)
         except InputError as problem:
@@ -231,7 +243,11 @@ def serve(
     listener = _listener(port)
     token = new_token()
     address = f"http://{HOST}:{listener.getsockname()[1]}/?token={token}"
-    with listener, _awake() as worker, Workbench(folder, model=model, files=files, worker=worker) as workbench:
+    with (
+        listener,
+        _awake() as worker,
+        Workbench(folder, model=model, files=files, worker=worker) as workbench,
+    ):
         workbench.wake()
         tell(f"the workbench is open at {address}")
         tell("end it with Ctrl-C; whoever has the address can use it")
@@ -269,7 +285,9 @@ def _listener(port: int) -> socket.socket:
         listener.listen()  # whoever is told the address may come before the server begins
     except OSError as problem:
         listener.close()
-        raise InputError(f"port {port} cannot be used: {problem.strerror}; choose another one with --port") from problem
+        raise InputError(
+            f"port {port} cannot be used: {problem.strerror}; choose another one with --port"
+        ) from problem
     return listener
 
 

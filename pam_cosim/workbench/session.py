@@ -30,7 +30,13 @@ from pam_cosim.workbench.simulators import Simulated
 from pam_cosim.workbench.source import MeasurementSource
 from pam_cosim.workbench.starts import StartsShown, courses
 from pam_cosim.workbench.state import State, standing_label, with_rung
-from pam_cosim.workbench.state_events import rung_of, scores_event, steps_event, study_event, where_event
+from pam_cosim.workbench.state_events import (
+    rung_of,
+    scores_event,
+    steps_event,
+    study_event,
+    where_event,
+)
 from pam_cosim.workbench.steps import Step
 from pam_cosim.workbench.windows import Listener, Windows
 
@@ -118,7 +124,9 @@ class Session:
         """Lets the process in which it fits be ready before anybody asks for a fit."""
         opened = self.opened
         content = (self.state.data, opened.name, {"files": opened.files})
-        self.worker.run("prepare", *content, heard=lambda said: None, done=lambda well, result: None)
+        self.worker.run(
+            "prepare", *content, heard=lambda said: None, done=lambda well, result: None
+        )
 
     def __enter__(self) -> Session:
         return self
@@ -171,7 +179,9 @@ class Session:
         """
         before, standing = self.state, self.comparison
         if before.milestone:
-            state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
+            state = replace(
+                state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing))
+            )
         self._install(state)
         if len(state.steps) > len(before.steps) or not self.past:
             self.remember(before)
@@ -188,7 +198,11 @@ class Session:
     def _install(self, state: State) -> None:
         old = self._open
         same = old is not None and old.is_of(state.data, state.model, state.effects)
-        fresh = old if same else open_model(state.data, state.model, state.effects, self.catalogue, self.scratch)
+        fresh = (
+            old
+            if same
+            else open_model(state.data, state.model, state.effects, self.catalogue, self.scratch)
+        )
         assert fresh is not None
         try:
             runs, begun = self._simulated(state, fresh)
@@ -215,10 +229,16 @@ class Session:
         self._version += 1
         self._draw(state, runs)
         if before.milestone:
-            state = replace(state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing)))
+            state = replace(
+                state, rungs=with_rung(state.rungs, rung_of(before.milestone, standing))
+            )
         if len(state.steps) > len(before.steps):
             self.remember(before)
-        self.state, self._comparison, self._begun = state, self._scored(state, self.opened, runs), begun
+        self.state, self._comparison, self._begun = (
+            state,
+            self._scored(state, self.opened, runs),
+            begun,
+        )
         self._tell_scores()
 
     def draw(self) -> None:
@@ -247,7 +267,9 @@ class Session:
             raise InputError(f"there is no recording {shown(run)}; {did_you_mean(run, known)}")
         found = courses(known[run], self.state, self.opened, self._begun, only_start=True)
         if not found:
-            raise InputError(f"{run} begins as what was before its first sample says: choose how it begins first")
+            raise InputError(
+                f"{run} begins as what was before its first sample says: choose how it begins first"
+            )
         return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
 
     def _simulated(self, state: State, opened: Opened) -> Simulated:
@@ -260,7 +282,8 @@ class Session:
     def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
         label = standing_label(state)
         self.windows.send(
-            frame("model", self._version, model_curves(runs, self.source.whole(state.data)), label), "model"
+            frame("model", self._version, model_curves(runs, self.source.whole(state.data)), label),
+            "model",
         )
 
     def _tell_scores(self) -> None:
@@ -291,7 +314,9 @@ class Session:
 
     def _study(self) -> StudyEvent:
         state = self.state
-        return study_event(state, self.opened, self.catalogue.shown(state.model, state.effects), self.benches)
+        return study_event(
+            state, self.opened, self.catalogue.shown(state.model, state.effects), self.benches
+        )
 
     def subscribe(self, listener: Listener) -> Future[Callable[[], None]]:
         """Adds a window, which is told all that there is; what the future holds takes it away.
@@ -313,7 +338,13 @@ class Session:
         self._looking = False
         self.tell_starts()
         interface, data = self.opened.simulator.interface, self.state.data
-        about = (self.comparison.runs, data.signals, interface.outputs, data.domain, interface.inputs)
+        about = (
+            self.comparison.runs,
+            data.signals,
+            interface.outputs,
+            data.domain,
+            interface.inputs,
+        )
         rules = where(*about)
         self.windows.tell(where_event(rules, [samples_in(rule, *about) for rule in rules], version))
 
@@ -331,7 +362,11 @@ class Session:
         """
         name = command.get("do")
         if not isinstance(name, str) or name not in COMMANDS:
-            return _refused(InputError(f"there is no command {shown(name)}; {did_you_mean(str(name), COMMANDS)}"))
+            return _refused(
+                InputError(
+                    f"there is no command {shown(name)}; {did_you_mean(str(name), COMMANDS)}"
+                )
+            )
         arguments = {str(key): value for key, value in command.items() if key not in ("do", "id")}
         try:
             inspect.signature(COMMANDS[name]).bind(self, **arguments)

@@ -37,7 +37,9 @@ class MeasurementSource:
         Raises:
             InputError: the data set cannot be read, or not so.
         """
-        data = study.read(self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts)
+        data = study.read(
+            self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts
+        )
         return data_with_starts(data, data.model_for(model), files=self.files)
 
     def whole(self, data: DataSet) -> DataSet:

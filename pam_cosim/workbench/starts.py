@@ -34,7 +34,9 @@ class StartsShown:
         """After which sliders may go elsewhere: the model, or the data, are others."""
         self._reach.clear()
 
-    def event(self, state: State, opened: Opened, begun: Mapping[str, Estimate], version: int) -> StartsEvent:
+    def event(
+        self, state: State, opened: Opened, begun: Mapping[str, Estimate], version: int
+    ) -> StartsEvent:
         """How each recording begins.
 
         Args:
@@ -46,20 +48,32 @@ class StartsShown:
         runs = [run for run in state.data.runs if not run.is_static]
         return StartsEvent(version, tuple(self._run(run, state, opened, begun) for run in runs))
 
-    def _run(self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> ShownStart:
-        by_hand = f"@{run.name}" in {name[name.rfind("@") :] for name in opened.start_values_in(state.values)}
-        mode = BY_HAND if by_hand else "periodic" if run.start.periodic else run.start.mode or "rest"
+    def _run(
+        self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]
+    ) -> ShownStart:
+        by_hand = f"@{run.name}" in {
+            name[name.rfind("@") :] for name in opened.start_values_in(state.values)
+        }
+        mode = (
+            BY_HAND if by_hand else "periodic" if run.start.periodic else run.start.mode or "rest"
+        )
         warning = run.start.mode == "rest" and bool(run.start.reason) and not by_hand
         try:
-            known = all(f"{name}@{run.name}" in self._reach for name in opened.simulator.interface.states)
+            known = all(
+                f"{name}@{run.name}" in self._reach for name in opened.simulator.interface.states
+            )
             course = courses(run, state, opened, begun, only_start=known)
         except SimulationFailure as failure:
             return ShownStart(run.name, mode, f"{run.name}: {failure}", True, _modes(opened), ())
         variables = opened.simulator.interface.start_values
-        values = tuple(self._value(run, variables[name], states, begun) for name, states in course.items())
+        values = tuple(
+            self._value(run, variables[name], states, begun) for name, states in course.items()
+        )
         return ShownStart(run.name, mode, _text(run, mode), warning, _modes(opened), values)
 
-    def _value(self, run: Run, variable: Variable, course: Array, begun: Mapping[str, Estimate]) -> StartValue:
+    def _value(
+        self, run: Run, variable: Variable, course: Array, begun: Mapping[str, Estimate]
+    ) -> StartValue:
         name, factor = f"{variable.name}@{run.name}", readable_factor(variable.unit)
         value, estimate = float(course[0]), begun.get(name)
         low, high = self._reach.setdefault(name, _reach(variable, course))
@@ -80,7 +94,12 @@ class StartsShown:
 
 
 def courses(
-    run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate], *, only_start: bool = False
+    run: Run,
+    state: State,
+    opened: Opened,
+    begun: Mapping[str, Estimate],
+    *,
+    only_start: bool = False,
 ) -> dict[str, Array]:
     """The states along a run [SI], the first value where it begins; none where start values cannot be set.
 
@@ -122,5 +141,7 @@ def _text(run: Run, mode: str) -> str:
         return run.start.reason
     if run.start.seconds:
         return f"{run.name} begins {mode}, {format_quantity(run.start.seconds, 's')} before its first sample"
-    first = "its first samples agree with the model's own start" if run.start.chosen else "as stated"
+    first = (
+        "its first samples agree with the model's own start" if run.start.chosen else "as stated"
+    )
     return f"{run.name} begins {mode}: {first}"

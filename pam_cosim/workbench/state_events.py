@@ -28,7 +28,9 @@ from pam_cosim.workbench.protocol import (
 from pam_cosim.workbench.state import State, label_of, standing_label, with_rung
 
 
-def study_event(state: State, opened: Opened, effects: Sequence[ShownEffect], benches: Sequence[str]) -> StudyEvent:
+def study_event(
+    state: State, opened: Opened, effects: Sequence[ShownEffect], benches: Sequence[str]
+) -> StudyEvent:
     """All that moves seldom."""
     data = state.data
     return StudyEvent(
@@ -97,7 +99,9 @@ def _parameter(free: Free, state: State, opened: Opened) -> ShownParameter:
     if estimate is not None and estimate.value != value:
         estimate = None
     text, interval = estimate_texts(estimate) if estimate else ("", "")
-    known = estimate is not None and estimate.determined and math.isfinite(estimate.high - estimate.low)
+    known = (
+        estimate is not None and estimate.determined and math.isfinite(estimate.high - estimate.low)
+    )
     return ShownParameter(
         name=free.name,
         unit=unit_text(free.unit),
@@ -159,7 +163,9 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
             for run, scores in by_run.items()
         },
         ladder=with_rung(state.rungs, now),
-        values={f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()},
+        values={
+            f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()
+        },
     )
 
 

@@ -41,9 +41,15 @@ class Step:
         arguments = self.arguments
         match self.do:
             case "set":
-                return "set " + ", ".join(f"{name} = {value:.4g}" for name, value in arguments["values"].items())
+                return "set " + ", ".join(
+                    f"{name} = {value:.4g}" for name, value in arguments["values"].items()
+                )
             case "switch":
-                return "with " + " + ".join(arguments["effects"]) if arguments["effects"] else "without effects"
+                return (
+                    "with " + " + ".join(arguments["effects"])
+                    if arguments["effects"]
+                    else "without effects"
+                )
             case "choose":
                 return f"model {arguments['model']}"
             case "fit":
@@ -53,14 +59,18 @@ class Step:
             case "add":
                 return f"added {' + '.join(arguments['effects'])}: {arguments['file']}"
             case "roles":
-                return "roles: " + ", ".join(f"{run} {role}" for run, role in arguments["roles"].items())
+                return "roles: " + ", ".join(
+                    f"{run} {role}" for run, role in arguments["roles"].items()
+                )
             case "cut":
                 return f"cut {arguments['run']}: {_ends(*arguments['cuts'][arguments['run']])}"
             case "begin":
                 mode = arguments["starts"].get(arguments["run"])
                 return f"begin {arguments['run']}: {mode or 'as the data set says'}"
             case "start":
-                return "start " + ", ".join(f"{name} = {arguments['values'][name]:.4g}" for name in arguments["moved"])
+                return "start " + ", ".join(
+                    f"{name} = {arguments['values'][name]:.4g}" for name in arguments["moved"]
+                )
         return self.do
 
 

@@ -43,7 +43,9 @@ class Windows:
         """Tells an event to all."""
         self.send(event.message(), event.event if event.kept else None, every=event.every)
 
-    def send(self, message: str | bytes, keep_as: str | None = None, *, every: bool = False) -> None:
+    def send(
+        self, message: str | bytes, keep_as: str | None = None, *, every: bool = False
+    ) -> None:
         """Sends a message to all, and to those that come later as long as no other is kept by this name."""
         with self._lock:
             if keep_as is not None:

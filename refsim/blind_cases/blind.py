@@ -33,7 +33,12 @@ def _rubber(kind: type[Effect], name: str, bounds: tuple[float, float] | None = 
 
 
 def _braided(
-    kind: type[Effect], parameter: str, unit: float, turns: bool = False, /, **shapes: tuple[float, float]
+    kind: type[Effect],
+    parameter: str,
+    unit: float,
+    turns: bool = False,
+    /,
+    **shapes: tuple[float, float],
 ) -> Make:
     """As `plain`, with the muscle's geometry."""
 
@@ -53,13 +58,19 @@ def _rubbed(kind: type[Effect], /, **shapes: tuple[float, float]) -> Make:
     def make(rng: Random, muscle: MuscleParameters) -> At:
         drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
         crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
-        return lambda s: kind(share=s, crossing=crossing, covered=muscle.mu_fb * muscle.fibre_area, **drawn)
+        return lambda s: kind(
+            share=s, crossing=crossing, covered=muscle.mu_fb * muscle.fibre_area, **drawn
+        )
 
     return make
 
 
 def _two_patches(rng: Random, muscle: MuscleParameters) -> At:
-    drawn = {"ratio": spread(rng, 3.0, 10.0), "share": spread(rng, 0.3, 0.7), "g_out": spread(rng, 0.005, 0.04)}
+    drawn = {
+        "ratio": spread(rng, 3.0, 10.0),
+        "share": spread(rng, 0.3, 0.7),
+        "g_out": spread(rng, 0.005, 0.04),
+    }
     base = {
         "coefficient": muscle.heat_coefficient, "length": muscle.length, "fibre_squared": muscle.fibre_squared,
         "turns": muscle.turns, "fibre_area": muscle.fibre_area,

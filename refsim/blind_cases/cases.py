@@ -75,7 +75,9 @@ def spread(shares: Mapping[str, int]) -> tuple[str, ...]:
 
 
 _ORDER = spread(GROUPS)
-_MIXED = tuple(table.FAMILIES[7 * k % 16] for k in range(16))  # neighbours belong to different balances
+_MIXED = tuple(
+    table.FAMILIES[7 * k % 16] for k in range(16)
+)  # neighbours belong to different balances
 
 
 def case_of(which: str, number: int) -> Case:
@@ -96,16 +98,22 @@ def case_of(which: str, number: int) -> Case:
         return replace(case, hidden=(choice[turn % len(choice)],), targets=(_within(rng, bounds),))
     if group == "none_of_these":
         choice = table.strange_forms(which)
-        return replace(case, hidden=(choice[index % len(choice)],), targets=(_within(rng, (5.0, 40.0)),))
+        return replace(
+            case, hidden=(choice[index % len(choice)],), targets=(_within(rng, (5.0, 40.0)),)
+        )
     if group == "pair":
         choice = table.forms(which, True)
         # every family comes about equally often, with another partner in every turn
         first = index % 16
         second = (first + 1 + (7 * index + index // 16 + SEEDS[which]) % 15) % 16
-        picked = tuple(choice[f][int(rng.integers(len(choice[f])))] for f in (_MIXED[first], _MIXED[second]))
+        picked = tuple(
+            choice[f][int(rng.integers(len(choice[f])))] for f in (_MIXED[first], _MIXED[second])
+        )
         # what has no strength of its own sets the noise, so it comes first
         picked = tuple(sorted(picked, key=lambda form: form.high / form.low))
-        return replace(case, hidden=picked, targets=tuple(_within(rng, (5.0, 30.0)) for _ in picked))
+        return replace(
+            case, hidden=picked, targets=tuple(_within(rng, (5.0, 30.0)) for _ in picked)
+        )
     return case
 
 
@@ -125,7 +133,10 @@ def _draw_bench(rng: Random) -> Bench:
         ("muscle.h_film", "h_film", 2.0, 100.0, _within(rng, (10.0, 45.0))),
         ("muscle.mu_d", "mu_d", 0.1, 2.0, rng.uniform(0.5, 1.1)),
     )
-    free = [FreeParameter(name, field, low, high, float(f"{true:.5g}")) for name, field, low, high, true in usual]
+    free = [
+        FreeParameter(name, field, low, high, float(f"{true:.5g}"))
+        for name, field, low, high, true in usual
+    ]
     field, about, off, room = {
         "muscle.D0": ("diameter", nominal.diameter, 0.02, 0.05),
         "muscle.L0": ("length", nominal.length, 0.01, 0.03),
@@ -147,7 +158,12 @@ def outline(case: Case) -> dict[str, Any]:
         "group": case.group,
         "families": [form.family for form in case.hidden if form.family != "none_of_these"],
         "hidden": [
-            {"family": form.family, "form": form.name, "in_catalogue": form.catalogue, "target": target}
+            {
+                "family": form.family,
+                "form": form.name,
+                "in_catalogue": form.catalogue,
+                "target": target,
+            }
             for form, target in zip(case.hidden, case.targets, strict=True)
         ],
     }
@@ -171,7 +187,9 @@ def make(case: Case) -> Made:
         if k == 0:
             sensors, size = _fitting_noise(sensors, size, target)
         effects.append(at(strength))
-        sizes.append({"strength": strength, "size": size, "parameters": effect_parameters(effects[-1])})
+        sizes.append(
+            {"strength": strength, "size": size, "parameters": effect_parameters(effects[-1])}
+        )
     clean = ruler.simulated(effects) if ruler else bench.simulate()
     zero = dict.fromkeys(SIGNALS, 0.0)
     plain, projected = ruler.sizes(clean, sensors.sigma) if ruler else (zero, zero)
@@ -214,7 +232,9 @@ def _fitting_noise(sensors: Sensors, size: float, target: float) -> tuple[Sensor
     return replace(sensors, sigma=sigma), size / factor
 
 
-def _noise_found(bench: Bench, clean: Sequence[Signals], recorded: Sequence[Signals]) -> dict[str, object]:
+def _noise_found(
+    bench: Bench, clean: Sequence[Signals], recorded: Sequence[Signals]
+) -> dict[str, object]:
     """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves."""
     by_role: dict[str, object] = {}
     for role in ("fit", "holdout"):
@@ -234,7 +254,13 @@ def write(made: Made, folder: Path) -> None:
     own_load = all(p.name != "load.m" for p in bench.free)
     runs = [
         Recording(
-            run.schedule, run.p_supply, run.role, run.times, signals, run.load if own_load else None, run.interpolation
+            run.schedule,
+            run.p_supply,
+            run.role,
+            run.times,
+            signals,
+            run.load if own_load else None,
+            run.interpolation,
         )
         for run, signals in zip(bench.plan, made.recorded, strict=True)
     ]

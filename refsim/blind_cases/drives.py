@@ -90,11 +90,22 @@ def partial(rng: Random, clock: Clock, amount: Amount) -> Schedule:
 
 def telegraph(rng: Random, clock: Clock, amount: Amount) -> Schedule:
     """Random: one valve or the other or none, for random times."""
-    unit, phases, left = clock.seconds / 16, [Phase(clock.whole(clock.seconds / 8), u_in=amount())], clock.seconds
+    unit, phases, left = (
+        clock.seconds / 16,
+        [Phase(clock.whole(clock.seconds / 8), u_in=amount())],
+        clock.seconds,
+    )
     while left > 0:
-        which, long = rng.random(), clock.whole(unit * float(np.clip(rng.exponential(1.0), 0.1, 3.0)))
+        which, long = (
+            rng.random(),
+            clock.whole(unit * float(np.clip(rng.exponential(1.0), 0.1, 3.0))),
+        )
         phase = (
-            Phase(long, amount(), 0.0) if which < 0.4 else Phase(long, 0.0, amount()) if which < 0.7 else Phase(long)
+            Phase(long, amount(), 0.0)
+            if which < 0.4
+            else Phase(long, 0.0, amount())
+            if which < 0.7
+            else Phase(long)
         )
         phases.append(phase)
         left -= phase.duration
@@ -114,9 +125,15 @@ def ramps(rng: Random, clock: Clock, amount: Amount) -> Schedule:
     """The inlet opens slowly, the exhaust opens slowly."""
     total, t = clock.seconds, clock.knots()
     top, low = amount() - SHUT, amount() - SHUT
-    rise, hold, vent = total * rng.uniform(0.35, 0.45), total * rng.uniform(0.1, 0.2), total * rng.uniform(0.15, 0.25)
+    rise, hold, vent = (
+        total * rng.uniform(0.35, 0.45),
+        total * rng.uniform(0.1, 0.2),
+        total * rng.uniform(0.15, 0.25),
+    )
     falling = -low * np.minimum((t - rise - hold) / vent, 1.0)
-    return _joined(clock, np.where(t < rise, top * t / rise, np.where(t < rise + hold, 0.0, falling)))
+    return _joined(
+        clock, np.where(t < rise, top * t / rise, np.where(t < rise + hold, 0.0, falling))
+    )
 
 
 def sine(rng: Random, clock: Clock, amount: Amount) -> Schedule:
@@ -129,14 +146,18 @@ def chirp(rng: Random, clock: Clock, amount: Amount) -> Schedule:
     """As `sine`, faster and faster."""
     first, last = rng.uniform(1.0, 2.0), rng.uniform(6.0, 14.0)
     size, up, share = amount() - SHUT, rng.uniform(0.0, 0.2), clock.knots() / clock.seconds
-    return _joined(clock, size * (np.sin(2 * pi * (first * share + (last - first) * share**2 / 2)) + up))
+    return _joined(
+        clock, size * (np.sin(2 * pi * (first * share + (last - first) * share**2 / 2)) + up)
+    )
 
 
 def wander(rng: Random, clock: Clock, amount: Amount) -> Schedule:
     """Random: lines between random currents."""
     t, size = clock.knots(), amount() - SHUT
     places = np.linspace(0.0, t[-1], int(rng.integers(10, 24)))
-    return _joined(clock, np.round(np.interp(t, places, size * rng.uniform(-0.9, 1.1, len(places))), 5))
+    return _joined(
+        clock, np.round(np.interp(t, places, size * rng.uniform(-0.9, 1.1, len(places))), 5)
+    )
 
 
 HELD: dict[str, Callable[[Random, Clock, Amount], Schedule]] = {
@@ -180,7 +201,9 @@ def waves(rng: Random, clock: Clock, frequency: float, high: float) -> Course:
     knot = clock.whole(_WAVE_KNOT)
     t = clock.knots(knot)
     parts = frequency * np.append(rng.uniform(0.15, 1.0, 11), 1.0)
-    y = sum(np.sin(2 * pi * f * t + a) for f, a in zip(parts, rng.uniform(0, 2 * pi, 12), strict=True))
+    y = sum(
+        np.sin(2 * pi * f * t + a) for f, a in zip(parts, rng.uniform(0, 2 * pi, 12), strict=True)
+    )
     rising = np.sin(pi / 2 * np.minimum(t, 1.0)) ** 2
     return Course(tuple(np.round(high * rising * (y - np.min(y)) / np.ptp(y), 1).tolist()), knot)
 

@@ -148,7 +148,9 @@ def _manometer(
     def make(rng: Random, scene: Scene) -> Callable[[float], Effect | Fault]:
         return of(_one_of(_manometers(scene.setup.design), rng))(rng, scene)
 
-    return FaultForm(family, name, catalogue, lambda d: bool(_manometers(d)), make, high=high, signed=signed)
+    return FaultForm(
+        family, name, catalogue, lambda d: bool(_manometers(d)), make, high=high, signed=signed
+    )
 
 
 FAULTS: tuple[FaultForm, ...] = (

@@ -41,7 +41,9 @@ def spread(rng: np.random.Generator, low: float, high: float) -> float:
     return float(np.exp(rng.uniform(np.log(low), np.log(high))))
 
 
-def plain(kind: type[Effect], parameter: str, unit: float, /, **shapes: tuple[float, float]) -> Make:
+def plain(
+    kind: type[Effect], parameter: str, unit: float, /, **shapes: tuple[float, float]
+) -> Make:
     """`parameter` = unit times strength; further parameters are drawn between bounds."""
 
     def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -102,7 +104,12 @@ def gas(kind: type[Effect], /, **shapes: tuple[float, float]) -> Make:
 
 
 def gas_form(
-    name: str, sets: tuple[str, ...], catalogue: bool, kind: type[Effect], /, **shapes: tuple[float, float]
+    name: str,
+    sets: tuple[str, ...],
+    catalogue: bool,
+    kind: type[Effect],
+    /,
+    **shapes: tuple[float, float],
 ) -> Form:
     """A line of the family that has no strength."""
     return Form("gas_energy", name, sets, catalogue, gas(kind, **shapes), 1.0, 1.0)

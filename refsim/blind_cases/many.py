@@ -97,14 +97,18 @@ def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
                 by_turn.setdefault(fault.family, []).append(fault)
         return by_turn
     own = FORMS_OF[which]
-    forms: Sequence[table.Form] = table.STRANGE if group == "none_of_these" else (*table.FORMS, *ON_SOME_BENCH)
+    forms: Sequence[table.Form] = (
+        table.STRANGE if group == "none_of_these" else (*table.FORMS, *ON_SOME_BENCH)
+    )
     for form in forms:
         wanted = group == "none_of_these" or form.catalogue is (group != "new_form")
         if own in form.sets and wanted and design.rig.takes(_sample(form), design.signals):
             alone = form in ON_SOME_BENCH or group == "none_of_these"
             if form in ON_SOME_BENCH and design.runs < _RUNS_TO_TELL:
                 continue
-            by_turn.setdefault(f"{form.family}:{form.name}" if alone else form.family, []).append(form)
+            by_turn.setdefault(f"{form.family}:{form.name}" if alone else form.family, []).append(
+                form
+            )
     return by_turn
 
 
@@ -132,7 +136,9 @@ def _cases(which: str, periods: int) -> tuple[Case, ...]:
     return tuple(cases)
 
 
-def _design(rng: Random, which: str, group: str, bench: str, count: int) -> tuple[Design, dict[str, list[Hidden]]]:
+def _design(
+    rng: Random, which: str, group: str, bench: str, count: int
+) -> tuple[Design, dict[str, list[Hidden]]]:
     """A design of a bench on which there is enough to hide; drawn again where there is not."""
     while True:
         design = draw_design(rng, bench)
@@ -179,7 +185,12 @@ def outline(case: Case) -> dict[str, Any]:
         "families": [form.family for form in case.hidden if form.family != "none_of_these"],
         "same_as": _same_as(case),
         "hidden": [
-            {"family": form.family, "form": form.name, "in_catalogue": form.catalogue, "target": target}
+            {
+                "family": form.family,
+                "form": form.name,
+                "in_catalogue": form.catalogue,
+                "target": target,
+            }
             for form, target in zip(case.hidden, case.targets, strict=True)
         ],
     }
@@ -194,9 +205,14 @@ def _same_as(case: Case) -> list[list[str]]:
     design, also = case.design, []
     if len(case.hidden) == 1:
         form = case.hidden[0]
-        if (form.family, form.name) == ("valve_dynamics", "dead_time") and design.rig.course is None:
+        if (form.family, form.name) == (
+            "valve_dynamics",
+            "dead_time",
+        ) and design.rig.course is None:
             also.append(["clock_offset"])
-        if (form.family, form.name) == ("moving_mass", "hanging") and (design.sixth == "load.m" or design.runs == 1):
+        if (form.family, form.name) == ("moving_mass", "hanging") and (
+            design.sixth == "load.m" or design.runs == 1
+        ):
             also.append(["wrong_parameter"])
     return also
 
@@ -220,7 +236,9 @@ def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) ->
         if k == 0:
             sensors, size = _fitting_noise(sensors, size, target)
         hidden.append(at(strength))
-        sizes.append({"strength": strength, "size": size, "parameters": effect_parameters(hidden[-1])})
+        sizes.append(
+            {"strength": strength, "size": size, "parameters": effect_parameters(hidden[-1])}
+        )
     if ruler is not None and setup.loops:
         setup, ruler, sizes = _driven_again(setup, sensors, hidden, sizes)
     clean = ruler.simulated(hidden) if ruler else setup.simulate()
@@ -236,7 +254,12 @@ def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) ->
         "rig": dict(setup.values),
         "free": {p.name: {"true": p.true, "min": p.low, "max": p.high} for p in setup.free},
         "plan": [
-            {"style": t.style, "role": t.role, "seconds": (t.samples - 1) / t.rate, "values": dict(t.values)}
+            {
+                "style": t.style,
+                "role": t.role,
+                "seconds": (t.samples - 1) / t.rate,
+                "values": dict(t.values),
+            }
             for t in setup.plan
         ],
         "noise": noise_of(setup, clean, recorded),
@@ -254,12 +277,17 @@ def _maker(form: Hidden, rng: Random, setup: Setup, ruler: Ruler) -> Callable[[f
 
 
 def _driven_again(
-    setup: Setup, sensors: Sensors, hidden: Sequence[Effect | Fault], sizes: Sequence[dict[str, Any]]
+    setup: Setup,
+    sensors: Sensors,
+    hidden: Sequence[Effect | Fault],
+    sizes: Sequence[dict[str, Any]],
 ) -> tuple[Setup, Ruler, list[dict[str, Any]]]:
     """With what is hidden in the loop its currents are others, and sizes with them."""
     setup = setup.driven(hidden)
     ruler = Ruler(setup)
-    measured = [s | {"size": ruler.size(one, sensors.sigma)} for s, one in zip(sizes, hidden, strict=True)]
+    measured = [
+        s | {"size": ruler.size(one, sensors.sigma)} for s, one in zip(sizes, hidden, strict=True)
+    ]
     return setup, ruler, measured
 
 

@@ -46,7 +46,10 @@ def draw_sensors(rng: Random, signals: Sequence[str] = SIGNALS) -> Sensors:
     draw = rng.random(5)
     colour = "white" if draw[0] < 0.65 else "ar1" if draw[0] < 0.9 else "drift"
     memory, wander = round(float(rng.uniform(0.3, 0.9)), 3), round(float(rng.uniform(0.2, 0.5)), 3)
-    dropouts, outliers = round(float(rng.uniform(0.01, 0.06)), 4), round(float(rng.uniform(0.001, 0.01)), 5)
+    dropouts, outliers = (
+        round(float(rng.uniform(0.01, 0.06)), 4),
+        round(float(rng.uniform(0.001, 0.01)), 5),
+    )
     return Sensors(
         sigma,
         colour,
@@ -60,7 +63,9 @@ def draw_sensors(rng: Random, signals: Sequence[str] = SIGNALS) -> Sensors:
 
 def disturb(rng: Random, sensors: Sensors, clean: dict[str, Array]) -> dict[str, Array]:
     """What is recorded; NaN where a sample is missing. clean: signals of one run, arrays of one shape (times,)."""
-    return {name: _disturbed(rng, sensors, clean[name], sensors.sigma[name]) for name in sensors.sigma}
+    return {
+        name: _disturbed(rng, sensors, clean[name], sensors.sigma[name]) for name in sensors.sigma
+    }
 
 
 def _disturbed(rng: Random, sensors: Sensors, clean: Array, sigma: float) -> Array:
@@ -87,6 +92,7 @@ def _wander(rng: Random, count: int) -> Array:
     """A slow curve of root mean square one: three sines of less than 1.5 periods in the run."""
     place = np.arange(count) / count
     curve = sum(
-        rng.standard_normal() * np.sin(2 * np.pi * (rng.uniform(0.2, 1.5) * place + rng.random())) for _ in range(3)
+        rng.standard_normal() * np.sin(2 * np.pi * (rng.uniform(0.2, 1.5) * place + rng.random()))
+        for _ in range(3)
     )
     return np.asarray(curve / np.sqrt(np.mean(np.square(curve))))

@@ -50,7 +50,9 @@ def draw_muscle(rng: Random) -> MuscleParameters:
     turns = round(tan(angle) * length / (pi * diameter), 2)
     fibres = float(round(216 * diameter / 0.02))
     wall = round(float(rng.uniform(0.2e-3, 0.8e-3)), 6)
-    return MuscleParameters(length=length, diameter=diameter, turns=turns, fibres=fibres, t_wall=wall)
+    return MuscleParameters(
+        length=length, diameter=diameter, turns=turns, fibres=fibres, t_wall=wall
+    )
 
 
 def draw_plan(rng: Random, muscle: MuscleParameters, one_load: bool) -> tuple[TestRun, ...]:
@@ -58,9 +60,12 @@ def draw_plan(rng: Random, muscle: MuscleParameters, one_load: bool) -> tuple[Te
 
     one_load: all runs lift the same weight.
     """
-    fits, holdouts, low, high = [(4, 2, 6.0, 8.0), (4, 2, 6.0, 8.0), (3, 1, 8.0, 10.0), (6, 2, 5.0, 6.0)][
-        int(rng.integers(0, 4))
-    ]
+    fits, holdouts, low, high = [
+        (4, 2, 6.0, 8.0),
+        (4, 2, 6.0, 8.0),
+        (3, 1, 8.0, 10.0),
+        (6, 2, 5.0, 6.0),
+    ][int(rng.integers(0, 4))]
     lead = STYLES[int(rng.integers(0, len(STYLES)))]
     pull = muscle.volume_slope(0.0)
     common = round(float(rng.uniform(0.1, 0.8)) * 0.4 * pull * 1.2e5 / G, 2)
@@ -73,7 +78,9 @@ def draw_plan(rng: Random, muscle: MuscleParameters, one_load: bool) -> tuple[Te
         load = common if one_load else round(float(rng.uniform(0.12, 0.9)) * heaviest, 2)
         samples = round(float(rng.uniform(low, high)) * RATE) + 1
         schedule = _DRIVES[style](rng, samples, muscle)
-        runs.append(TestRun(style, "fit" if k < fits else "holdout", load, p_supply, samples, schedule))
+        runs.append(
+            TestRun(style, "fit" if k < fits else "holdout", load, p_supply, samples, schedule)
+        )
     return tuple(runs)
 
 
@@ -136,7 +143,11 @@ def _sampled(function: Callable[[float], float], samples: int) -> SampledSchedul
 def _ramps(rng: Random, samples: int, muscle: MuscleParameters) -> Schedule:
     total = samples / RATE
     top, low = _current(rng, muscle) - 0.145, _current(rng, muscle) - 0.145
-    rise, hold, vent = total * rng.uniform(0.35, 0.45), total * rng.uniform(0.1, 0.2), total * rng.uniform(0.15, 0.25)
+    rise, hold, vent = (
+        total * rng.uniform(0.35, 0.45),
+        total * rng.uniform(0.1, 0.2),
+        total * rng.uniform(0.15, 0.25),
+    )
 
     def function(t: float) -> float:
         if t < rise:

@@ -81,7 +81,9 @@ def _outcome(which: str, number: int) -> str:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("--set", dest="which", choices=SETS, required=True)
     parser.add_argument("--cases", type=int, default=80, help="how many, from --first on")
     parser.add_argument("--first", type=int, default=0)

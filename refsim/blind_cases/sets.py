@@ -46,7 +46,9 @@ def write(made: Made, folder: Path) -> None:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Command line: writes one case, prints what is hidden in it."""
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
     parser.add_argument("folder", type=Path)
     parser.add_argument("--set", dest="which", choices=SETS, default="tuning")
     parser.add_argument("--number", type=int, default=0)

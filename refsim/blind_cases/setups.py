@@ -100,7 +100,9 @@ class Setup:
     plan: tuple[Trial, ...]
     muscle: MuscleParameters
     loops: Mapping[int, Loop] = field(default_factory=dict)
-    done: dict[Any, tuple[Trial, tuple[Array, Signals]]] = field(default_factory=dict, repr=False, compare=False)
+    done: dict[Any, tuple[Trial, tuple[Array, Signals]]] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
     @property
     def signals(self) -> tuple[str, ...]:
@@ -116,14 +118,18 @@ class Setup:
         for trial in self.plan:
             time, right = self.before_faults(trial, effects, values)
             shown = disturbed([one for one in effects if isinstance(one, Fault)], time, right)
-            recorded.append({name: self._sampled(trial, time, shown[name]) for name in self.signals})
+            recorded.append(
+                {name: self._sampled(trial, time, shown[name]) for name in self.signals}
+            )
         return recorded
 
     @staticmethod
     def _sampled(trial: Trial, time: Array, y: Array) -> Array:
         return y if len(time) == trial.samples else np.interp(trial.times, time, y)
 
-    def recorded(self, effects: Sequence[Effect | Fault], noisy: Callable[[Signals], Signals]) -> list[Signals]:
+    def recorded(
+        self, effects: Sequence[Effect | Fault], noisy: Callable[[Signals], Signals]
+    ) -> list[Signals]:
         """What is written of every run: readings of faulty instruments, noise, what the recorder makes of both."""
         faults = [one for one in effects if isinstance(one, Fault)]
         written = []
@@ -131,7 +137,9 @@ class Setup:
             time, right = self.before_faults(trial, effects, self.values)
             shown = disturbed([fault for fault in faults if not fault.after_noise], time, right)
             read = noisy({name: self._sampled(trial, time, shown[name]) for name in self.signals})
-            written.append(disturbed([fault for fault in faults if fault.after_noise], trial.times, read))
+            written.append(
+                disturbed([fault for fault in faults if fault.after_noise], trial.times, read)
+            )
         return written
 
     def before_faults(
@@ -166,15 +174,23 @@ class Setup:
         return replace(self, plan=tuple(plan))
 
 
-def muscle_of(values: Mapping[str, float], muscle: str = "muscle", valve: str = "valve") -> MuscleParameters:
+def muscle_of(
+    values: Mapping[str, float], muscle: str = "muscle", valve: str = "valve"
+) -> MuscleParameters:
     """The simulator's muscle of a bench's values."""
     names = {
         "length": "L0", "diameter": "D0", "turns": "turns", "fibres": "fibres", "t_wall": "t_wall", "mu_fb": "mu_fb",
         "mu_d": "mu_d", "h_film": "h_film", "n_g": "n_g",
     }  # fmt: skip
-    given = {own: values[f"{muscle}.{name}"] for own, name in names.items() if f"{muscle}.{name}" in values}
+    given = {
+        own: values[f"{muscle}.{name}"]
+        for own, name in names.items()
+        if f"{muscle}.{name}" in values
+    }
     given |= {
-        own: values[name] for own, name in (("calibration", f"{valve}.C_A"), ("load", "load.m")) if name in values
+        own: values[name]
+        for own, name in (("calibration", f"{valve}.C_A"), ("load", "load.m"))
+        if name in values
     }
     return MuscleParameters(**given)
 
@@ -221,7 +237,10 @@ def _clocks(rng: Random, design: Design) -> list[Clock]:
     """Of each run: shorter ones where there are many or the rate is high."""
     low, high = _SECONDS.get(design.bench, _USUAL_SECONDS)
     high = min(high, max(low * 1.1, SAMPLES / (design.rate * design.runs)))
-    return [Clock(round(float(rng.uniform(low, high)) * design.rate) + 1, design.rate) for _ in range(design.runs)]
+    return [
+        Clock(round(float(rng.uniform(low, high)) * design.rate) + 1, design.rate)
+        for _ in range(design.runs)
+    ]
 
 
 def _style(rng: Random, k: int, styles: Sequence[str]) -> str:
@@ -240,7 +259,9 @@ def _free(
     return tuple(free)
 
 
-def _near(rng: Random, name: str, off: float, room: float, values: dict[str, float]) -> FreeParameter:
+def _near(
+    rng: Random, name: str, off: float, room: float, values: dict[str, float]
+) -> FreeParameter:
     """A dimension that is stated with an error of up to `off` and free within `room`; the truth goes into values."""
     about = values[name]
     values[name] = _round(about * (1 + rng.uniform(-off, off)), 5)
@@ -297,7 +318,9 @@ def _told(rng: Random, clock: Clock, style: str, amount: Callable[[], float]) ->
 # --- each bench -------------------------------------------------------------------------------------------
 
 
-def _film_and_friction(rng: Random, design: Design, forces: bool) -> list[tuple[str, float, float, float]]:
+def _film_and_friction(
+    rng: Random, design: Design, forces: bool
+) -> list[tuple[str, float, float, float]]:
     """Free parameters of a muscle that the measured signals can say something of."""
     rows = [("muscle.h_film", 2.0, 100.0, _log(rng, 10.0, 45.0))]
     if "T" in design.signals:
@@ -322,11 +345,24 @@ def _muscle_setup(rng: Random, design: Design) -> Setup:
     else:
         scale, share = _valve_scale(rest.volume(0.0), seconds)
         valve = ("valve.C_A", 0.5 * scale, 0.9 * scale, rng.uniform(0.58, 0.84) * scale)
-    free = list(_free(rng, [valve, *_film_and_friction(rng, design, bool({"x", "F"} & {*design.signals}))], values))
+    free = list(
+        _free(
+            rng,
+            [valve, *_film_and_friction(rng, design, bool({"x", "F"} & {*design.signals}))],
+            values,
+        )
+    )
     if not lifts:
         values.setdefault("muscle.mu_fb", 0.015)
     if design.sixth and design.sixth != "load.m":
-        free.append(_near(rng, design.sixth, *((0.02, 0.05) if design.sixth == "muscle.D0" else (0.01, 0.03)), values))
+        free.append(
+            _near(
+                rng,
+                design.sixth,
+                *((0.02, 0.05) if design.sixth == "muscle.D0" else (0.01, 0.03)),
+                values,
+            )
+        )
     if valve[0] == "valve.C_A" and (switched or scale > 1.0):
         free[0] = replace(free[0], nominal=_round(float(np.sqrt(valve[1] * valve[2]))))
     muscle = muscle_of(values)
@@ -353,7 +389,9 @@ def _muscle_setup(rng: Random, design: Design) -> Setup:
             load = own.get("load.m", values.get("load.m", 0.0)) if lifts else 0.0
             # with this load the muscle gets about as far as its pull at rest allows
             reach = 0.2 * values["muscle.L0"] * max(0.2, 1 - load * G / (pull * p_supply))
-            loops[k] = _loop(rng, clock, signal, reach if signal == "x" else 0.9 * p_supply, switched)
+            loops[k] = _loop(
+                rng, clock, signal, reach if signal == "x" else 0.9 * p_supply, switched
+            )
         else:
             amount = (lambda: 1.0) if switched else partial(_current, rng, share)
             schedule = _told(rng, clock, style, amount)
@@ -367,13 +405,18 @@ def _pair_setup(rng: Random, design: Design) -> Setup:
     values = {f"muscle_{k}.{name}": value for k in (1, 2) for name, value in own.items()}
     clocks = _clocks(rng, design)
     rest = muscle_of(one)
-    scale, share = _valve_scale(rest.volume(0.0), float(np.mean([clock.seconds for clock in clocks])))
+    scale, share = _valve_scale(
+        rest.volume(0.0), float(np.mean([clock.seconds for clock in clocks]))
+    )
     length = own["L0"]
     values |= {
         "pulley.r": round(0.1 * length, 4), "pulley.x_0": round(0.11 * length, 4),
         "pulley.J": _round(_log(rng, 0.5, 3.0) * (0.1 * length) ** 2, 3),
     }  # fmt: skip
-    rows = [(f"valve_{k}.C_A", 0.5 * scale, 0.9 * scale, rng.uniform(0.58, 0.84) * scale) for k in (1, 2)]
+    rows = [
+        (f"valve_{k}.C_A", 0.5 * scale, 0.9 * scale, rng.uniform(0.58, 0.84) * scale)
+        for k in (1, 2)
+    ]
     if "x" in design.signals:
         rows += [(f"muscle_{k}.mu_fb", 0.002, 0.06, rng.uniform(0.008, 0.03)) for k in (1, 2)]
         turned = values["pulley.r"] ** 2 * rest.volume_slope(0.0) * 1e5 / (0.1 * length)
@@ -392,7 +435,9 @@ def _pair_setup(rng: Random, design: Design) -> Setup:
         amount = partial(_current, rng, share)
         schedules = (_told(rng, clock, style, amount), _told(rng, clock, second, amount))
         p_supply = float(rng.integers(12, 31)) * 1e4
-        plan.append(Trial(style, role, clock.samples, clock.rate, schedules, None, {"p_supply": p_supply}))
+        plan.append(
+            Trial(style, role, clock.samples, clock.rate, schedules, None, {"p_supply": p_supply})
+        )
     return Setup(design, values, tuple(free), tuple(plan), rest)
 
 
@@ -429,7 +474,9 @@ def _vertical_setup(rng: Random, design: Design) -> Setup:
 def _vessel_muscle(volume: float) -> MuscleParameters:
     """What forms ask of a muscle, for a vessel: its volume, and a wall of 10 mm of steel."""
     diameter = (2 * volume / pi) ** (1 / 3)
-    return MuscleParameters(length=2 * diameter, diameter=diameter, turns=1.0, t_wall=0.01, k_wall=50.0)
+    return MuscleParameters(
+        length=2 * diameter, diameter=diameter, turns=1.0, t_wall=0.01, k_wall=50.0
+    )
 
 
 def _filling_setup(rng: Random, design: Design) -> Setup:
@@ -450,7 +497,9 @@ def _filling_setup(rng: Random, design: Design) -> Setup:
         style = _style(rng, k, (*HELD, *JOINED))
         schedule = _told(rng, clock, style, partial(_current, rng, share))
         p_supply = float(rng.integers(12, 51)) * 1e4
-        plan.append(Trial(style, role, clock.samples, clock.rate, (schedule,), None, {"p_supply": p_supply}))
+        plan.append(
+            Trial(style, role, clock.samples, clock.rate, (schedule,), None, {"p_supply": p_supply})
+        )
     return Setup(design, values, tuple(free), tuple(plan), _vessel_muscle(values["tank.V"]))
 
 
@@ -459,14 +508,25 @@ def _orifice_setup(rng: Random, design: Design) -> Setup:
     clocks = _clocks(rng, design)
     # choked from 6 bar, a vessel empties in about 5 V/(C_d A 200 m/s)
     area = 5 * volume / (0.8 * 200.0 * 0.5 * float(np.mean([clock.seconds for clock in clocks])))
-    values = {"tank.V": volume, "orifice.d": _round(2 * np.sqrt(area / pi), 3), "tank.T_start": 293.15}
-    rows = [("orifice.C_d", 0.5, 1.0, rng.uniform(0.62, 0.92)), ("tank.n", 1.0, 1.4, rng.uniform(1.08, 1.36))]
+    values = {
+        "tank.V": volume,
+        "orifice.d": _round(2 * np.sqrt(area / pi), 3),
+        "tank.T_start": 293.15,
+    }
+    rows = [
+        ("orifice.C_d", 0.5, 1.0, rng.uniform(0.62, 0.92)),
+        ("tank.n", 1.0, 1.4, rng.uniform(1.08, 1.36)),
+    ]
     free = _free(rng, rows, values)
     plan = []
     for k, (clock, role) in enumerate(zip(clocks, _roles(design.runs), strict=True)):
         filling = k > 0 and rng.random() < 0.3
         high = float(rng.integers(20, 80)) * 1e4
-        own = {"tank.p_start": 0.0, "p_outside": high} if filling else {"tank.p_start": high, "p_outside": 0.0}
+        own = (
+            {"tank.p_start": 0.0, "p_outside": high}
+            if filling
+            else {"tank.p_start": high, "p_outside": 0.0}
+        )
         style = "filling" if filling else "discharge"
         plan.append(Trial(style, role, clock.samples, clock.rate, (), None, own))
     return Setup(design, values, free, tuple(plan), _vessel_muscle(volume))

@@ -45,7 +45,9 @@ class Bench:
     free: tuple[FreeParameter, ...]
     signals: tuple[str, ...] = SIGNALS
 
-    def simulate(self, effects: Sequence[Effect] = (), changed: Mapping[str, float] | None = None) -> list[Signals]:
+    def simulate(
+        self, effects: Sequence[Effect] = (), changed: Mapping[str, float] | None = None
+    ) -> list[Signals]:
         """Noise-free signals of every run, with simulator's fields `changed`.
 
         Raises RuntimeError when a run cannot be simulated.
@@ -53,7 +55,9 @@ class Bench:
         recorded = []
         for run in self.plan:
             muscle = replace(self.muscle, **{"load": run.load, **(changed or {})})
-            t = simulate_muscle(muscle, run.p_supply, run.schedule, run.times, effects, _RTOL, "LSODA")
+            t = simulate_muscle(
+                muscle, run.p_supply, run.schedule, run.times, effects, _RTOL, "LSODA"
+            )
             signals = {"p": t.p, "x": t.x, "T": t.temperature}
             if not all(np.isfinite(y).all() for y in signals.values()):
                 raise RuntimeError("the simulation left the numbers")
@@ -81,7 +85,9 @@ class Measured(Protocol):
     def signals(self) -> tuple[str, ...]:
         """Names of what is measured."""
 
-    def simulate(self, effects: Sequence[Any] = (), changed: Mapping[str, float] | None = None) -> list[Signals]:
+    def simulate(
+        self, effects: Sequence[Any] = (), changed: Mapping[str, float] | None = None
+    ) -> list[Signals]:
         """Noise-free signals of every run."""
 
     def roles(self) -> Array:
@@ -102,22 +108,32 @@ class Ruler:
             self._steps.append(step)
             self._slopes.append(bench.simulate((), {p.field: p.true + step}))
 
-    def sizes(self, with_effect: Sequence[Signals], sigma: Mapping[str, float]) -> tuple[dict[str, float], ...]:
+    def sizes(
+        self, with_effect: Sequence[Signals], sigma: Mapping[str, float]
+    ) -> tuple[dict[str, float], ...]:
         """Root mean square differences by signal in sigma: plain, and what the free parameters cannot make up for.
 
         The free parameters move linearly, to fit the runs of role fit best; all runs are then counted.
         """
         count, names = len(self.bench.roles()), self.bench.signals
-        away = np.concatenate([(joined(with_effect, n) - joined(self.base, n)) / sigma[n] for n in names])
+        away = np.concatenate(
+            [(joined(with_effect, n) - joined(self.base, n)) / sigma[n] for n in names]
+        )
         slopes = np.stack(
-            [np.concatenate([(joined(s, n) - joined(self.base, n)) / sigma[n] for n in names]) for s in self._slopes],
+            [
+                np.concatenate([(joined(s, n) - joined(self.base, n)) / sigma[n] for n in names])
+                for s in self._slopes
+            ],
             axis=1,
         )
         fitted = np.tile(self.bench.roles(), len(names))
         moved = np.linalg.lstsq(slopes[fitted], away[fitted], rcond=1e-8)[0]
         left = away - slopes @ moved
         return tuple(
-            {n: float(np.sqrt(np.mean(v[k * count : (k + 1) * count] ** 2))) for k, n in enumerate(names)}
+            {
+                n: float(np.sqrt(np.mean(v[k * count : (k + 1) * count] ** 2)))
+                for k, n in enumerate(names)
+            }
             for v in (away, left)
         )
 
@@ -135,7 +151,12 @@ class Ruler:
 
 
 def calibrated(
-    ruler: Ruler, make: Callable[[float], Any], sigma: Mapping[str, float], target: float, low: float, high: float
+    ruler: Ruler,
+    make: Callable[[float], Any],
+    sigma: Mapping[str, float],
+    target: float,
+    low: float,
+    high: float,
 ) -> tuple[float, float]:
     """Strength within [low, high] at which the projected size is near `target`, and the size there.
 

@@ -77,7 +77,9 @@ def _locking(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[fl
 
 
 def _load_rate(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
-    return lambda s: catalogue.rate_friction.LoadRate(0.5 * s, muscle.length, muscle.fibre_squared, muscle.turns)
+    return lambda s: catalogue.rate_friction.LoadRate(
+        0.5 * s, muscle.length, muscle.fibre_squared, muscle.turns
+    )
 
 
 def _kerscher(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -98,7 +100,9 @@ def _storage(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[fl
     """The base wall is the one without capacity and with equal films."""
     r, half = spread(rng, 0.5, 4.0), muscle.t_wall / (2 * muscle.k_wall)
     shape = (muscle.length, muscle.fibre_squared, muscle.turns, muscle.fibre_area)
-    return lambda s: catalogue.wall_heat.StorageWall(0.4 * s, r ** min(s, 1.0), muscle.h_film, half, *shape)
+    return lambda s: catalogue.wall_heat.StorageWall(
+        0.4 * s, r ** min(s, 1.0), muscle.h_film, half, *shape
+    )
 
 
 def _late_heat(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -107,7 +111,9 @@ def _late_heat(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[
     return lambda s: seen.friction_heat.LateHeat(s, tau, crossing)
 
 
-def _curved_pressure(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _curved_pressure(
+    rng: np.random.Generator, muscle: MuscleParameters
+) -> Callable[[float], Effect]:
     c = rng.uniform(0.5, 1.5)
     return lambda s: seen.pressure_offset.CurvedPressure(3e3 * s, c)
 
@@ -135,10 +141,14 @@ def _slack_cord(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[
 
 def _capstan(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     width = spread(rng, 2e-4, 1e-3)
-    return lambda s: seen.dry_friction.Capstan(0.1 * s, muscle.length, muscle.fibre_squared, muscle.turns, width)
+    return lambda s: seen.dry_friction.Capstan(
+        0.1 * s, muscle.length, muscle.fibre_squared, muscle.turns, width
+    )
 
 
-def _sheared_matrix(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _sheared_matrix(
+    rng: np.random.Generator, muscle: MuscleParameters
+) -> Callable[[float], Effect]:
     return lambda s: seen.rate_friction.ShearedMatrix(60.0 * s, muscle.length, muscle.fibre_squared)
 
 
@@ -152,13 +162,17 @@ def _silencer(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[f
 
 
 def _pulled_crimp(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
-    return lambda s: seen.leak.PulledCrimp(2e-11 * s, muscle.length, muscle.fibre_squared, muscle.turns)
+    return lambda s: seen.leak.PulledCrimp(
+        2e-11 * s, muscle.length, muscle.fibre_squared, muscle.turns
+    )
 
 
 def _soaked(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     tau = spread(rng, 0.1, 0.6)
     crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
-    return lambda s: seen.friction_heat.SoakedHeat(s, tau, crossing, muscle.mu_fb * muscle.fibre_area)
+    return lambda s: seen.friction_heat.SoakedHeat(
+        s, tau, crossing, muscle.mu_fb * muscle.fibre_area
+    )
 
 
 def _ripple(kind: type[Effect], unit: float) -> Make:
@@ -174,7 +188,9 @@ def _swinging_load(rng: np.random.Generator, muscle: MuscleParameters) -> Callab
     return lambda s: seen.none_of_these.SpringLoad(part=0.3 * s, **shape)
 
 
-def _second_consumer(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _second_consumer(
+    rng: np.random.Generator, muscle: MuscleParameters
+) -> Callable[[float], Effect]:
     period, on = spread(rng, 1.5, 4.0), rng.uniform(0.25, 0.6)
     first = rng.uniform(0.0, 1.0)
     return lambda s: seen.none_of_these.SecondConsumer(period, on, first, 0.06 * s)
@@ -186,7 +202,11 @@ def _second_weight(rng: np.random.Generator, muscle: MuscleParameters) -> Callab
 
 
 def _restless(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
-    shape = {"tau": spread(rng, 1.5, 5.0), "frequency": spread(rng, 0.8, 2.5), "phase": rng.uniform(0.0, 6.28)}
+    shape = {
+        "tau": spread(rng, 1.5, 5.0),
+        "frequency": spread(rng, 0.8, 2.5),
+        "phase": rng.uniform(0.0, 6.28),
+    }
     return lambda s: seen.none_of_these.RestlessStart(size=8.0 * s, **shape)
 
 
@@ -196,28 +216,42 @@ def _sticky(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[flo
 
 
 def _yeoh(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
-    r2, r3, unit = rng.uniform(0.03, 0.1), spread(rng, 0.003, 0.02), 1.2e5 * 0.254e-3 / muscle.t_wall
+    r2, r3, unit = (
+        rng.uniform(0.03, 0.1),
+        spread(rng, 0.003, 0.02),
+        1.2e5 * 0.254e-3 / muscle.t_wall,
+    )
     return lambda s: seen.elasticity.YeohTube(*_rubber_tube(muscle), unit * s, r2, r3)
 
 
-def _viscous_bladder(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _viscous_bladder(
+    rng: np.random.Generator, muscle: MuscleParameters
+) -> Callable[[float], Effect]:
     wall = np.pi * muscle.diameter * muscle.t_wall * muscle.length
     unit = 1e5 * 0.254e-3 / muscle.t_wall
-    return lambda s: seen.rate_friction.ViscousBladder(unit * s, wall, muscle.length, muscle.fibre_squared)
+    return lambda s: seen.rate_friction.ViscousBladder(
+        unit * s, wall, muscle.length, muscle.fibre_squared
+    )
 
 
 def _rounded_tips(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
-    return lambda s: seen.end_shape.RoundedTips(0.8 * s, muscle.length, muscle.fibre_squared, muscle.turns)
+    return lambda s: seen.end_shape.RoundedTips(
+        0.8 * s, muscle.length, muscle.fibre_squared, muscle.turns
+    )
 
 
 def _cut(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
     return lambda s: seen.leak.CutBladder(3e-9 * s, muscle.length, muscle.fibre_squared)
 
 
-def _moving_contact(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+def _moving_contact(
+    rng: np.random.Generator, muscle: MuscleParameters
+) -> Callable[[float], Effect]:
     v_0 = spread(rng, 0.02, 0.2)
     crossing = muscle.crossing_area * muscle.mu_d * muscle.k_f
-    return lambda s: seen.friction_heat.MovingContact(s, v_0, crossing, muscle.mu_fb * muscle.fibre_area)
+    return lambda s: seen.friction_heat.MovingContact(
+        s, v_0, crossing, muscle.mu_fb * muscle.fibre_area
+    )
 
 
 def _long_wire(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
@@ -531,7 +565,9 @@ def _offset_and_gain(rng: np.random.Generator) -> Callable[[float], Effect]:
 def forms(which: str, catalogue: bool) -> dict[str, tuple[Form, ...]]:
     """Forms of a set by family, those that the catalogue has or those that it lacks."""
     return {
-        family: tuple(x for x in FORMS if x.family == family and which in x.sets and x.catalogue is catalogue)
+        family: tuple(
+            x for x in FORMS if x.family == family and which in x.sets and x.catalogue is catalogue
+        )
         for family in FAMILIES
     }
 

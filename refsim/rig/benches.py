@@ -60,7 +60,11 @@ class RigBench:
     itself: frozenset[str] = frozenset()
 
     def simulate(
-        self, values: Values, trial: Trial, hidden: Sequence[Effect | Fault] = (), rtol: float = 1e-6
+        self,
+        values: Values,
+        trial: Trial,
+        hidden: Sequence[Effect | Fault] = (),
+        rtol: float = 1e-6,
     ) -> Signals:
         """Noise-free signals of one run at its samples, through instruments with their faults.
 
@@ -72,7 +76,11 @@ class RigBench:
         return {name: np.interp(trial.times, time, y) if faults else y for name, y in shown.items()}
 
     def before_faults(
-        self, values: Values, trial: Trial, hidden: Sequence[Effect | Fault] = (), rtol: float = 1e-6
+        self,
+        values: Values,
+        trial: Trial,
+        hidden: Sequence[Effect | Fault] = (),
+        rtol: float = 1e-6,
     ) -> tuple[Array, Signals]:
         """Times [s] and signals as right instruments would show them; finer and longer where some are not right."""
         effects = [effect for effect in hidden if isinstance(effect, Effect)]
@@ -120,7 +128,9 @@ def hooks(effect: Effect) -> frozenset[str]:
     }  # fmt: skip
     if isinstance(effect, LineEffect):
         return frozenset({*own, "node"})
-    watched = _Watched(now_at(x=0.01, v=0.01, p_gauge=1e5, temperature=300.0, u=0.3, flow=1e-5, heat=0.1))
+    watched = _Watched(
+        now_at(x=0.01, v=0.01, p_gauge=1e5, temperature=300.0, u=0.3, flow=1e-5, heat=0.1)
+    )
     effect.rates(effect.initial(REST), watched)  # type: ignore[arg-type]
     return frozenset(own | {f"now.{name}" for name in watched.read})
 
@@ -154,37 +164,53 @@ def _muscle(values: Values, muscle: str = "muscle", valve: str = "valve") -> Mus
     )
 
 
-def _isotonic(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
+def _isotonic(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
     (schedule,) = trial.schedules
     t = simulate_muscle(_muscle(values), values["p_supply"], schedule, times, effects, rtol, "BDF")
     return {"p": t.p, "x": t.x, "T": t.temperature}
 
 
-def _isometric(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
+def _isometric(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
     assert trial.course is not None
     (schedule,) = trial.schedules
-    t = simulate_held(_muscle(values), values["p_supply"], schedule, trial.course, times, effects, 5e-3, rtol)
+    t = simulate_held(
+        _muscle(values), values["p_supply"], schedule, trial.course, times, effects, 5e-3, rtol
+    )
     return {"p": t.p, "F": t.pull, "T": t.temperature}
 
 
-def _switched(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
+def _switched(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
     assert trial.course is not None
     schedule = switched(trial.schedules[0])
-    t = simulate_held(_muscle(values), values["p_supply"], schedule, trial.course, times, effects, 1e-3, rtol)
+    t = simulate_held(
+        _muscle(values), values["p_supply"], schedule, trial.course, times, effects, 1e-3, rtol
+    )
     return {"p": t.p, "T": t.temperature}
 
 
-def _antagonistic(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
+def _antagonistic(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
     muscles = [_muscle(values, f"muscle_{k}", f"valve_{k}") for k in (1, 2)]
     wheel = {"radius": "r", "inertia": "J", "friction": "d", "contraction": "x_0"}
-    given = {own: values[f"pulley.{name}"] for own, name in wheel.items() if f"pulley.{name}" in values}
+    given = {
+        own: values[f"pulley.{name}"] for own, name in wheel.items() if f"pulley.{name}" in values
+    }
     t = simulate_pair(
         muscles, PulleyParameters(**given), values["p_supply"], trial.schedules, times, effects, rtol
     )  # fmt: skip
     return {"p_1": t.p_1, "p_2": t.p_2, "x": t.x}
 
 
-def _vertical(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
+def _vertical(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
     assert trial.course is not None
     parameters = EmpiricalParameters(
         length=values["muscle.L0"],
@@ -198,17 +224,25 @@ def _vertical(values: Values, trial: Trial, times: Array, effects: Sequence[Effe
     return {"x": simulate_vertical(parameters, trial.course, times, effects, rtol).x}
 
 
-def _filling(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
+def _filling(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
     vessel = Vessel(values["tank.V"], values["tank.n"])
     ports = valve_ports(values["p_supply"], values["valve.C_A"], effects)
     t = simulate_vessel(vessel, ports, times, 0.0, trial.schedules[0], effects, min(rtol, 1e-7))
     return {"p": t.p, "T": t.temperature}
 
 
-def _orifice(values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float) -> Signals:
-    vessel = Vessel(values["tank.V"], values["tank.n"], values["tank.p_start"] + P_ATM, values["tank.T_start"])
+def _orifice(
+    values: Values, trial: Trial, times: Array, effects: Sequence[Effect], rtol: float
+) -> Signals:
+    vessel = Vessel(
+        values["tank.V"], values["tank.n"], values["tank.p_start"] + P_ATM, values["tank.T_start"]
+    )
     port = orifice_port(values["orifice.d"], values["orifice.C_d"], values["p_outside"])
-    t = simulate_vessel(vessel, port, times, values["tank.p_start"], Schedule((), ()), effects, min(rtol, 1e-7))
+    t = simulate_vessel(
+        vessel, port, times, values["tank.p_start"], Schedule((), ()), effects, min(rtol, 1e-7)
+    )
     return {"p": t.p, "T": t.temperature}
 
 

@@ -64,7 +64,12 @@ def _on_off(hysteresis: float) -> Callable[[float], Currents]:
 
 
 def _run(
-    chain: Chain, loop: Loop, answer: Callable[[float], Currents], joined: bool, further: Course | None, delay: float
+    chain: Chain,
+    loop: Loop,
+    answer: Callable[[float], Currents],
+    joined: bool,
+    further: Course | None,
+    delay: float,
 ) -> list[Currents]:
     """What the controller tells the valves at its instants; one step passes between a reading and the answer."""
     rng = np.random.default_rng([loop.seed, 5])
@@ -98,14 +103,22 @@ def _run(
 
 
 def closed_loop(
-    loop: Loop, muscle: MuscleParameters, p_supply: float, held: tuple[Course, float] | None, effects: Sequence[Effect]
+    loop: Loop,
+    muscle: MuscleParameters,
+    p_supply: float,
+    held: tuple[Course, float] | None,
+    effects: Sequence[Effect],
 ) -> Schedule:
     """What the valves were told by a controller of one muscle.
 
     held: imposed contraction and the lag of its drive [s]; None where the muscle lifts its load. A schedule joined by
     lines for proportional valves, a held one for on-off valves. Raises RuntimeError when integration fails.
     """
-    chain = Chain(muscle, p_supply, effects) if held is None else HeldChain(muscle, p_supply, effects, held[1])
+    chain = (
+        Chain(muscle, p_supply, effects)
+        if held is None
+        else HeldChain(muscle, p_supply, effects, held[1])
+    )
     delay = sum(effect.delay() for effect in effects)
     joined = loop.switching is None
     answer = _proportional(loop) if loop.switching is None else _on_off(loop.switching)
@@ -113,4 +126,6 @@ def closed_loop(
     if joined:
         return SampledSchedule.joined(told, loop.step)
     switches = [0, *(k for k in range(1, len(told)) if told[k] != told[k - 1])]
-    return Schedule(tuple(round(k * loop.step, 9) for k in switches), tuple(told[k] for k in switches))
+    return Schedule(
+        tuple(round(k * loop.step, 9) for k in switches), tuple(told[k] for k in switches)
+    )

@@ -58,7 +58,9 @@ class Description:
     free: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
 
-def write(folder: Path, runs: Sequence[Recording], description: Description, step_rows: bool = False) -> None:
+def write(
+    folder: Path, runs: Sequence[Recording], description: Description, step_rows: bool = False
+) -> None:
     """Write experiment.toml and run-01.csv, ... into a folder, which is made.
 
     With `step_rows` a step of the currents is two rows ROW_GAP apart, the first without measurements, and the inputs
@@ -76,7 +78,13 @@ def _file(k: int) -> str:
 
 def _csv(run: Recording, names: Sequence[str], step_rows: bool) -> str:
     supply = f"{run.p_supply / 1e3:.9g}"
-    columns = ["time [s]", "u_in [A]", "u_out [A]", "p_supply [kPa]", *(f"{n} [{COLUMNS[n][0]}]" for n in names)]
+    columns = [
+        "time [s]",
+        "u_in [A]",
+        "u_out [A]",
+        "p_supply [kPa]",
+        *(f"{n} [{COLUMNS[n][0]}]" for n in names),
+    ]
     lines = [",".join(columns)]
     for k, t in enumerate(run.time.tolist()):
         u_in, u_out = run.schedule.at(t)
@@ -99,8 +107,18 @@ def _experiment(runs: Sequence[Recording], about: Description, step_rows: bool) 
             lines += [f'sigma = "{about.sigma[name] * factor:.9g} {"K" if name == "T" else unit}"']
         lines += [""]
     if about.parameters:
-        lines += ["[parameters]", *(f'"{name}" = {value}' for name, value in about.parameters.items()), ""]
-    lines += ["[fit]", *(f'"{name}" = {{ min = {low}, max = {high} }}' for name, (low, high) in about.free.items())]
+        lines += [
+            "[parameters]",
+            *(f'"{name}" = {value}' for name, value in about.parameters.items()),
+            "",
+        ]
+    lines += [
+        "[fit]",
+        *(
+            f'"{name}" = {{ min = {low}, max = {high} }}'
+            for name, (low, high) in about.free.items()
+        ),
+    ]
     for k, run in enumerate(runs, start=1):
         lines += ["", "[[runs]]", f'file = "{_file(k)}"', f'role = "{run.role}"']
         if run.interpolation != "linear" and not step_rows:

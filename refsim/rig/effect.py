@@ -31,7 +31,10 @@ class Now(NamedTuple):
     command: Currents  # A, before valve dynamics
     net_mass_flow: float  # kg/s, into the gas volume
     heat_to_gas: float  # W, through the wall
-    areas: tuple[float, float] = (0.0, 0.0)  # m2, of both valves by their currents, before dynamics of the openings
+    areas: tuple[float, float] = (
+        0.0,
+        0.0,
+    )  # m2, of both valves by their currents, before dynamics of the openings
 
 
 @dataclass(frozen=True)
@@ -42,7 +45,9 @@ class Effect:
     form: ClassVar[str] = "none"
     atol: ClassVar[tuple[float, ...]] = ()  # one absolute tolerance per own state
     stiff: ClassVar[bool] = False  # LSODA now and then misses that it must switch to stiff steps
-    energy_balance: ClassVar[bool] = False  # a vessel takes its pressure from the energy, not from p V^n
+    energy_balance: ClassVar[bool] = (
+        False  # a vessel takes its pressure from the energy, not from p V^n
+    )
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
         """Own states at the start, as many as `atol` has."""
@@ -172,6 +177,8 @@ class LineEffect(Effect):
         """Gas [kg/s] and enthalpy [W] that flow into the muscle at p [Pa] and temperature [K]."""
         raise NotImplementedError
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         """Time derivatives of q, with gas [kg/s] and enthalpy [W] that come from the valves."""
         raise NotImplementedError

@@ -38,7 +38,9 @@ def flow_function(r: float, r_laminar: float = R_LAMINAR) -> float:
         return sqrt(_head(r) / _HEAD_CRITICAL)
     edge = 1 - r_laminar
     value = sqrt(_head(r_laminar) / _HEAD_CRITICAL)
-    head_slope = 2 / GAMMA * pow(r_laminar, 2 / GAMMA - 1) - (GAMMA + 1) / GAMMA * pow(r_laminar, 1 / GAMMA)
+    head_slope = 2 / GAMMA * pow(r_laminar, 2 / GAMMA - 1) - (GAMMA + 1) / GAMMA * pow(
+        r_laminar, 1 / GAMMA
+    )
     slope = -head_slope / (2 * _HEAD_CRITICAL * value)
     c = (slope - value / edge) / edge
     s = 1 - r

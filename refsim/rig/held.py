@@ -17,7 +17,9 @@ from rig.integrate import PATIENCE, Array, integrate
 from rig.muscle import ATOL, Chain, MuscleParameters
 from rig.schedule import Course, Joint, Schedule
 
-OPEN_CURRENT = (1e-5 + 2.61e-7) / 1.80e-6  # A, at which (62) opens the 10 mm2 of an on-off valve of calibration 1
+OPEN_CURRENT = (
+    1e-5 + 2.61e-7
+) / 1.80e-6  # A, at which (62) opens the 10 mm2 of an on-off valve of calibration 1
 
 
 @dataclass(frozen=True)
@@ -34,7 +36,9 @@ class HeldTrajectory:
 class HeldChain(Chain):
     """`Chain` with an imposed contraction; told are both currents and the contraction wanted [m]."""
 
-    def __init__(self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect], lag: float) -> None:
+    def __init__(
+        self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect], lag: float
+    ) -> None:
         super().__init__(parameters, p_supply, effects)
         self.lag = lag
 
@@ -87,7 +91,9 @@ def simulate_held(
     for effect in rig.effects:
         late = effect.drive(late)
     atol = (*ATOL[:2], ATOL[1], *(value for effect in rig.effects for value in effect.atol))
-    states = integrate(rig.rates, rig.start(), Joint((late, contraction)), times, atol, rtol, method, PATIENCE)
+    states = integrate(
+        rig.rates, rig.start(), Joint((late, contraction)), times, atol, rtol, method, PATIENCE
+    )
     columns = states.T.tolist()
     shown = np.array([rig.reading(column) for column in columns])
     pull = np.array([rig.reading_of_pull(column) for column in columns])
@@ -96,4 +102,6 @@ def simulate_held(
 
 def switched(commands: Schedule) -> Schedule:
     """The currents [A] of on-off valves from their commands, 0 shut and 1 open."""
-    return Schedule(commands.starts, tuple((OPEN_CURRENT * a, OPEN_CURRENT * b) for a, b in commands.currents))
+    return Schedule(
+        commands.starts, tuple((OPEN_CURRENT * a, OPEN_CURRENT * b) for a, b in commands.currents)
+    )

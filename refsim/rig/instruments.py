@@ -21,8 +21,18 @@ from rig.integrate import Array
 Signals = Mapping[str, Array]
 """By name (p [Pa gauge], x [m], F [N], T [K], ...), arrays of shape (times,), all on the same times."""
 
-STATIC = {"p": "pressure_offset", "x": "position_sensor", "F": "force_sensor", "T": "temperature_sensor"}
-LATE = {"p": "pressure_sensor_lag", "x": "position_sensor", "F": "force_sensor", "T": "thermocouple_lag"}
+STATIC = {
+    "p": "pressure_offset",
+    "x": "position_sensor",
+    "F": "force_sensor",
+    "T": "temperature_sensor",
+}
+LATE = {
+    "p": "pressure_sensor_lag",
+    "x": "position_sensor",
+    "F": "force_sensor",
+    "T": "thermocouple_lag",
+}
 """The family of a fault by the letter that its signal begins with."""
 
 
@@ -67,7 +77,9 @@ class SensorFault(Fault):
 
     def disturb(self, time: Array, signals: Signals) -> dict[str, Array]:
         if self.signal not in signals:
-            raise ValueError(f"there is no signal '{self.signal}' to disturb, only {', '.join(signals)}")
+            raise ValueError(
+                f"there is no signal '{self.signal}' to disturb, only {', '.join(signals)}"
+            )
         return {**signals, self.signal: self.shown(time, signals[self.signal])}
 
     def shown(self, time: Array, y: Array) -> Array:
@@ -266,7 +278,10 @@ def readings(
     """
     shown = disturbed([f for f in faults if not f.after_noise], time, clean)
     noisy = {name: np.interp(samples, time, y) for name, y in shown.items()}
-    noisy = {name: y + sigma.get(name, 0.0) * rng.standard_normal(len(samples)) for name, y in noisy.items()}
+    noisy = {
+        name: y + sigma.get(name, 0.0) * rng.standard_normal(len(samples))
+        for name, y in noisy.items()
+    }
     return disturbed([f for f in faults if f.after_noise], samples, noisy)
 
 
@@ -290,5 +305,7 @@ def fault_of(text: str) -> Fault:
     unknown = set(values) - set(has)
     if unknown:
         raise ValueError(f"'{form}' has no {', '.join(sorted(unknown))}; it has {', '.join(has)}")
-    chosen: dict[str, Any] = {name: v if name == "signal" else float(v) for name, v in values.items()}
+    chosen: dict[str, Any] = {
+        name: v if name == "signal" else float(v) for name, v in values.items()
+    }
     return known[form](**chosen)

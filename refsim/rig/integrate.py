@@ -54,11 +54,15 @@ def integrate(
         if patience is None or method != "LSODA":
             solution = solve_ivp(function, (left, right), y, method=method, **options)
         else:
-            solution = solve_ivp(function, (left, right), y, method=_PatientLSODA, patience=patience, **options)
+            solution = solve_ivp(
+                function, (left, right), y, method=_PatientLSODA, patience=patience, **options
+            )
             if not solution.success:
                 solution = _by_bdf(function, (left, right), y, options, _MORE * patience)
         if not solution.success:
-            raise RuntimeError(f"integration stopped between {left} s and {right} s: {solution.message}")
+            raise RuntimeError(
+                f"integration stopped between {left} s and {right} s: {solution.message}"
+            )
         states[:, wanted] = solution.y[:, : len(wanted)]
         y = solution.y[:, -1]
     return states
@@ -81,7 +85,9 @@ def _by_bdf(
     try:
         return solve_ivp(_counted(function, most), piece, y, method="BDF", **options)
     except _Slow:
-        raise RuntimeError(f"integration between {piece[0]} s and {piece[1]} s takes too many steps") from None
+        raise RuntimeError(
+            f"integration between {piece[0]} s and {piece[1]} s takes too many steps"
+        ) from None
 
 
 class _PatientLSODA(LSODA):  # type: ignore[misc]
@@ -102,7 +108,9 @@ class _Slow(Exception):
     """More evaluations than allowed."""
 
 
-def _counted(function: Callable[[float, Array], list[float]], most: int) -> Callable[[float, Array], list[float]]:
+def _counted(
+    function: Callable[[float, Array], list[float]], most: int
+) -> Callable[[float, Array], list[float]]:
     count = 0
 
     def counted(t: float, y: Array) -> list[float]:
@@ -115,5 +123,7 @@ def _counted(function: Callable[[float, Array], list[float]], most: int) -> Call
     return counted
 
 
-def _flat(rates: Rates, told: Callable[[float], tuple[float, ...]], t: float, y: Array) -> list[float]:
+def _flat(
+    rates: Rates, told: Callable[[float], tuple[float, ...]], t: float, y: Array
+) -> list[float]:
     return rates(y.tolist(), told(t))

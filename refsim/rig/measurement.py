@@ -86,7 +86,9 @@ def measure(
     sigma = (noise or Noise()).as_dict()
     measured = []
     for clean in simulate_plan(plan, effects, parameters):
-        noisy = {name: y + sigma[name] * rng.standard_normal(len(y)) for name, y in clean.signals.items()}
+        noisy = {
+            name: y + sigma[name] * rng.standard_normal(len(y)) for name, y in clean.signals.items()
+        }
         measured.append(replace(clean, signals=noisy))
     return measured
 
@@ -112,7 +114,9 @@ def effect_size(
         without = simulate_plan(tuple(m.run for m in chosen), (), base)
         pairs = list(zip(chosen, without, strict=True))
         return {
-            name: np.concatenate([a.signals[name] - b.signals[name] for a, b in pairs]) / sigma[name] for name in sigma
+            name: np.concatenate([a.signals[name] - b.signals[name] for a, b in pairs])
+            / sigma[name]
+            for name in sigma
         }
 
     base = parameters
@@ -144,7 +148,9 @@ def write_data_set(
     rows close to each other, the first without measurements.
     """
     runs = [
-        Recording(one.run.schedule, one.run.p_supply, one.run.role, one.time, one.signals, one.run.load)
+        Recording(
+            one.run.schedule, one.run.p_supply, one.run.role, one.time, one.signals, one.run.load
+        )
         for one in measured
     ]
     bounds = {name: (str(low), str(high)) for name, (low, high) in BOUNDS.items()}
@@ -184,7 +190,8 @@ def _measure_sizes() -> None:
             "base refitted": effect_size(plan, [kind()], refit=True),
         }
         effects[effect_name(kind)] = {
-            case: {name: round(value, 2) for name, value in size.items()} for case, size in sizes.items()
+            case: {name: round(value, 2) for name, value in size.items()}
+            for case, size in sizes.items()
         }
         print(effect_name(kind), effects[effect_name(kind)], flush=True)
     unit = "rms difference over default_plan() in standard deviations of the default noise, default strengths"
@@ -195,14 +202,18 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python -m rig", description=__doc__)
     parser.add_argument("folder", nargs="?", type=Path, help="data set to write")
-    parser.add_argument("--effect", action="append", default=[], metavar="FAMILY:FORM[:NAME=VALUE,...]")
+    parser.add_argument(
+        "--effect", action="append", default=[], metavar="FAMILY:FORM[:NAME=VALUE,...]"
+    )
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--plan", choices=["default", "random"], default="default")
     parser.add_argument("--signals", default="p,x,T", help="measured signals to write")
     parser.add_argument("--noise", type=float, default=1.0, help="factor on the sensors' noise")
     parser.add_argument("--step-rows", action="store_true", help="code a step as two rows")
     parser.add_argument("--list", action="store_true", help="list effects, strengths and sizes")
-    parser.add_argument("--measure-sizes", action="store_true", help=f"measure all sizes into {SIZES.name}")
+    parser.add_argument(
+        "--measure-sizes", action="store_true", help=f"measure all sizes into {SIZES.name}"
+    )
     options = parser.parse_args(arguments)
     if options.list:
         _list()
@@ -220,7 +231,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
     unit = Noise()
     noise = Noise(unit.p * options.noise, unit.x * options.noise, unit.T * options.noise)
     measured = measure(plan, effects, options.seed, noise)
-    write_data_set(options.folder, measured, noise, signals=options.signals.split(","), step_rows=options.step_rows)
+    write_data_set(
+        options.folder,
+        measured,
+        noise,
+        signals=options.signals.split(","),
+        step_rows=options.step_rows,
+    )
     print(json.dumps(truth(effects), indent=1))
     return 0
 

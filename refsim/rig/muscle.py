@@ -54,7 +54,9 @@ class MuscleParameters:
     @cached_property
     def fibre_area(self) -> float:
         """Area [m2] of the bladder that the fibres cover (48)."""
-        free_length = sqrt(self.fibre_squared) * self.fibres - self.crossing_length * self.crossings / 2
+        free_length = (
+            sqrt(self.fibre_squared) * self.fibres - self.crossing_length * self.crossings / 2
+        )
         return self.fibre_width * free_length
 
     @cached_property
@@ -107,7 +109,9 @@ class Chain:
     What moves the load end is `motion` and `moved`; benches that hold it otherwise override those.
     """
 
-    def __init__(self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect]) -> None:
+    def __init__(
+        self, parameters: MuscleParameters, p_supply: float, effects: Sequence[Effect]
+    ) -> None:
         self.par, self.effects = parameters, tuple(effects)
         self.p_source = p_supply + P_ATM
         self.slices, at = [], 3
@@ -119,7 +123,9 @@ class Chain:
         self.dead_volume = sum(effect.extra_volume() for effect in self.effects)
         self.mass = parameters.load + sum(effect.hanging_mass() for effect in self.effects)
         self.resting_mass = parameters.load + sum(effect.resting_mass() for effect in self.effects)
-        self.line = next((k for k, effect in enumerate(self.effects) if isinstance(effect, LineEffect)), None)
+        self.line = next(
+            (k for k, effect in enumerate(self.effects) if isinstance(effect, LineEffect)), None
+        )
 
     def start(self) -> list[float]:
         """At rest on the stop, filled with ambient air."""
@@ -129,11 +135,17 @@ class Chain:
         """At rest at a contraction [m], filled with ambient air."""
         pv = P_ATM * (self.par.volume(x) + self.dead_volume)
         rest = Rest(x, pv / (R * T_ATM), T_ATM, (0.0, 0.0))
-        return [pv / (GAMMA - 1), *self.at_rest(x), *(value for e in self.effects for value in e.initial(rest))]
+        return [
+            pv / (GAMMA - 1),
+            *self.at_rest(x),
+            *(value for e in self.effects for value in e.initial(rest)),
+        ]
 
     def gas(self, y: Sequence[float]) -> tuple[float, float]:
         """Absolute pressure [Pa] and temperature [K]."""
-        pv = max((GAMMA - 1) * y[0], 1e-6)  # a step that an integrator tries and rejects may go below nothing
+        pv = max(
+            (GAMMA - 1) * y[0], 1e-6
+        )  # a step that an integrator tries and rejects may go below nothing
         p = pv / (self.par.volume(y[1]) + self.dead_volume)
         temperature = T_ATM * (p / P_ATM) ** ((self.par.n_g - 1) / self.par.n_g)
         for effect, own in zip(self.effects, self.slices, strict=True):
@@ -182,7 +194,9 @@ class Chain:
         """Currents of inlet and exhaust valve [A], of all that the rig is told."""
         return command[0], command[1]
 
-    def forces(self, y: Sequence[float], x: float, v: float, gauge: float) -> tuple[float, float, float]:
+    def forces(
+        self, y: Sequence[float], x: float, v: float, gauge: float
+    ) -> tuple[float, float, float]:
         """What the muscle pulls with after all its frictions, and those of the base model [N].
 
         Friction of fibre on fibre, then of fibres on the bladder.
@@ -218,7 +232,10 @@ class Chain:
         return v, force / inertia
 
     def _inflow(
-        self, y: Sequence[float], pressures: tuple[float, float, float], targets: tuple[float, float]
+        self,
+        y: Sequence[float],
+        pressures: tuple[float, float, float],
+        targets: tuple[float, float],
     ) -> tuple[tuple[float, float], tuple[float, ...]]:
         """Gas [kg/s] and enthalpy [W] into the muscle, and the rates of the line if there is one.
 
@@ -238,12 +255,17 @@ class Chain:
 
     def _target_areas(self, currents: Currents) -> tuple[float, float]:
         """Areas [m2] of both valves by their currents, which dynamics of the openings may reach late."""
-        areas = (valve_area(currents[0], self.par.calibration), valve_area(currents[1], self.par.calibration))
+        areas = (
+            valve_area(currents[0], self.par.calibration),
+            valve_area(currents[1], self.par.calibration),
+        )
         for effect in self.effects:
             areas = effect.areas(areas, currents)
         return areas
 
-    def _valves(self, source: float, p: float, temperature: float, areas: tuple[float, float]) -> tuple[float, float]:
+    def _valves(
+        self, source: float, p: float, temperature: float, areas: tuple[float, float]
+    ) -> tuple[float, float]:
         """Gas [kg/s] and enthalpy [W] that both valves, open by `areas` [m2], let into gas at p [Pa]."""
         area_in, area_out = areas
         for effect in self.effects:
@@ -251,7 +273,9 @@ class Chain:
             area_out *= effect.valve_factor(max(p, P_ATM), min(p, P_ATM))
         m_in = mass_flow(area_in, source, T_ATM, p, temperature)
         m_out = mass_flow(area_out, p, temperature, P_ATM, T_ATM)
-        enthalpy = m_in * (T_ATM if m_in > 0 else temperature) - m_out * (temperature if m_out > 0 else T_ATM)
+        enthalpy = m_in * (T_ATM if m_in > 0 else temperature) - m_out * (
+            temperature if m_out > 0 else T_ATM
+        )
         return m_in - m_out, _CP * enthalpy
 
     def reading(self, y: Sequence[float]) -> tuple[float, float, float]:

@@ -47,7 +47,11 @@ EFFECTS: tuple[type[Effect], ...] = (
 
 """Effects with an ordinary size, by which a command line can ask for them."""
 
-UNLISTED: dict[str, Effect] = {"ripple": Ripple(), "coupled": Coupled(), "pressed_lip": PressedLip()}
+UNLISTED: dict[str, Effect] = {
+    "ripple": Ripple(),
+    "coupled": Coupled(),
+    "pressed_lip": PressedLip(),
+}
 """Effects that the catalogue does not hold, to see what a diagnosis makes of them."""
 
 

@@ -58,7 +58,11 @@ class _Side(Chain):
 
 class _Pair:
     def __init__(
-        self, muscles: Sequence[MuscleParameters], pulley: PulleyParameters, p_supply: float, effects: Sequence[Effect]
+        self,
+        muscles: Sequence[MuscleParameters],
+        pulley: PulleyParameters,
+        p_supply: float,
+        effects: Sequence[Effect],
     ) -> None:
         self.pulley = pulley
         self.sides = [_Side(replace(muscle, load=0.0), p_supply, effects) for muscle in muscles]
@@ -118,7 +122,14 @@ def simulate_pair(
         late = [effect.drive(schedule) for schedule in late]
     own = (ATOL[0], *(value for effect in effects for value in effect.atol))
     states = integrate(
-        rig.rates, rig.start(), Joint(tuple(late)), times, (*ATOL[1:], *own, *own), rtol, method, PATIENCE
+        rig.rates,
+        rig.start(),
+        Joint(tuple(late)),
+        times,
+        (*ATOL[1:], *own, *own),
+        rtol,
+        method,
+        PATIENCE,
     )
     shown = np.array([rig.reading(column) for column in states.T.tolist()])
     return PairTrajectory(times, shown[:, 0], shown[:, 1], shown[:, 2])

@@ -26,7 +26,9 @@ class PlayedSchedule(Schedule):
     def of_table(times: Sequence[float], rows: Sequence[Currents]) -> PlayedSchedule:
         """A table; an integrator stops at each of its times."""
         stops = tuple(sorted({float(t) for t in times[1:-1]}))
-        return PlayedSchedule(stops, (), tuple(float(t) for t in times), tuple((float(a), float(b)) for a, b in rows))
+        return PlayedSchedule(
+            stops, (), tuple(float(t) for t in times), tuple((float(a), float(b)) for a, b in rows)
+        )
 
     def at(self, t: float) -> Currents:
         """Currents [A] at time t [s]; a step belongs to the line that begins there."""

@@ -27,7 +27,12 @@ class Approach:
     """
 
     def __init__(
-        self, vessel: Vessel, ports: Ports, p_from: float, p_far: float, currents: Currents = (0.0, 0.0)
+        self,
+        vessel: Vessel,
+        ports: Ports,
+        p_from: float,
+        p_far: float,
+        currents: Currents = (0.0, 0.0),
     ) -> None:
         self.vessel, self.ports, self.currents = vessel, ports, currents
         self.far, self.step = p_far + P_ATM, p_far - p_from
@@ -45,7 +50,9 @@ class Approach:
         low, high = min(s_from, s_to), max(s_from, s_to)
         edges = [low, *(s for s in self.kinks if low < s < high), high]
         pieces = zip(edges[:-1], edges[1:], strict=True)
-        total = sum(quad(self._slowness, a, b, epsabs=1e-12, epsrel=1e-8, limit=200)[0] for a, b in pieces)
+        total = sum(
+            quad(self._slowness, a, b, epsabs=1e-12, epsrel=1e-8, limit=200)[0] for a, b in pieces
+        )
         return float(total) if s_to >= s_from else -float(total)
 
     def time_to(self, p: float) -> float:

@@ -23,7 +23,10 @@ from rig.schedule import Phase
 
 DURATION, RATE = 4.0, 50.0  # s, Hz
 RAMP = 2e-3  # s, steps of a current that goes along a line
-FINER, LONGER = 10, 0.5  # what a run with faulty instruments is simulated at, by RATE, and beyond its end [s]
+FINER, LONGER = (
+    10,
+    0.5,
+)  # what a run with faulty instruments is simulated at, by RATE, and beyond its end [s]
 
 
 def _fill(duration: float, current: float = 0.35) -> Phase:
@@ -39,14 +42,21 @@ def _hold(duration: float) -> Phase:
 
 
 PLAN = (
-    Run(2.27, 207e3, (_fill(0.5), _hold(0.4), _fill(0.9, 0.3), _hold(0.4), _vent(0.4), _hold(0.4), _vent(1.0))),
+    Run(
+        2.27,
+        207e3,
+        (_fill(0.5), _hold(0.4), _fill(0.9, 0.3), _hold(0.4), _vent(0.4), _hold(0.4), _vent(1.0)),
+    ),
     Run(4.0, 240e3, (_fill(1.2, 0.3), _hold(0.8), _vent(0.5), _hold(0.6), _vent(0.9)), "holdout"),
 )
 """One run to fit and one to judge: filling fast and slow, holding at three levels, venting in parts."""
 
 
 def measure_light(
-    effects: Sequence[Effect] = (), seed: int = 0, further: Sequence[Run] = (), faults: Sequence[Fault] = ()
+    effects: Sequence[Effect] = (),
+    seed: int = 0,
+    further: Sequence[Run] = (),
+    faults: Sequence[Fault] = (),
 ) -> list[Measurement]:
     """Both runs, and those asked for further, with the rig's usual noise, through instruments with these faults."""
     rng = np.random.default_rng([seed, 7])
@@ -55,10 +65,18 @@ def measure_light(
     for run in (*PLAN, *further):
         duration = DURATION if run in PLAN else sum(phase.duration for phase in run.phases)
         samples = np.arange(round(duration * RATE) + 1) / RATE
-        fine = np.arange(round((duration + LONGER) * RATE * FINER) + 1) / (RATE * FINER) if faults else samples
-        simulated = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, fine, effects)
+        fine = (
+            np.arange(round((duration + LONGER) * RATE * FINER) + 1) / (RATE * FINER)
+            if faults
+            else samples
+        )
+        simulated = simulate_muscle(
+            replace(TRUTH, load=run.load), run.p_supply, run.schedule, fine, effects
+        )
         clean = {"p": simulated.p, "x": simulated.x, "T": simulated.temperature}
-        measured.append(Measurement(run, samples, readings(faults, fine, clean, samples, sigma, rng)))
+        measured.append(
+            Measurement(run, samples, readings(faults, fine, clean, samples, sigma, rng))
+        )
     return measured
 
 
@@ -87,12 +105,16 @@ def planned(file: Path, load: float) -> Run:
     """The run that ``pam-cosim plan`` or ``diagnose --next`` wrote, from one supply; lines become steps of RAMP."""
     with open(file, newline="") as lines:
         rows = list(csv.DictReader(line for line in lines if not line.startswith("#")))
-    times, u_in, u_out = (np.array([float(r[c]) for r in rows]) for c in ("time [s]", "u_in [A]", "u_out [A]"))
+    times, u_in, u_out = (
+        np.array([float(r[c]) for r in rows]) for c in ("time [s]", "u_in [A]", "u_out [A]")
+    )
     phases = [
         phase
         for k in range(len(times) - 1)
         if times[k + 1] > times[k]
-        for phase in _pieces(float(times[k + 1] - times[k]), (u_in[k], u_in[k + 1]), (u_out[k], u_out[k + 1]))
+        for phase in _pieces(
+            float(times[k + 1] - times[k]), (u_in[k], u_in[k + 1]), (u_out[k], u_out[k + 1])
+        )
     ]
     return Run(load, float(rows[0]["p_supply [kPa]"]) * 1e3, tuple(phases))
 
@@ -101,12 +123,21 @@ def main(arguments: Sequence[str] | None = None) -> int:
     """Command line; returns the exit status."""
     parser = argparse.ArgumentParser(prog="python -m rig.short", description=__doc__)
     parser.add_argument("folder", type=Path, help="data set to write")
-    shown = f"FAMILY:FORM as in python -m rig --list; {' or '.join(UNLISTED)}, which no catalogue holds"
+    shown = (
+        f"FAMILY:FORM as in python -m rig --list; {' or '.join(UNLISTED)}, which no catalogue holds"
+    )
     parser.add_argument("--effect", action="append", default=[], help=shown)
     forms = ", ".join(kind.form for kind in FAULTS)
-    parser.add_argument("--fault", action="append", default=[], help=f"FORM:signal=NAME,...: of an instrument; {forms}")
+    parser.add_argument(
+        "--fault",
+        action="append",
+        default=[],
+        help=f"FORM:signal=NAME,...: of an instrument; {forms}",
+    )
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--further", type=Path, help="a run to make as well, from 'pam-cosim diagnose --next'")
+    parser.add_argument(
+        "--further", type=Path, help="a run to make as well, from 'pam-cosim diagnose --next'"
+    )
     parser.add_argument("--load", type=float, default=2.27, help="of the further run [kg]")
     options = parser.parse_args(arguments)
     try:

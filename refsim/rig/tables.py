@@ -44,7 +44,9 @@ class About:
     free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
 
 
-def write(folder: Path, bench: RigBench, runs: Sequence[tuple[Trial, Signals]], about: About) -> None:
+def write(
+    folder: Path, bench: RigBench, runs: Sequence[tuple[Trial, Signals]], about: About
+) -> None:
     """Write experiment.toml and run-01.csv, ... into a folder, which is made."""
     folder.mkdir(parents=True, exist_ok=True)
     for k, (trial, recorded) in enumerate(runs, start=1):
@@ -60,7 +62,11 @@ def with_unit(name: str, value: float) -> str:
 
 def _unit(bench: RigBench, name: str) -> tuple[str, float, float]:
     letter = name.partition("_")[0]
-    return ("1", 1.0, 0.0) if letter == "u" and bench.name == "SwitchedMuscle" else COLUMN_UNITS[letter]
+    return (
+        ("1", 1.0, 0.0)
+        if letter == "u" and bench.name == "SwitchedMuscle"
+        else COLUMN_UNITS[letter]
+    )
 
 
 def _held(trial: Trial) -> bool:
@@ -92,7 +98,9 @@ def _csv(bench: RigBench, trial: Trial, recorded: Signals, about: About) -> str:
         told = _told(bench, trial, supply, t)
         if step_rows and k and any(s.at(t - 2e-9) != s.at(t) for s in trial.schedules):
             # the row before the step carries no measurement
-            lines.append(_row(t - ROW_GAP, [*_told(bench, trial, supply, t - 2e-9), *missing], units))
+            lines.append(
+                _row(t - ROW_GAP, [*_told(bench, trial, supply, t - 2e-9), *missing], units)
+            )
         lines.append(_row(t, [*told, *(float(recorded[name][k]) for name in about.signals)], units))
     return "\n".join(lines) + "\n"
 
@@ -111,19 +119,30 @@ def _experiment(bench: RigBench, trials: Sequence[Trial], about: About) -> str:
         lines.append(f"[signals.{name}]")
         if about.sigma:
             unit, factor, _ = _unit(bench, name)
-            lines.append(f'sigma = "{about.sigma[name] * factor:.9g} {"K" if unit == "degC" else unit}"')
+            lines.append(
+                f'sigma = "{about.sigma[name] * factor:.9g} {"K" if unit == "degC" else unit}"'
+            )
         lines.append("")
     inputs = set(bench.inputs)
     known = {name: value for name, value in about.parameters.items() if name not in inputs}
-    lines += ["[parameters]", *(f'"{name}" = {with_unit(name, value)}' for name, value in known.items()), ""]
+    lines += [
+        "[parameters]",
+        *(f'"{name}" = {with_unit(name, value)}' for name, value in known.items()),
+        "",
+    ]
     lines.append("[fit]")
     for name, (low, high) in about.free.items():
-        lines.append(f'"{name}" = {{ min = {with_unit(name, low)}, max = {with_unit(name, high)} }}')
+        lines.append(
+            f'"{name}" = {{ min = {with_unit(name, low)}, max = {with_unit(name, high)} }}'
+        )
     for k, trial in enumerate(trials, start=1):
         lines += ["", "[[runs]]", f'file = "run-{k:02d}.csv"', f'role = "{trial.role}"']
         if bench.inputs and _held(trial):
             lines.append('interpolation = "previous"')
         own = {name: value for name, value in trial.values.items() if name not in inputs}
         if own:
-            lines += ["[runs.parameters]", *(f'"{name}" = {with_unit(name, value)}' for name, value in own.items())]
+            lines += [
+                "[runs.parameters]",
+                *(f'"{name}" = {with_unit(name, value)}' for name, value in own.items()),
+            ]
     return "\n".join(lines) + "\n"

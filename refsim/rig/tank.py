@@ -184,7 +184,11 @@ def simulate_vessel(
     rest = Rest(0.0, vessel.mass(p_absolute), vessel.temperature(p_absolute), (0.0, 0.0))
     start = [rest.gas_mass, p_absolute * vessel.volume / (GAMMA - 1)]
     start += [value for effect in effects for value in effect.initial(rest)]
-    atol = (1e-6 * rest.gas_mass * rtol, 1e-6 * start[1] * rtol, *(a for e in effects for a in e.atol))
+    atol = (
+        1e-6 * rest.gas_mass * rtol,
+        1e-6 * start[1] * rtol,
+        *(a for e in effects for a in e.atol),
+    )
     states = integrate(rates, start, late, times, atol, rtol)
     readings = np.array([reading(column) for column in states.T.tolist()])
     return VesselTrajectory(times, readings[:, 0], readings[:, 1])

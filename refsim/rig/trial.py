@@ -37,4 +37,6 @@ class Trial:
     @property
     def held(self) -> bool:
         """Whether the currents are held between their switches, and not joined by lines."""
-        return bool(self.schedules) and not any(isinstance(s, SampledSchedule) for s in self.schedules)
+        return bool(self.schedules) and not any(
+            isinstance(s, SampledSchedule) for s in self.schedules
+        )

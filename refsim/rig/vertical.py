@@ -31,7 +31,9 @@ class EmpiricalParameters:
     coulomb: float = 5.0  # c_c, N
     viscous: float = 20.0  # c_v, N s
     sign_width: float = 2e-3  # 1/s, rate of strain over which the sign is rounded, as DP (69) does
-    stiffness: float = 1e10  # N/m3, of the stretched sleeve, DY (12) with the cube over the whole stretch
+    stiffness: float = (
+        1e10  # N/m3, of the stretched sleeve, DY (12) with the cube over the whole stretch
+    )
     lag: float = 2e-3  # s, of the pressure regulator
     load: float = 10.0  # kg
     frequency: float = 0.5  # Hz, of the run's excitation
@@ -60,7 +62,9 @@ class VerticalTrajectory:
 class _Vertical:
     def __init__(self, parameters: EmpiricalParameters, effects: Sequence[Effect]) -> None:
         self.par = parameters
-        self.effects = [effect.in_run(parameters.load * G, parameters.frequency) for effect in effects]
+        self.effects = [
+            effect.in_run(parameters.load * G, parameters.frequency) for effect in effects
+        ]
         self.slices, at = [], 3
         for effect in self.effects:
             self.slices.append(slice(at, at + len(effect.atol)))
@@ -73,7 +77,12 @@ class _Vertical:
         carried = par.load + sum(effect.resting_mass() for effect in self.effects)
         length = par.length + (carried * G / par.stiffness) ** (1 / 3)
         rest = Rest(par.length - length, 0.0, T_ATM, (0.0, 0.0))
-        return [length, 0.0, 0.0, *(value for effect in self.effects for value in effect.initial(rest))]
+        return [
+            length,
+            0.0,
+            0.0,
+            *(value for effect in self.effects for value in effect.initial(rest)),
+        ]
 
     def rates(self, y: Sequence[float], told: Sequence[float]) -> list[float]:
         """Time derivatives of all states; told is the pressure [Pa gauge]."""
@@ -119,4 +128,6 @@ def simulate_vertical(
     rig = _Vertical(parameters, effects)
     atol = (*_ATOL, *(value for effect in rig.effects for value in effect.atol))
     states = integrate(rig.rates, rig.start(), pressure, times, atol, rtol, method, PATIENCE)
-    return VerticalTrajectory(times, np.array([rig.reading(column) for column in states.T.tolist()]))
+    return VerticalTrajectory(
+        times, np.array([rig.reading(column) for column in states.T.tolist()])
+    )

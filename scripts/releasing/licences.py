@@ -20,7 +20,9 @@ pam-cosim itself is under the MIT licence. An FMU that it builds holds its C run
 
 def locked(lock: Path) -> Iterator[tuple[str, str]]:
     """Names and versions in a lock file; those for other systems too."""
-    for match in re.finditer(r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", lock.read_text(encoding="utf-8"), re.MULTILINE):
+    for match in re.finditer(
+        r"^([A-Za-z0-9._-]+)==([^\s;\\]+)", lock.read_text(encoding="utf-8"), re.MULTILINE
+    ):
         yield match[1], match[2]
 
 
@@ -31,9 +33,15 @@ def licence_of(name: str) -> str:
     except PackageNotFoundError:
         return ""
     about = package.metadata
-    classifiers = [c.rpartition(" :: ")[2] for c in about.get_all("Classifier", []) if c.startswith("License ::")]
+    classifiers = [
+        c.rpartition(" :: ")[2]
+        for c in about.get_all("Classifier", [])
+        if c.startswith("License ::")
+    ]
     classified = "; ".join(c for c in classifiers if c != "OSI Approved")
-    stated = about.get("License-Expression") or classified or about.get("License") or _text_of(package)
+    stated = (
+        about.get("License-Expression") or classified or about.get("License") or _text_of(package)
+    )
     return " ".join(stated.split())[:80]
 
 
@@ -46,4 +54,6 @@ def page(lock: Path) -> str:
     """A table as Markdown."""
     rows = ((name, version, licence_of(name)) for name, version in locked(lock))
     absent = "not installed here: for another system, or a build tool"
-    return _TITLE + "".join(f"| {name} | {version} | {licence or absent} |\n" for name, version, licence in rows)
+    return _TITLE + "".join(
+        f"| {name} | {version} | {licence or absent} |\n" for name, version, licence in rows
+    )

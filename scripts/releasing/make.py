@@ -19,7 +19,10 @@ from scripts.releasing.versions import ROOT
 OUTPUT = ROOT / "dist"
 TOOLS = ROOT / ".release-tools"
 LOCKS = ROOT / "scripts" / "locks"
-CHECKED = {"vendor.citation-file-format": ["CITATION.cff"], "vendor.github-workflows": [".github/workflows/*.yml"]}
+CHECKED = {
+    "vendor.citation-file-format": ["CITATION.cff"],
+    "vendor.github-workflows": [".github/workflows/*.yml"],
+}
 
 
 def run(*words: str | Path, place: Path = ROOT) -> None:
@@ -35,7 +38,15 @@ def tools() -> Path:
     programs = home / ("Scripts" if os.name == "nt" else "bin")
     if not stated and not (programs / "twine").exists():
         venv.create(home, with_pip=False)
-        python = [sys.executable, "-m", "pip", "--python", str(programs / "python"), "install", "--quiet"]
+        python = [
+            sys.executable,
+            "-m",
+            "pip",
+            "--python",
+            str(programs / "python"),
+            "install",
+            "--quiet",
+        ]
         run(*python, "--requirement", LOCKS / "release.in")
     return programs
 
@@ -52,7 +63,9 @@ def committed(folder: Path) -> Path:
 def changed() -> str:
     """Files that are not as they were committed."""
     words = ["git", "status", "--porcelain", "--untracked-files=no"]
-    return subprocess.run(words, cwd=ROOT, capture_output=True, text=True, check=True).stdout.strip()
+    return subprocess.run(
+        words, cwd=ROOT, capture_output=True, text=True, check=True
+    ).stdout.strip()
 
 
 def distributions(programs: Path, copy: Path, with_models: bool) -> None:
@@ -60,21 +73,44 @@ def distributions(programs: Path, copy: Path, with_models: bool) -> None:
     if with_models:
         run(sys.executable, "-m", "scripts.shipped_models", place=copy)
     # both from the copy: a wheel that is made from the source distribution would have no compiled models
-    run(programs / "python", "-m", "build", "--no-isolation", "--sdist", "--wheel", "--outdir", OUTPUT, copy)
+    run(
+        programs / "python",
+        "-m",
+        "build",
+        "--no-isolation",
+        "--sdist",
+        "--wheel",
+        "--outdir",
+        OUTPUT,
+        copy,
+    )
     run(programs / "twine", "check", "--strict", *OUTPUT.glob("pam_cosim-*"))
 
 
 def documents(programs: Path, copy: Path, version: str, with_site: bool) -> None:
     """What changed, what it is made of, under which licences, and the documentation."""
-    (OUTPUT / "CHANGES.md").write_text(f"# pam-cosim {version}\n\n{versions.notes(version)}\n", encoding="utf-8")
+    (OUTPUT / "CHANGES.md").write_text(
+        f"# pam-cosim {version}\n\n{versions.notes(version)}\n", encoding="utf-8"
+    )
     (OUTPUT / "LICENCES.md").write_text(licences.page(LOCKS / "base.txt"), encoding="utf-8")
     bill = OUTPUT / f"pam-cosim-{version}.cdx.json"
     words = ["requirements", "--pyproject", copy / "pyproject.toml", "--mc-type", "application"]
     run(programs / "cyclonedx-py", *words, "--output-reproducible", "-o", bill, LOCKS / "base.txt")
     if with_site:
         os.environ["NO_MKDOCS_2_WARNING"] = "1"
-        run(sys.executable, "-m", "mkdocs", "build", "--strict", "--site-dir", copy / "site", place=copy)
-        shutil.make_archive(str(OUTPUT / f"pam-cosim-{version}-documentation"), "zip", copy / "site")
+        run(
+            sys.executable,
+            "-m",
+            "mkdocs",
+            "build",
+            "--strict",
+            "--site-dir",
+            copy / "site",
+            place=copy,
+        )
+        shutil.make_archive(
+            str(OUTPUT / f"pam-cosim-{version}-documentation"), "zip", copy / "site"
+        )
 
 
 def checksums() -> None:
@@ -87,8 +123,14 @@ def checksums() -> None:
 def main(words: Sequence[str]) -> int:
     """Returns the exit status."""
     parser = argparse.ArgumentParser(prog="./scripts/release", description=__doc__)
-    parser.add_argument("--set-version", metavar="VERSION", help="write it to every place that states it, and end")
-    parser.add_argument("--without-models", action="store_true", help="no compiled models in the wheel: minutes less")
+    parser.add_argument(
+        "--set-version", metavar="VERSION", help="write it to every place that states it, and end"
+    )
+    parser.add_argument(
+        "--without-models",
+        action="store_true",
+        help="no compiled models in the wheel: minutes less",
+    )
     parser.add_argument("--without-site", action="store_true", help="no documentation as a site")
     asked = parser.parse_args(words)
     try:

@@ -38,16 +38,23 @@ PLACES = (
 
 def version(root: Path = ROOT) -> str:
     """What ``pyproject.toml`` says."""
-    return str(tomllib.loads((root / SOURCE.file).read_text(encoding="utf-8"))["project"]["version"])
+    return str(
+        tomllib.loads((root / SOURCE.file).read_text(encoding="utf-8"))["project"]["version"]
+    )
 
 
 def faults(root: Path = ROOT) -> list[str]:
     """Places that say otherwise, a change log without the version, no files kept for later versions."""
     wanted, found = version(root), []
     for place in PLACES:
-        stated = {match[2] for match in place.pattern.finditer((root / place.file).read_text(encoding="utf-8"))}
+        stated = {
+            match[2]
+            for match in place.pattern.finditer((root / place.file).read_text(encoding="utf-8"))
+        }
         if stated != {wanted}:
-            found.append(f"{place.file} says {', '.join(sorted(stated)) or 'no version'}, not {wanted}")
+            found.append(
+                f"{place.file} says {', '.join(sorted(stated)) or 'no version'}, not {wanted}"
+            )
     if not notes(wanted, root):
         found.append(f"CHANGELOG.md has nothing under '## {wanted}'")
     if not (root / "tests" / "saved" / wanted).is_dir():
@@ -58,7 +65,9 @@ def faults(root: Path = ROOT) -> list[str]:
 def notes(wanted: str, root: Path = ROOT) -> str:
     """The section of a version in the change log; empty: there is none."""
     text = (root / "CHANGELOG.md").read_text(encoding="utf-8")
-    found = re.search(rf"^## {re.escape(wanted)}(?: [^\n]*)?\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL)
+    found = re.search(
+        rf"^## {re.escape(wanted)}(?: [^\n]*)?\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL
+    )
     return found[1].strip() if found else ""
 
 
@@ -72,7 +81,10 @@ def set_version(new: str, root: Path = ROOT) -> None:
         raise ValueError(f"'{new}' is no version of the form 1.2.3")
     for place in PLACES:
         file = root / place.file
-        file.write_text(place.pattern.sub(rf"\g<1>{new}\g<3>", file.read_text(encoding="utf-8")), encoding="utf-8")
+        file.write_text(
+            place.pattern.sub(rf"\g<1>{new}\g<3>", file.read_text(encoding="utf-8")),
+            encoding="utf-8",
+        )
     log = root / "CHANGELOG.md"
     text = log.read_text(encoding="utf-8")
     if not notes(new, root):

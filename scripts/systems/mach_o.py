@@ -74,7 +74,9 @@ def _read(part: bytes) -> tuple[str, Image]:
                 oldest = _version(part, place + 12)
         place += size
     exported, imported = _symbols(part, symbols, libraries)
-    image = Image(filetype == _DYNAMIC_LIBRARY, tuple(libraries), exported, imported, oldest, signed)
+    image = Image(
+        filetype == _DYNAMIC_LIBRARY, tuple(libraries), exported, imported, oldest, signed
+    )
     return _KINDS.get(kind, hex(kind)), image
 
 

@@ -55,7 +55,9 @@ class System:
             return ""
         if shutil.which(self.runner) is None:
             return f"no {self.runner} here"
-        return "no libc6-arm64-cross here" if "-L" in self.words and not ARM_LIBRARIES.is_dir() else ""
+        return (
+            "no libc6-arm64-cross here" if "-L" in self.words and not ARM_LIBRARIES.is_dir() else ""
+        )
 
 
 LINUX = System("Linux x86-64", HERE, None)
@@ -72,7 +74,12 @@ def driver(system: System, folder: Path) -> Path:
     windows = system.platform.endswith("windows")
     made = folder / f"driver-{system.platform}{'.exe' if windows else ''}"
     headers = Path(fmpy.__file__).parent / "c-code"
-    command = [str(Path(ziglang.__file__).parent / "zig"), "cc", "-target", PLATFORMS[system.platform].target]
+    command = [
+        str(Path(ziglang.__file__).parent / "zig"),
+        "cc",
+        "-target",
+        PLATFORMS[system.platform].target,
+    ]
     command += ["-O1", "-w", f"-I{headers}", str(DRIVER), "-o", str(made)]
     subprocess.run(command if windows else [*command, "-ldl"], check=True)
     return made
@@ -94,14 +101,27 @@ def simulate(fmu: Path, system: System, folder: Path) -> np.ndarray:
     inputs = [v for v in real if v.causality == "input"]
     outputs = [v for v in real if v.causality == "output"]
     stop = described.defaultExperiment.stopTime
-    words = [*system.words, str(driver(system, folder)), library, described.guid, stop, str(STEPS), str(len(inputs))]
+    words = [
+        *system.words,
+        str(driver(system, folder)),
+        library,
+        described.guid,
+        stop,
+        str(STEPS),
+        str(len(inputs)),
+    ]
     words += [word for v in inputs for word in (str(v.valueReference), v.start)]
     words += [str(v.valueReference) for v in outputs]
-    quiet = os.environ | {"WINEDEBUG": "-all", "WINEPREFIX": os.environ.get("WINEPREFIX", str(folder / "wine"))}
+    quiet = os.environ | {
+        "WINEDEBUG": "-all",
+        "WINEPREFIX": os.environ.get("WINEPREFIX", str(folder / "wine")),
+    }
     done = subprocess.run(words, env=quiet, capture_output=True, text=True, timeout=LONGEST)
     if done.returncode:
         raise RuntimeError(f"{described.modelName} on {system.name}: {done.stderr[-500:]}")
-    return np.array([[float.fromhex(word) for word in line.split()] for line in done.stdout.splitlines()])
+    return np.array(
+        [[float.fromhex(word) for word in line.split()] for line in done.stdout.splitlines()]
+    )
 
 
 def difference(here: np.ndarray, there: np.ndarray) -> float:
@@ -125,10 +145,24 @@ def mac_faults(fmu: Path) -> list[str]:
     slices = read_mach_o(content)
     faults = [f"no slice for {kind}" for kind in ("x86_64", "arm64") if kind not in slices]
     for kind, image in slices.items():
-        wanted = {"_fmi2Instantiate", "_fmi2DoStep", "_fmi2GetReal", "_fmi2GetDerivatives", "_fmi2FreeInstance"}
-        faults += [f"{kind}: {symbol} is not exported" for symbol in sorted(wanted - image.exported)]
-        faults += [f"{kind}: needs {library}" for library in image.libraries if "libSystem" not in library]
-        faults += [f"{kind}: an import that is in no library" for library in image.imported.values() if not library]
+        wanted = {
+            "_fmi2Instantiate",
+            "_fmi2DoStep",
+            "_fmi2GetReal",
+            "_fmi2GetDerivatives",
+            "_fmi2FreeInstance",
+        }
+        faults += [
+            f"{kind}: {symbol} is not exported" for symbol in sorted(wanted - image.exported)
+        ]
+        faults += [
+            f"{kind}: needs {library}" for library in image.libraries if "libSystem" not in library
+        ]
+        faults += [
+            f"{kind}: an import that is in no library"
+            for library in image.imported.values()
+            if not library
+        ]
         faults += [] if image.is_library else [f"{kind}: is no dynamic library"]
         faults += [f"{kind}: no system version"] * (image.oldest_system is None)
         if kind == "arm64" and not image.signed:
@@ -145,7 +179,9 @@ def table(names: Sequence[str], folder: Path) -> list[str]:
         fmu = built(bench, folder)
         here = simulate(fmu, LINUX, folder)
         far = [f"{difference(here, simulate(fmu, system, folder)):.1e}" for system in systems]
-        lines.append(f"| {bench} | {here.shape[1]} | {' | '.join(far)} | {'; '.join(mac_faults(fmu)) or 'in order'} |")
+        lines.append(
+            f"| {bench} | {here.shape[1]} | {' | '.join(far)} | {'; '.join(mac_faults(fmu)) or 'in order'} |"
+        )
         print(lines[-1], flush=True)
     return lines
 

@@ -17,11 +17,21 @@ from pam_cosim.simulation import Simulator, Trajectory
 
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7")  # told apart by colour-blind readers
 P_ATM, T_ATM, R = 101325.0, 293.15, 287.05  # Pa, K, J/(kg K)
-STYLE = {"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False, "axes.spines.right": False}
+STYLE = {
+    "font.size": 9,
+    "axes.grid": True,
+    "grid.alpha": 0.3,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+}
 
 
 def simulate(
-    model: str, end: float, samples: int = 2001, outputs: Sequence[str] | None = None, **parameters: float
+    model: str,
+    end: float,
+    samples: int = 2001,
+    outputs: Sequence[str] | None = None,
+    **parameters: float,
 ) -> Trajectory:
     """A run of a class of the library from 0 to ``end`` [s]."""
     with Simulator(build_model(f"PneumaticMuscle.{model}")) as simulator:
@@ -30,7 +40,9 @@ def simulate(
 
 def figure(columns: int, width: float = 9.0, height: float = 3.2) -> tuple[plt.Figure, list[Axes]]:
     """A row of axes; sizes in inches."""
-    picture, axes = plt.subplots(1, columns, figsize=(width, height), layout="constrained", squeeze=False)
+    picture, axes = plt.subplots(
+        1, columns, figsize=(width, height), layout="constrained", squeeze=False
+    )
     return picture, list(axes[0])
 
 
@@ -45,7 +57,9 @@ def at(trajectory: Trajectory, name: str, time: float) -> float:
     return float(np.interp(time, trajectory.time, trajectory.values[name]))
 
 
-def spread_at(trajectory: Trajectory, level: float, pressure: str, variable: str, after: float) -> float:
+def spread_at(
+    trajectory: Trajectory, level: float, pressure: str, variable: str, after: float
+) -> float:
     """Largest minus smallest value of a variable when the pressure passes a level, after a time [s].
 
     Values are interpolated at the very crossings, so that the width of no window is in the result.

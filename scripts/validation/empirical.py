@@ -28,11 +28,17 @@ def loads_and_rates(folder: Path) -> list[str]:
         p, eps = r.values[f"p[{i + 1}]"][late] / 1e3, r.values[f"eps[{i + 1}]"][late] * 100
         axes[i % 2].plot(p, eps, color=COLOURS[i // 2], lw=0.7, label=f"{m} kg")
     for a, f in zip(axes, (0.5, 2), strict=True):
-        a.set(xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"random wave up to {f:g} Hz")
+        a.set(
+            xlabel="gauge pressure [kPa]",
+            ylabel="contraction ratio [%]",
+            title=f"random wave up to {f:g} Hz",
+        )
         a.legend()
     save(picture, folder, "loads-and-rates")
     a, b, c, d = widths("Examples.Validation.LoadsAndRates", 20, 20001, 2e5, 2.0)
-    return [f"{a:.2f} and {b:.2f} % of the length (5 kg, 0.5 and 2 Hz), {c:.2f} and {d:.2f} % (20 kg)"]
+    return [
+        f"{a:.2f} and {b:.2f} % of the length (5 kg, 0.5 and 2 Hz), {c:.2f} and {d:.2f} % (20 kg)"
+    ]
 
 
 def force_dynamics(folder: Path) -> list[str]:
@@ -49,11 +55,20 @@ def force_dynamics(folder: Path) -> list[str]:
         for pressure, force in zip(PRESSURES, curves, strict=True):
             above.plot(100 * strain, force, color="0.6", lw=0.7)
             above.annotate(f"{pressure}", (0.3, force[0]), fontsize=6, color="0.4", va="bottom")
-        above.plot(eps[late], r.values[f"F_s[{i + 1}]"][late], color=COLOURS[0], lw=0.8, label="$F_s$")
+        above.plot(
+            eps[late], r.values[f"F_s[{i + 1}]"][late], color=COLOURS[0], lw=0.8, label="$F_s$"
+        )
         above.axhline(m * 9.80665, color="0.4", ls=":", label="$M g$")
-        above.set(xlabel="contraction ratio [%]", title=f"{m} kg", ylim=(0, 1.05 * curves[-1][0]), xlim=(0, 20))
+        above.set(
+            xlabel="contraction ratio [%]",
+            title=f"{m} kg",
+            ylim=(0, 1.05 * curves[-1][0]),
+            xlim=(0, 20),
+        )
         for colour, (name, label) in zip(COLOURS[1:], names, strict=True):
-            below.plot(p[late], r.values[f"{name}[{i + 1}]"][late], color=colour, lw=0.6, label=label)
+            below.plot(
+                p[late], r.values[f"{name}[{i + 1}]"][late], color=colour, lw=0.6, label=label
+            )
         below.set(xlabel="input pressure [kPa]", ylim=(-22, 22))
         largest.append(np.abs(r.values[f"F_dyn[{i + 1}]"][late & (eps > 2)]).max())
     for a in rows[:, 0]:

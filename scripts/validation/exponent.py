@@ -25,8 +25,16 @@ def tank_curves(folder: Path) -> list[str]:
     shades = plt.get_cmap("viridis")(np.linspace(0, 0.9, 8))
     for a, supply in zip(axes, (207, 138), strict=True):
         for i, volume in enumerate(VOLUMES):
-            a.plot(r.time, r.values[f"p_{supply}[{i + 1}]"] / 1e3, color=shades[i], label=f"{volume:g} L", lw=1.2)
-        a.set(xlabel="time [s]", ylabel="gauge pressure [kPa]", title=f"supply {supply} kPa, n = 1.2")
+            a.plot(
+                r.time,
+                r.values[f"p_{supply}[{i + 1}]"] / 1e3,
+                color=shades[i],
+                label=f"{volume:g} L",
+                lw=1.2,
+            )
+        a.set(
+            xlabel="time [s]", ylabel="gauge pressure [kPa]", title=f"supply {supply} kPa, n = 1.2"
+        )
     axes[1].legend(title="volume", fontsize=7)
     save(picture, folder, "tank-curves")
     told = []
@@ -48,14 +56,21 @@ def polytropic_exponent(folder: Path) -> list[str]:
         b.plot(r.time, r.values["x" + key] * 1e3, **style)
         b.plot(r.time, r.values["x_printed" + key] * 1e3, color=COLOURS[i], ls="--", lw=1)
         c.plot(r.time, r.values["T" + key] - 273.15, **style)
-    a.set(xlabel="time [s]", ylabel="gauge pressure [kPa]", title="solid: films of air\ndashed: DP (45) as printed")
+    a.set(
+        xlabel="time [s]",
+        ylabel="gauge pressure [kPa]",
+        title="solid: films of air\ndashed: DP (45) as printed",
+    )
     b.set(xlabel="time [s]", ylabel="contraction [mm]")
     c.set(xlabel="time [s]", ylabel="gas temperature [°C]", title="films of air")
     a.legend()
     save(picture, folder, "polytropic-exponent")
-    sharp = simulate("Examples.Validation.PolytropicExponent", 10, **{"inlet.rise": 1e-4, "outlet.rise": 1e-4})
+    sharp = simulate(
+        "Examples.Validation.PolytropicExponent", 10, **{"inlet.rise": 1e-4, "outlet.rise": 1e-4}
+    )
     first, vented, switched = (
-        [at(run, f"p[{i}]", t) / 1e3 for i in (1, 2, 3)] for run, t in ((r, 1.0), (r, 6.0), (sharp, 6.0))
+        [at(run, f"p[{i}]", t) / 1e3 for i in (1, 2, 3)]
+        for run, t in ((r, 1.0), (r, 6.0), (sharp, 6.0))
     )
     steady = [at(r, f"x[{i}]", 4.9) * 1e3 for i in (1, 2, 3)]
     p, x = ([at(r, f"{name}_printed[{i}]", 4.9) for i in (1, 2, 3)] for name in ("p", "x"))
@@ -95,7 +110,9 @@ def _mass(fmu: Path, times: np.ndarray) -> dict[str, np.ndarray]:
     """Flow into a muscle that fills from 207 kPa at 0.35 A, and the share of it that p V/(R T) does not show."""
     outputs = ["p", "T", "muscle.gas.V", "valve.inlet.m_flow"]
     with Simulator(fmu) as simulator:
-        values = simulator.run(times, parameters={"p_supply": 207e3, "u_in": 0.35}, outputs=outputs).values
+        values = simulator.run(
+            times, parameters={"p_supply": 207e3, "u_in": 0.35}, outputs=outputs
+        ).values
     mass = (values["p"] + P_ATM) * values["muscle.gas.V"] / (R * values["T"])
     flow = values["valve.inlet.m_flow"]
     into = np.concatenate([[0.0], np.cumsum((flow[1:] + flow[:-1]) / 2 * np.diff(times))])

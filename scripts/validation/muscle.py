@@ -27,7 +27,9 @@ def bladder_friction(folder: Path) -> list[str]:
     r = simulate("Examples.Validation.BladderFriction", 10)
     picture, (a,) = figure(1, 4.6)
     for i, mu in enumerate((0.015, 0.04)):
-        a.plot(r.time, r.values[f"x[{i + 1}]"] * 1e3, color=COLOURS[i], label=rf"$\mu_{{fb}}$ = {mu:g}")
+        a.plot(
+            r.time, r.values[f"x[{i + 1}]"] * 1e3, color=COLOURS[i], label=rf"$\mu_{{fb}}$ = {mu:g}"
+        )
     a.set(xlabel="time [s]", ylabel="contraction [mm]")
     a.legend()
     save(picture, folder, "bladder-friction")
@@ -98,7 +100,9 @@ def gas_temperature(folder: Path) -> list[str]:
     picture, (a, b, c) = figure(3, 10.5, 3.5)
     cases = (("power", 1, "power law (60), n = 1.2"), ("power", 2, "power law (60), n = 1.4"),
              ("energy", 1, "balance of energy"), ("energy", 2, "the same, $\\mu_{fb}$ = 0.04"))  # fmt: skip
-    for (which, i, label), colour in zip(cases, (COLOURS[3], COLOURS[1], COLOURS[0], COLOURS[2]), strict=True):
+    for (which, i, label), colour in zip(
+        cases, (COLOURS[3], COLOURS[1], COLOURS[0], COLOURS[2]), strict=True
+    ):
         p, x, heat = (r.values[f"{name}_{which}[{i}]"] for name in ("p", "x", "T"))
         late = {"ls": "--"} if label.startswith("the same") else {}
         for axes, y in ((a, p / 1e3), (b, x * 1e3), (c, heat - 273.15)):
@@ -136,7 +140,10 @@ def _told_of_temperature(r: Trajectory) -> list[str]:
 def temperature_band(folder: Path) -> list[str]:
     """DP Fig. 12 by the supply and the current, which DP print for their tanks alone."""
     times = np.linspace(0, 20, 8001)
-    highest, lasting = np.zeros((len(CURRENTS), len(SUPPLIES))), np.zeros((len(CURRENTS), len(SUPPLIES)))
+    highest, lasting = (
+        np.zeros((len(CURRENTS), len(SUPPLIES))),
+        np.zeros((len(CURRENTS), len(SUPPLIES))),
+    )
     with Simulator(build_model("PneumaticMuscle.Examples.PrintedWallEnergyGas")) as simulator:
         for i, current in enumerate(CURRENTS):
             for j, supply in enumerate(SUPPLIES):
@@ -145,15 +152,28 @@ def temperature_band(folder: Path) -> list[str]:
                 rise, moves = r["T"] - T_ATM, r["x"] > MOVES
                 highest[i, j], lasting[i, j] = rise.max(), rise[moves].max()
     picture, (a,) = figure(1, 5.6, 3.4)
-    a.fill_between(SUPPLIES, lasting.min(axis=0), lasting.max(axis=0), color=COLOURS[0], alpha=0.2, lw=0)
+    a.fill_between(
+        SUPPLIES, lasting.min(axis=0), lasting.max(axis=0), color=COLOURS[0], alpha=0.2, lw=0
+    )
     for current, row, style in zip(CURRENTS, lasting, (":", "--", "-.", "-"), strict=True):
-        a.plot(SUPPLIES, row, color=COLOURS[0], ls=style, lw=1.2, label=f"balance of energy, {current:g} A")
+        a.plot(
+            SUPPLIES,
+            row,
+            color=COLOURS[0],
+            ls=style,
+            lw=1.2,
+            label=f"balance of energy, {current:g} A",
+        )
     p = np.linspace(SUPPLIES[0], SUPPLIES[-1], 100)
     for n, colour in ((1.2, COLOURS[3]), (1.4, COLOURS[1])):
         a.plot(p, celsius_law(p, n), color=colour, label=f"power law of degrees Celsius, n = {n:g}")
     a.axhline(4, color="0.5", lw=0.8)
     a.text(300, 4.1, "DP: about 4 °C", fontsize=7, ha="right", color="0.3")
-    a.set(xlabel="gauge pressure of the supply [kPa]", ylabel="rise of temperature [K]", ylim=(0, None))
+    a.set(
+        xlabel="gauge pressure of the supply [kPa]",
+        ylabel="rise of temperature [K]",
+        ylim=(0, None),
+    )
     a.legend(fontsize=7)
     save(picture, folder, "temperature-band")
     return [

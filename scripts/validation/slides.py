@@ -15,7 +15,9 @@ SHAPES = {
     "ThreeElementShape": "two frustums, cylinder: DP (13)",
     "TothovaPitel": "barrel: DP (9)",
 }
-REACH = 0.164  # contraction ratio up to which the cones of DP Table 1 span the step from the connector
+REACH = (
+    0.164  # contraction ratio up to which the cones of DP Table 1 span the step from the connector
+)
 
 
 def two_lengths(folder: Path) -> list[str]:
@@ -26,9 +28,18 @@ def two_lengths(folder: Path) -> list[str]:
     late = r.time > 5
     for i, (length, _) in enumerate(cases):
         p, eps = r.values[f"p[{i + 1}]"][late] / 1e3, r.values[f"eps[{i + 1}]"][late] * 100
-        axes[i // 2].plot(p, eps, color=COLOURS[i % 2], lw=1.2, ls="-" if i % 2 else "--", label=f"{length * 1e3:g} mm")
+        axes[i // 2].plot(
+            p,
+            eps,
+            color=COLOURS[i % 2],
+            lw=1.2,
+            ls="-" if i % 2 else "--",
+            label=f"{length * 1e3:g} mm",
+        )
     for a, f in zip(axes, (0.2, 2), strict=True):
-        a.set(xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"sine of {f:g} Hz")
+        a.set(
+            xlabel="gauge pressure [kPa]", ylabel="contraction ratio [%]", title=f"sine of {f:g} Hz"
+        )
         a.legend()
     save(picture, folder, "two-lengths")
     a, b, c, d = widths("Examples.Validation.TwoLengths", 10, 40001, 3e5, 5.0)
@@ -53,11 +64,28 @@ def force_grid(folder: Path) -> list[str]:
             pull = np.maximum(force(np.full_like(eps, bar * 1e5), eps), 0)
             a.plot(100 * eps, pull, color=COLOURS[i], label=f"{bar:g} bar")
         p = np.linspace(4e5, 8e5, 41)
-        here = force(np.array([6e5 - 10, 6e5 + 10, 6e5, 6e5, 6e5]), np.array([0.1, 0.1, 0.1 - 1e-5, 0.1 + 1e-5, 0.1]))
-        b.plot(p / 1e5, force(p, np.full_like(p, 0.1)), color=COLOURS[0], label="equation, 10 % strain")
+        here = force(
+            np.array([6e5 - 10, 6e5 + 10, 6e5, 6e5, 6e5]),
+            np.array([0.1, 0.1, 0.1 - 1e-5, 0.1 + 1e-5, 0.1]),
+        )
+        b.plot(
+            p / 1e5, force(p, np.full_like(p, 0.1)), color=COLOURS[0], label="equation, 10 % strain"
+        )
     slope, stiffness = (here[1] - here[0]) / 20, (here[2] - here[3]) / (2e-5 * 0.3)
-    b.plot(p / 1e5, here[4] + slope * (p - 6e5), color=COLOURS[1], ls="--", label="its own slope at 6 bar")
-    b.plot(p / 1e5, here[4] + 5.7238e-5 * (p - 6e5), color=COLOURS[2], ls=":", label="slope printed in AM Fig. 7")
+    b.plot(
+        p / 1e5,
+        here[4] + slope * (p - 6e5),
+        color=COLOURS[1],
+        ls="--",
+        label="its own slope at 6 bar",
+    )
+    b.plot(
+        p / 1e5,
+        here[4] + 5.7238e-5 * (p - 6e5),
+        color=COLOURS[2],
+        ls=":",
+        label="slope printed in AM Fig. 7",
+    )
     a.set(xlabel="contraction ratio [%]", ylabel="pull [N]")
     b.set(xlabel="gauge pressure [bar]", ylabel="pull [N]")
     a.legend()
@@ -77,7 +105,9 @@ def shapes(folder: Path) -> list[str]:
         source = f"""model Shape{i} extends PneumaticMuscle.Benches.StaticForce(muscle(
           L0=0.24, D0=0.02, alpha_0=0.4823479, redeclare model Braid = PneumaticMuscle.Laws.Forces.{braid}));
           end Shape{i};"""
-        reach = eps[eps < REACH] if braid == "ThreeElementShape" else eps  # its assertion ends a run beyond
+        reach = (
+            eps[eps < REACH] if braid == "ThreeElementShape" else eps
+        )  # its assertion ends a run beyond
         force, volume = _shape(f"Shape{i}", source, reach)
         a.plot(100 * reach, force, color=COLOURS[i], label=name)
         b.plot(100 * reach, volume * 1e6, color=COLOURS[i])
@@ -90,7 +120,9 @@ def shapes(folder: Path) -> list[str]:
     b.set(ylabel="volume [mL]")
     a.legend(fontsize=8, loc="upper right")
     save(picture, folder, "shapes")
-    return [f"({at_10['ThreeElementShape']:.1f} against {at_10['CylindricalBraid']:.1f} N at 200 kPa)"]
+    return [
+        f"({at_10['ThreeElementShape']:.1f} against {at_10['CylindricalBraid']:.1f} N at 200 kPa)"
+    ]
 
 
 def _shape(name: str, source: str, eps: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -105,7 +137,11 @@ def lumped_step(folder: Path) -> list[str]:
     """AM, dynamic step response."""
     r = simulate("Examples.LumpedStep", 1.5)
     picture, axes = figure(3)
-    curves = (("p", "gauge pressure [bar]", 1e-5), ("L", "length [mm]", 1e3), ("F", "change of pull [N]", 1))
+    curves = (
+        ("p", "gauge pressure [bar]", 1e-5),
+        ("L", "length [mm]", 1e3),
+        ("F", "change of pull [N]", 1),
+    )
     for a, (name, label, factor) in zip(axes, curves, strict=True):
         y = r.values[name] * factor
         a.plot(r.time, y, color=COLOURS[0], label="model")
@@ -130,4 +166,6 @@ def lumped_step(folder: Path) -> list[str]:
 def _overshoot_seen(time: np.ndarray, force: np.ndarray, rate: float) -> np.ndarray:
     """The largest sample [N] by the phase of a clock that samples so often [Hz]."""
     phases = np.arange(0, 1 / rate, 1e-4)
-    return np.array([np.interp(np.arange(phase, time[-1], 1 / rate), time, force).max() for phase in phases])
+    return np.array(
+        [np.interp(np.arange(phase, time[-1], 1 / rate), time, force).max() for phase in phases]
+    )

@@ -45,7 +45,12 @@ def test_observer(tmp_path: Path) -> None:
 @pytest.mark.full
 def test_tracking(tmp_path: Path) -> None:
     said = run("tracking/tracking.py", tmp_path)
-    for number in ("0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust", "0.0709 mm", "0.575 mm", "1.84 mm"):
+    for number in (
+        "0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust",
+        "0.0709 mm",
+        "0.575 mm",
+        "1.84 mm",
+    ):
         assert number in said
     rows = [line for line in said.splitlines() if line.startswith("| ")]
     assert len(rows) == 3 and absent(rows, "observer.md") == []
@@ -62,7 +67,13 @@ def test_slides(tmp_path: Path) -> None:
         assert number in said
     assert len(list(tmp_path.glob("*.png"))) == 3
     assert other_pictures(tmp_path) == []
-    assert absent([line for line in said.splitlines() if line.startswith("the loop")], "linear-analysis.md") == []
+    assert (
+        absent(
+            [line for line in said.splitlines() if line.startswith("the loop")],
+            "linear-analysis.md",
+        )
+        == []
+    )
 
 
 @pytest.mark.full

@@ -37,14 +37,18 @@ def test_against_formulas(bent: str) -> None:
     """A lag answers as its formula says; exp(a sin) has the harmonics I_n(a) of the modified Bessel functions."""
     frequencies = np.geomspace(0.1, 10.0, 9)
     response = pam.frequency_response(bent, input="u", amplitude=0.8, frequencies=frequencies)
-    np.testing.assert_allclose(response.gain[:, 0], 1 / (1 + 2j * np.pi * frequencies * 0.5), rtol=1e-5)
+    np.testing.assert_allclose(
+        response.gain[:, 0], 1 / (1 + 2j * np.pi * frequencies * 0.5), rtol=1e-5
+    )
     harmonics = [abs(jv(n, 0.8j)) for n in range(11)]
     np.testing.assert_allclose(response.gain[:, 1], 2 * harmonics[1] / 0.8, rtol=1e-7)
     expected = np.sqrt(sum(h**2 for h in harmonics[2:])) / harmonics[1]
     np.testing.assert_allclose(response.distortion[:, 1], expected, rtol=1e-7)
     np.testing.assert_allclose(response.shift[:, 1], harmonics[0] - 1, rtol=1e-7)
     assert (response.distortion[:, 0] < 1e-4).all() and response.settled.all()
-    assert response.bandwidth["y"] == pytest.approx(1 / np.pi, rel=0.1)  # between points that are a factor of 1.8 apart
+    assert response.bandwidth["y"] == pytest.approx(
+        1 / np.pi, rel=0.1
+    )  # between points that are a factor of 1.8 apart
 
 
 def test_small_sines_are_linear_and_large_ones_are_not() -> None:
@@ -62,12 +66,19 @@ def test_without_model_exchange(tmp_path: Path) -> None:
     built = models.fmu(models.lag)
     text = __import__("zipfile").ZipFile(built).read("modelDescription.xml").decode()
     begin = text.index("<ModelExchange")
-    end = text.index("/>", begin) + 2 if "</ModelExchange>" not in text else text.index("</ModelExchange>") + 16
+    end = (
+        text.index("/>", begin) + 2
+        if "</ModelExchange>" not in text
+        else text.index("</ModelExchange>") + 16
+    )
     alone = repacked(built, tmp_path / "alone.fmu", {text[begin:end]: ""})
     interface = pam.describe(str(alone))
     [name] = interface.inputs
     words = {"input": name, "amplitude": 0.5, "frequencies": [0.2, 2.0]}
-    by_runs, whole = pam.frequency_response(str(alone), **words), pam.frequency_response(str(built), **words)
+    by_runs, whole = (
+        pam.frequency_response(str(alone), **words),
+        pam.frequency_response(str(built), **words),
+    )
     assert by_runs.linear is None and np.isnan(by_runs.linear_gain).all() and by_runs.settled.all()
     np.testing.assert_allclose(by_runs.gain, whole.gain, rtol=3e-3)
     with pytest.raises(pam.InputError, match="model exchange only"):
@@ -75,8 +86,14 @@ def test_without_model_exchange(tmp_path: Path) -> None:
 
 
 def test_what_has_not_settled_is_said(bent: str) -> None:
-    response = pam.frequency_response("Isotonic", input="u_in", amplitude="100 mA", frequencies=[20.0], most_periods=2)
-    assert response.periods.tolist() == [2] and not response.settled.any() and "(not settled)" in str(response)
+    response = pam.frequency_response(
+        "Isotonic", input="u_in", amplitude="100 mA", frequencies=[20.0], most_periods=2
+    )
+    assert (
+        response.periods.tolist() == [2]
+        and not response.settled.any()
+        and "(not settled)" in str(response)
+    )
 
 
 def test_saved_loaded_drawn_and_shown(bent: str, tmp_path: Path) -> None:
@@ -87,7 +104,9 @@ def test_saved_loaded_drawn_and_shown(bent: str, tmp_path: Path) -> None:
     assert (tmp_path / "f.png").read_bytes().startswith(b"\x89PNG")
     assert "<table>" in response._repr_html_()
     assert (
-        response.to_csv(tmp_path / "f.csv").read_text().startswith("frequency [Hz],y gain,y phase [deg],y distortion,")
+        response.to_csv(tmp_path / "f.csv")
+        .read_text()
+        .startswith("frequency [Hz],y gain,y phase [deg],y distortion,")
     )
 
 

@@ -50,16 +50,32 @@ def modelica(tmp_path: Path):
 def test_the_matrices_of_the_slides() -> None:
     tau, c_1, c_2, k, b, m = 0.1, 5.7238e-4, 8061.8, 500.0, 60.0, 2.0
     linear = pam.linearise("LumpedLinear")
-    assert (linear.states, linear.inputs, linear.outputs) == (("P", "l", "v"), ("p_in",), ("p", "L", "F"))
-    np.testing.assert_allclose(linear.A, [[-1 / tau, 0, 0], [0, 0, 1], [-c_1 / m, -(c_2 + k) / m, -b / m]], rtol=1e-12)
+    assert (linear.states, linear.inputs, linear.outputs) == (
+        ("P", "l", "v"),
+        ("p_in",),
+        ("p", "L", "F"),
+    )
+    np.testing.assert_allclose(
+        linear.A, [[-1 / tau, 0, 0], [0, 0, 1], [-c_1 / m, -(c_2 + k) / m, -b / m]], rtol=1e-12
+    )
     np.testing.assert_allclose(linear.B, [[1 / tau], [0], [0]], rtol=1e-12)
     np.testing.assert_allclose(linear.C, [[1, 0, 0], [0, 1, 0], [c_1, c_2, 0]], rtol=1e-12)
     assert not linear.D.any()
-    assert linear.units == {"P": "Pa", "l": "m", "v": "m/s", "p_in": "Pa", "p": "Pa", "L": "m", "F": "N"}
+    assert linear.units == {
+        "P": "Pa",
+        "l": "m",
+        "v": "m/s",
+        "p_in": "Pa",
+        "p": "Pa",
+        "L": "m",
+        "F": "N",
+    }
     swing = np.sqrt((c_2 + k) / m)
     slow, fast = linear.modes
     assert slow.time_constant == pytest.approx(tau) and slow.shares["P"] == pytest.approx(1)
-    assert fast.frequency == pytest.approx(swing / (2 * np.pi)) and fast.damping == pytest.approx(b / m / (2 * swing))
+    assert fast.frequency == pytest.approx(swing / (2 * np.pi)) and fast.damping == pytest.approx(
+        b / m / (2 * swing)
+    )
     assert linear.static_gain[1, 0] == pytest.approx(-c_1 / (c_2 + k))
     assert linear.is_stable and "time constant 0.1 s (P 100%)" in str(linear)
 
@@ -85,9 +101,9 @@ def test_at_rest_nothing_changes_and_a_run_ends_there() -> None:
 
 def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
     """An independent check of every number on the way from current to contraction."""
-    linear_model = pam.linearise("Isotonic", {"u_out": 0.25}, at={"p": "1 bar"}, free=["u_in"]).select(
-        ["u_in"], ["p", "x"]
-    )
+    linear_model = pam.linearise(
+        "Isotonic", {"u_out": 0.25}, at={"p": "1 bar"}, free=["u_in"]
+    ).select(["u_in"], ["p", "x"])
     at = linear_model.point.inputs["u_in"]
     time, size = np.array([0, 60, 60, 70.0]), 1e-3
 
@@ -105,7 +121,9 @@ def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
 
 def test_a_state_is_found_from_outputs() -> None:
     linear = pam.linearise("Isotonic", at={"p": "60 kPa", "x": "30 mm", "u_in": 0.2})
-    assert linear.point.outputs["p"] == pytest.approx(60e3) and linear.point.states["load.s"] == pytest.approx(0.03)
+    assert linear.point.outputs["p"] == pytest.approx(60e3) and linear.point.states[
+        "load.s"
+    ] == pytest.approx(0.03)
     assert linear.point.states["muscle.gas.p"] == pytest.approx(60e3 + 101325)
     assert linear.point.inputs["u_in"] == 0.2 and linear.point.states["load.v"] == 0
     assert "Not at rest" in linear.notes[-1]
@@ -117,7 +135,11 @@ def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
     foreign = repacked(built, tmp_path / "f.fmu", {'providesDirectionalDerivative="true"': ""})
     exact = pam.linearise("Isotonic", at={"p": "60 kPa", "x": "30 mm"})
     other = pam.linearise(str(foreign), at={"p": "60 kPa", "x": "30 mm"})
-    assert exact.method != other.method and "central differences" in other.notes[0] and not exact.notes[:-1]
+    assert (
+        exact.method != other.method
+        and "central differences" in other.notes[0]
+        and not exact.notes[:-1]
+    )
     for name in "ABCD":
         one, two = getattr(exact, name), getattr(other, name)
         np.testing.assert_allclose(two, one, rtol=1e-6, atol=1e-7 * np.abs(one).max(initial=0.0))
@@ -125,7 +147,10 @@ def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
 
 def test_both_versions_of_fmi_say_the_same(tmp_path: Path) -> None:
     path = pam.build("Isotonic", tmp_path / "three.fmu", fmi="3.0")
-    three, two = (pam.linearise(str(path), at={"x": 0.03}), pam.linearise("Isotonic", at={"x": 0.03}))
+    three, two = (
+        pam.linearise(str(path), at={"x": 0.03}),
+        pam.linearise("Isotonic", at={"x": 0.03}),
+    )
     assert three.method == two.method and "directional" in two.method
     np.testing.assert_array_equal(three.A, two.A)
     np.testing.assert_array_equal(three.B, two.B)
@@ -137,7 +162,9 @@ def test_along_a_run() -> None:
     course = pam.linearise_along("Isotonic", inputs=steps, times=times)
     assert course.times.tolist() == times and course.poles.shape == (3, 3)
     run = pam.simulate("Isotonic", inputs=steps, interval=0.5)
-    assert course[2].point.outputs["x"] == pytest.approx(float(np.interp(3.0, run.time, run["x"])), rel=1e-4)
+    assert course[2].point.outputs["x"] == pytest.approx(
+        float(np.interp(3.0, run.time, run["x"])), rel=1e-4
+    )
     assert course[2].point.inputs["u_out"] == 0.35
     one = pam.linearise("Isotonic", at=1.0, inputs=steps)
     np.testing.assert_allclose(one.A, course[1].A, rtol=1e-5, atol=1e-3)
@@ -158,7 +185,9 @@ def test_at_a_time_of_a_trajectory() -> None:
 
 def test_no_rest(modelica) -> None:
     heater = modelica(INTEGRATOR)
-    with pytest.raises(pam.InputError, match=r"no rest was found.*x still changes by 0.4 K/s.*free: u"):
+    with pytest.raises(
+        pam.InputError, match=r"no rest was found.*x still changes by 0.4 K/s.*free: u"
+    ):
         pam.linearise(heater)
     linear = pam.linearise(heater, free=["u"])
     assert linear.point.inputs["u"] == pytest.approx(0, abs=1e-5) and "integrates" in str(linear)
@@ -199,7 +228,9 @@ def test_for_scipy_and_python_control() -> None:
     np.testing.assert_allclose(np.sort_complex(system.poles()), np.sort_complex(linear.poles))
     frequencies = np.array([0.1, 1, 10, 20])
     theirs = control.frequency_response(system, 2 * np.pi * frequencies).complex
-    np.testing.assert_allclose(np.moveaxis(linear.response(frequencies), 0, -1), theirs.reshape(3, 1, 4), rtol=1e-9)
+    np.testing.assert_allclose(
+        np.moveaxis(linear.response(frequencies), 0, -1), theirs.reshape(3, 1, 4), rtol=1e-9
+    )
     assert pam.linearise("Isotonic").to_control().state_labels[0] == "muscle_gas_p"
 
 
@@ -211,7 +242,9 @@ def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
     assert (tmp_path / "l.png").read_bytes().startswith(b"\x89PNG")
     assert "<table>" in linear._repr_html_() and "der(v) [m/s2]" in linear._repr_html_()
     rows = linear.to_csv(tmp_path / "l.csv").read_text().splitlines()
-    assert rows[0] == ",P [Pa],l [m],v [m/s],p_in [Pa]" and rows[3].startswith("der(v) [m/s2],-0.00028619,")
+    assert rows[0] == ",P [Pa],l [m],v [m/s],p_in [Pa]" and rows[3].startswith(
+        "der(v) [m/s2],-0.00028619,"
+    )
     along = pam.linearise_along("Isotonic", times=[0.5, 1])
     pam.draw(along, tmp_path / "poles.png")
     assert pam.load(pam.save(along, tmp_path / "a.npz")).as_dict() == along.as_dict()

@@ -36,7 +36,9 @@ def lag(tmp_path: Path) -> str:
 
 @pytest.fixture(scope="module")
 def example() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("observer", ROOT / "examples" / "observer" / "observer.py")
+    spec = importlib.util.spec_from_file_location(
+        "observer", ROOT / "examples" / "observer" / "observer.py"
+    )
     assert spec and spec.loader
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -54,7 +56,9 @@ def test_covariance_over_a_step() -> None:
     slope, power = np.array([[-1.0, 0.3], [0.0, -5000.0]]), np.array([[0.2, 0.1], [0.1, 3.0]])
     over, added = transition(slope, power, 0.1)
     values, vectors = np.linalg.eig(slope)
-    np.testing.assert_allclose(over, (vectors * np.exp(values * 0.1)) @ np.linalg.inv(vectors), atol=1e-12)
+    np.testing.assert_allclose(
+        over, (vectors * np.exp(values * 0.1)) @ np.linalg.inv(vectors), atol=1e-12
+    )
     whole = transition(slope, power, 100.0)[1]
     np.testing.assert_allclose(whole, solve_continuous_lyapunov(slope, -power), rtol=1e-8)
     np.testing.assert_allclose(added, whole - over @ whole @ over.T, rtol=1e-8)
@@ -66,7 +70,9 @@ def test_settles_where_riccati_says(lag: str) -> None:
     time, tau, drift, noise = np.arange(0, 10, 0.1), 0.5, 0.3, 0.05
     zero = np.zeros(time.size)
     recording = pam.Trajectory(time, {"u": zero, "y": zero}, {"u": "N", "y": "m"})
-    observation = pam.observe(lag, recording, noise={"y": noise}, drift={"x": drift}, spread={"x": 1.0})
+    observation = pam.observe(
+        lag, recording, noise={"y": noise}, drift={"x": drift}, spread={"x": 1.0}
+    )
     over = np.exp(-0.1 / tau)
     added = drift**2 * tau / 2 * (1 - over**2)
     before = solve_discrete_are([[over]], [[1.0]], [[added]], [[noise**2]])[0, 0]
@@ -81,13 +87,17 @@ def test_an_input_that_nobody_measures(lag: str) -> None:
     chance = np.random.default_rng(3)
     y = 2 * (1 - np.exp(-time / 0.5)) + 0.1 * chance.standard_normal(time.size)
     recording = pam.Trajectory(time, {"y": y}, {"y": "m"})
-    observation = pam.observe(lag, recording, noise={"y": 0.1}, unknown={"u": (5.0, 1e-6)}, spread={"x": 1e-3})
+    observation = pam.observe(
+        lag, recording, noise={"y": 0.1}, unknown={"u": (5.0, 1e-6)}, spread={"x": 1e-3}
+    )
     assert observation["u"][-1] == pytest.approx(2, abs=3 * observation.deviations["u"][-1])
     assert observation.deviations["u"][-1] == pytest.approx(0.1 / np.sqrt(time.size), rel=0.1)
     assert observation.is_consistent and abs(observation.whiteness["y"]) < 3 / np.sqrt(time.size)
 
 
-def test_force_of_the_independent_rig(example: ModuleType, run: tuple[np.ndarray, pam.Trajectory]) -> None:
+def test_force_of_the_independent_rig(
+    example: ModuleType, run: tuple[np.ndarray, pam.Trajectory]
+) -> None:
     force, truth = run
     for rate in (10.0, 80.0):
         observation = example.observed(example.sampled(truth, rate, seed=11), force, 5.0)
@@ -97,7 +107,9 @@ def test_force_of_the_independent_rig(example: ModuleType, run: tuple[np.ndarray
     assert error.rms < example.without_filter(example.sampled(truth, rate, seed=11), force) / 3
 
 
-def test_who_is_too_sure_is_told(example: ModuleType, run: tuple[np.ndarray, pam.Trajectory]) -> None:
+def test_who_is_too_sure_is_told(
+    example: ModuleType, run: tuple[np.ndarray, pam.Trajectory]
+) -> None:
     force, truth = run
     observation = example.observed(example.sampled(truth, 20.0, seed=11), force, 0.5)
     assert (
@@ -115,19 +127,29 @@ def test_missing_samples_and_a_file(
     rows = ["time [s],u_in [A],u_out [A],p [kPa],x [mm]"]
     for i, t in enumerate(recording.time[:30]):
         p = "" if i % 3 else f"{recording['p'][i] / 1e3!r}"
-        rows.append(f"{t!r},{recording['u_in'][i]!r},{recording['u_out'][i]!r},{p},{recording['x'][i] * 1e3!r}")
+        rows.append(
+            f"{t!r},{recording['u_in'][i]!r},{recording['u_out'][i]!r},{p},{recording['x'][i] * 1e3!r}"
+        )
     path = tmp_path / "r.csv"
     path.write_text("\n".join(rows).replace("np.float64(", "").replace(")", "") + "\n")
-    words = {"noise": {"p": "0.5 kPa", "x": "0.2 mm"}, "unknown": {"F_ext": ("5 N", "5 N")}, "outputs": ["F"]}
+    words = {
+        "noise": {"p": "0.5 kPa", "x": "0.2 mm"},
+        "unknown": {"F_ext": ("5 N", "5 N")},
+        "outputs": ["F"],
+    }
     observation = pam.observe(MODEL, path, interpolation="previous", **words)
-    assert observation.sizes[:, 1].sum() == 40 and np.isnan(observation.innovations["p"]).sum() == 20
+    assert (
+        observation.sizes[:, 1].sum() == 40 and np.isnan(observation.innovations["p"]).sum() == 20
+    )
     foreign = pam.build(MODEL, tmp_path / "foreign.fmu")
     other = pam.observe(str(foreign), path, interpolation="previous", **words)
     np.testing.assert_array_equal(other["F"], observation["F"])
     assert pam.load(pam.save(observation, tmp_path / "o.npz")).as_dict() == observation.as_dict()
     pam.draw(observation.with_truth({"F": observation["F"]}), tmp_path / "o.png")
     assert (tmp_path / "o.png").read_bytes().startswith(b"\x89PNG")
-    assert observation.to_csv(tmp_path / "o.csv").read_text().startswith("time [s],muscle.gas.p [Pa],")
+    assert (
+        observation.to_csv(tmp_path / "o.csv").read_text().startswith("time [s],muscle.gas.p [Pa],")
+    )
     assert "<p>" in observation._repr_html_()
 
 
@@ -167,7 +189,10 @@ def test_a_recording_that_begins_in_the_middle(lag: str) -> None:
     times, rng = np.linspace(0.0, 4.0, 401), np.random.default_rng(2)
     force = 5.0 + np.sin(3.0 * times)
     whole = pam.simulate(lag, inputs={"time": times, "u": force}, stop_time=4.0, interval=0.01)
-    noisy = {"u": force, "y": np.interp(times, whole.time, whole["y"]) + 0.01 * rng.standard_normal(401)}
+    noisy = {
+        "u": force,
+        "y": np.interp(times, whole.time, whole["y"]) + 0.01 * rng.standard_normal(401),
+    }
     late = times >= 1.0
     cut = pam.Trajectory(times[late], {n: v[late] for n, v in noisy.items()}, {"u": "N", "y": "m"})
     observed = pam.observe(lag, cut, noise={"y": 0.01})

@@ -58,11 +58,18 @@ def test_a_closed_loop_whose_answer_is_known(slide: str) -> None:
     expected = 1 / (1 + 2j * np.pi * np.array(WORDS["frequencies"]) / 6)
     np.testing.assert_allclose(tracking.gain, expected, rtol=0.04)
     np.testing.assert_allclose(tracking.relative_error, np.abs(1 - tracking.gain), rtol=0.01)
-    assert tracking.settled.all() and tracking.rate == pytest.approx(200) and tracking.controller == "proportional"
+    assert (
+        tracking.settled.all()
+        and tracking.rate == pytest.approx(200)
+        and tracking.controller == "proportional"
+    )
 
 
 def test_an_fmu_says_the_same_a_sample_late(slide: str, gain: str, tmp_path: Path) -> None:
-    compiled, python = pam.track(slide, gain, **WORDS, rate=200), pam.track(slide, proportional, **WORDS)
+    compiled, python = (
+        pam.track(slide, gain, **WORDS, rate=200),
+        pam.track(slide, proportional, **WORDS),
+    )
     np.testing.assert_allclose(compiled.gain, python.gain, rtol=0.07)
     stiffer = pam.track(slide, gain, {"control.K": 12}, **WORDS, rate=200)
     omega = 2 * np.pi * np.array(WORDS["frequencies"])
@@ -91,7 +98,9 @@ def test_saved_loaded_drawn_and_shown(slide: str, tmp_path: Path) -> None:
     assert pam.load(pam.save(tracking, tmp_path / "t.npz")).as_dict() == tracking.as_dict()
     pam.draw(tracking, tmp_path / "t.png")
     assert (tmp_path / "t.png").read_bytes().startswith(b"\x89PNG")
-    assert tracking.to_csv(tmp_path / "t.csv").read_text().startswith("frequency [Hz],rms error [m],")
+    assert (
+        tracking.to_csv(tmp_path / "t.csv").read_text().startswith("frequency [Hz],rms error [m],")
+    )
     assert "<table>" in tracking._repr_html_() and "follows 1e+03 mm" in str(tracking)
 
 
@@ -108,7 +117,9 @@ def deaf() -> pam.Controller:
 
 
 def idle() -> pam.Controller:
-    return pam.controller(inputs={"y": "m", "y_wanted": "m"}, outputs={"v": "m/s"})(lambda time, y, y_wanted: 0.0)
+    return pam.controller(inputs={"y": "m", "y_wanted": "m"}, outputs={"v": "m/s"})(
+        lambda time, y, y_wanted: 0.0
+    )
 
 
 @pytest.mark.parametrize(

@@ -33,12 +33,17 @@ STEP = Schedule.of([Phase(1.0), Phase(9.0, u_in=0.3)])
 
 def _girth(x: float) -> float:
     """Diameter by that at rest."""
-    return sqrt((MUSCLE.fibre_squared - (MUSCLE.length - x) ** 2) / (MUSCLE.fibre_squared - MUSCLE.length**2))
+    return sqrt(
+        (MUSCLE.fibre_squared - (MUSCLE.length - x) ** 2)
+        / (MUSCLE.fibre_squared - MUSCLE.length**2)
+    )
 
 
 def _work(effect: Effect, x: float) -> float:
     places = np.linspace(0.0, x, 4001)
-    return float(np.trapezoid([effect.force((), float(place), 0.0, 0.0) for place in places], places))
+    return float(
+        np.trapezoid([effect.force((), float(place), 0.0, 0.0) for place in places], places)
+    )
 
 
 # --- force ----------------------------------------------------------------------------------------------------
@@ -47,7 +52,9 @@ def _work(effect: Effect, x: float) -> float:
 def test_eight_chains_of_many_links_are_neo_hookean_and_of_few_stiffer():
     neo = MooneyRivlin(c10=1e5, c01=0.0)
     for x in (0.01, 0.05):
-        many, few = (blind.elasticity.EightChain(mu=2e5, links=n).force((), x, 0.0, 0.0) for n in (1e5, 2.0))
+        many, few = (
+            blind.elasticity.EightChain(mu=2e5, links=n).force((), x, 0.0, 0.0) for n in (1e5, 2.0)
+        )
         assert many == pytest.approx(neo.force((), x, 0.0, 0.0), rel=1e-4)
         assert few > 1.2 * many
 
@@ -82,7 +89,9 @@ def test_crossings_rub_by_pressure_and_less_as_their_rhombs_open():
     assert own.force((), 0.0, 0.05, 1e5) == pytest.approx(5.0)
     assert own.force((), 0.0, -0.05, 2e5) == pytest.approx(-10.0)
     theta = [np.arccos((MUSCLE.length - x) / sqrt(MUSCLE.fibre_squared)) for x in (0.0, 0.05)]
-    assert own.force((), 0.05, 0.05, 1e5) == pytest.approx(5.0 * np.sin(2 * theta[0]) / np.sin(2 * theta[1]))
+    assert own.force((), 0.05, 0.05, 1e5) == pytest.approx(
+        5.0 * np.sin(2 * theta[0]) / np.sin(2 * theta[1])
+    )
 
 
 def test_bristle_under_what_the_bladder_leaves_is_dahls():
@@ -109,8 +118,12 @@ def test_breakaway_peaks_by_the_way_at_any_speed_and_slides_at_its_force():
 
 def test_thinning_oil_is_viscous_at_first_and_a_power_then():
     own = blind.rate_friction.ThinningOil(400.0, 0.02, 0.4)
-    assert own.force((), 0.0, 1e-5, 0.0) == pytest.approx(Viscous(400.0).force((), 0.0, 1e-5, 0.0), rel=1e-4)
-    assert own.force((), 0.0, 8.0, 0.0) / own.force((), 0.0, 4.0, 0.0) == pytest.approx(2**0.4, rel=1e-3)
+    assert own.force((), 0.0, 1e-5, 0.0) == pytest.approx(
+        Viscous(400.0).force((), 0.0, 1e-5, 0.0), rel=1e-4
+    )
+    assert own.force((), 0.0, 8.0, 0.0) / own.force((), 0.0, 4.0, 0.0) == pytest.approx(
+        2**0.4, rel=1e-3
+    )
 
 
 def test_warm_grease_thins_by_its_temperature():
@@ -125,11 +138,16 @@ def test_power_at_greased_crossings_goes_with_the_turning_of_fibres():
 
     def turning(x: float, v: float) -> float:
         step = 1e-6
-        angles = [np.arccos((MUSCLE.length - x - side * step) / sqrt(MUSCLE.fibre_squared)) for side in (1, -1)]
+        angles = [
+            np.arccos((MUSCLE.length - x - side * step) / sqrt(MUSCLE.fibre_squared))
+            for side in (1, -1)
+        ]
         return (angles[0] - angles[1]) / (2 * step) * v
 
     powers = [own.force((), x, v, 1e5) * v for x, v in ((0.0, 0.02), (0.06, 0.05))]
-    assert powers[1] / powers[0] == pytest.approx((turning(0.06, 0.05) / turning(0.0, 0.02)) ** 2, rel=1e-6)
+    assert powers[1] / powers[0] == pytest.approx(
+        (turning(0.06, 0.05) / turning(0.0, 0.02)) ** 2, rel=1e-6
+    )
     assert powers[0] == pytest.approx(3e-3 * 1e5 * 0.02**2)
 
 
@@ -146,7 +164,9 @@ def test_relaxation_is_a_stretched_exponential():
     for t in (0.1, 0.3, 1.0, 3.0):
         left = own.force(held(own, now_at(x=0.02), t), 0.02, 0.0, 0.0)
         assert left / 8.0 == pytest.approx(exp(-sqrt(t)), abs=0.05)
-    assert own.force((0.0,) * 6, 0.02, 0.0, 0.0) == pytest.approx(Creep(400.0).force((0.0,), 0.02, 0.0, 0.0))
+    assert own.force((0.0,) * 6, 0.02, 0.0, 0.0) == pytest.approx(
+        Creep(400.0).force((0.0,), 0.02, 0.0, 0.0)
+    )
 
 
 def test_round_caps_pull_by_virtual_work():
@@ -161,8 +181,12 @@ def test_round_caps_pull_by_virtual_work():
 
 def test_uneven_braid_is_even_without_an_angle_and_weaker_with_one():
     for x in (0.0, 0.03, 0.06):
-        assert blind.end_shape.UnevenBraid(0.0, 0.2, *BRAID).pull_factor(x, 1e5) == pytest.approx(1.0, abs=1e-9)
-        assert blind.end_shape.UnevenBraid(0.1, 0.0, *BRAID).pull_factor(x, 1e5) == pytest.approx(1.0, abs=1e-9)
+        assert blind.end_shape.UnevenBraid(0.0, 0.2, *BRAID).pull_factor(x, 1e5) == pytest.approx(
+            1.0, abs=1e-9
+        )
+        assert blind.end_shape.UnevenBraid(0.1, 0.0, *BRAID).pull_factor(x, 1e5) == pytest.approx(
+            1.0, abs=1e-9
+        )
         assert 0.3 < blind.end_shape.UnevenBraid(0.1, 0.2, *BRAID).pull_factor(x, 1e5) < 1.0
 
 
@@ -179,7 +203,9 @@ def test_both_parts_of_an_uneven_braid_pull_alike():
         total += sqrt((pull * 4 * pi * turns**2 + b2) / 3)
     assert total == pytest.approx(MUSCLE.length - x, rel=1e-4)
     assert 0 < pull < 6 * area
-    assert own._parts()[1][1] == pytest.approx(np.cos(np.arccos(sqrt(own._parts()[0][1])) + more) ** 2, rel=1e-3)
+    assert own._parts()[1][1] == pytest.approx(
+        np.cos(np.arccos(sqrt(own._parts()[0][1])) + more) ** 2, rel=1e-3
+    )
 
 
 def test_bladder_bridges_where_the_step_is_and_pressure_is_not():
@@ -220,7 +246,9 @@ def test_freewheel_takes_the_wheel_along_and_leaves_it():
     assert own.force([0.0], 0.0, 0.1, 0.0) == pytest.approx(3.0 * 0.1 / 0.02, rel=1e-6)
     # what it was given is the work that it took: momentum m w
     w = held(own, now_at(v=0.1), 0.01)[0]
-    pushed = np.mean([own.force(held(own, now_at(v=0.1), t), 0.0, 0.1, 0.0) for t in np.linspace(1e-4, 0.01, 80)])
+    pushed = np.mean(
+        [own.force(held(own, now_at(v=0.1), t), 0.0, 0.1, 0.0) for t in np.linspace(1e-4, 0.01, 80)]
+    )
     assert pushed * 0.01 == pytest.approx(3.0 * w, rel=0.02)
 
 
@@ -280,7 +308,9 @@ def test_line_without_cooling_is_a_tube_and_one_with_it_loses_heat():
     assert own.line_rates(q, valves, 1.5e5, 300.0) == known.line_rates(q, valves, 1.5e5, 300.0)
     cooled = replace(own, wall=0.03)
     warmer = known.node(q)[1] - T_ATM
-    lost = np.subtract(known.line_rates(q, valves, 1.5e5, 300.0), cooled.line_rates(q, valves, 1.5e5, 300.0))
+    lost = np.subtract(
+        known.line_rates(q, valves, 1.5e5, 300.0), cooled.line_rates(q, valves, 1.5e5, 300.0)
+    )
     assert warmer > 10
     assert lost == pytest.approx([0.0, 0.03 * warmer])
 
@@ -313,7 +343,9 @@ def test_pockets_fill_with_their_enthalpy_and_one_empties_slowly():
     for own in (trap, ring):
         mass, energy = held(own, now_at(p_gauge=1e5), 5.0)[:2]
         assert own.inside([mass, energy]) == pytest.approx(P_ATM + 1e5, rel=1e-3)
-        assert energy - P_ATM * 1.5e-5 / (GAMMA - 1) == pytest.approx(CP * T_ATM * (mass - before), rel=1e-3)
+        assert energy - P_ATM * 1.5e-5 / (GAMMA - 1) == pytest.approx(
+            CP * T_ATM * (mass - before), rel=1e-3
+        )
         assert energy / (CV * mass) > T_ATM
     full = trap.initial(REST)
     ratio = trap.exchange(full, P_ATM + 1e3, T_ATM)[0] / trap.exchange(full, P_ATM - 1e3, T_ATM)[0]
@@ -334,8 +366,12 @@ def test_leaks_are_laminar_ones_where_nothing_changes_them():
     seal, creeping = blind.leak.MovingSeal(2e-11, 5e-3), blind.leak.CreepingSeal(2e-11, 4e4, 1.5)
     assert seal.exchange([0.0], P_ATM + 1e5, T_ATM)[0] == pytest.approx(laminar, rel=0.05)
     moving = held(seal, now_at(v=-5e-3), 0.2)
-    assert seal.exchange(moving, P_ATM + 1e5, T_ATM) == pytest.approx((2 * laminar, 2 * laminar * CP * T_ATM), rel=1e-3)
-    assert creeping.exchange(creeping.initial(REST), P_ATM + 1e5, T_ATM)[0] == pytest.approx(laminar)
+    assert seal.exchange(moving, P_ATM + 1e5, T_ATM) == pytest.approx(
+        (2 * laminar, 2 * laminar * CP * T_ATM), rel=1e-3
+    )
+    assert creeping.exchange(creeping.initial(REST), P_ATM + 1e5, T_ATM)[0] == pytest.approx(
+        laminar
+    )
     crept = held(creeping, now_at(p_gauge=4e4), 30.0)
     assert creeping.exchange(crept, P_ATM + 1e5, T_ATM)[0] == pytest.approx(laminar / 2)
     cold = blind.leak.ColdSeal(2e-11, 12.0)
@@ -349,13 +385,18 @@ def test_leaks_are_laminar_ones_where_nothing_changes_them():
 
 def test_gas_without_what_is_new_is_the_plain_balance():
     plain = EnergyGas(20.0, 1.8e-3)
-    jet, plates = blind.gas_energy.InletJet(20.0, 1.8e-3, 30.0, 0.1), blind.gas_energy.EndPlates(20.0, 1.8e-3, 0.03)
+    jet, plates = (
+        blind.gas_energy.InletJet(20.0, 1.8e-3, 30.0, 0.1),
+        blind.gas_energy.EndPlates(20.0, 1.8e-3, 0.03),
+    )
     still = plain._through(20.0)
     assert jet.film([1e-4, 0.0], 0.0, 2e5, 310.0) == pytest.approx(still, rel=0.01)
     vented = held(jet, now_at(flow=-1e-4), 1.0)
     assert jet.film(list(vented), 0.0, 2e5, 310.0) == pytest.approx(still, rel=0.01)
     filled = held(jet, now_at(flow=1e-4), 2.0)
-    assert jet.film(list(filled), 0.0, 2e5, 310.0) == pytest.approx(1 / (2 / 50.0 + 1.8e-3), rel=1e-3)
+    assert jet.film(list(filled), 0.0, 2e5, 310.0) == pytest.approx(
+        1 / (2 / 50.0 + 1.8e-3), rel=1e-3
+    )
     assert plates.exchange([1e-4], 2e5, T_ATM + 10.0) == pytest.approx((0.0, 0.3))
     assert plates.film([1e-4], 0.0, 2e5, 310.0) == still
 
@@ -367,7 +408,9 @@ def test_fog_gives_and_takes_its_latent_heat():
     # cooled by 40 K nearly all condenses: at 253 K some 0.8 g/kg stay
     fog = held(own, now_at(temperature=cold), 2.0)[1]
     assert 1.9e-3 < fog < 2.6e-3
-    assert own.exchange([1e-4, 0.0], P_ATM, cold)[1] == pytest.approx(-2.5e6 * 1e-4 * fog / 0.05, rel=1e-3)
+    assert own.exchange([1e-4, 0.0], P_ATM, cold)[1] == pytest.approx(
+        -2.5e6 * 1e-4 * fog / 0.05, rel=1e-3
+    )
     assert own.exchange([1e-4, fog], P_ATM, warm)[1] > 0
     given = sum(
         own.exchange([1e-4, held(own, now_at(temperature=cold), t)[1]], P_ATM, cold)[1] * 1e-3
@@ -378,9 +421,14 @@ def test_fog_gives_and_takes_its_latent_heat():
 
 def test_walls_are_known_ones_at_rest():
     lump, warm = WarmWall(0.4, 0.02), [T_ATM + 5.0]
-    draught, gap = blind.wall_heat.ExhaustDraught(0.4, 0.02, 5.0), blind.wall_heat.ClosingGap(0.4, 0.02, 0.01)
+    draught, gap = (
+        blind.wall_heat.ExhaustDraught(0.4, 0.02, 5.0),
+        blind.wall_heat.ClosingGap(0.4, 0.02, 0.01),
+    )
     for own in (draught, gap):
-        assert own.rates(warm, now_at(heat=-0.3)) == pytest.approx(lump.rates(warm, now_at(heat=-0.3)))
+        assert own.rates(warm, now_at(heat=-0.3)) == pytest.approx(
+            lump.rates(warm, now_at(heat=-0.3))
+        )
     blown = now_at()._replace(command=(0.0, 0.35))
     assert draught.rates(warm, blown)[0] == pytest.approx(6 * lump.rates(warm, now_at())[0])
     assert gap.rates(warm, now_at(x=0.01))[0] == pytest.approx(2 * lump.rates(warm, now_at())[0])
@@ -403,8 +451,12 @@ def test_heat_of_friction_is_never_more_than_its_power():
     pressed = blind.friction_heat.PressedContact(1.0, 1e5, 2e-3, 2e-4)
     paths = blind.friction_heat.TwoPaths(1.0, 0.5, 2e-3, 2e-4)
     for v in (0.05, -0.05):
-        assert pressed.heat(held(pressed, now_at(v=v, p_gauge=1e5), 1.0)) == pytest.approx(rubbed / 2, rel=1e-6)
-        assert paths.heat(held(paths, now_at(v=v, p_gauge=1e5), 9.0)) == pytest.approx(rubbed, rel=1e-5)
+        assert pressed.heat(held(pressed, now_at(v=v, p_gauge=1e5), 1.0)) == pytest.approx(
+            rubbed / 2, rel=1e-6
+        )
+        assert paths.heat(held(paths, now_at(v=v, p_gauge=1e5), 9.0)) == pytest.approx(
+            rubbed, rel=1e-5
+        )
     early = paths.heat(held(paths, now_at(v=0.05, p_gauge=1e5), 0.1))
     assert 1e5 * 2e-4 * 0.05 * 0.98 < early < rubbed
 
@@ -415,18 +467,28 @@ def test_heat_of_friction_is_never_more_than_its_power():
 def test_thermometers_show_a_steady_temperature_and_come_late():
     hot = now_at(temperature=T_ATM + 10.0)
     compensated = blind.thermocouple_lag.Compensated(0.2, 0.5)
-    recess, bessel = blind.thermocouple_lag.Recess(0.4, 4e-5), blind.thermocouple_lag.BesselFilter(0.1)
+    recess, bessel = (
+        blind.thermocouple_lag.Recess(0.4, 4e-5),
+        blind.thermocouple_lag.BesselFilter(0.1),
+    )
     for own in (compensated, recess, bessel):
-        assert own.reading(held(own, hot, 9.0), T_ATM + 10.0) == pytest.approx(T_ATM + 10.0, abs=1e-3)
+        assert own.reading(held(own, hot, 9.0), T_ATM + 10.0) == pytest.approx(
+            T_ATM + 10.0, abs=1e-3
+        )
         assert own.reading(own.initial(REST), T_ATM) == T_ATM
     known, bare = ThermocoupleLag(0.2), replace(compensated, r=0.0)
     q = held(known, hot, 0.3)
     assert bare.reading(q, T_ATM + 10.0) == known.reading(q, T_ATM + 10.0)
     assert compensated.reading([T_ATM], T_ATM + 10.0) == pytest.approx(T_ATM + 5.0)
-    assert recess.rates([T_ATM, T_ATM], hot._replace(net_mass_flow=-4e-5))[0] == pytest.approx(2 * 10.0 / 0.4)
+    assert recess.rates([T_ATM, T_ATM], hot._replace(net_mass_flow=-4e-5))[0] == pytest.approx(
+        2 * 10.0 / 0.4
+    )
     # a ramp comes sqrt(3) tau late
     ramp = solve_ivp(
-        lambda t, q: bessel.rates(q, now_at(temperature=T_ATM + 10 * t)), (0.0, 4.0), bessel.initial(REST), rtol=1e-9
+        lambda t, q: bessel.rates(q, now_at(temperature=T_ATM + 10 * t)),
+        (0.0, 4.0),
+        bessel.initial(REST),
+        rtol=1e-9,
     ).y[0, -1]
     assert ramp == pytest.approx(T_ATM + 10 * (4.0 - sqrt(3) * 0.1), abs=0.01)
 
@@ -451,13 +513,17 @@ def test_gauges_are_right_where_they_were_set():
 def test_frame_bends_by_the_pull_and_stands_up_again():
     own = blind.none_of_these.CompliantFrame(2e-5, *BRAID, MUSCLE.turns)
     bent = held(own, now_at(x=0.02, p_gauge=1e5), 0.2)
-    assert own.position_shown(bent, 0.02) == pytest.approx(0.02 - 2e-5 * 1e5 * MUSCLE.volume_slope(0.02), rel=1e-6)
+    assert own.position_shown(bent, 0.02) == pytest.approx(
+        0.02 - 2e-5 * 1e5 * MUSCLE.volume_slope(0.02), rel=1e-6
+    )
     assert held(own, now_at(), 0.2, list(bent))[0] == pytest.approx(0.0, abs=1e-9)
 
 
 def test_hot_supply_brings_more_enthalpy_with_what_flows_in():
     hot = blind.none_of_these.HotSupply(15.0)
-    assert hot.exchange(held(hot, now_at(flow=1e-4), 0.2), 2e5, 300.0) == pytest.approx((0.0, -CP * 1e-4 * 15.0))
+    assert hot.exchange(held(hot, now_at(flow=1e-4), 0.2), 2e5, 300.0) == pytest.approx(
+        (0.0, -CP * 1e-4 * 15.0)
+    )
     assert hot.exchange(held(hot, now_at(flow=-1e-4), 0.2), 2e5, 300.0)[1] == 0.0
 
 
@@ -466,7 +532,9 @@ def test_work_over_a_detent_is_nothing_and_up_to_its_middle_what_it_holds():
     forces = [own.force((), float(place), 0.0, 0.0) for place in x]
     assert max(forces) == pytest.approx(10.0, rel=1e-3)
     assert np.trapezoid(forces, x) == pytest.approx(0.0, abs=1e-9)
-    assert np.trapezoid(forces[:2501], x[:2501]) == pytest.approx(-10.0 * 1.5e-3 * sqrt(exp(1)), rel=1e-3)
+    assert np.trapezoid(forces[:2501], x[:2501]) == pytest.approx(
+        -10.0 * 1.5e-3 * sqrt(exp(1)), rel=1e-3
+    )
 
 
 def test_rulers_that_follow_badly():
@@ -490,7 +558,9 @@ def test_rulers_that_follow_badly():
 def test_what_else_goes_wrong():
     tap = blind.none_of_these.VenturiTap(300.0)
     for flow in (2e-4, -2e-4):
-        assert tap.pressure_shown(held(tap, now_at(flow=flow), 0.2), 1e5) == pytest.approx(1e5 - 1200.0)
+        assert tap.pressure_shown(held(tap, now_at(flow=flow), 0.2), 1e5) == pytest.approx(
+            1e5 - 1200.0
+        )
     charge = blind.none_of_these.ResidualCharge(30.0)
     assert charge.reading(held(charge, now_at(v=0.05), 1.0), T_ATM) == pytest.approx(T_ATM + 1.5)
     loop = blind.none_of_these.GroundLoop(2.0)

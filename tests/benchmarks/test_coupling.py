@@ -25,4 +25,6 @@ def test_chosen_steps_beat_fixed_ones_where_the_muscle_rests() -> None:
 @pytest.mark.full
 def test_orders_of_all_methods() -> None:
     for name, points in coupling.orders((2e-3, 1e-3, 5e-4)).items():
-        assert coupling.order_of(points) == pytest.approx(2 if "linear" in name else 1, abs=0.1), name
+        assert coupling.order_of(points) == pytest.approx(2 if "linear" in name else 1, abs=0.1), (
+            name
+        )

@@ -30,9 +30,13 @@ def test_a_table_is_played_as_phases_are() -> None:
 
 
 def test_lines_between_rows_and_a_delay() -> None:
-    ramp = PlayedSchedule.of_table([0.0, 1.0, 1.0, 2.0], [(0.0, 0.0), (0.4, 0.0), (0.1, 0.2), (0.1, 0.0)])
+    ramp = PlayedSchedule.of_table(
+        [0.0, 1.0, 1.0, 2.0], [(0.0, 0.0), (0.4, 0.0), (0.1, 0.2), (0.1, 0.0)]
+    )
     assert ramp.at(0.5) == pytest.approx((0.2, 0.0)) and ramp.at(1.5) == pytest.approx((0.1, 0.1))
-    assert ramp.within(0.0)(1.0) == pytest.approx((0.4, 0.0))  # the end of the line that begins at zero
+    assert ramp.within(0.0)(1.0) == pytest.approx(
+        (0.4, 0.0)
+    )  # the end of the line that begins at zero
     late = ramp.delayed(0.25)
     assert late.at(0.75) == pytest.approx((0.2, 0.0)) and late.starts == (1.25,)
 
@@ -45,7 +49,11 @@ def test_a_case_of_the_muscle_is_the_same_twice_and_plays_a_planned_run() -> Non
         assert np.array_equal(values, two.data.runs[0].measurements[name], equal_nan=True)
         assert np.isfinite(values).sum() == 51
     time = np.array([*np.arange(26) * 0.06, *np.arange(25, 51) * 0.06])
-    inputs = {"u_in": np.where(np.arange(52) < 26, 0.3, 0.0), "u_out": np.zeros(52), "p_supply": np.full(52, 2e5)}
+    inputs = {
+        "u_in": np.where(np.arange(52) < 26, 0.3, 0.0),
+        "u_out": np.zeros(52),
+        "p_supply": np.full(52, 2e5),
+    }
     run = one.play(further_run(one.data, time, inputs, {"load.m": 3.0}))
     assert np.isfinite(run.measurements["p"]).sum() == 51 and np.isnan(run.measurements["p"][25])
     assert run.measurements["p"][26] > 2e4 > run.measurements["p"][0] - 2e3
@@ -54,7 +62,9 @@ def test_a_case_of_the_muscle_is_the_same_twice_and_plays_a_planned_run() -> Non
 def test_a_tuning_case_plays_its_own_run_as_it_was_recorded() -> None:
     """The first run of a case, played from its inputs, differs from what was recorded by the noise."""
     cases = (many.case_of("tuning2", n) for n in range(400) if tuning.is_asked(n))
-    number = next(c.number for c in cases if c.design.bench == "TankFilling" and c.group != "instrument")
+    number = next(
+        c.number for c in cases if c.design.bench == "TankFilling" and c.group != "instrument"
+    )
     made = many.make(many.case_of("tuning2", number))
     scene = tuning.scene(number)
     run = scene.data.runs[0]
@@ -74,11 +84,21 @@ def test_the_table_counts() -> None:
         "random": {"outcome": "wrong", "expected_chi2": 3.0},
     }
     results = [
-        {"case": {"families": ["leak"]}, "first": verdict, "further": {**further, "design_seconds": 2.0}},
-        {"case": {"families": ["leak"]}, "first": {"verdict": {"kind": "identified", "families": ["leak"]}}},
+        {
+            "case": {"families": ["leak"]},
+            "first": verdict,
+            "further": {**further, "design_seconds": 2.0},
+        },
+        {
+            "case": {"families": ["leak"]},
+            "first": {"verdict": {"kind": "identified", "families": ["leak"]}},
+        },
         {"error": "..."},
     ]
     text = table(results)
     assert "2 cases were diagnosed" in text and "1 verdicts left rivals" in text
     assert "| ambiguous | yes | designed | 1 | 1 | 0 | 0 | 0 | 0 | 0 |" in text
-    assert "- random: right in 0 of 1; expected chi-square of the nearest pair 3 in the median." in text
+    assert (
+        "- random: right in 0 of 1; expected chi-square of the nearest pair 3 in the median."
+        in text
+    )

@@ -29,9 +29,14 @@ def test_inputs_are_those_of_the_run(tmp_path: Path) -> None:
     steps = np.flatnonzero(np.diff(run.inputs["u_in"]))
     assert steps.size and len(rows) > len(run.time)
     at = run.time[steps[0] + 1]
-    assert rows["u_in"][rows["time"] == at].tolist() == run.inputs["u_in"][steps[0] : steps[0] + 2].tolist()
+    assert (
+        rows["u_in"][rows["time"] == at].tolist()
+        == run.inputs["u_in"][steps[0] : steps[0] + 2].tolist()
+    )
 
 
 def test_table_says_who_comes_to_the_same_optimum() -> None:
-    text = table([Outcome("pam-cosim", 2.0, 40, 1.0, {}), Outcome("other", 50.0, 900, 1.2, {})], 1.0)
+    text = table(
+        [Outcome("pam-cosim", 2.0, 40, 1.0, {}), Outcome("other", 50.0, 900, 1.2, {})], 1.0
+    )
     assert "yes" in text.splitlines()[1] and "no, 25 times pam-cosim's time" in text.splitlines()[2]

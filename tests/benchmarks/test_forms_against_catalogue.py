@@ -31,7 +31,10 @@ SAME = {
     "OrificeLine": (catalogue.supply_line.OrificeTube(2e-7, 4e-7), {"A": 4e-7}),
     "LaminarLine": (catalogue.supply_line.LaminarTube(2e-7, 4e-9), {"G": 4e-9}),
     "ConvectiveGas": (catalogue.gas_energy.StirredGas(8.0, WALL, 30.0), {"h_0": 8, "h_1": 30}),
-    "StorageWall": (catalogue.wall_heat.StorageWall(0.4, 2.0, TRUTH.h_film, WALL / 2, *SHAPE), {"C": 0.4, "r": 2}),
+    "StorageWall": (
+        catalogue.wall_heat.StorageWall(0.4, 2.0, TRUTH.h_film, WALL / 2, *SHAPE),
+        {"C": 0.4, "r": 2},
+    ),
     "FibreFrictionHeat": (catalogue.friction_heat.FibreHeat(1.0), {"share": 1}),
     "ThermocoupleSheath": (catalogue.thermocouple_lag.Sheath(0.15, 0.3), {"tau": 0.15, "r": 0.3}),
 }
@@ -48,6 +51,12 @@ def test_same_physics_same_curve(name: str) -> None:
         replace(TRUTH, load=RUN.load), RUN.p_supply, RUN.schedule, TIMES, [hidden], method="LSODA"
     )
     with Simulator(built(BENCH, name)) as simulator:
-        simulated = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
-    for signal, course, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
+        simulated = simulator.run(
+            TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7
+        ).values
+    for signal, course, unit in (
+        ("p", expected.p, "Pa"),
+        ("x", expected.x, "m"),
+        ("T", expected.temperature, "K"),
+    ):
         assert np.abs(simulated[signal] - course).max() < 0.3 * NOISE[unit], signal

@@ -41,7 +41,9 @@ def test_bouc_wen_of_first_order_is_dahl():
 
     y = solve_ivp(rates, (0.0, 1.5), [0.0, 0.0], rtol=1e-9, atol=1e-12).y
     for a, b in zip(y[0], y[1], strict=True):
-        assert own.force([a], 0.0, 0.0, 0.0) == pytest.approx(known.force([b], 0.0, 0.0, 0.0), abs=1e-4)
+        assert own.force([a], 0.0, 0.0, 0.0) == pytest.approx(
+            known.force([b], 0.0, 0.0, 0.0), abs=1e-4
+        )
 
 
 def test_bouc_wen_dissipates_in_a_closed_cycle_and_stays_bounded():
@@ -70,7 +72,9 @@ def test_rocker_keeps_its_energy():
 
 def test_flywheel_is_a_mass_for_slow_movements():
     own = seen.moving_mass.SlippingFlywheel(m=3.0, tau=0.01)
-    y = solve_ivp(lambda t, y: own.rates(y, _now(v=0.2 * t)), (0.0, 1.0), [0.0], rtol=1e-9, atol=1e-12).y
+    y = solve_ivp(
+        lambda t, y: own.rates(y, _now(v=0.2 * t)), (0.0, 1.0), [0.0], rtol=1e-9, atol=1e-12
+    ).y
     assert own.force(y[:, -1], 0.0, 0.2, 0.0) == pytest.approx(3.0 * 0.2, rel=1e-4)
 
 
@@ -78,7 +82,9 @@ def test_hose_balances_enthalpy_with_energy_and_work():
     own = seen.dead_volume.Hose(1e-5, 5e-6)
     q = np.array(own.initial(REST))
     assert own._gas(q) == pytest.approx((P_ATM, T_ATM))
-    fill = solve_ivp(lambda t, y: own.rates(y, _now(p_gauge=1e5)), (0.0, 1.0), q, rtol=1e-9, atol=(1e-13, 1e-9))
+    fill = solve_ivp(
+        lambda t, y: own.rates(y, _now(p_gauge=1e5)), (0.0, 1.0), q, rtol=1e-9, atol=(1e-13, 1e-9)
+    )
     p, temperature = own._gas(fill.y[:, -1])
     assert p == pytest.approx(P_ATM + 1e5, rel=1e-4)
     volume = own.volume * (1 + own.expansion * (p - P_ATM))
@@ -86,12 +92,16 @@ def test_hose_balances_enthalpy_with_energy_and_work():
     # enthalpy of what came in = gain of internal energy + work on the hose, whose pressure is linear in its volume
     work = (P_ATM + p) / 2 * (volume - own.volume)
     gained = (p * volume - P_ATM * own.volume) / (GAMMA - 1)
-    assert GAMMA * R / (GAMMA - 1) * T_ATM * (after - before) == pytest.approx(gained + work, rel=1e-6)
+    assert GAMMA * R / (GAMMA - 1) * T_ATM * (after - before) == pytest.approx(
+        gained + work, rel=1e-6
+    )
 
 
 def test_critical_ratio_of_the_nozzle_changes_little_and_a_lower_one_throttles():
     for p_down in (1.1e5, 1.5e5, 2.2e5, 2.9e5):
-        assert seen.valve_area.CriticalRatio(0.0).valve_factor(3e5, p_down) == pytest.approx(1.0, abs=0.03)
+        assert seen.valve_area.CriticalRatio(0.0).valve_factor(3e5, p_down) == pytest.approx(
+            1.0, abs=0.03
+        )
     assert seen.valve_area.CriticalRatio(0.3).valve_factor(3e5, 1.5e5) < 0.97
     assert seen.valve_area.CriticalRatio(0.3).valve_factor(3e5, 0.3e5) == pytest.approx(1.0)
 
@@ -100,12 +110,20 @@ def test_blasius_drop_goes_with_flow_to_seven_quarters():
     tube = seen.supply_line.BlasiusTube(c=2e-10)
     flows = [tube.flow(p, T_ATM, 2e5, T_ATM) for p in (2.5e5, 3e5)]
     drops = [p * p - 4e10 for p in (2.5e5, 3e5)]
-    assert np.log(drops[1] / drops[0]) / np.log(flows[1] / flows[0]) == pytest.approx(7 / 4, rel=1e-3)
+    assert np.log(drops[1] / drops[0]) / np.log(flows[1] / flows[0]) == pytest.approx(
+        7 / 4, rel=1e-3
+    )
 
 
 def test_thick_wall_keeps_its_heat():
     own = seen.wall_heat.ThickWall(capacity=1.0, tau=8.0, g_out=0.0)
-    y = solve_ivp(lambda t, y: own.rates(y, _now(heat=-0.5)), (0.0, 4.0), own.initial(REST), rtol=1e-9, atol=1e-9).y
+    y = solve_ivp(
+        lambda t, y: own.rates(y, _now(heat=-0.5)),
+        (0.0, 4.0),
+        own.initial(REST),
+        rtol=1e-9,
+        atol=1e-9,
+    ).y
     assert np.mean(y[:, -1]) - T_ATM == pytest.approx(0.5 * 4.0 / 1.0, rel=1e-6)
     assert list(y[:, -1]) == sorted(y[:, -1], reverse=True)
 

@@ -41,7 +41,10 @@ def test_forms_lie_in_the_folder_and_the_family_that_the_table_says():
 
 def test_no_form_comes_twice_and_each_is_a_class_of_its_own():
     muscle = MuscleParameters()
-    kinds = {(f.family, f.name): type(f.make(np.random.default_rng(1), muscle)(min(1.0, f.high))) for f in ALL}
+    kinds = {
+        (f.family, f.name): type(f.make(np.random.default_rng(1), muscle)(min(1.0, f.high)))
+        for f in ALL
+    }
     assert len(kinds) == len(ALL)
     assert len(set(kinds.values())) == len(ALL)
 
@@ -107,5 +110,8 @@ def test_the_rig_runs_at_an_ordinary_strength(form):
     """A sample of the new forms, shortly; all of them, at their bounds, are in the other tier."""
     bench = _draw_bench(np.random.default_rng(2))
     bench = replace(bench, plan=(replace(bench.plan[0], samples=151),))
-    base, run = bench.simulate()[0], bench.simulate([form.make(np.random.default_rng(9), bench.muscle)(1.0)])[0]
+    base, run = (
+        bench.simulate()[0],
+        bench.simulate([form.make(np.random.default_rng(9), bench.muscle)(1.0)])[0],
+    )
     assert any(not np.allclose(run[name], base[name], rtol=1e-9, atol=0.0) for name in base)

@@ -35,7 +35,10 @@ def test_slack_cord_pulls_only_when_taut():
 def test_flowing_rubber_of_first_power_and_even_recovery_are_maxwell():
     known = Creep(400.0, 1.5)
     q, stretched = [0.02], now_at(x=0.05)
-    for own in (seen.creep.FlowingRubber(400.0, 1.5, m=1.0), seen.creep.SlowRecovery(400.0, 1.5, r=1.0)):
+    for own in (
+        seen.creep.FlowingRubber(400.0, 1.5, m=1.0),
+        seen.creep.SlowRecovery(400.0, 1.5, r=1.0),
+    ):
         assert own.rates(q, stretched) == pytest.approx(known.rates(q, stretched))
         assert own.force(q, 0.05, 0.0, 0.0) == known.force(q, 0.05, 0.0, 0.0)
 
@@ -82,7 +85,11 @@ def test_power_in_the_matrix_is_that_of_turning_fibres():
     muscle, x, v, step = MuscleParameters(), 0.03, 0.05, 1e-7
     own = seen.rate_friction.ShearedMatrix(60.0, muscle.length, muscle.fibre_squared)
     b = sqrt(muscle.fibre_squared)
-    turned = (np.arccos((muscle.length - x - step) / b) - np.arccos((muscle.length - x + step) / b)) / (2 * step) * v
+    turned = (
+        (np.arccos((muscle.length - x - step) / b) - np.arccos((muscle.length - x + step) / b))
+        / (2 * step)
+        * v
+    )
     assert own.force((), x, v, 0.0) * v == pytest.approx(60.0 * b * b * turned**2, rel=1e-5)
 
 
@@ -152,7 +159,9 @@ def test_choked_tube_is_iso_6358_both_ways():
     tube = seen.supply_line.ChokedTube(conductance=1e-9, b=0.2)
     choked = [tube.flow(5e5, T_ATM, p, T_ATM) for p in (0.2e5, 1e5)]
     assert choked == pytest.approx([1e-9 * P_ATM / (R * T_ATM) * 5e5] * 2, rel=1e-4)
-    assert tube.flow(5e5, T_ATM, 3e5, T_ATM) == pytest.approx(choked[0] * sqrt(1 - (0.4 / 0.8) ** 2), rel=1e-4)
+    assert tube.flow(5e5, T_ATM, 3e5, T_ATM) == pytest.approx(
+        choked[0] * sqrt(1 - (0.4 / 0.8) ** 2), rel=1e-4
+    )
     assert tube.flow(2e5, T_ATM, 3e5, 330.0) == -tube.flow(3e5, 330.0, 2e5, T_ATM)
     assert tube.flow(3e5, T_ATM, 3e5, T_ATM) == 0.0
 
@@ -222,7 +231,10 @@ def test_all_rubbed_heat_arrives_in_either_direction():
 def test_potted_bead_comes_a_sixth_of_its_diffusion_time_late():
     own = seen.thermocouple_lag.PottedBead(1.2)
     q = solve_ivp(
-        lambda t, q: own.rates(q, now_at(temperature=T_ATM + 10 * t)), (0.0, 3.0), own.initial(REST), rtol=1e-9
+        lambda t, q: own.rates(q, now_at(temperature=T_ATM + 10 * t)),
+        (0.0, 3.0),
+        own.initial(REST),
+        rtol=1e-9,
     ).y[:, -1]
     assert own.reading(q, T_ATM) == pytest.approx(T_ATM + 10 * (3.0 - 1.2 / 6), abs=0.1)
 
@@ -230,12 +242,16 @@ def test_potted_bead_comes_a_sixth_of_its_diffusion_time_late():
 def test_bead_without_buoyancy_is_a_lag():
     q, now = [T_ATM], now_at(temperature=T_ATM + 10.0)
     assert seen.thermocouple_lag.BuoyantBead(0.3, 0.0).rates(q, now)[0] == pytest.approx(10.0 / 0.3)
-    assert seen.thermocouple_lag.BuoyantBead(0.3, 0.5).rates(q, now)[0] == pytest.approx(1.5 * 10.0 / 0.3, rel=1e-5)
+    assert seen.thermocouple_lag.BuoyantBead(0.3, 0.5).rates(q, now)[0] == pytest.approx(
+        1.5 * 10.0 / 0.3, rel=1e-5
+    )
 
 
 def test_bowed_manometer_is_right_at_both_ends():
     own = seen.pressure_offset.BowedManometer(3e3, 3e5)
-    assert [own.pressure_shown((), p) - p for p in (0.0, 1.5e5, 3e5)] == pytest.approx([0.0, 3e3, 0.0])
+    assert [own.pressure_shown((), p) - p for p in (0.0, 1.5e5, 3e5)] == pytest.approx(
+        [0.0, 3e3, 0.0]
+    )
 
 
 def test_loose_contact_cuts_the_current_off_and_its_edges_are_switches():
@@ -252,9 +268,13 @@ def test_readings_and_forces_from_outside():
     assert [slipped.position_shown([t], 0.02) for t in (2.8, 3.2)] == pytest.approx([0.02, 0.021])
     aslant = seen.none_of_these.ObliqueString(0.3, 0.4)
     assert aslant.position_shown((), 0.0) == 0.0
-    assert aslant.position_shown((), 1e-6) == pytest.approx(0.8e-6, rel=1e-4)  # the cosine of its angle
+    assert aslant.position_shown((), 1e-6) == pytest.approx(
+        0.8e-6, rel=1e-4
+    )  # the cosine of its angle
     coils = seen.none_of_these.WarmCoils(2.0, 1.0)
     assert coils.reading(held(coils, now_at(u=0.35), 20.0), T_ATM) == pytest.approx(T_ATM - 2.0)
     ringing = seen.none_of_these.RestlessStart(8.0, 3.0, 1.0, 0.0)
-    assert log(ringing.force([0.0], 0.0, 0.0, 0.0) / ringing.force([3.0], 0.0, 0.0, 0.0)) == pytest.approx(1.0)
+    assert log(
+        ringing.force([0.0], 0.0, 0.0, 0.0) / ringing.force([3.0], 0.0, 0.0, 0.0)
+    ) == pytest.approx(1.0)
     assert seen.none_of_these.EmptyBottle(0.2).supply([5.0], 3e5) == pytest.approx(2.7e5)

@@ -35,7 +35,9 @@ def test_heat_of_friction_is_as_large_as_the_catalogues():
     sigma = draw_sensors(np.random.default_rng(4)).sigma
 
     def full(name: str) -> float:
-        form = next(form for form in table.FORMS if (form.family, form.name) == ("friction_heat", name))
+        form = next(
+            form for form in table.FORMS if (form.family, form.name) == ("friction_heat", name)
+        )
         return ruler.size(form.make(np.random.default_rng(5), ruler.bench.muscle)(1.0), sigma)
 
     assert full("moving_contact") > full("share")
@@ -44,7 +46,9 @@ def test_heat_of_friction_is_as_large_as_the_catalogues():
 @pytest.mark.parametrize("x", [0.005, 0.03, 0.07])
 def test_yeohs_first_term_is_neo_hookean_and_the_others_soften_and_stiffen(x):
     neo = MooneyRivlin(c10=1e5, c01=0.0).force((), x, 0.0, 0.0)
-    assert seen.elasticity.YeohTube(c1=1e5, r2=0.0, r3=0.0).force((), x, 0.0, 0.0) == pytest.approx(neo, rel=1e-9)
+    assert seen.elasticity.YeohTube(c1=1e5, r2=0.0, r3=0.0).force((), x, 0.0, 0.0) == pytest.approx(
+        neo, rel=1e-9
+    )
     assert 0 < seen.elasticity.YeohTube(c1=1e5, r2=0.05, r3=0.0).force((), x, 0.0, 0.0) < neo
     assert seen.elasticity.YeohTube(c1=1e5, r2=0.0, r3=0.05).force((), x, 0.0, 0.0) > neo
 
@@ -66,14 +70,19 @@ def test_creep_without_hardening_or_warmth_is_maxwell():
 def test_hardened_dashpot_flows_by_a_root_of_time_at_first():
     # q' = e x_0/(tau q) with e near 0.1: q^2 = 2 e x_0 t/tau
     own = seen.creep.HardeningCreep(tau=0.3, x_0=1e-6, m=1.0)
-    assert held(own, now_at(x=0.1), 10.0)[0] == pytest.approx(sqrt(2 * 0.1 * 1e-6 * 10.0 / 0.3), rel=0.05)
+    assert held(own, now_at(x=0.1), 10.0)[0] == pytest.approx(
+        sqrt(2 * 0.1 * 1e-6 * 10.0 / 0.3), rel=0.05
+    )
 
 
 def test_time_and_temperature_shift_as_williams_landel_and_ferry_say():
     own = seen.creep.WarmCreep(tau=1.0)
     # the universal constants about the glass transition, 90 K lower
     expected = 10 ** (17.44 * 110.0 / (51.6 + 110.0) - 17.44 * 90.0 / (51.6 + 90.0))
-    rates = [own.rates([0.0], now_at(x=0.01, temperature=t))[0] for t in (T_ATM, T_ATM + 40.0, T_ATM - 40.0)]
+    rates = [
+        own.rates([0.0], now_at(x=0.01, temperature=t))[0]
+        for t in (T_ATM, T_ATM + 40.0, T_ATM - 40.0)
+    ]
     assert rates[1] / rates[0] == pytest.approx(expected, rel=0.02)
     assert rates[2] < rates[0]
 
@@ -84,7 +93,9 @@ def test_contact_comes_back_below_its_breakaway_and_slides_beyond():
     assert there[0] == pytest.approx(0.5)
     assert held(own, now_at(v=-0.001), 0.5, there)[0] == pytest.approx(0.0, abs=1e-9)
     for v in (0.02, -0.02):
-        assert own.force(held(own, now_at(v=v), 2.0), 0.0, v, 0.0) == pytest.approx(8.0 * np.sign(v), rel=1e-3)
+        assert own.force(held(own, now_at(v=v), 2.0), 0.0, v, 0.0) == pytest.approx(
+            8.0 * np.sign(v), rel=1e-3
+        )
 
 
 def test_wiper_drags_by_its_mean_and_alike_without_a_lip():
@@ -123,7 +134,9 @@ def test_ends_fade_with_their_length_and_under_pressure():
     assert seen.end_shape.RoundedTips(1e-9, *shape).shape_factor(0.03, 1e5) == pytest.approx(1.0)
     thick = sqrt(4 * muscle.volume(0.05) / (pi * (muscle.length - 0.05)))
     active = muscle.length - 0.6 * thick
-    assert seen.end_shape.RoundedTips(0.6, *shape).shape_factor(0.05, 1e5) == pytest.approx(muscle.length / active)
+    assert seen.end_shape.RoundedTips(0.6, *shape).shape_factor(0.05, 1e5) == pytest.approx(
+        muscle.length / active
+    )
     folds = seen.end_shape.UnfoldingEnds(0.2, 5e4)
     assert folds.pull_factor(0.02, 5e4) == pytest.approx(0.9)
     assert folds.pull_factor(0.02, 4e5) == pytest.approx(1.0, abs=1e-9)
@@ -161,7 +174,9 @@ def test_three_lags_answer_as_a_gamma_distribution():
     own = seen.valve_dynamics.ThreeLags(0.05)
     q = held(own, now_at(u=0.3), 0.1)
     n = 0.1 / 0.05
-    assert own.current(q, (0.3, 0.0)) == pytest.approx((0.3 * (1 - exp(-n) * (1 + n + n * n / 2)), 0.0), rel=1e-6)
+    assert own.current(q, (0.3, 0.0)) == pytest.approx(
+        (0.3 * (1 - exp(-n) * (1 + n + n * n / 2)), 0.0), rel=1e-6
+    )
 
 
 def test_openings_agree_with_the_linear_law_where_they_must():
@@ -169,7 +184,9 @@ def test_openings_agree_with_the_linear_law_where_they_must():
     assert port.areas((0.0, 4.5e-7), (0.0, 0.3)) == pytest.approx((0.0, 4.5e-7))
     assert port.areas((9e-7, 1.2e-6), (0.6, 0.7)) == pytest.approx((9e-7, 9e-7))
     # a quarter of the stroke uncovers a segment of 120 degrees
-    assert port.areas((2.25e-7, 0.0), (0.3, 0.0))[0] == pytest.approx(9e-7 * (pi / 3 - sqrt(3) / 4) / pi)
+    assert port.areas((2.25e-7, 0.0), (0.3, 0.0))[0] == pytest.approx(
+        9e-7 * (pi / 3 - sqrt(3) / 4) / pi
+    )
     slot = seen.valve_area.NarrowSlot(1e-8)
     assert slot.areas((1e-5, 1e-8), (0.3, 0.3)) == pytest.approx((1e-5, 5e-9), rel=2e-3)
 
@@ -191,7 +208,9 @@ def test_chamber_behind_a_hole_balances_enthalpy():
     assert (GAMMA - 1) * energy / own.volume == pytest.approx(P_ATM + 1e5, rel=1e-4)
     before = P_ATM * own.volume / (R * T_ATM)
     assert mass - before == pytest.approx(1e5 * own.volume / (R * T_ATM) / GAMMA, rel=1e-4)
-    assert own.exchange(own.initial(REST), P_ATM + 1e5, T_ATM)[0] == mass_flow(3e-7, P_ATM + 1e5, T_ATM, P_ATM, T_ATM)
+    assert own.exchange(own.initial(REST), P_ATM + 1e5, T_ATM)[0] == mass_flow(
+        3e-7, P_ATM + 1e5, T_ATM, P_ATM, T_ATM
+    )
 
 
 def test_stub_fills_from_its_mouth_and_in_the_end_alike():
@@ -212,7 +231,10 @@ def test_cut_gapes_with_the_hoop_stress():
     assert flows[1] == pytest.approx(mass_flow(5e-9, P_ATM + 1e5, 300.0, P_ATM, T_ATM))
     assert flows[2] > 2.5 * flows[1]
     # the stress p D/(2 t), and the wall's thickness goes as one over its area
-    area = [sqrt(muscle.fibre_squared - (muscle.length - x) ** 2) * (muscle.length - x) for x in (0.0, 0.05)]
+    area = [
+        sqrt(muscle.fibre_squared - (muscle.length - x) ** 2) * (muscle.length - x)
+        for x in (0.0, 0.05)
+    ]
     girth = [sqrt(muscle.fibre_squared - (muscle.length - x) ** 2) for x in (0.0, 0.05)]
     wider = cut.exchange([0.05], P_ATM + 1e5, 300.0)[0] / flows[1]
     assert wider == pytest.approx(girth[1] * area[1] / (girth[0] * area[0]))
@@ -258,14 +280,20 @@ def test_walls_keep_their_heat_and_are_known_ones_at_rest():
     layers, warm = TwoLayerWall(0.4, 8.0, 0.04, 0.0), [T_ATM + 5.0, T_ATM + 1.0]
     assert ends.rates(warm, now_at()) == pytest.approx(layers.rates(warm, now_at()))
     fanned, still = seen.wall_heat.FannedWall(0.4, 0.02, 0.02), WarmWall(0.4, 0.02)
-    assert fanned.rates(warm[:1], now_at()) == pytest.approx(still.rates(warm[:1], now_at()), rel=0.03)
-    assert fanned.rates(warm[:1], now_at(v=-0.02))[0] == pytest.approx(2 * still.rates(warm[:1], now_at())[0], rel=1e-3)
+    assert fanned.rates(warm[:1], now_at()) == pytest.approx(
+        still.rates(warm[:1], now_at()), rel=0.03
+    )
+    assert fanned.rates(warm[:1], now_at(v=-0.02))[0] == pytest.approx(
+        2 * still.rates(warm[:1], now_at())[0], rel=1e-3
+    )
 
 
 def test_contact_that_moves_slowly_gives_all_its_heat():
     def arrived(v: float) -> float:
         own = seen.friction_heat.MovingContact(0.5, 0.05, 2e-3, 2e-4)
-        return own.heat(held(own, now_at(v=v, p_gauge=1e5), 2.0)) / (1e5 * (2e-3 * v**2 + 2e-4 * abs(v)))
+        return own.heat(held(own, now_at(v=v, p_gauge=1e5), 2.0)) / (
+            1e5 * (2e-3 * v**2 + 2e-4 * abs(v))
+        )
 
     assert arrived(1e-6) == pytest.approx(0.5, rel=0.01)
     assert arrived(0.05) == pytest.approx(0.25, rel=1e-6)
@@ -275,7 +303,10 @@ def test_contact_that_moves_slowly_gives_all_its_heat():
 def test_thermometers_are_late_by_their_times():
     poles = seen.thermocouple_lag.ThreePoles(0.1)
     ramp = solve_ivp(
-        lambda t, q: poles.rates(q, now_at(temperature=T_ATM + 10 * t)), (0.0, 4.0), poles.initial(REST), rtol=1e-9
+        lambda t, q: poles.rates(q, now_at(temperature=T_ATM + 10 * t)),
+        (0.0, 4.0),
+        poles.initial(REST),
+        rtol=1e-9,
     ).y[:, -1]
     assert poles.reading(ramp, T_ATM) == pytest.approx(T_ATM + 10 * (4.0 - 0.3), abs=0.01)
     lag = seen.thermocouple_lag.LongWire(0.2, 0.0)
@@ -300,7 +331,9 @@ def test_bridge_is_right_at_small_pressures_and_off_by_its_share_at_full_scale()
 
 def test_lamp_goes_on_and_off_at_switches():
     own = seen.none_of_these.HeatLamp(2.0, 0.4, 0.5, 0.5)
-    assert {0.5, 1.3, 2.5, 3.3} <= {round(t, 9) for t in own.drive(Schedule.of([Phase(9.0)])).starts}
+    assert {0.5, 1.3, 2.5, 3.3} <= {
+        round(t, 9) for t in own.drive(Schedule.of([Phase(9.0)])).starts
+    }
     assert [own.heat([t]) for t in (0.4, 0.6, 1.2, 1.4, 2.6)] == [0.0, 0.5, 0.5, 0.0, 0.5]
 
 
@@ -309,9 +342,9 @@ def test_tank_loses_what_is_taken_and_recovers():
     drawn = held(own, now_at(flow=1e-4), 2.0)
     assert own.supply(drawn, 3e5) == pytest.approx(3e5 * (1 - 300.0 * 2e-4))
     assert held(own, now_at(flow=-1e-4), 2.0, list(drawn)) == pytest.approx(drawn)
-    assert held(seen.none_of_these.BufferTank(300.0, 3.0), now_at(), 3.0, [0.1])[0] == pytest.approx(
-        0.1 * exp(-1), rel=1e-6
-    )
+    assert held(seen.none_of_these.BufferTank(300.0, 3.0), now_at(), 3.0, [0.1])[
+        0
+    ] == pytest.approx(0.1 * exp(-1), rel=1e-6)
 
 
 def test_what_the_other_mishaps_show_and_hold():
@@ -319,10 +352,14 @@ def test_what_the_other_mishaps_show_and_hold():
     assert sagging.pressure_shown(held(sagging, now_at(u=0.35), 0.2), 1e5) == pytest.approx(0.97e5)
     assert sagging.pressure_shown(sagging.initial(REST), 1e5) == 1e5
     magnet = seen.none_of_these.HoldingMagnet(8.0, 1e-3)
-    assert [magnet.force((), x, 0.0, 0.0) for x in (-1e-4, 1e-3, 1.0)] == pytest.approx([8.0, 2.0, 0.0], abs=1e-4)
+    assert [magnet.force((), x, 0.0, 0.0) for x in (-1e-4, 1e-3, 1.0)] == pytest.approx(
+        [8.0, 2.0, 0.0], abs=1e-4
+    )
     heated = seen.none_of_these.SelfHeating(2.0, 3e-5)
     assert heated.reading(heated.initial(REST), T_ATM) == pytest.approx(T_ATM + 2.0)
-    assert heated.reading(held(heated, now_at(flow=-3e-5), 2.0), T_ATM) == pytest.approx(T_ATM + 1.0)
+    assert heated.reading(held(heated, now_at(flow=-3e-5), 2.0), T_ATM) == pytest.approx(
+        T_ATM + 1.0
+    )
 
 
 def test_a_clock_of_its_own_shows_where_the_load_was_or_will_be():
@@ -332,7 +369,11 @@ def test_a_clock_of_its_own_shows_where_the_load_was_or_will_be():
         return 0.02 * np.sin(2.0 * t)
 
     q = solve_ivp(
-        lambda t, q: own.rates(q, now_at(x=place(t))), (0.0, 3.0), own.initial(REST), rtol=1e-9, atol=1e-12
+        lambda t, q: own.rates(q, now_at(x=place(t))),
+        (0.0, 3.0),
+        own.initial(REST),
+        rtol=1e-9,
+        atol=1e-12,
     ).y[:, -1]
     assert own.position_shown(q, place(3.0)) == pytest.approx(place(3.03), abs=5e-5)
     assert abs(place(3.03) - place(3.0)) > 1e-3

@@ -58,7 +58,10 @@ def test_composition_and_a_fair_prefix():
     for group, count in GROUPS.items():
         assert abs(start[group] - 20 * count / PERIOD) < 1.5
     families = Counter(
-        f.family for n in range(64) for f in case_of("score", n).hidden if len(case_of("score", n).hidden) == 1
+        f.family
+        for n in range(64)
+        for f in case_of("score", n).hidden
+        if len(case_of("score", n).hidden) == 1
     )
     assert set(table.FAMILIES) <= set(families)
 
@@ -81,8 +84,13 @@ def test_pairs_are_of_different_families_and_mixed(which):
 
 
 def test_sets_are_disjoint():
-    forms = {which: {(f.family, f.name) for n in range(2 * CASES) for f in case_of(which, n).hidden} for which in SEEDS}
-    assert forms["tuning"] & forms["score"] == {("dead_volume", "constant")}  # the catalogue has no second law
+    forms = {
+        which: {(f.family, f.name) for n in range(2 * CASES) for f in case_of(which, n).hidden}
+        for which in SEEDS
+    }
+    assert forms["tuning"] & forms["score"] == {
+        ("dead_volume", "constant")
+    }  # the catalogue has no second law
     first = {which: case_of(which, 0).rng(1).random(4).tolist() for which in SEEDS}
     assert first["tuning"] != first["score"]
 
@@ -96,8 +104,14 @@ def test_every_family_has_a_form_of_either_kind_in_both_sets():
 
 def test_the_simulation_does_not_import_the_software():
     here = Path(__file__).parents[2]
-    for file in [*(here / "benchmarks/hidden_effects").rglob("*.py"), *(here / "refsim").rglob("*.py")]:
-        if file.name in ("one.py", "posterior.py"):  # after the case is made: its diagnosis, and what was stated of it
+    for file in [
+        *(here / "benchmarks/hidden_effects").rglob("*.py"),
+        *(here / "refsim").rglob("*.py"),
+    ]:
+        if file.name in (
+            "one.py",
+            "posterior.py",
+        ):  # after the case is made: its diagnosis, and what was stated of it
             continue
         for node in ast.walk(ast.parse(file.read_text())):
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
@@ -108,7 +122,9 @@ def test_the_simulation_does_not_import_the_software():
 def test_nothing_hidden_leaves_the_noise_alone():
     made = make(case_of("tuning", _number("null")))
     assert made.description["families"] == []
-    assert made.description["size"] == {k: dict.fromkeys(SIGNALS, 0.0) for k in ("plain", "projected")}
+    assert made.description["size"] == {
+        k: dict.fromkeys(SIGNALS, 0.0) for k in ("plain", "projected")
+    }
     sensors = replace(made.sensors, outliers=0.0)
     if made.sensors == sensors and sensors.colour != "drift":
         for name in SIGNALS:
@@ -147,7 +163,9 @@ def test_sizes_grow_with_strength_and_shrink_by_projection(ruler, at):
     sizes = [ruler.sizes(ruler.simulated([at(s)]), sigma) for s in (0.25, 1.0, 4.0)]
     for signal in SIGNALS:
         plain = [one[0][signal] for one in sizes]
-        assert plain == sorted(plain) or max(plain) < 1e-3  # a thermometer's lag does nothing to p and x
+        assert (
+            plain == sorted(plain) or max(plain) < 1e-3
+        )  # a thermometer's lag does nothing to p and x
     largest = [max(one[1].values()) for one in sizes]
     assert largest == sorted(largest)
     assert largest[0] > 0
@@ -179,7 +197,10 @@ def test_every_form_changes_what_is_measured_and_vanishes_with_its_strength(form
 
     def change(strength: float) -> float:
         changed = bench.simulate([at(strength)])[0]
-        return max(float(np.abs(changed[n] - base[n]).max()) / s for n, s in (("p", 500.0), ("x", 2e-4), ("T", 0.3)))
+        return max(
+            float(np.abs(changed[n] - base[n]).max()) / s
+            for n, s in (("p", 500.0), ("x", 2e-4), ("T", 0.3))
+        )
 
     ordinary = change(min(1.0, form.high))
     assert ordinary > 0.05
@@ -274,7 +295,10 @@ def test_report_counts_crashes_and_writes_all_files(tmp_path):
     file.write_text("\n".join(json.dumps(line) for line in lines) + "\n")
     assert report_main([str(file), "--out", str(tmp_path / "out")]) == 0
     text = (tmp_path / "out" / "report.md").read_text()
-    assert "| one effect of at least 3 standard deviations: right family | 97 % | 50 % (9 to 91; 1 of 2) | no |" in text
+    assert (
+        "| one effect of at least 3 standard deviations: right family | 97 % | 50 % (9 to 91; 1 of 2) | no |"
+        in text
+    )
     assert {p.name for p in (tmp_path / "out").iterdir()} == {
         "report.md",
         "hit-rate.png",

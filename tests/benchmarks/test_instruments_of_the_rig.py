@@ -48,7 +48,9 @@ def test_a_bow_is_right_at_both_ends_of_the_range():
     assert (bow - CLEAN["x"]).max() == pytest.approx(1e-3, rel=1e-6)
 
 
-@pytest.mark.parametrize(("fault", "late"), [(Lag("p", 0.05), 0.05), (TwoLags("p", 0.05, r=0.4), 0.07)])
+@pytest.mark.parametrize(
+    ("fault", "late"), [(Lag("p", 0.05), 0.05), (TwoLags("p", 0.05, r=0.4), 0.07)]
+)
 def test_behind_a_ramp_a_lag_is_late_by_its_time_constants(fault: SensorFault, late: float):
     assert shown(fault)[-1] == pytest.approx(2e5 * (2.0 - late), rel=1e-6)
     assert shown(fault)[0] == 0.0
@@ -77,7 +79,9 @@ def test_dead_time_and_clock_shift():
 def test_a_reading_ends_at_its_limits_with_its_noise_and_a_transducer_without():
     rng = np.random.default_rng(1)
     end = readings([Saturation("p", high=1e5)], TIME, CLEAN, TIME, {"p": 500.0}, rng)["p"]
-    stop = readings([TransducerSaturation("p", high=1e5)], TIME, CLEAN, TIME, {"p": 500.0}, rng)["p"]
+    stop = readings([TransducerSaturation("p", high=1e5)], TIME, CLEAN, TIME, {"p": 500.0}, rng)[
+        "p"
+    ]
     beyond = CLEAN["p"] > 1.1e5
     assert np.ptp(end[beyond]) == 0.0
     assert stop[beyond].std() == pytest.approx(500.0, rel=0.1)
@@ -135,5 +139,7 @@ def test_light_data_through_faulty_instruments_differ_by_the_fault_alone():
         assert b.signals["x"] == pytest.approx(a.signals["x"] + 2e-3, abs=1e-8)
         assert b.signals["p"] == pytest.approx(a.signals["p"], abs=1.0)
         noise_of_both = 500.0 * np.sqrt(2)
-        assert (c.signals["p"][:-2] - a.signals["p"][2:]).std() == pytest.approx(noise_of_both, rel=0.15)
+        assert (c.signals["p"][:-2] - a.signals["p"][2:]).std() == pytest.approx(
+            noise_of_both, rel=0.15
+        )
         assert (c.signals["p"] - a.signals["p"]).std() > 3 * noise_of_both

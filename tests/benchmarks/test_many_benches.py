@@ -15,7 +15,12 @@ import pytest
 import pam_cosim as pam
 from benchmarks.hidden_effects.calibration import binned, brier, stated
 from benchmarks.hidden_effects.one import memory
-from benchmarks.hidden_effects.outcome import INSTRUMENTS, judged, names_instruments, stated_probability
+from benchmarks.hidden_effects.outcome import (
+    INSTRUMENTS,
+    judged,
+    names_instruments,
+    stated_probability,
+)
 from benchmarks.hidden_effects.report import main as report_main
 from blind_cases import cases, many, sets
 from blind_cases.faults import FAULTS, ON_SOME_BENCH
@@ -44,24 +49,41 @@ def test_cases_of_one_bench_are_what_they_were() -> None:
         case = cases.case_of("tuning", n)
         bench = cases._draw_bench(case.rng(1))
         sensors = cases.draw_sensors(case.rng(2))
-        drawn.append((case.group, case.targets, [f.name for f in case.hidden], bench.free, bench.plan, sensors.sigma))
+        drawn.append(
+            (
+                case.group,
+                case.targets,
+                [f.name for f in case.hidden],
+                bench.free,
+                bench.plan,
+                sensors.sigma,
+            )
+        )
     assert hashlib.sha256(repr(drawn).encode()).hexdigest()[:16] == "6a5334ff05c1837d"
 
 
 @pytest.mark.parametrize("which", many.SEEDS)
 def test_composition_and_a_fair_prefix(which: str) -> None:
     chosen = first(which)
-    assert Counter(c.group for c in chosen) == {g: n * COUNT // many.PERIOD for g, n in many.GROUPS.items()}
+    assert Counter(c.group for c in chosen) == {
+        g: n * COUNT // many.PERIOD for g, n in many.GROUPS.items()
+    }
     for group, count in many.GROUPS.items():
         assert abs(sum(c.group == group for c in chosen[:40]) - 40 * count / many.PERIOD) < 1.5
     for bench, share in SHARES.items():
-        assert sum(c.design.bench == bench for c in chosen) == pytest.approx(COUNT * share / 24, abs=4)
-    singles = Counter(f.family for c in chosen for f in c.hidden if c.group in ("catalogue", "new_form"))
+        assert sum(c.design.bench == bench for c in chosen) == pytest.approx(
+            COUNT * share / 24, abs=4
+        )
+    singles = Counter(
+        f.family for c in chosen for f in c.hidden if c.group in ("catalogue", "new_form")
+    )
     assert len(singles) == 16 and min(singles.values()) >= 8
     faults = Counter(f.family for c in chosen for f in c.hidden if c.group == "instrument")
     assert set(faults) == set(INSTRUMENTS) and min(faults.values()) >= 3
     assert sum(f in ON_SOME_BENCH for c in chosen for f in c.hidden) >= 8  # DY (10)-(11)
-    assert {1, 20} <= {c.design.runs for c in chosen} and {20.0, 1000.0} <= {c.design.rate for c in chosen}
+    assert {1, 20} <= {c.design.runs for c in chosen} and {20.0, 1000.0} <= {
+        c.design.rate for c in chosen
+    }
 
 
 def test_combinations_are_of_different_families_and_fit_the_bench() -> None:
@@ -78,13 +100,17 @@ def test_combinations_are_of_different_families_and_fit_the_bench() -> None:
 def test_what_can_be_hidden_follows_from_the_hooks_of_an_effect() -> None:
     assert hooks(LinearSpring()) == {"force"}
     assert BENCHES["Isometric"].takes(LinearSpring(), ["p", "F"])
-    assert not BENCHES["Isometric"].takes(LinearSpring(), ["p"])  # nothing that is measured shows it
+    assert not BENCHES["Isometric"].takes(
+        LinearSpring(), ["p"]
+    )  # nothing that is measured shows it
     assert not BENCHES["TankFilling"].takes(LinearSpring(), ["p", "T"])
     assert BENCHES["VesselOrifice"].takes(ThermocoupleLag(), ["p", "T"])
     assert not BENCHES["VesselOrifice"].takes(ThermocoupleLag(), ["p"])
     assert BENCHES["VerticalLoad"].takes(LoadFrequency(), ["x"])
     assert not BENCHES["Isotonic"].takes(LoadFrequency(), ["p", "x", "T"])
-    assert not BENCHES["VerticalLoad"].takes(Viscous(), ["x"])  # its model has that, with a free coefficient
+    assert not BENCHES["VerticalLoad"].takes(
+        Viscous(), ["x"]
+    )  # its model has that, with a free coefficient
     assert not BENCHES["TankFilling"].takes(PulledCrimp(), ["p"])  # it reads a contraction
     assert BENCHES["SwitchedMuscle"].takes(Quantisation("p"), ["p"])
     assert not BENCHES["SwitchedMuscle"].takes(Quantisation("T"), ["p"])
@@ -109,7 +135,9 @@ def _small(bench: str, which: str = "tuning2") -> many.Case:
 _SLOW = ("Isotonic", "Isometric", "VerticalLoad", "Antagonistic", "SwitchedMuscle")
 
 
-@pytest.mark.parametrize("bench", [pytest.param(b, marks=pytest.mark.full) if b in _SLOW else b for b in BENCHES])
+@pytest.mark.parametrize(
+    "bench", [pytest.param(b, marks=pytest.mark.full) if b in _SLOW else b for b in BENCHES]
+)
 def test_a_data_set_is_read_and_the_truth_leaves_its_noise(bench: str, tmp_path: Path) -> None:
     made = many.make(_small(bench))
     many.write(made, tmp_path)
@@ -134,9 +162,14 @@ def test_the_data_do_not_say_what_is_hidden(tmp_path: Path) -> None:
 def test_quantised_readings_are_whole_steps_and_a_late_clock_shifts_all() -> None:
     design = Design("VesselOrifice", ("p", "T"), 20.0, 2)
     setup = draw(np.random.default_rng(8), design)
-    written = setup.recorded([Quantisation("p", 4e3)], lambda read: {n: y + 0.1 for n, y in read.items()})
+    written = setup.recorded(
+        [Quantisation("p", 4e3)], lambda read: {n: y + 0.1 for n, y in read.items()}
+    )
     steps = written[0]["p"] / 4e3
-    assert steps == pytest.approx(np.round(steps), abs=1e-9) and len(set(np.round(steps).tolist())) > 10
+    assert (
+        steps == pytest.approx(np.round(steps), abs=1e-9)
+        and len(set(np.round(steps).tolist())) > 10
+    )
     assert np.ptp(written[0]["T"]) > 1.0 and len(set(written[0]["T"].tolist())) > 50
 
 
@@ -166,13 +199,17 @@ def test_a_controller_follows_its_reference_and_its_currents_are_what_is_told(be
     stiffer = setup.driven([LinearSpring(2000.0)] if bench == "Isotonic" else [])
     told = [s.plan[number].schedules[0].at(float(t)) for s in (setup, stiffer) for t in trial.times]
     half = len(told) // 2
-    assert (told[:half] != told[half:]) is (bench == "Isotonic")  # a controller meets what is hidden
+    assert (told[:half] != told[half:]) is (
+        bench == "Isotonic"
+    )  # a controller meets what is hidden
 
 
 # --- judging ------------------------------------------------------------------------------------------------
 
 
-def result(group: str, families: list[str], kind: str, named: list[str], **more: Any) -> dict[str, Any]:
+def result(
+    group: str, families: list[str], kind: str, named: list[str], **more: Any
+) -> dict[str, Any]:
     hidden = [{"family": f, "form": "x", "size": 5.0, "in_catalogue": True} for f in families]
     case = {"group": group, "families": families, "hidden": hidden, "size": {"projected": {"p": 5.0}},
             "bench": "TankFilling", "signals": ["p"], "rate": 20.0, "runs": 1}  # fmt: skip
@@ -188,7 +225,13 @@ def result(group: str, families: list[str], kind: str, named: list[str], **more:
 @pytest.mark.parametrize(
     ("group", "true", "kind", "named", "outcome"),
     [
-        ("triple", ["leak", "creep", "end_shape"], "identified", ["creep", "end_shape", "leak"], "right"),
+        (
+            "triple",
+            ["leak", "creep", "end_shape"],
+            "identified",
+            ["creep", "end_shape", "leak"],
+            "right",
+        ),
         ("triple", ["leak", "creep", "end_shape"], "identified", ["creep", "leak"], "wrong"),
         ("instrument", ["quantisation"], "identified", ["quantisation"], "right"),
         ("instrument", ["quantisation"], "none_missing", [], "right"),
@@ -220,9 +263,14 @@ def test_instruments_count_whichever_is_named() -> None:
 
 
 def test_brier_score_and_classes_of_stated_probabilities() -> None:
-    right = [result("catalogue", ["leak"], "identified", ["leak"], probability=0.9) for _ in range(9)]
+    right = [
+        result("catalogue", ["leak"], "identified", ["leak"], probability=0.9) for _ in range(9)
+    ]
     wrong = [result("catalogue", ["leak"], "identified", ["creep"], probability=0.9)]
-    silent = [result("catalogue", ["leak"], "identified", ["leak"]), result("null", [], "unknown", [], probability=0.1)]
+    silent = [
+        result("catalogue", ["leak"], "identified", ["leak"]),
+        result("null", [], "unknown", [], probability=0.1),
+    ]
     pairs = stated([*right, *wrong, *silent])
     assert len(pairs) == 10 and brier(pairs) == pytest.approx(0.9 * 0.01 + 0.1 * 0.81)
     ((low, high, some),) = binned(pairs)
@@ -235,15 +283,24 @@ def test_brier_score_and_classes_of_stated_probabilities() -> None:
 @pytest.mark.parametrize("probability", [{}, {"probability": 0.97}])
 def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -> None:
     lines = [
-        result("triple", ["leak", "creep", "end_shape"], "identified", ["creep", "leak", "end_shape"], **probability),
-        result("instrument", ["quantisation"], "identified", ["newest_family"], **probability) | {"number": 1},
+        result(
+            "triple",
+            ["leak", "creep", "end_shape"],
+            "identified",
+            ["creep", "leak", "end_shape"],
+            **probability,
+        ),
+        result("instrument", ["quantisation"], "identified", ["newest_family"], **probability)
+        | {"number": 1},
         result("null", [], "none_missing", []) | {"number": 2, "seconds": 80.0},
     ]
     file = tmp_path / "results.jsonl"
     file.write_text("\n".join(json.dumps(line) for line in lines) + "\n")
     assert report_main([str(file), "--out", str(tmp_path / "out")]) == 0
     text = (tmp_path / "out" / "report.md").read_text()
-    assert "3 standard deviations each: all found | 75 % | 100 % (21 to 100; 1 of 1) | yes |" in text
+    assert (
+        "3 standard deviations each: all found | 75 % | 100 % (21 to 100; 1 of 1) | yes |" in text
+    )
     assert "| time of a diagnosis, longest | 60 s | 80 s | no |" in text
     assert "| memory, most | 1000 MB | 300 MB | yes |" in text
     assert "newest_family" in text and "| TankFilling |" in text and "| 20 Hz |" in text
@@ -255,7 +312,9 @@ def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -
 
 def test_sets_are_reached_by_one_door() -> None:
     assert set(sets.SETS) == {"tuning", "score", "tuning2", "score2"}
-    assert isinstance(sets.case_of("score2", 3), many.Case) and isinstance(sets.case_of("score", 3), cases.Case)
+    assert isinstance(sets.case_of("score2", 3), many.Case) and isinstance(
+        sets.case_of("score", 3), cases.Case
+    )
     assert sets.outline(sets.case_of("tuning", 3)) == cases.outline(cases.case_of("tuning", 3))
     with pytest.raises(ValueError, match="there is no case -1"):
         sets.case_of("tuning2", -1)

@@ -34,7 +34,9 @@ def notebook_of(first: np.ndarray, second: np.ndarray) -> tuple[bytes, Panel]:
         [(0, height - y_0 - 0.5), (10, height - y_1 - 0.5)],
         96,
     )
-    return json.dumps({"cells": [{"outputs": [{"text": "no picture"}, {"data": data}]}, {}]}).encode(), panel
+    return json.dumps(
+        {"cells": [{"outputs": [{"text": "no picture"}, {"data": data}]}, {}]}
+    ).encode(), panel
 
 
 def test_two_lines_that_cross_are_told_apart_by_their_colours() -> None:

@@ -60,7 +60,9 @@ def test_the_rigs_at_hand_are_data_sets_that_can_be_read(tmp_path: Path):
 
 def test_a_file_that_is_not_the_one_that_was_used_is_refused(tmp_path: Path):
     def git(*arguments: str) -> str:
-        done = subprocess.run(["git", "-C", str(tmp_path / "o+n"), *arguments], capture_output=True, check=True)
+        done = subprocess.run(
+            ["git", "-C", str(tmp_path / "o+n"), *arguments], capture_output=True, check=True
+        )
         return done.stdout.decode().strip()
 
     (tmp_path / "o+n").mkdir()

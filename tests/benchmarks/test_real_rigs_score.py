@@ -34,7 +34,9 @@ def test_errors_are_in_ranges_over_what_is_scored(tmp_path: Path) -> None:
     assert found["fitted"]["b"] == LOST  # a run that nobody predicted
 
 
-def test_first_samples_that_a_method_was_given_are_not_scored_but_later_gaps_are_lost(tmp_path: Path) -> None:
+def test_first_samples_that_a_method_was_given_are_not_scored_but_later_gaps_are_lost(
+    tmp_path: Path,
+) -> None:
     rows = read_rows(written(tmp_path))
     begun = np.where(TIME < 0.15, np.nan, 10 * TIME + 2)
     assert score(rows, {"fitted": {"a": begun}})["fitted"]["a"] == pytest.approx(0.1)
@@ -53,9 +55,16 @@ def test_repeatability_is_the_difference_of_repeats_over_the_root_of_two(tmp_pat
 @pytest.mark.parametrize(("outside", "met"), [(0.04, True), (0.06, False)])
 def test_the_goal_wants_half_of_the_best_rival_outside(outside: float, met: bool) -> None:
     def result(within: float, beyond: float) -> dict[str, object]:
-        return {"scores": {"within": {"a": within}, "outside": {"b": beyond}}, "repeatability": None}
+        return {
+            "scores": {"within": {"a": within}, "outside": {"b": beyond}},
+            "repeatability": None,
+        }
 
-    results = {"hose.verdict": result(0.02, outside), "hose.NARX": result(0.02, 0.3), "hose.formula": result(0.05, 0.1)}
+    results = {
+        "hose.verdict": result(0.02, outside),
+        "hose.NARX": result(0.02, 0.3),
+        "hose.formula": result(0.05, 0.1),
+    }
     cells, reached = table.goal(results, "hose")
     assert reached is met and cells[1] == "1.00 (NARX)" and cells[2].endswith("(formula)")
 

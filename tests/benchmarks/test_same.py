@@ -9,7 +9,11 @@ import pytest
 
 from benchmarks.hidden_effects.same import main
 
-CASE = {"number": 3, "seconds": 1.0, "diagnosis": {"verdict": {"kind": "unknown"}, "chi2": [1.0, float("nan")]}}
+CASE = {
+    "number": 3,
+    "seconds": 1.0,
+    "diagnosis": {"verdict": {"kind": "unknown"}, "chi2": [1.0, float("nan")]},
+}
 
 
 def _written(folder: Path, name: str, *results: dict[str, object]) -> str:
@@ -18,15 +22,22 @@ def _written(folder: Path, name: str, *results: dict[str, object]) -> str:
     return str(file)
 
 
-def test_times_do_not_count_and_nan_is_nan(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_times_do_not_count_and_nan_is_nan(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     before, after = _written(tmp_path, "a", CASE), _written(tmp_path, "b", CASE | {"seconds": 9.0})
     assert main([before, after]) == 0
     assert "1 cases compared, 0 values differ" in capsys.readouterr().out
 
 
-def test_the_last_bit_counts_and_is_placed(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_the_last_bit_counts_and_is_placed(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     other = {"verdict": {"kind": "identified"}, "chi2": [1.0000000000000002, float("nan")]}
-    before, after = _written(tmp_path, "a", CASE), _written(tmp_path, "b", CASE | {"diagnosis": other})
+    before, after = (
+        _written(tmp_path, "a", CASE),
+        _written(tmp_path, "b", CASE | {"diagnosis": other}),
+    )
     assert main([before, after]) == 1
     said = capsys.readouterr().out
     assert "case 3: diagnosis.verdict.kind: unknown -> identified" in said

@@ -86,7 +86,10 @@ def process() -> Callable[..., Outcome]:
     def call(*words: object) -> Outcome:
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         completed = subprocess.run(
-            [sys.executable, "-m", "pam_cosim", *map(str, words)], capture_output=True, text=True, env=environment
+            [sys.executable, "-m", "pam_cosim", *map(str, words)],
+            capture_output=True,
+            text=True,
+            env=environment,
         )
         return Outcome(completed.returncode, completed.stdout, completed.stderr)
 
@@ -95,4 +98,6 @@ def process() -> Callable[..., Outcome]:
 
 def everything(folder: Path) -> list[tuple[str, bytes]]:
     """All files below a folder with their content."""
-    return sorted((str(p.relative_to(folder)), p.read_bytes()) for p in folder.rglob("*") if p.is_file())
+    return sorted(
+        (str(p.relative_to(folder)), p.read_bytes()) for p in folder.rglob("*") if p.is_file()
+    )

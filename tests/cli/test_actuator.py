@@ -24,18 +24,25 @@ def muscle() -> Actuator:
 
 
 def test_its_error_is_what_it_states_at_other_points(muscle: Actuator) -> None:
-    p, x = (one.ravel() for one in np.meshgrid(np.linspace(60e3, 290e3, 9), np.linspace(1e-3, 37e-3, 9)))
+    p, x = (
+        one.ravel() for one in np.meshgrid(np.linspace(60e3, 290e3, 9), np.linspace(1e-3, 37e-3, 9))
+    )
     with opened("QuasiStaticIsometric") as simulator:
         force = simulator.equilibria({"p": p, "x": x})["F"]
     pulls = force > 0.0
     error = (muscle.pull(p, x) - force)[pulls]
     assert pulls.sum() > 60 and np.ptp(force) > 300.0
-    assert np.sqrt(np.mean(error**2)) < 1.5 * muscle.rms and np.abs(error).max() <= 1.01 * muscle.worst
+    assert (
+        np.sqrt(np.mean(error**2)) < 1.5 * muscle.rms and np.abs(error).max() <= 1.01 * muscle.worst
+    )
     assert muscle.rms < 0.01 * muscle.greatest
 
 
 def test_pressure_lifts_and_length_slackens(muscle: Actuator) -> None:
-    more_pressure, longer = muscle.pull(np.array([1e5, 2e5]), 0.01), muscle.pull(2e5, np.array([0.03, 0.01]))
+    more_pressure, longer = (
+        muscle.pull(np.array([1e5, 2e5]), 0.01),
+        muscle.pull(2e5, np.array([0.03, 0.01])),
+    )
     assert more_pressure[0] < more_pressure[1] and longer[0] < longer[1]
     assert muscle.pull(np.array(0.0), np.array(0.05)) == 0.0, "a muscle does not push"
 
@@ -45,8 +52,12 @@ def test_the_file_says_its_error(muscle: Actuator, command: Command, place: Path
     text = (place / "muscle.xml").read_text(encoding="utf-8")
     assert str(muscle) in said and str(muscle).splitlines()[1] in text
     made = ElementTree.fromstring(text).find("actuator/general")
-    assert made is not None and made.get("dyntype") == "filterexact" and made.get("dynprm") == "0.05"
-    numbers = [float(one) for one in (made.get("gainprm", "") + " " + made.get("biasprm", "")).split()]
+    assert (
+        made is not None and made.get("dyntype") == "filterexact" and made.get("dynprm") == "0.05"
+    )
+    numbers = [
+        float(one) for one in (made.get("gainprm", "") + " " + made.get("biasprm", "")).split()
+    ]
     assert numbers == pytest.approx([*muscle.gain, 0.0, *muscle.bias, 0.0], rel=1e-8)
 
 
@@ -70,7 +81,9 @@ def test_mujoco_pulls_as_it_should(muscle: Actuator, tmp_path: Path) -> None:
     for x, p in ((0.0, 2e5), (0.02, 2.5e5), (0.03, 1e5)):
         state.qpos[0], state.ctrl[0] = x, p
         mujoco.mj_forward(model, state)
-        assert -state.actuator_force[0] == pytest.approx(float(muscle.pull(np.array(p), np.array(x))), rel=1e-6)
+        assert -state.actuator_force[0] == pytest.approx(
+            float(muscle.pull(np.array(p), np.array(x))), rel=1e-6
+        )
         assert state.qfrc_actuator[0] > 0.0, "it lifts"
 
 
@@ -85,7 +98,9 @@ def test_mujoco_pulls_as_it_should(muscle: Actuator, tmp_path: Path) -> None:
         (("--pressure", "p=1 bar"), "FROM:TO"),
     ],
 )
-def test_what_cannot_be_used(words: tuple[str, ...], message: str, command: Command, place: Path) -> None:
+def test_what_cannot_be_used(
+    words: tuple[str, ...], message: str, command: Command, place: Path
+) -> None:
     outcome = command("actuator", *words)
     assert outcome.status == 2 and message in outcome.err, outcome.err
     assert list(place.iterdir()) == []

@@ -18,8 +18,15 @@ from tests.reporting.synthetic import make_data, make_diagnosis
 from tests.reporting.test_ledger_learned_next import PLAN, make_learned
 
 Command = Callable[..., Outcome]
-TABLE = {"time": [0.0, 0.5, 10.0], "u_in": [0.35, 0.0, 0.0], "u_out": [0.0, 0.0, 0.2], "p_supply": [2e5, 2e5, 2e5]}
-FULL = replace(PLAN, table=TABLE, units={"u_in": "A", "u_out": "A", "p_supply": "Pa", "load.m": "kg"})
+TABLE = {
+    "time": [0.0, 0.5, 10.0],
+    "u_in": [0.35, 0.0, 0.0],
+    "u_out": [0.0, 0.0, 0.2],
+    "p_supply": [2e5, 2e5, 2e5],
+}
+FULL = replace(
+    PLAN, table=TABLE, units={"u_in": "A", "u_out": "A", "p_supply": "Pa", "load.m": "kg"}
+)
 
 
 @pytest.fixture
@@ -47,7 +54,9 @@ def test_next_experiment_is_a_file_that_reads_as_inputs(
     # held until the step, by straight lines too: a current of zero at 0.5 s must not lower the one before
     for name, at, value in (("u_in", 0.499, 0.35), ("u_in", 0.501, 0.0), ("u_out", 9.99, 0.0)):
         assert np.interp(at, inputs.time, inputs.values[name]) == value
-    run = command("simulate", "Isotonic", "--input", "next.csv", "--set", "load.m=3 kg", "-o", "t.csv")
+    run = command(
+        "simulate", "Isotonic", "--input", "next.csv", "--set", "load.m=3 kg", "-o", "t.csv"
+    )
     assert run.status == 0, run.err
 
 
@@ -61,9 +70,13 @@ def test_the_learned_term_is_a_modelica_file(
     assert (place / "LearnedForce.mo").read_text() == "model LearnedForce\nend LearnedForce;\n"
 
 
-def test_nothing_to_write_is_said_and_nothing_is_written(command: Command, place: Path, data: Path) -> None:
+def test_nothing_to_write_is_said_and_nothing_is_written(
+    command: Command, place: Path, data: Path
+) -> None:
     before = everything(place)
-    outcome = command("diagnose", "data", "--next", "next.csv", "--learned", "term.mo", "--workers", "1")
+    outcome = command(
+        "diagnose", "data", "--next", "next.csv", "--learned", "term.mo", "--workers", "1"
+    )
     assert outcome.status == 0, outcome.err
     assert "no next experiment: the verdict is none_missing; next.csv is not written" in outcome.out
     assert "nothing was learned: the verdict is none_missing; term.mo is not written" in outcome.out
@@ -86,12 +99,19 @@ def test_unusable_files_are_refused_before_the_work(
     before = everything(place)
     outcome = command("diagnose", "data", *words)
     assert (outcome.status, outcome.out) == (2, "")
-    assert outcome.err.startswith("pam-cosim: ") and outcome.err.count("\n") == 1 and message in outcome.err
+    assert (
+        outcome.err.startswith("pam-cosim: ")
+        and outcome.err.count("\n") == 1
+        and message in outcome.err
+    )
     assert everything(place) == before
 
 
 def test_add_learned_wants_a_saved_diagnosis(command: Command, place: Path, data: Path) -> None:
     before = everything(place)
     outcome = command("add", "--from", "v.json", "--learned", "-o", "Better.mo")
-    assert outcome.status == 2 and "--learned is of a diagnosis that 'diagnose --save' kept" in outcome.err
+    assert (
+        outcome.status == 2
+        and "--learned is of a diagnosis that 'diagnose --save' kept" in outcome.err
+    )
     assert everything(place) == before

@@ -19,7 +19,9 @@ def blocks(page: str, kind: str) -> list[str]:
 
 @pytest.mark.full
 @pytest.mark.parametrize("page", ["linear-analysis.md"])
-def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_page(
+    page: str, command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     shell = "\n".join(blocks(page, "sh")).replace("\\\n", "")
     lines = [line for line in shell.splitlines() if line.startswith("pam-cosim ")]
     assert lines
@@ -35,7 +37,10 @@ def test_page(page: str, command: Callable[..., Outcome], place: Path, capsys: p
 
 @pytest.mark.full
 def test_page_of_the_observer(
-    command: Callable[..., Outcome], monkeypatch: pytest.MonkeyPatch, place: Path, capsys: pytest.CaptureFixture[str]
+    command: Callable[..., Outcome],
+    monkeypatch: pytest.MonkeyPatch,
+    place: Path,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     """Its paths are those of the repository."""
     (place / "examples").symlink_to(ROOT / "examples")
@@ -46,7 +51,9 @@ def test_page_of_the_observer(
     assert "F against the truth: rms" in said and (place / "observer.png").exists()
     recording = names["recording"]
     rows = zip(recording.time, recording["p"], recording["x"], strict=True)
-    (place / "recording.csv").write_text("time [s],p [Pa],x [m]\n" + "".join(f"{t},{p},{x}\n" for t, p, x in rows))
+    (place / "recording.csv").write_text(
+        "time [s],p [Pa],x [m]\n" + "".join(f"{t},{p},{x}\n" for t, p, x in rows)
+    )
     line = blocks("observer.md", "sh")[0]
     done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
     assert {"force.csv", "force.json", "force.png"} <= {p.name for p in place.iterdir()}

@@ -18,7 +18,12 @@ THIRD = table().split("\n")[3]  # line 4, at 2 s
 # name: file, text replaced (None: whole file), replacement (None: file removed), words of the message
 FAULTS: dict[str, tuple[str, str | None, str | None, list[str]]] = {
     "wrong unit in a table": (CSV, HEAD, "time [s],p [kg]", ["one.csv:1", "'p'", "kg"]),
-    "wrong unit of a parameter": (TOML, '"16.2 l"', '"16.2 m"', ["experiment.toml:6", "tank.V", "m"]),
+    "wrong unit of a parameter": (
+        TOML,
+        '"16.2 l"',
+        '"16.2 m"',
+        ["experiment.toml:6", "tank.V", "m"],
+    ),
     "unknown column": (CSV, HEAD, "time [s],q [kPa]", ["one.csv:1", "'q'"]),
     "text in a number": (CSV, THIRD, "2,much", ["one.csv:4", "'p'", "much"]),
     "time going back": (CSV, THIRD, "0.5,600", ["one.csv:4", "time"]),
@@ -29,17 +34,37 @@ FAULTS: dict[str, tuple[str, str | None, str | None, list[str]]] = {
     "missing experiment": (TOML, None, None, ["experiment.toml"]),
     "empty experiment": (TOML, None, "", ["experiment.toml", "is missing"]),
     "not TOML": (TOML, "[fit]", "[fit", ["experiment.toml:9"]),
-    "unknown bench": (TOML, "Benches.VesselOrifice", "Benches.VesselOriface", ["experiment.toml:2", "VesselOriface"]),
+    "unknown bench": (
+        TOML,
+        "Benches.VesselOrifice",
+        "Benches.VesselOriface",
+        ["experiment.toml:2", "VesselOriface"],
+    ),
     "unknown parameter": (TOML, '"tank.V"', '"tank.W"', ["experiment.toml:6", "tank.W"]),
     "unknown free parameter": (TOML, '"tank.n" = {', '"tank.m" = {', ["experiment.toml", "tank.m"]),
-    "reversed bounds": (TOML, "min = 1.0, max = 1.4", "min = 1.4, max = 1.0", ["experiment.toml", "tank.n"]),
-    "path that leaves the folder": (TOML, '"one.csv"', '"../one.csv"', ["experiment.toml", "../one.csv"]),
+    "reversed bounds": (
+        TOML,
+        "min = 1.0, max = 1.4",
+        "min = 1.4, max = 1.0",
+        ["experiment.toml", "tank.n"],
+    ),
+    "path that leaves the folder": (
+        TOML,
+        '"one.csv"',
+        '"../one.csv"',
+        ["experiment.toml", "../one.csv"],
+    ),
     "absolute path": (TOML, '"one.csv"', '"/etc/passwd"', ["experiment.toml", "/etc/passwd"]),
     "no run to fit": (TOML, 'role = "fit"', 'role = "holdout"', ["experiment.toml", "fit"]),
     "no runs": (TOML, '[[runs]]\nfile = "one.csv"\nrole = "fit"\n', "", ["experiment.toml", "run"]),
     "unknown role": (TOML, 'role = "fit"', 'role = "fitt"', ["experiment.toml", "role"]),
     "unknown signal": (TOML, "[signals.p]", "[signals.pp]", ["experiment.toml", "pp"]),
-    "invisible character in the title": (TOML, "that empties", "that\\u001b[31m empties", ["experiment.toml:1", "x1b"]),
+    "invisible character in the title": (
+        TOML,
+        "that empties",
+        "that\\u001b[31m empties",
+        ["experiment.toml:1", "x1b"],
+    ),
     "line break in a name": (TOML, '"one.csv"', '"one\\n.csv"', ["experiment.toml", "not visible"]),
     "negative noise": (TOML, '"1 kPa"', '"-1 kPa"', ["experiment.toml:4", "sigma"]),
 }
@@ -85,8 +110,12 @@ def test_damaged_data_set(command: Command, place: Path, data: Path, verb: str, 
     assert everything(place.parent) == before
 
 
-@pytest.mark.parametrize("verb", [COMMANDS[0], *(pytest.param(v, marks=pytest.mark.full) for v in COMMANDS[1:])])
-def test_whole_command_in_its_own_process(process: Command, place: Path, data: Path, verb: str) -> None:
+@pytest.mark.parametrize(
+    "verb", [COMMANDS[0], *(pytest.param(v, marks=pytest.mark.full) for v in COMMANDS[1:])]
+)
+def test_whole_command_in_its_own_process(
+    process: Command, place: Path, data: Path, verb: str
+) -> None:
     words = damage(data, "text in a number")
     before = everything(place)
     refused(process(verb, data, "--json", place / "r.json"), words)
@@ -95,7 +124,9 @@ def test_whole_command_in_its_own_process(process: Command, place: Path, data: P
 
 @pytest.mark.parametrize("verb", COMMANDS)
 @pytest.mark.parametrize("target", ["nowhere", "data/one.csv", "."])
-def test_what_is_no_data_set(command: Command, place: Path, data: Path, verb: str, target: str) -> None:
+def test_what_is_no_data_set(
+    command: Command, place: Path, data: Path, verb: str, target: str
+) -> None:
     refused(command(verb, target), ["experiment.toml"])
 
 
@@ -134,7 +165,10 @@ def test_unwritable_output_is_found_before_the_work(
         (["sweep", "TankFilling", "--vary", "tank.V=1,x", "-o", "s.csv"], ["tank.V=1,x"]),
         (["sweep", "TankFilling", "--vary", "tank.V=", "-o", "s.csv"], ["NAME=FROM:TO:N"]),
         (["sweep", "TankFilling", "--vary", "a=1", "-o", "s.csv"], ["'a'"]),
-        (["sweep", "TankFilling", "--vary", "tank.n=1", "--vary", "tank.n=2", "-o", "s.csv"], ["twice"]),
+        (
+            ["sweep", "TankFilling", "--vary", "tank.n=1", "--vary", "tank.n=2", "-o", "s.csv"],
+            ["twice"],
+        ),
         (["sweep", "TankFilling", "--vary", "tank.n=1", "-o", "none/s.csv"], ["none/s.csv"]),
         (["compare", "data", "--model", "Nothing"], ["Nothing"]),
         (["compare", "data", "--model", "TankFilling"], ["experiment.toml"]),
@@ -159,13 +193,17 @@ def test_unwritable_output_is_found_before_the_work(
     ],
     ids=lambda v: " ".join(v) if isinstance(v, list) else None,
 )
-def test_bad_words(command: Command, place: Path, data: Path, words: list[str], message: list[str]) -> None:
+def test_bad_words(
+    command: Command, place: Path, data: Path, words: list[str], message: list[str]
+) -> None:
     before = everything(place)
     refused(command(*words), message)
     assert everything(place) == before
 
 
-@pytest.mark.parametrize("words", [["nonsense"], ["compare"], ["simulate", "TankFilling", "--stop-time", "soon"]])
+@pytest.mark.parametrize(
+    "words", [["nonsense"], ["compare"], ["simulate", "TankFilling", "--stop-time", "soon"]]
+)
 def test_words_that_are_no_command(command: Command, place: Path, words: list[str]) -> None:
     outcome = command(*words)
     assert outcome.status == 2 and "Traceback" not in outcome.err and outcome.err
@@ -183,13 +221,17 @@ def test_unknown_parameter_in_a_parameter_file(command: Command, place: Path, da
     refused(command("compare", "data", "--params", "p.json"), ["tank.W"])
 
 
-def test_fmu_cannot_be_diagnosed(command: Command, place: Path, data: Path, bench: Callable[[str], Path]) -> None:
+def test_fmu_cannot_be_diagnosed(
+    command: Command, place: Path, data: Path, bench: Callable[[str], Path]
+) -> None:
     refused(command("diagnose", "data", "--model", bench("VesselOrifice")), ["FMU", "Modelica"])
 
 
 @pytest.mark.parametrize("content", [b"", b"not a zip archive", b"PK\x05\x06" + bytes(18)])
 @pytest.mark.parametrize("verb", ["simulate", "compare"])
-def test_what_is_no_fmu(command: Command, place: Path, data: Path, verb: str, content: bytes) -> None:
+def test_what_is_no_fmu(
+    command: Command, place: Path, data: Path, verb: str, content: bytes
+) -> None:
     (place / "x.fmu").write_bytes(content)
     words = ["simulate", "x.fmu"] if verb == "simulate" else ["compare", "data", "--model", "x.fmu"]
     refused(command(*words), ["x.fmu"])
@@ -203,7 +245,9 @@ SYNTAX = "model Own\n  Real x(start=1, fixed=true);\nequation\n  der(x) = -x +;\
               ["diagnose", "data", "--model", "Own.mo"]],
     ids=" ".join,
 )  # fmt: skip
-def test_syntax_error_names_line_and_column(command: Command, place: Path, data: Path, words: list[str]) -> None:
+def test_syntax_error_names_line_and_column(
+    command: Command, place: Path, data: Path, words: list[str]
+) -> None:
     (place / "Own.mo").write_text(SYNTAX)
     before = everything(place)
     refused(command(*words), ["Own.mo:4:16"])

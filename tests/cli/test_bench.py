@@ -52,40 +52,72 @@ end HalfGauge;
 def test_it_says_what_parts_there_are(command: Callable[..., Outcome], place: Path) -> None:
     (place / "Winder.mo").write_text(WINDER)
     said = done(command("bench", "--list")).out
-    assert all(name in said for name in ("imposed-pressure", "hanging-load", "physical (usual)", "p_set", "droop"))
+    assert all(
+        name in said
+        for name in ("imposed-pressure", "hanging-load", "physical (usual)", "p_set", "droop")
+    )
     assert "winder" not in said
     assert "winder" in done(command("bench", "--list", "--file", "Winder.mo")).out
 
 
 def test_what_it_writes_is_simulated(command: Callable[..., Outcome], place: Path) -> None:
-    words = ("--pneumatics", "regulator", "--mechanics", "spring", "--measure", "p,x", "-o", "MyRig.mo")
+    words = (
+        "--pneumatics",
+        "regulator",
+        "--mechanics",
+        "spring",
+        "--measure",
+        "p,x",
+        "-o",
+        "MyRig.mo",
+    )
     written = done(command("bench", *words))
     text = (place / "MyRig.mo").read_text()
     assert (
         written.out
         == text
-        == pam.bench("regulator", "spring", measure=["p", "x"], output=place / "Again.mo").replace("Again", "MyRig")
+        == pam.bench("regulator", "spring", measure=["p", "x"], output=place / "Again.mo").replace(
+            "Again", "MyRig"
+        )
     )
     assert text.startswith('model MyRig "') and "connect(muscle.port, regulator.port)\n" in text
-    said = done(command("simulate", "MyRig.mo", "--set", "p_set=300 kPa", "--set", "spring.k=3 N/mm")).out
+    said = done(
+        command("simulate", "MyRig.mo", "--set", "p_set=300 kPa", "--set", "spring.k=3 N/mm")
+    ).out
     assert re.search(r"x: from .* at the end 4\d\.\d mm", said)
-    assert "LinearBladder" in done(command("add", "LinearBladder", "--to", "MyRig.mo", "-o", "Better.mo")).out
+    assert (
+        "LinearBladder"
+        in done(command("add", "LinearBladder", "--to", "MyRig.mo", "-o", "Better.mo")).out
+    )
 
 
 def test_a_part_of_ones_own_is_a_choice(command: Callable[..., Outcome], place: Path) -> None:
     (place / "Winder.mo").write_text(WINDER)
     (place / "Short.mo").write_text(SHORT)
     own = ("--file", "Winder.mo", "--file", "Short.mo")
-    words = ("--pneumatics", "imposed-pressure", "--mechanics", "winder", "--muscle", "short", "-o", "Mine.mo")
+    words = (
+        "--pneumatics",
+        "imposed-pressure",
+        "--mechanics",
+        "winder",
+        "--muscle",
+        "short",
+        "-o",
+        "Mine.mo",
+    )
     written = done(command("bench", *words, *own))
     assert "--file Winder.mo --file Short.mo" in written.err
-    run = pam.simulate("Mine.mo", {"p": "200 kPa"}, files=["Winder.mo", "Short.mo"], outputs=["muscle.L0"])
+    run = pam.simulate(
+        "Mine.mo", {"p": "200 kPa"}, files=["Winder.mo", "Short.mo"], outputs=["muscle.L0"]
+    )
     assert run["muscle.L0"][0] == 0.1 and 0.01 < run["x"][-1] < 0.035
 
 
 def test_an_instrument_of_ones_own_reads_its_signal(place: Path) -> None:
     (place / "HalfGauge.mo").write_text(HALF)
-    text = pam.bench("regulator", "imposed-length", measure="p", output="Mine.mo", files=["HalfGauge.mo"])
+    text = pam.bench(
+        "regulator", "imposed-length", measure="p", output="Mine.mo", files=["HalfGauge.mo"]
+    )
     assert "HalfGauge halfGauge" in text and "Instruments.Pressure" not in text
     run = pam.simulate("Mine.mo", {"p_set": "200 kPa", "s": 0.0}, files=["HalfGauge.mo"])
     assert run["p"][-1] == pytest.approx(100e3, rel=0.01)
@@ -97,9 +129,27 @@ def test_an_instrument_of_ones_own_reads_its_signal(place: Path) -> None:
         (("--mechanics", "spring", "-o", "R.mo"), "a bench needs --pneumatics"),
         (("--pneumatics", "regulator", "--mechanics", "spring"), "a bench needs -o FILE.mo"),
         (("--pneumatics", "regulator", "--mechanics", "spring", "-o", "R.txt"), "ends in .mo"),
-        (("--pneumatics", "regulater", "--mechanics", "spring", "-o", "R.mo"), "did you mean 'regulator'"),
-        (("--pneumatics", "regulator", "--mechanics", "spring", "--measure", "y", "-o", "R.mo"), "no signal 'y'"),
-        (("--pneumatics", "imposed-pressure", "--mechanics", "spring", "--measure", "p", "-o", "R.mo"), "is imposed"),
+        (
+            ("--pneumatics", "regulater", "--mechanics", "spring", "-o", "R.mo"),
+            "did you mean 'regulator'",
+        ),
+        (
+            ("--pneumatics", "regulator", "--mechanics", "spring", "--measure", "y", "-o", "R.mo"),
+            "no signal 'y'",
+        ),
+        (
+            (
+                "--pneumatics",
+                "imposed-pressure",
+                "--mechanics",
+                "spring",
+                "--measure",
+                "p",
+                "-o",
+                "R.mo",
+            ),
+            "is imposed",
+        ),
     ],
 )
 def test_a_bad_choice_writes_nothing(
@@ -110,11 +160,14 @@ def test_a_bad_choice_writes_nothing(
     assert everything(place) == []
 
 
-def test_two_parts_of_one_name_are_told_apart_by_their_packages(command: Callable[..., Outcome], place: Path) -> None:
+def test_two_parts_of_one_name_are_told_apart_by_their_packages(
+    command: Callable[..., Outcome], place: Path
+) -> None:
     (place / "Spring.mo").write_text(WINDER.replace("Winder", "Spring"))
     words = ("--pneumatics", "regulator", "-o", "R.mo", "--file", "Spring.mo", "--mechanics")
     assert (
-        "Spring or " in command("bench", *words, "spring").err or " or Spring" in command("bench", *words, "spring").err
+        "Spring or " in command("bench", *words, "spring").err
+        or " or Spring" in command("bench", *words, "spring").err
     )
     assert "drum" not in done(command("bench", *words, "PneumaticMuscle.Mechanics.Spring")).out
 
@@ -122,7 +175,16 @@ def test_two_parts_of_one_name_are_told_apart_by_their_packages(command: Callabl
 def test_words_of_a_part_are_data(command: Callable[..., Outcome], place: Path) -> None:
     hostile = WINDER.replace("A drum that", r"\"; end Mine; <script>x</script> that")
     (place / "Winder.mo").write_text(hostile)
-    words = ("--pneumatics", "imposed-pressure", "--mechanics", "winder", "-o", "Mine.mo", "--file", "Winder.mo")
+    words = (
+        "--pneumatics",
+        "imposed-pressure",
+        "--mechanics",
+        "winder",
+        "-o",
+        "Mine.mo",
+        "--file",
+        "Winder.mo",
+    )
     text = done(command("bench", *words)).out
     assert "<script>" not in text.partition("Documentation")[2]
     assert pam.simulate("Mine.mo", files=["Winder.mo"])["x"][-1] > 0.01
@@ -136,7 +198,11 @@ def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> 
     (folder / "experiment.toml").write_text(toml)
     (folder / "steps.csv").write_text(steps())
     ran = []
-    for line in (line for block in re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL) for line in block.splitlines()):
+    for line in (
+        line
+        for block in re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL)
+        for line in block.splitlines()
+    ):
         ran.append(done(command(*[word.strip('"') for word in line.split()[1:]])).out)
     assert len(ran) >= 3 and "x" in ran[-1]
     score = pam.compare(pam.read(folder))
@@ -157,5 +223,17 @@ def steps() -> str:
         force = p * (3 * (length - x) ** 2 - fibre) / (4 * np.pi * turns**2)
         x += 0.05 * ((force - 5) / 3000 - x)
     noise = np.random.default_rng(1).standard_normal((2, time.size))
-    rows = zip(time, target / 1e3, (p + 500 * noise[0]) / 1e3, (np.maximum(x, 0) + 2e-4 * noise[1]) * 1e3, strict=True)
-    return "\n".join(["time [s],p_set [kPa],p [kPa],x [mm]", *(",".join(f"{v:.4f}" for v in row) for row in rows), ""])
+    rows = zip(
+        time,
+        target / 1e3,
+        (p + 500 * noise[0]) / 1e3,
+        (np.maximum(x, 0) + 2e-4 * noise[1]) * 1e3,
+        strict=True,
+    )
+    return "\n".join(
+        [
+            "time [s],p_set [kPa],p [kPa],x [mm]",
+            *(",".join(f"{v:.4f}" for v in row) for row in rows),
+            "",
+        ]
+    )

@@ -18,9 +18,14 @@ def test_files(command: Command, place: Path) -> None:
                    "0.1:20:5", "--json", "b.json", "-o", "b.csv", "--plot", "b.png")  # fmt: skip
     assert done.status == 0 and "which swings by 50 kPa" in done.out, done.err
     read = json.loads((place / "b.json").read_text())
-    assert read["outputs"]["F"]["gain"] == pytest.approx(read["outputs"]["F"]["linear_gain"], rel=1e-4)
+    assert read["outputs"]["F"]["gain"] == pytest.approx(
+        read["outputs"]["F"]["linear_gain"], rel=1e-4
+    )
     assert read["frequencies"] == pytest.approx([0.1, 0.376, 1.414, 5.318, 20], rel=1e-3)
-    assert len((place / "b.csv").read_text().splitlines()) == 6 and (place / "b.png").stat().st_size > 10_000
+    assert (
+        len((place / "b.csv").read_text().splitlines()) == 6
+        and (place / "b.png").stat().st_size > 10_000
+    )
 
 
 @pytest.mark.parametrize(
@@ -35,6 +40,8 @@ def test_files(command: Command, place: Path) -> None:
     ],
 )
 def test_refused(command: Command, place: Path, words: list[str], message: str) -> None:
-    done = command("bode", "LumpedLinear", "--by", "p_in", "--amplitude", "1 bar", *words, "--json", "x.json")
+    done = command(
+        "bode", "LumpedLinear", "--by", "p_in", "--amplitude", "1 bar", *words, "--json", "x.json"
+    )
     assert (done.status, done.out) == (2, "") and message in done.err
     assert not list(place.iterdir())

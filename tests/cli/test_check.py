@@ -11,10 +11,17 @@ from tests.cli.conftest import Outcome, everything
 Command = Callable[..., Outcome]
 
 
-def test_it_says_what_the_data_can_tell_and_writes_it(command: Command, data: Path, place: Path) -> None:
+def test_it_says_what_the_data_can_tell_and_writes_it(
+    command: Command, data: Path, place: Path
+) -> None:
     result = command("check", data, "--json", "told.json", "--workers", "0")
     assert result.status == 0, result.err
-    for text in ("free parameters:", "orifice.C_d", "families of effects that would show", "what would help most:"):
+    for text in (
+        "free parameters:",
+        "orifice.C_d",
+        "families of effects that would show",
+        "what would help most:",
+    ):
         assert text in result.out
     content = json.loads((place / "told.json").read_text())
     assert set(content["parameters"]) == {"orifice.C_d", "tank.n"}
@@ -25,10 +32,14 @@ def test_it_says_what_the_data_can_tell_and_writes_it(command: Command, data: Pa
 
 
 def test_two_checks_say_the_same(command: Command, data: Path) -> None:
-    assert command("check", data, "--workers", "0").out == command("check", data, "--workers", "2").out
+    assert (
+        command("check", data, "--workers", "0").out == command("check", data, "--workers", "2").out
+    )
 
 
-def test_a_missing_folder_or_a_result_that_cannot_be_written_is_one_error(command: Command, data: Path) -> None:
+def test_a_missing_folder_or_a_result_that_cannot_be_written_is_one_error(
+    command: Command, data: Path
+) -> None:
     before = everything(data)
     for words in (("check", "nowhere"), ("check", data, "--json", data / "one.csv")):
         result = command(*words)

@@ -17,12 +17,16 @@ def fitted(place: Path, name: str = "p.json") -> dict[str, float]:
     return {n: e["value"] for n, e in json.loads((place / name).read_text())["parameters"].items()}
 
 
-def test_only_what_is_named_is_fitted_and_the_rest_held(command: Command, data: Path, place: Path) -> None:
+def test_only_what_is_named_is_fitted_and_the_rest_held(
+    command: Command, data: Path, place: Path
+) -> None:
     choice = ("--free", "orifice.C_d", "--start", "tank.n=1.3")
     done = command("fit", data, *choice, "-o", "p.json", "--json", "fit.json")
     assert done.status == 0, done.err
     assert list(fitted(place)) == ["orifice.C_d"]
-    held = command("compare", data, "--params", "p.json", "--set", "tank.n=1.3", "--json", "held.json")
+    held = command(
+        "compare", data, "--params", "p.json", "--set", "tank.n=1.3", "--json", "held.json"
+    )
     assert held.status == 0, held.err
     reached = json.loads((place / "held.json").read_text())["signals"]["p"]["rmse"]
     assert reached == pytest.approx(
@@ -36,7 +40,18 @@ def test_parameters_of_an_effect_can_be_fitted(command: Command, data: Path, pla
     """They have the bounds of their class; the data set knows nothing of them."""
     bench = "PneumaticMuscle.Benches.VesselOrifice"
     assert command("add", "OrificeLeak", "--to", bench, "-o", "Leaking.mo").status == 0
-    done = command("fit", data, "--model", "Leaking.mo", "--free", "orifice.C_d", "--free", "leak.A", "-o", "p.json")
+    done = command(
+        "fit",
+        data,
+        "--model",
+        "Leaking.mo",
+        "--free",
+        "orifice.C_d",
+        "--free",
+        "leak.A",
+        "-o",
+        "p.json",
+    )
     assert done.status == 0, done.err
     assert list(fitted(place)) == ["orifice.C_d", "leak.A"]
 
@@ -50,7 +65,10 @@ def test_a_value_that_is_set_is_compared(command: Command, data: Path, place: Pa
 
 
 def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place: Path) -> None:
-    for name, words in (("a.json", ()), ("b.json", ("--cut", "one=:20 s", "--begin", "one=measured"))):
+    for name, words in (
+        ("a.json", ()),
+        ("b.json", ("--cut", "one=:20 s", "--begin", "one=measured")),
+    ):
         assert command("compare", data, *words, "--json", name).status == 0
     first, second = (json.loads((place / n).read_text())["runs"][0] for n in ("a.json", "b.json"))
     assert second["signals"]["p"]["rmse"] != first["signals"]["p"]["rmse"]
@@ -75,7 +93,9 @@ def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place:
         (["diagnose", "--free", "orifice.C_x"], "did you mean 'orifice.C_d'"),
     ],
 )
-def test_what_cannot_be_chosen(command: Command, data: Path, place: Path, words: list[str], said: str) -> None:
+def test_what_cannot_be_chosen(
+    command: Command, data: Path, place: Path, words: list[str], said: str
+) -> None:
     before = everything(place)
     refused = command(words[0], data, *words[1:])
     assert refused.status == 2 and said in refused.err, refused.err

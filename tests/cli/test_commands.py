@@ -33,7 +33,9 @@ def rows(path: Path) -> list[dict[str, str]]:
 
 
 def test_build_names_and_platforms(command: Command, place: Path) -> None:
-    outcome = done(command("build", "TankFilling", "PneumaticMuscle.Benches.VesselOrifice", "-o", "out"))
+    outcome = done(
+        command("build", "TankFilling", "PneumaticMuscle.Benches.VesselOrifice", "-o", "out")
+    )
     names = ["out/TankFilling.fmu", "out/VesselOrifice.fmu"]
     assert outcome.out.split() == names
     for name in names:
@@ -44,7 +46,18 @@ def test_build_names_and_platforms(command: Command, place: Path) -> None:
 
 
 def test_build_with_sensitivities(command: Command, place: Path) -> None:
-    done(command("build", "VesselOrifice", "--sensitivity", "tank.n", "--sensitivity", "orifice.C_d", "-o", "."))
+    done(
+        command(
+            "build",
+            "VesselOrifice",
+            "--sensitivity",
+            "tank.n",
+            "--sensitivity",
+            "orifice.C_d",
+            "-o",
+            ".",
+        )
+    )
     outcome = done(command("simulate", "VesselOrifice.fmu"))
     assert "sensitivity.p.tank.n" in outcome.out and "sensitivity.T.orifice.C_d" in outcome.out
     wrong = command("build", "VesselOrifice", "--sensitivity", "tank.m", "-o", "other")
@@ -80,12 +93,20 @@ def test_simulate_with_parameters_and_inputs(command: Command, place: Path) -> N
     (place / "u.csv").write_text(
         "time [s],u_in [A],u_out [A],p_supply [kPa]\n0,0,0,100\n1,0,0,100\n1,0.3,0,100\n5,0.3,0,100\n"
     )
-    done(command("simulate", "TankFilling", "--input", "u.csv", "--set", "tank.V=0.35 l", "-o", "t.csv"))
+    done(
+        command(
+            "simulate", "TankFilling", "--input", "u.csv", "--set", "tank.V=0.35 l", "-o", "t.csv"
+        )
+    )
     run = Trajectory.from_csv(place / "t.csv")
     assert run.time[-1] == 5.0
     before, after = run["p"][run.time <= 1.0], run["p"][run.time > 1.1]
     assert abs(before).max() < 1.0 and after.min() > 1e3 and after.max() < 100e3
-    done(command("simulate", "TankFilling", "--input", "u.csv", "--set", "tank.V=0.7 l", "-o", "s.csv"))
+    done(
+        command(
+            "simulate", "TankFilling", "--input", "u.csv", "--set", "tank.V=0.7 l", "-o", "s.csv"
+        )
+    )
     assert Trajectory.from_csv(place / "s.csv")["p"][-1] < 0.8 * run["p"][-1]
 
 
@@ -112,8 +133,12 @@ def test_sweep_goes_on_after_a_failure(command: Command, place: Path) -> None:
 def test_sweep_is_the_grid(command: Command, place: Path) -> None:
     done(command("sweep", "TankFilling", "--vary", "tank.V=0.35 l:2.1 l:3", "--vary", "tank.n=1,1.4",
                  "--stop-time", "1", "-o", "s.csv"))  # fmt: skip
-    points = dict.fromkeys((float(r["tank.V [m3]"]), float(r["tank.n [1]"])) for r in rows(place / "s.csv"))
-    assert [v for v, _ in points] == pytest.approx([0.35e-3, 0.35e-3, 1.225e-3, 1.225e-3, 2.1e-3, 2.1e-3])
+    points = dict.fromkeys(
+        (float(r["tank.V [m3]"]), float(r["tank.n [1]"])) for r in rows(place / "s.csv")
+    )
+    assert [v for v, _ in points] == pytest.approx(
+        [0.35e-3, 0.35e-3, 1.225e-3, 1.225e-3, 2.1e-3, 2.1e-3]
+    )
     assert [n for _, n in points] == [1.0, 1.4] * 3
 
 
@@ -136,14 +161,18 @@ def test_compare_params_against_json_report(command: Command, place: Path, data:
     assert 'src="http' not in page and 'href="http' not in page
 
 
-def test_compare_with_another_model(command: Command, place: Path, data: Path, bench: Callable[[str], Path]) -> None:
+def test_compare_with_another_model(
+    command: Command, place: Path, data: Path, bench: Callable[[str], Path]
+) -> None:
     done(command("compare", "data", "--json", "a.json"))
     done(command("compare", "data", "--model", bench("VesselOrifice"), "--json", "b.json"))
     a, b = (json.loads((place / n).read_text()) for n in ("a.json", "b.json"))
     assert a["signals"] == b["signals"]
 
 
-def test_fit_writes_parameters_that_compare_reads(command: Command, place: Path, data: Path) -> None:
+def test_fit_writes_parameters_that_compare_reads(
+    command: Command, place: Path, data: Path
+) -> None:
     outcome = done(command("fit", "data", "-o", "p.json", "--json", "f.json"))
     assert "\n  orifice.C_d = 0.8" in outcome.out and " to 0.8" in outcome.out
     values = read_parameters(place / "p.json")
@@ -152,19 +181,27 @@ def test_fit_writes_parameters_that_compare_reads(command: Command, place: Path,
     assert {"value", "low", "high", "unit"} <= set(fit["parameters"]["tank.n"])
     done(command("compare", "data", "--params", "p.json", "--json", "c.json"))
     again = json.loads((place / "c.json").read_text())
-    assert again["signals"]["p"]["rmse"] == pytest.approx(fit["comparison"]["signals"]["p"]["rmse"], rel=1e-4)
+    assert again["signals"]["p"]["rmse"] == pytest.approx(
+        fit["comparison"]["signals"]["p"]["rmse"], rel=1e-4
+    )
     done(command("fit", "data", "-o", "p.ssv"))
     xml.dom.minidom.parse(str(place / "p.ssv"))
     assert read_parameters(place / "p.ssv") == pytest.approx(values)
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_every_method_finds_the_same(command: Command, place: Path, data: Path, method: str) -> None:
+def test_every_method_finds_the_same(
+    command: Command, place: Path, data: Path, method: str
+) -> None:
     done(command("fit", "data", "--method", method, "-o", "p.json"))
-    assert read_parameters(place / "p.json") == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
+    assert read_parameters(place / "p.json") == pytest.approx(
+        {"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02
+    )
 
 
-def test_diagnose_writes_what_the_contract_says(command: Command, place: Path, data: Path, workers: int | None) -> None:
+def test_diagnose_writes_what_the_contract_says(
+    command: Command, place: Path, data: Path, workers: int | None
+) -> None:
     words = [] if workers is None else ["--workers", workers]
     outcome = done(command("diagnose", "data", "--json", "d.json", "--report", "d.html", *words))
     content = json.loads((place / "d.json").read_text())
@@ -172,7 +209,15 @@ def test_diagnose_writes_what_the_contract_says(command: Command, place: Path, d
     assert {"chi2_reduced", "signals"} <= set(content["base"])
     assert set(content["balance"]) <= {"force", "mass", "energy", "sensor"}
     for c in content["candidates"]:
-        assert {"effect", "family", "delta_bic", "probability", "fit", "holdout", "parameters"} <= set(c)
+        assert {
+            "effect",
+            "family",
+            "delta_bic",
+            "probability",
+            "fit",
+            "holdout",
+            "parameters",
+        } <= set(c)
         for p in c["parameters"].values():
             assert {"value", "low", "high", "unit"} <= set(p)
     order = [c["delta_bic"] for c in content["candidates"] if c["delta_bic"] is not None]
@@ -191,10 +236,17 @@ def test_effects_lists_the_catalogue(command: Command) -> None:
 
 
 def test_add_writes_a_model_that_simulates(command: Command, place: Path) -> None:
-    outcome = done(command("add", "EnergyGas", "OrificeLeak", "--to", "TankFilling", "-o", "Leaky.mo"))
+    outcome = done(
+        command("add", "EnergyGas", "OrificeLeak", "--to", "TankFilling", "-o", "Leaky.mo")
+    )
     text = (place / "Leaky.mo").read_text()
     assert outcome.out == text
-    assert text.startswith("model Leaky") and "extends" in text and "EnergyGas" in text and "OrificeLeak" in text
+    assert (
+        text.startswith("model Leaky")
+        and "extends" in text
+        and "EnergyGas" in text
+        and "OrificeLeak" in text
+    )
     done(command("simulate", "Leaky.mo", "-o", "leaky.csv"))
     done(command("simulate", "TankFilling", "-o", "plain.csv"))
     leaky, plain = (Trajectory.from_csv(place / f"{n}.csv") for n in ("leaky", "plain"))
@@ -221,7 +273,9 @@ def test_effects_tell_descriptions_as_they_are(command: Command, place: Path) ->
 def test_describe_lists_what_can_be_set_and_kept(command: Command) -> None:
     told = done(command("describe", "TankFilling")).out
     assert "  p_supply = 207000 [Pa], at least -101000: Gauge pressure of the supply" in told
-    assert "  tank.V = 0.0021 [m3], 1e-06 to 10: Volume" in told and "valve.inlet.m_flow" not in told
+    assert (
+        "  tank.V = 0.0021 [m3], 1e-06 to 10: Volume" in told and "valve.inlet.m_flow" not in told
+    )
     assert "  valve.inlet.m_flow [kg/s]" in done(command("describe", "TankFilling", "--all")).out
 
 
@@ -229,10 +283,14 @@ def test_version(command: Command) -> None:
     assert done(command("--version")).out.startswith("pam-cosim 0.")
 
 
-def test_a_sweep_of_which_nothing_comes_says_so_with_its_status(command: Command, place: Path) -> None:
+def test_a_sweep_of_which_nothing_comes_says_so_with_its_status(
+    command: Command, place: Path
+) -> None:
     model = str(models.fmu(models.breaks_down))
     made = command("sweep", model, "--vary", "floor=0.6,0.7", "-o", "s.csv")
-    assert made.status == 1 and made.out.startswith("0 of 2 runs done") and (place / "s.csv").exists()
+    assert (
+        made.status == 1 and made.out.startswith("0 of 2 runs done") and (place / "s.csv").exists()
+    )
 
 
 def test_an_fmu_is_one_whatever_the_case_of_its_ending(command: Command, place: Path) -> None:
@@ -241,4 +299,7 @@ def test_an_fmu_is_one_whatever_the_case_of_its_ending(command: Command, place: 
 
 
 def test_no_supply_below_vacuum(command: Command) -> None:
-    refused(command("simulate", "TankFilling", "--set", "p_supply=-3 bar"), ["p_supply=-3 bar", "at least -101000"])
+    refused(
+        command("simulate", "TankFilling", "--set", "p_supply=-3 bar"),
+        ["p_supply=-3 bar", "at least -101000"],
+    )

@@ -54,18 +54,25 @@ def test_couples_a_written_system(command: Run, system: Path) -> None:
     done = command("couple", system, "--step", "1ms", "--method", "jacobi", "--set", "muscle.load.m=5 kg",
                "--keep", "muscle.load.v", "-o", "out.csv", "--plot", "out.png", "--ssp", "system.ssp")  # fmt: skip
     assert done.status == 0, done.err
-    assert "jacobi up to 0.3 s: 300 steps of 0.001 s" in done.out and "muscle.x: from -0.245 mm to " in done.out
+    assert (
+        "jacobi up to 0.3 s: 300 steps of 0.001 s" in done.out
+        and "muscle.x: from -0.245 mm to " in done.out
+    )
     trajectory = pam.Trajectory.from_csv(Path("out.csv"))
     assert trajectory.time[-1] == 0.3 and trajectory["muscle.load.v"].max() > 0
     assert Path("out.png").read_bytes().startswith(b"\x89PNG")
-    again = command("couple", "system.ssp", "--stop-time", "300 ms", "--tolerance", "1e-4", "-o", "again.csv")
+    again = command(
+        "couple", "system.ssp", "--stop-time", "300 ms", "--tolerance", "1e-4", "-o", "again.csv"
+    )
     assert again.status == 0 and "rollbacks" in again.out
     other = pam.Trajectory.from_csv(Path("again.csv"))
     assert other["muscle.x"][-1] == pytest.approx(trajectory["muscle.x"][-1], abs=1e-4)
 
 
 def test_fmu_that_acts_at_samples(command: Run, system: Path) -> None:
-    done = command("couple", system, "--step", "10 ms", "--stop-time", "0.1", "--sample", "muscle=50 ms")
+    done = command(
+        "couple", system, "--step", "10 ms", "--stop-time", "0.1", "--sample", "muscle=50 ms"
+    )
     assert done.status == 0 and "gas 10, muscle 2;" in done.out
     system.write_text(system.read_text() + '[samples]\nmuscle = "20 ms"\n')
     done = command("couple", system, "--step", "10 ms", "--stop-time", "0.1")
@@ -77,13 +84,28 @@ def test_input_over_time(command: Run, system: Path) -> None:
     done = command("couple", system, "--adaptive", "--input", "u.csv", "-o", "out.csv")
     assert done.status == 0, done.err
     trajectory = pam.Trajectory.from_csv(Path("out.csv"))
-    assert trajectory["gas.u_in"].max() == pytest.approx(0.35) and trajectory["gas.p"][trajectory.time <= 0.1].max() < 1
+    assert (
+        trajectory["gas.u_in"].max() == pytest.approx(0.35)
+        and trajectory["gas.p"][trajectory.time <= 0.1].max() < 1
+    )
 
 
 def test_controller_that_raises_leaves_what_was_reached(command: Run, system: Path) -> None:
-    done = command("couple", "controlled.toml", "--controller", "lift=lift.py:lift", "--step", "5 ms", "-o", "out.csv")
+    done = command(
+        "couple",
+        "controlled.toml",
+        "--controller",
+        "lift=lift.py:lift",
+        "--step",
+        "5 ms",
+        "-o",
+        "out.csv",
+    )
     assert done.status == 2
-    assert "controller 'lift' (lift) raised RuntimeError: the cable is off at 0.12 s, in line 6 of lift.py" in done.err
+    assert (
+        "controller 'lift' (lift) raised RuntimeError: the cable is off at 0.12 s, in line 6 of lift.py"
+        in done.err
+    )
     assert "written: out.csv" in done.err and "Traceback" not in done.err
     assert pam.Trajectory.from_csv(Path("out.csv")).time[-1] == pytest.approx(0.12)
 
@@ -96,7 +118,11 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
     Path("level.toml").write_text('[components]\na = "Limited.mo"\n')
     done = command("couple", "level.toml", "--step", "100 ms", "--stop-time", "2", "-o", "out.csv")
     assert done.status == 1
-    assert "component 'a' (" in done.err and "level too high" in done.err and "coupled up to" in done.err
+    assert (
+        "component 'a' (" in done.err
+        and "level too high" in done.err
+        and "coupled up to" in done.err
+    )
     assert pam.Trajectory.from_csv(Path("out.csv"))["a.y"].max() == pytest.approx(0.5, abs=0.11)
 
 
@@ -116,14 +142,24 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         (["controlled.toml"], "no component 'lift'"),
         (["controlled.toml", "--controller", "lift=lift.py"], "write NAME=FILE.py:FUNCTION"),
         (["controlled.toml", "--controller", "lift=none.py:lift"], "there is no such file"),
-        (["controlled.toml", "--controller", "lift=lift.py:lifted"], "no controller 'lifted'; did you mean 'lift'"),
+        (
+            ["controlled.toml", "--controller", "lift=lift.py:lifted"],
+            "no controller 'lifted'; did you mean 'lift'",
+        ),
         (["controlled.toml", "--controller", "lift=lift.py:plain"], "write @pam.controller"),
-        (["controlled.toml", "--controller", "lift=lift.py:lift", "--ssp", "x.ssp"], "an SSP archive cannot hold"),
+        (
+            ["controlled.toml", "--controller", "lift=lift.py:lift", "--ssp", "x.ssp"],
+            "an SSP archive cannot hold",
+        ),
     ],
 )
-def test_bad_input_writes_nothing(command: Run, system: Path, words: list[str], message: str) -> None:
+def test_bad_input_writes_nothing(
+    command: Run, system: Path, words: list[str], message: str
+) -> None:
     before = {path: path.read_bytes() for path in system.parent.iterdir() if path.is_file()}
-    done = command("couple", *words) if "-o" in words else command("couple", *words, "-o", "out.csv")
+    done = (
+        command("couple", *words) if "-o" in words else command("couple", *words, "-o", "out.csv")
+    )
     assert done.status == 2 and message in done.err and "Traceback" not in done.err
     assert {path: path.read_bytes() for path in system.parent.iterdir() if path.is_file()} == before
 

@@ -20,7 +20,9 @@ def blocks(kind: str) -> list[str]:
     return re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
 
 
-def test_page_of_runs(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_page_of_runs(
+    command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     for name, course in zip(("u.csv", "pulse.csv"), blocks("csv"), strict=True):
         (place / name).write_text(course)
     text = "".join(blocks("sh")).replace("\\\n", " ")
@@ -29,7 +31,16 @@ def test_page_of_runs(command: Callable[..., Outcome], place: Path, capsys: pyte
     said = "\n".join(done(command(*shlex.split(line)[1:])).out for line in lines)
     assert unsaid("runs.md", said) == []
     assert (place / "sweep.png").read_bytes() == (DOCS / "pictures" / "sweep.png").read_bytes()
-    made = {"pulse.csv", "patterns.csv", "run.csv", "run.png", "sines.csv", "sweep.csv", "sweep.nc", "sweep.png"}
+    made = {
+        "pulse.csv",
+        "patterns.csv",
+        "run.csv",
+        "run.png",
+        "sines.csv",
+        "sweep.csv",
+        "sweep.nc",
+        "sweep.png",
+    }
     assert {p.name for p in place.iterdir()} == {"u.csv", *made}
     [script] = blocks("python")
     capsys.readouterr()

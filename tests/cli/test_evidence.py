@@ -52,7 +52,9 @@ def judged(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return folder / "Vessel.fmu"
 
 
-def rewritten(source: Path, target: Path, change: Callable[[str, bytes], tuple[str, bytes] | None]) -> Path:
+def rewritten(
+    source: Path, target: Path, change: Callable[[str, bytes], tuple[str, bytes] | None]
+) -> Path:
     with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
         for name in old.namelist():
             kept = change(name, old.read(name))
@@ -70,17 +72,27 @@ def test_others_read_it(judged: Path, tmp_path: Path) -> None:
         sources = {one.get("source"): one.get("role") for one in manifest.iter("Related")}
         assert {FOLDER + source for source in sources} <= set(archive.namelist())
     assert sources["fitted.ssv"] == "parameter"
-    assert sources["recordings/experiment.toml"] == sources["recordings/discharge.csv"] == "experiment/validation"
+    assert (
+        sources["recordings/experiment.toml"]
+        == sources["recordings/discharge.csv"]
+        == "experiment/validation"
+    )
     fitted = {one.name: float(one.value) for one in values.parameters}
     assert {"orifice.C_d", "tank.n"} < set(fitted)
-    assert fitted["tank.V"] == pytest.approx(0.01618), "what the data set states of the rig goes along"
-    alone, applied = (simulate_fmu(str(judged), start_values=start, stop_time=20.0) for start in ({}, fitted))
+    assert fitted["tank.V"] == pytest.approx(0.01618), (
+        "what the data set states of the rig goes along"
+    )
+    alone, applied = (
+        simulate_fmu(str(judged), start_values=start, stop_time=20.0) for start in ({}, fitted)
+    )
     other = simulate_fmu(str(judged), start_values={"orifice.C_d": 0.6}, stop_time=20.0)
     np.testing.assert_array_equal(alone["p"], applied["p"])
     assert np.abs(other["p"] - alone["p"]).max() > 1e3
 
 
-def test_the_judgement_is_repeated_from_what_is_inside(judged: Path, command: Command, place: Path) -> None:
+def test_the_judgement_is_repeated_from_what_is_inside(
+    judged: Path, command: Command, place: Path
+) -> None:
     shutil.copy(judged, place / "thing.fmu")
     said = done(command("compare", "thing.fmu", "--json", "again.json"))
     assert "The judgement is repeated" in said.out
@@ -94,7 +106,9 @@ def test_other_recordings_are_noticed(judged: Path, command: Command, place: Pat
     """A judgement that says it is repeated whatever is inside would be none."""
 
     def change(name: str, content: bytes) -> tuple[str, bytes]:
-        return name, content.replace(b"2.71 mm", b"2.91 mm") if name.endswith("experiment.toml") else content
+        return name, content.replace(b"2.71 mm", b"2.91 mm") if name.endswith(
+            "experiment.toml"
+        ) else content
 
     rewritten(judged, place / "thing.fmu", change)
     assert "The judgement is NOT repeated" in done(command("compare", "thing.fmu")).out
@@ -104,7 +118,9 @@ def test_files_that_lie_elsewhere_are_not_taken(judged: Path, tmp_path: Path) ->
     """A manifest is data: what it names never becomes a path outside."""
 
     def change(name: str, content: bytes) -> tuple[str, bytes]:
-        moved = content.replace(b'"recordings/discharge.csv"', b'"recordings/../../../../outside.csv"')
+        moved = content.replace(
+            b'"recordings/discharge.csv"', b'"recordings/../../../../outside.csv"'
+        )
         return name, moved if name == MANIFEST else content
 
     damaged = rewritten(judged, tmp_path / "a.fmu", change)
@@ -116,12 +132,20 @@ def test_files_that_lie_elsewhere_are_not_taken(judged: Path, tmp_path: Path) ->
 @pytest.mark.parametrize(
     ("damage", "message"),
     [
-        (lambda name, content: None if "fmi-ls-ref" in name else (name, content), "carries no recordings"),
+        (
+            lambda name, content: None if "fmi-ls-ref" in name else (name, content),
+            "carries no recordings",
+        ),
         (lambda name, content: (name, b"<no" if name == MANIFEST else content), "is not XML"),
-        (lambda name, content: (name, b"{}" if name.endswith("judgement.json") else content), "model"),
+        (
+            lambda name, content: (name, b"{}" if name.endswith("judgement.json") else content),
+            "model",
+        ),
     ],
 )
-def test_what_is_damaged_is_said(judged: Path, damage: object, message: str, command: Command, place: Path) -> None:
+def test_what_is_damaged_is_said(
+    judged: Path, damage: object, message: str, command: Command, place: Path
+) -> None:
     rewritten(judged, place / "thing.fmu", damage)  # type: ignore[arg-type]
     outcome = command("compare", "thing.fmu")
     assert outcome.status == 2 and message in outcome.err and "thing.fmu" in outcome.err
@@ -141,7 +165,9 @@ def test_what_cannot_be_asked_for(command: Command, place: Path) -> None:
 @pytest.mark.full
 def test_a_diagnosis_goes_along(command: Command, place: Path) -> None:
     done(command("diagnose", str(VESSEL), "--save", "d.npz"))
-    written = done(command("build", "--with-data", str(VESSEL), "--diagnosis", "d.npz", "-o", "thing.fmu"))
+    written = done(
+        command("build", "--with-data", str(VESSEL), "--diagnosis", "d.npz", "-o", "thing.fmu")
+    )
     assert "identified: gas_energy (EnergyGas)" in written.out
     said = done(command("compare", "thing.fmu")).out
     assert "The judgement is repeated" in said and "1.96 kPa" in said

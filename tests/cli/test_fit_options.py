@@ -24,26 +24,40 @@ def test_resumed_command_says_the_same(command: Command, data: Path, place: Path
 
 def test_file_of_another_model_is_refused(command: Command, data: Path, place: Path) -> None:
     assert command("fit", data, "--resume", "fit.progress").status == 0
-    (place / "Other.mo").write_text("model Other\n  extends PneumaticMuscle.Benches.VesselOrifice;\nend Other;\n")
+    (place / "Other.mo").write_text(
+        "model Other\n  extends PneumaticMuscle.Benches.VesselOrifice;\nend Other;\n"
+    )
     before = everything(place)
-    refused = command("fit", data, "--model", "Other.mo", "--resume", "fit.progress", "-o", "p.json")
+    refused = command(
+        "fit", data, "--model", "Other.mo", "--resume", "fit.progress", "-o", "p.json"
+    )
     assert refused.status == 2 and "keeps a fit of another model" in refused.err, refused.err
     assert "remove this one to begin anew" in refused.err
     assert everything(place) == before
 
 
 def test_starts(command: Command, data: Path, place: Path) -> None:
-    assert command("fit", data, "--method", "multi-start", "--starts", "3", "--json", "f.json").status == 0
+    assert (
+        command("fit", data, "--method", "multi-start", "--starts", "3", "--json", "f.json").status
+        == 0
+    )
     assert len(json.loads((place / "f.json").read_text())["convergence"]["descents"]) == 4
     refused = command("fit", data, "--starts", "3")
     assert refused.status == 2 and "starts are for the method multi-start" in refused.err
 
 
 def test_pictures_and_profiles(command: Command, data: Path, place: Path) -> None:
-    done = command("fit", data, "--plot", "fit.png", "--profile", "profile.png", "--json", "fit.json")
+    done = command(
+        "fit", data, "--plot", "fit.png", "--profile", "profile.png", "--json", "fit.json"
+    )
     assert done.status == 0, done.err
-    assert "How well these data determine each parameter:" in done.out and "orifice.C_d lies between" in done.out
+    assert (
+        "How well these data determine each parameter:" in done.out
+        and "orifice.C_d lies between" in done.out
+    )
     for name in ("fit.png", "profile.png"):
         assert (place / name).read_bytes().startswith(b"\x89PNG")
     written = json.loads((place / "fit.json").read_text())
-    assert set(written["profiles"]) == {"orifice.C_d", "tank.n"} and len(written["correlation"]) == 2
+    assert (
+        set(written["profiles"]) == {"orifice.C_d", "tank.n"} and len(written["correlation"]) == 2
+    )

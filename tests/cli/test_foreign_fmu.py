@@ -18,40 +18,61 @@ from tests.cli.conftest import ROOT, Outcome
 from tests.simulation.misbehaving import hanging, patched, processes_of
 
 Command = Callable[..., Outcome]
-PROMPT = TIME_LIMIT / 2  # [s]: long before the limit would have ended it, also on a machine that does other things
+PROMPT = (
+    TIME_LIMIT / 2
+)  # [s]: long before the limit would have ended it, also on a machine that does other things
 
 needs_proc = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 
 
-def test_run_that_hangs_is_reported(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_run_that_hangs_is_reported(
+    command: Command, place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("HANG", "fmi2DoStep")
     outcome = command("simulate", hanging(place), "--timeout", "2", "-o", "run.csv")
     assert (outcome.status, outcome.out) == (1, "")
-    assert "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 2 s, fmi2DoStep" in outcome.err
+    assert (
+        "pam-cosim: the simulation failed: Hanging.fmu was ended: no progress for 2 s, fmi2DoStep"
+        in outcome.err
+    )
     assert "Traceback" not in outcome.err and not (place / "run.csv").exists()
 
 
 def test_sweep_goes_on(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("HANG_ABOVE", "1")  # of which processes that wait for work know nothing: none is asked
+    monkeypatch.setenv(
+        "HANG_ABOVE", "1"
+    )  # of which processes that wait for work know nothing: none is asked
     here = ("--workers", "1", "-o", "sweep.csv")
     outcome = command("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "2", *here)
     assert outcome.status == 0 and "2 of 3 runs done" in outcome.out
     assert "no progress for 2 s, fmi2SetReal" in outcome.err.replace("\n", " ")
     rows = (place / "sweep.csv").read_text().splitlines()[1:]
     counts = Counter(float(row.split(",")[0]) for row in rows)
-    assert counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1  # a line without values for the one that failed
+    assert (
+        counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1
+    )  # a line without values for the one that failed
 
 
 @pytest.mark.full
 @needs_proc
-@pytest.mark.parametrize("how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.full)]
+)
 @pytest.mark.parametrize("where", ["load", "fmi2DoStep"])
-def test_nothing_spins_on(place: Path, monkeypatch: pytest.MonkeyPatch, where: str, how: signal.Signals) -> None:
+def test_nothing_spins_on(
+    place: Path, monkeypatch: pytest.MonkeyPatch, where: str, how: signal.Signals
+) -> None:
     """However the command ends; the FMU holds the interpreter's lock while it is loaded, and not in a step."""
     temporary = place / "temporary"
     temporary.mkdir()
     path = hanging(place)
-    environment = {**os.environ, "PYTHONPATH": str(ROOT), "HANG": where, "SPIN": "", "TMPDIR": str(temporary)}
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(ROOT),
+        "HANG": where,
+        "SPIN": "",
+        "TMPDIR": str(temporary),
+    }
     command = subprocess.Popen(
         [sys.executable, "-m", "pam_cosim", "simulate", str(path)],
         env=environment,
@@ -87,6 +108,8 @@ def _spinning(path: Path) -> int:
 def test_an_fmu_that_reads_finds_nothing(command: Command, place: Path) -> None:
     """What it would read is not meant for it."""
     step = "c->core.phase = INSTANTIATED;"
-    reading = patched(place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}")
+    reading = patched(
+        place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}"
+    )
     outcome = command("simulate", reading, "--timeout", "20")
     assert (outcome.status, outcome.err) == (0, "")

@@ -119,7 +119,8 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A muscle with a rubber bladder that its model leaves out, by the independent simulator."""
     folder = tmp_path_factory.mktemp("measured")
     measurement.write_data_set(
-        folder / "data", measurement.measure(default_plan(), [effect_of("elasticity:exponential")], seed=1)
+        folder / "data",
+        measurement.measure(default_plan(), [effect_of("elasticity:exponential")], seed=1),
     )
     (folder / "small").mkdir()
     shutil.copy(next((folder / "data").glob("*.csv")), folder / "small" / "run-01.csv")
@@ -128,7 +129,11 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 MOMENTS = {
-    "sweep, while it loads": (["sweep", "Isotonic", "--vary", "load.m=1:9:3", "-o", "out"], loading, 0.0),
+    "sweep, while it loads": (
+        ["sweep", "Isotonic", "--vary", "load.m=1:9:3", "-o", "out"],
+        loading,
+        0.0,
+    ),
     "simulate": (["simulate", "Isotonic", "--stop-time", "3e4", "-o", "out"], simulating, 0.3),
     "sweep": (["sweep", "Isotonic", "--vary", "load.m=1:9:200000", "-o", "out"], kept, 0.3),
     "fit": (["fit", "small", "--method", "particle-swarm", "-o", "out"], simulating, 0.2),
@@ -148,7 +153,9 @@ def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     status, err = running.interrupt()
     assert status == 130
     said = [line for line in err if line.startswith("pam-cosim: ")]
-    more = "; the runs that are done are kept in out.partial: the same command goes on" * (moment == "sweep")
+    more = "; the runs that are done are kept in out.partial: the same command goes on" * (
+        moment == "sweep"
+    )
     assert said == [f"pam-cosim: interrupted; nothing was written{more}"] and err[-1] == said[0]
     assert moment.startswith("diagnose") or len(err) == 1, err
     assert (place / "out").read_text() == "old"
@@ -178,7 +185,10 @@ def test_ending_by_another_signal(place: Path) -> None:
     running.wait_for(loading)
     os.kill(running.process.pid, signal.SIGTERM)
     _, err = running.process.communicate(timeout=60)
-    assert (running.process.returncode, err) == (143, "pam-cosim: interrupted; nothing was written\n")
+    assert (running.process.returncode, err) == (
+        143,
+        "pam-cosim: interrupted; nothing was written\n",
+    )
     assert list(running.temporary.iterdir()) == [] and running.family() == []
 
 

@@ -33,7 +33,9 @@ def matlab(data: Path) -> str:
 
 
 @pytest.mark.parametrize("write", [logger, matlab])
-def test_compare_says_the_same(command: Command, place: Path, data: Path, write: Callable[[Path], str]) -> None:
+def test_compare_says_the_same(
+    command: Command, place: Path, data: Path, write: Callable[[Path], str]
+) -> None:
     scores = []
     for experiment in (EXPERIMENT, write):
         text = experiment if isinstance(experiment, str) else experiment(data)

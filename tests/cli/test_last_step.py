@@ -26,13 +26,17 @@ def shown(command: Command, words: list[str]) -> dict[str, Any]:
     return roles
 
 
-def check_loop(command: Command, folder: Path, workers: int | None, *further: str) -> dict[str, Any]:
+def check_loop(
+    command: Command, folder: Path, workers: int | None, *further: str
+) -> dict[str, Any]:
     """Diagnoses, compares the model that was written, and asks for equal numbers; returns the document."""
     number = [] if workers is None else ["--workers", workers]
     files = ["-o", "Better.mo", "--json", "d.json", "--save", "d.npz"]
     said = done(command("diagnose", folder, *files, *number, *further))
     document: dict[str, Any] = json.loads(Path("d.json").read_text(encoding="utf-8"))
-    (line,) = [one for one in said.out.splitlines() if one.startswith("compare it: pam-cosim compare ")]
+    (line,) = [
+        one for one in said.out.splitlines() if one.startswith("compare it: pam-cosim compare ")
+    ]
     compared = shown(command, shlex.split(line)[4:])
     for role in ("fit", "holdout"):
         if document["final"][role]:
@@ -44,7 +48,9 @@ def check_loop(command: Command, folder: Path, workers: int | None, *further: st
 def started(data: Path) -> Path:
     """The vessel's data set, with a start for what is fitted: it must not stand in the place of what was found."""
     file = data / "experiment.toml"
-    text = file.read_text(encoding="utf-8").replace("{ min = 0.5, max = 1.1 }", "{ min = 0.5, max = 1.1, start = 0.6 }")
+    text = file.read_text(encoding="utf-8").replace(
+        "{ min = 0.5, max = 1.1 }", "{ min = 0.5, max = 1.1, start = 0.6 }"
+    )
     file.write_text(text, encoding="utf-8")
     return data
 
@@ -73,7 +79,9 @@ def test_a_parameter_that_was_not_fitted_is_written_too(started: Path, place: Pa
     fitted = pam.fit(data, free=["orifice.C_d"], start={"tank.n": 1.3})
     text = pam.add(fitted, output=place / "Fitted.mo")
     assert "n=1.3" in text
-    assert pam.compare(data, str(place / "Fitted.mo")).scores["all"] == fitted.comparison.scores["all"]
+    assert (
+        pam.compare(data, str(place / "Fitted.mo")).scores["all"] == fitted.comparison.scores["all"]
+    )
 
 
 @pytest.mark.full
@@ -95,7 +103,9 @@ def written_rig(folder: Path) -> Path:
         run = pam.simulate(str(folder / "Truth.mo"), inputs={"time": times, "p": p}, outputs=["x"])
         x = np.interp(times, run.time, run["x"]) + 1e-4 * rng.standard_normal(len(times))
         rows = [f"{t:.3f},{float(a)!r},{float(b)!r}" for t, a, b in zip(times, p, x, strict=True)]
-        (folder / f"run-{number}.csv").write_text("\n".join(["time [s],p [Pa],x [m]", *rows, ""]), encoding="utf-8")
+        (folder / f"run-{number}.csv").write_text(
+            "\n".join(["time [s],p [Pa],x [m]", *rows, ""]), encoding="utf-8"
+        )
     (folder / "Truth.mo").unlink()
     roles = ("fit", "fit", "holdout")
     tables = [f'[[runs]]\nfile = "run-{i}.csv"\nrole = "{role}"\n' for i, role in enumerate(roles)]
@@ -109,16 +119,30 @@ def written_rig(folder: Path) -> Path:
 
 
 @pytest.mark.full
-def test_a_composed_rig_is_found_where_its_model_is_named(command: Command, place: Path, workers: int | None) -> None:
+def test_a_composed_rig_is_found_where_its_model_is_named(
+    command: Command, place: Path, workers: int | None
+) -> None:
     folder = written_rig(place / "my-rig")
     check_loop(command, folder, workers)
     done(command("simulate", "Better.mo", "-o", "run.csv"))  # the file stands by itself
-    check_loop(command, folder, workers, "--file", folder / "Rig.mo")  # and beside what it was made from
+    check_loop(
+        command, folder, workers, "--file", folder / "Rig.mo"
+    )  # and beside what it was made from
 
 
-def test_values_of_another_model_are_refused_with_what_to_do(command: Command, data: Path, place: Path) -> None:
+def test_values_of_another_model_are_refused_with_what_to_do(
+    command: Command, data: Path, place: Path
+) -> None:
     Path("d.json").write_text(
-        json.dumps({"final": {"model": "VesselOrifice", "effects": ["EnergyGas"], "parameters": {"tank.gas.h": 8.0}}})
+        json.dumps(
+            {
+                "final": {
+                    "model": "VesselOrifice",
+                    "effects": ["EnergyGas"],
+                    "parameters": {"tank.gas.h": 8.0},
+                }
+            }
+        )
     )
     refused = command("compare", data, "--params", "d.json")
     assert refused.status == 2 and "EnergyGas" in refused.err and "add --from d.json" in refused.err
@@ -128,7 +152,10 @@ def test_values_of_another_model_are_refused_with_what_to_do(command: Command, d
     "content, said",
     [
         ({"title": "x"}, "no number"),
-        ({"parameters": {"orifice.C_d": 0.7, "nonsense": 1.0}, "model": "VesselOrifice"}, "'nonsense'"),
+        (
+            {"parameters": {"orifice.C_d": 0.7, "nonsense": 1.0}, "model": "VesselOrifice"},
+            "'nonsense'",
+        ),
         ({"parameters": {}, "model": 3}, "model"),
         ({"parameters": {}, "effects": "EnergyGas"}, "effects"),
         ([1, 2], "object"),

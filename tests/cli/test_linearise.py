@@ -14,7 +14,9 @@ Command = Callable[..., Outcome]
 
 
 def test_files(command: Command, place: Path) -> None:
-    done = command("linearise", "LumpedLinear", "--json", "l.json", "-o", "l.csv", "--plot", "l.png")
+    done = command(
+        "linearise", "LumpedLinear", "--json", "l.json", "-o", "l.csv", "--plot", "l.png"
+    )
     assert done.status == 0 and "time constant 0.1 s" in done.out, done.err
     read = json.loads((place / "l.json").read_text())
     assert read["A"][2] == pytest.approx([-2.8619e-4, -4280.9, -30])
@@ -35,7 +37,11 @@ def test_selected(command: Command, place: Path) -> None:
     )  # fmt: skip
     assert done.status == 0, done.err
     read = json.loads((place / "s.json").read_text())
-    assert (read["states"], read["inputs"], read["outputs"]) == (["muscle.gas.p"], ["u_in"], ["x", "muscle.braid.F"])
+    assert (read["states"], read["inputs"], read["outputs"]) == (
+        ["muscle.gas.p"],
+        ["u_in"],
+        ["x", "muscle.braid.F"],
+    )
     assert read["point"]["inputs"]["u_in"] == pytest.approx(0.2267, abs=1e-4)
 
 

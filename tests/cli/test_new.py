@@ -22,9 +22,18 @@ GOOD = f"time [s],p [kPa],x [mm]\n{ROWS}"
 def test_from_files_to_a_comparison(command: Command, place: Path) -> None:
     several(german, place / "data", ([2e5, 3e5], 1), ([3e5, 4e5], 3), ([2.5e5, 3.5e5], 5))
     files = sorted((place / "data").iterdir())
-    outcome = command("new", "my-rig", *files, "--parameter", "load.m=2.27 kg", "--title", "steps of a regulator")
+    outcome = command(
+        "new", "my-rig", *files, "--parameter", "load.m=2.27 kg", "--title", "steps of a regulator"
+    )
     assert outcome.status == 0, outcome.err
-    for words in ("Solldruck", "p_set [bar] (input)", "Bemerkung", "holdout", "muscle.L0", "pam-cosim compare my-rig"):
+    for words in (
+        "Solldruck",
+        "p_set [bar] (input)",
+        "Bemerkung",
+        "holdout",
+        "muscle.L0",
+        "pam-cosim compare my-rig",
+    ):
         assert words in outcome.out
     assert "written: my-rig" in outcome.err
     assert sorted(one.name for one in (place / "my-rig").iterdir()) == sorted(
@@ -39,13 +48,27 @@ def test_from_files_to_a_comparison(command: Command, place: Path) -> None:
 def test_page(command: Command, place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The commands and the script of ``docs/new-data-set.md`` run as they stand, and its example is what is written."""
     page = (ROOT / "docs" / "new-data-set.md").read_text()
-    several(german, place / "data", ([2e5, 3e5, 1e5], 1), ([3e5, 4e5, 2e5], 3), ([2.5e5, 3.5e5, 1.5e5], 5))
+    several(
+        german,
+        place / "data",
+        ([2e5, 3e5, 1e5], 1),
+        ([3e5, 4e5, 2e5], 3),
+        ([2.5e5, 3.5e5, 1.5e5], 5),
+    )
     files = [str(file.relative_to(place)) for file in sorted((place / "data").iterdir())]
-    lines = [line for block in re.findall(r"```sh\n(.*?)```", page, re.DOTALL) for line in block.splitlines()]
+    lines = [
+        line
+        for block in re.findall(r"```sh\n(.*?)```", page, re.DOTALL)
+        for line in block.splitlines()
+    ]
     *lines, static = lines
     assert len(lines) == 2 and "DMSP-20-300" in static  # which tests/drafting/test_tables.py runs
     for line in lines:
-        words = [one for word in shlex.split(line)[1:] for one in (files if word == "data/*.csv" else [word])]
+        words = [
+            one
+            for word in shlex.split(line)[1:]
+            for one in (files if word == "data/*.csv" else [word])
+        ]
         outcome = command(*words)
         assert outcome.status == 0, outcome.err
     [example] = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
@@ -67,7 +90,9 @@ def test_a_muscle_by_name(command: Command, place: Path) -> None:
         (["--muscle", "DMSP-20", "--model", "Isotonic"], "Isotonic"),
     ):
         outcome = command("new", "other", "a.csv", *options)
-        assert (outcome.status, outcome.err.count("\n")) == (2, 1) and word in outcome.err, outcome.err
+        assert (outcome.status, outcome.err.count("\n")) == (2, 1) and word in outcome.err, (
+            outcome.err
+        )
 
 
 def test_options(command: Command, place: Path) -> None:
@@ -86,7 +111,11 @@ def test_options(command: Command, place: Path) -> None:
 
 
 WRONG: dict[str, tuple[str, list[str], list[str]]] = {
-    "not a number": (GOOD.replace("1.00,100", "1.00,abc"), [], ["a.csv:102", "column 'p'", "'abc'"]),
+    "not a number": (
+        GOOD.replace("1.00,100", "1.00,abc"),
+        [],
+        ["a.csv:102", "column 'p'", "'abc'"],
+    ),
     "empty": ("", [], ["a.csv", "empty"]),
     "no header": ("1,2\n3,4\n5,6\n", [], ["a.csv:1", "header is missing", "--recording"]),
     "no time": (GOOD.replace("time [s]", "N"), ["--column", "p=p", "--column", "time=M"], ["'M'"]),
@@ -95,12 +124,24 @@ WRONG: dict[str, tuple[str, list[str], list[str]]] = {
         [],
         ["no column", "p_set"],
     ),
-    "time back": (GOOD.replace("1.00,100", "0.50,100"), [], ["a.csv:102", "column 'time'", "time goes back"]),
+    "time back": (
+        GOOD.replace("1.00,100", "0.50,100"),
+        [],
+        ["a.csv:102", "column 'time'", "time goes back"],
+    ),
     "gap": (GOOD.replace("1.00,100", "1.00,"), [], ["a.csv:102", "column 'p'", "empty"]),
     "one row": ("time [s],p [kPa],x [mm]\n0,1,2\n", [], ["a.csv"]),
-    "nobody knows": ("time [s],foo,bar2\n0,1,2\n1,3,4\n", [], ["no column is recognised", "foo", "--column"]),
+    "nobody knows": (
+        "time [s],foo,bar2\n0,1,2\n1,3,4\n",
+        [],
+        ["no column is recognised", "foo", "--column"],
+    ),
     "inputs alone": ("time [s],p_set [kPa]\n0,1\n1,3\n", [], ["p_set (set pressure)", "lacks"]),
-    "an output alone": (GOOD.replace("x [mm]", "source [kPa]"), [], ["feeds no bench", "lacks the inputs"]),
+    "an output alone": (
+        GOOD.replace("x [mm]", "source [kPa]"),
+        [],
+        ["feeds no bench", "lacks the inputs"],
+    ),
     "unknown column": (GOOD, ["--column", "p=Druck"], ["--column p", "'Druck'", "Known"]),
     "unknown variable": (GOOD, ["--column", "pp=p"], ["'pp'", "did you mean"]),
     "bad formula": (GOOD, ["--column", "x=x * "], ["column 'x'", "expression"]),

@@ -32,8 +32,15 @@ def test_files(command: Command, recording: Path, place: Path) -> None:
     done = command("observe", MODEL, "r.csv", *told, "--of", "F", *files)
     assert done.status == 0 and "consistent" in done.out, done.err
     read = json.loads((place / "o.json").read_text())
-    assert read["outputs"] == ["F"] and len(read["values"]["F"]) == 20 and read["consistency"]["consistent"]
-    assert len((place / "o.csv").read_text().splitlines()) == 21 and (place / "o.png").stat().st_size > 10_000
+    assert (
+        read["outputs"] == ["F"]
+        and len(read["values"]["F"]) == 20
+        and read["consistency"]["consistent"]
+    )
+    assert (
+        len((place / "o.csv").read_text().splitlines()) == 21
+        and (place / "o.png").stat().st_size > 10_000
+    )
 
 
 @pytest.mark.parametrize(
@@ -47,7 +54,9 @@ def test_files(command: Command, recording: Path, place: Path) -> None:
         (["-o", "r.csv"], "r.csv"),
     ],
 )
-def test_refused(command: Command, recording: Path, place: Path, words: list[str], message: str) -> None:
+def test_refused(
+    command: Command, recording: Path, place: Path, words: list[str], message: str
+) -> None:
     before = recording.read_bytes()
     done = command("observe", MODEL, "r.csv", "--noise", "p=0.5 kPa", *words, "--json", "x.json")
     assert (done.status, done.out) == (2, "") and message in done.err

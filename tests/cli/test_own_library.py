@@ -61,15 +61,24 @@ def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> 
     [("winding_heat", "voltage"), pytest.param("brush_contact", "voltage", marks=pytest.mark.full),
      pytest.param("air_drag", "torque", marks=pytest.mark.full)],
 )  # fmt: skip
-def test_hidden_effect_is_named(command: Callable[..., Outcome], place: Path, hidden: str, balance: str) -> None:
+def test_hidden_effect_is_named(
+    command: Callable[..., Outcome], place: Path, hidden: str, balance: str
+) -> None:
     diagnosis = diagnosed(command, hidden)
-    assert (diagnosis["verdict"]["kind"], diagnosis["verdict"]["families"]) == ("identified", [hidden])
-    best = next(c for c in diagnosis["candidates"] if c["effects"] == diagnosis["verdict"]["effects"])
+    assert (diagnosis["verdict"]["kind"], diagnosis["verdict"]["families"]) == (
+        "identified",
+        [hidden],
+    )
+    best = next(
+        c for c in diagnosis["candidates"] if c["effects"] == diagnosis["verdict"]["effects"]
+    )
     assert best["balance"] == balance
     assert holdout(best) < 0.1 * holdout(diagnosis["base"]) and holdout(best) < 1.3
 
 
-def test_nothing_is_found_where_nothing_is_hidden(command: Callable[..., Outcome], place: Path) -> None:
+def test_nothing_is_found_where_nothing_is_hidden(
+    command: Callable[..., Outcome], place: Path
+) -> None:
     assert diagnosed(command, "none")["verdict"]["kind"] == "none_missing"
 
 
@@ -77,11 +86,18 @@ def test_no_python_is_about_it() -> None:
     words = {"DCMotor", "dcmotor"} | {file.stem for file in LIBRARY.rglob("*.mo")} - {"package"}
     shared = {"Effect", "Domain"}  # what every library has
     source = {file: file.read_text(encoding="utf-8") for file in (ROOT / "pam_cosim").rglob("*.py")}
-    told = {(file.name, w) for file, text in source.items() for w in words - shared if re.search(rf"\b{w}\b", text)}
+    told = {
+        (file.name, w)
+        for file, text in source.items()
+        for w in words - shared
+        if re.search(rf"\b{w}\b", text)
+    }
     assert not told
 
 
-def test_a_domain_that_is_none_says_what_it_must_be(command: Callable[..., Outcome], place: Path) -> None:
+def test_a_domain_that_is_none_says_what_it_must_be(
+    command: Callable[..., Outcome], place: Path
+) -> None:
     text = (LIBRARY / "Domain.mo").read_text(encoding="utf-8")
     for file in LIBRARY.rglob("*.mo"):
         copy = place / "DCMotor" / file.relative_to(LIBRARY)
@@ -91,4 +107,6 @@ def test_a_domain_that_is_none_says_what_it_must_be(command: Callable[..., Outco
     RIG["write"](place / "motor", "none")
     refused = command("compare", "motor", "--file", "DCMotor")
     assert refused.status == 2
-    assert refused.err.strip().endswith("DCMotor/Domain.mo:2: DCMotor.Domain: planes must be rows of 2 texts")
+    assert refused.err.strip().endswith(
+        "DCMotor/Domain.mo:2: DCMotor.Domain: planes must be rows of 2 texts"
+    )

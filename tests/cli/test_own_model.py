@@ -26,7 +26,9 @@ end My;
 
 
 @pytest.mark.full
-def test_a_diagnosis_keeps_its_ledger(data: Path, place: Path, process: Callable[..., Outcome]) -> None:
+def test_a_diagnosis_keeps_its_ledger(
+    data: Path, place: Path, process: Callable[..., Outcome]
+) -> None:
     """The file is the model and, given again, a further file too: it is read once. The exponent that the rig has
     breaks an assertion of the model: no candidate may have it, and the others are judged."""
     (data / "experiment.toml").write_text(WRONG)

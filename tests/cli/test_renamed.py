@@ -16,14 +16,20 @@ RENAMING = renamed.Renaming("benches", "0.2.0", "0.4.0")
 
 def test_python(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(renamed.PYTHON, "rigs", RENAMING)
-    with pytest.warns(DeprecationWarning, match="pam_cosim.rigs is called benches since 0.2.0; .* gone in 0.4.0"):
+    with pytest.warns(
+        DeprecationWarning, match="pam_cosim.rigs is called benches since 0.2.0; .* gone in 0.4.0"
+    ):
         assert pam.rigs is pam.benches
     with pytest.raises(AttributeError, match="no attribute 'rig_list'"):
         _ = pam.rig_list
 
 
-def test_commands(command: Callable[..., Outcome], place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setitem(renamed.COMMANDS, "catalogue", renamed.Renaming("effects", "0.2.0", "0.4.0"))
+def test_commands(
+    command: Callable[..., Outcome], place: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setitem(
+        renamed.COMMANDS, "catalogue", renamed.Renaming("effects", "0.2.0", "0.4.0")
+    )
     old, new = command("catalogue"), command("effects")
     assert old.status == 0 and old.out == new.out
     assert "catalogue is called effects since 0.2.0" in old.err

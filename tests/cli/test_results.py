@@ -30,8 +30,24 @@ WRITERS = {
     "sweep -o": ["sweep", "VesselOrifice", "--vary", "tank.n=1,1.4", "-o", "{}"],
     "compare --json": ["compare", "data", "--json", "{}"],
     "compare --report": ["compare", "data", "--report", "{}"],
-    "compare --table-csv": ["compare", "data", "--table", "tank.V", "orifice.d", "--table-csv", "{}"],
-    "compare --table-plot": ["compare", "data", "--table", "tank.V", "orifice.d", "--table-plot", "{}"],
+    "compare --table-csv": [
+        "compare",
+        "data",
+        "--table",
+        "tank.V",
+        "orifice.d",
+        "--table-csv",
+        "{}",
+    ],
+    "compare --table-plot": [
+        "compare",
+        "data",
+        "--table",
+        "tank.V",
+        "orifice.d",
+        "--table-plot",
+        "{}",
+    ],
     "fit -o": ["fit", "data", "-o", "{}"],
     "fit --json": ["fit", "data", "--json", "{}"],
     "diagnose --json": ["diagnose", "data", "--json", "{}"],
@@ -48,7 +64,15 @@ ENDINGS = {
     "simulate --plot": ".png",
     "compare --table-plot": ".png",
 }
-QUICK = ["simulate -o", "simulate --plot", "sweep -o", "compare --json", "compare --report", "add -o", "build -o"]
+QUICK = [
+    "simulate -o",
+    "simulate --plot",
+    "sweep -o",
+    "compare --json",
+    "compare --report",
+    "add -o",
+    "build -o",
+]
 
 
 def words(writer: str, target: Path | str) -> list[str]:
@@ -74,13 +98,29 @@ def make(kind: str, path: Path) -> None:
 
 
 @pytest.mark.parametrize(
-    "kind", ["pipe", "socket", "device", "stream", "folder", "link to itself", "link into no folder"]
+    "kind",
+    ["pipe", "socket", "device", "stream", "folder", "link to itself", "link into no folder"],
 )
 @pytest.mark.parametrize("writer", WRITERS)
 def test_what_is_no_file_is_refused_before_the_work(
-    command: Command, place: Path, data: Path, writer: str, kind: str, monkeypatch: pytest.MonkeyPatch
+    command: Command,
+    place: Path,
+    data: Path,
+    writer: str,
+    kind: str,
+    monkeypatch: pytest.MonkeyPatch,
 ) -> None:
-    for step in ("build", "describe", "read", "compare", "fit", "diagnose", "add", "simulate", "sweep"):
+    for step in (
+        "build",
+        "describe",
+        "read",
+        "compare",
+        "fit",
+        "diagnose",
+        "add",
+        "simulate",
+        "sweep",
+    ):
         if (writer, step) != ("build -o", "build"):
             monkeypatch.setattr(study, step, lambda *a, **k: pytest.fail("work was done"))
     target = place / f"x{ENDINGS.get(writer, '')}"
@@ -120,7 +160,15 @@ def test_a_link_stays_and_its_file_is_replaced(
 def test_a_redirected_stream_keeps_what_was_said(place: Path) -> None:
     """``-o /dev/stdout > out.txt`` would replace out.txt under the command's own feet."""
     with open(place / "out.txt", "w") as out:
-        command = [sys.executable, "-m", "pam_cosim", "simulate", "VesselOrifice", "-o", "/dev/stdout"]
+        command = [
+            sys.executable,
+            "-m",
+            "pam_cosim",
+            "simulate",
+            "VesselOrifice",
+            "-o",
+            "/dev/stdout",
+        ]
         completed = subprocess.run(
             command, stdout=out, stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)}
         )
@@ -162,7 +210,9 @@ def test_interrupted_writing_leaves_nothing(place: Path, monkeypatch: pytest.Mon
     file = place / "x"
     file.write_text("old")
     for failure in (KeyboardInterrupt, OSError(28, "No space left on device")):
-        monkeypatch.setattr(os, "replace", lambda *a, problem=failure: (_ for _ in ()).throw(problem))
+        monkeypatch.setattr(
+            os, "replace", lambda *a, problem=failure: (_ for _ in ()).throw(problem)
+        )
         with pytest.raises((KeyboardInterrupt, InputError)):
             write_bytes(file, b"new")
         assert file.read_text() == "old" and [p.name for p in place.iterdir()] == ["x"]
@@ -175,9 +225,27 @@ OVERWRITERS = {
     "a recording, through a link": ["fit", "data", "-o", "link.json"],
     "the parameters": ["compare", "data", "--params", "p.json", "--json", "p.json"],
     "inputs": ["simulate", "TankFilling", "--input", "u.csv", "-o", "u.csv"],
-    "inputs of a sweep": ["sweep", "TankFilling", "--vary", "tank.n=1", "--input", "u.csv", "-o", "u.csv"],
+    "inputs of a sweep": [
+        "sweep",
+        "TankFilling",
+        "--vary",
+        "tank.n=1",
+        "--input",
+        "u.csv",
+        "-o",
+        "u.csv",
+    ],
     "the model that is extended": ["add", "LaminarLeak", "--to", "Own.mo", "-o", "Own.mo"],
-    "a further file": ["add", "LaminarLeak", "--to", "TankFilling", "--file", "Own.mo", "-o", "Own.mo"],
+    "a further file": [
+        "add",
+        "LaminarLeak",
+        "--to",
+        "TankFilling",
+        "--file",
+        "Own.mo",
+        "-o",
+        "Own.mo",
+    ],
 }
 
 
@@ -186,7 +254,9 @@ def test_no_result_replaces_what_the_command_reads(case: str, command: Command, 
     place = data.parent
     (place / "p.json").write_text('{"tank.n": 1.2}')
     (place / "u.csv").write_text("time [s],u_in [A]\n0,0.3\n1,0.3\n")
-    (place / "Own.mo").write_text("model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n")
+    (place / "Own.mo").write_text(
+        "model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n"
+    )
     (place / "link.json").symlink_to(data / "one.csv")
     before = everything(place)
     words = OVERWRITERS[case]
@@ -194,12 +264,20 @@ def test_no_result_replaces_what_the_command_reads(case: str, command: Command, 
     assert everything(place) == before
 
 
-def test_a_model_made_from_own_files_stands_by_itself_or_says_what_it_needs(command: Command, place: Path) -> None:
-    (place / "My own.mo").write_text("model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n")
+def test_a_model_made_from_own_files_stands_by_itself_or_says_what_it_needs(
+    command: Command, place: Path
+) -> None:
+    (place / "My own.mo").write_text(
+        "model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n"
+    )
     done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
     done(command("simulate", "Leaking.mo", "--stop-time", "1"))
     done(command("simulate", "Leaking.mo", "--file", "My own.mo", "--stop-time", "1"))
-    (place / "My leak.mo").write_text("model Seep\n  extends PneumaticMuscle.Effects.Leak.LaminarLeak;\nend Seep;\n")
-    outcome = done(command("add", "Seep", "--to", "TankFilling", "--file", "My leak.mo", "-o", "Seeping.mo"))
+    (place / "My leak.mo").write_text(
+        "model Seep\n  extends PneumaticMuscle.Effects.Leak.LaminarLeak;\nend Seep;\n"
+    )
+    outcome = done(
+        command("add", "Seep", "--to", "TankFilling", "--file", "My leak.mo", "-o", "Seeping.mo")
+    )
     assert "--file 'My leak.mo'" in outcome.err
     done(command("simulate", "Seeping.mo", "--file", "My leak.mo", "--stop-time", "1"))

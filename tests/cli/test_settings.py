@@ -35,18 +35,32 @@ def test_the_sweep_that_a_newcomer_tries(command: Command, place: Path) -> None:
     lines = rows(place / "s.csv")
     assert list(lines[0]) == ["u_in [A]", "p_supply [Pa]", "time [s]", "p [Pa]", "T [K]", "failure"]
     points = dict.fromkeys((float(r["u_in [A]"]), float(r["p_supply [Pa]"])) for r in lines)
-    assert list(points) == [(pytest.approx(u), p) for u in (0.2, 0.25, 0.3, 0.35) for p in (138e3, 207e3)]
+    assert list(points) == [
+        (pytest.approx(u), p) for u in (0.2, 0.25, 0.3, 0.35) for p in (138e3, 207e3)
+    ]
     # each run is the one that inputs over time with the same values give
     for u, p in [(0.25, 138e3), (0.35, 207e3)]:
         want = pam.simulate(BENCH, inputs=over_time({"u_in": u, "p_supply": p}), stop_time=5.0)
-        own = [float(r["p [Pa]"]) for r in lines if r["u_in [A]"] == repr(u) and r["p_supply [Pa]"] == repr(p)]
+        own = [
+            float(r["p [Pa]"])
+            for r in lines
+            if r["u_in [A]"] == repr(u) and r["p_supply [Pa]"] == repr(p)
+        ]
         assert own == want["p"].tolist()
 
 
 def test_set_with_a_unit(command: Command, place: Path) -> None:
-    outcome = done(command("simulate", BENCH, "--set", "p_supply=138 kPa", "--set", "tank.V=0.35 l", "-o", "t.csv"))
+    outcome = done(
+        command(
+            "simulate", BENCH, "--set", "p_supply=138 kPa", "--set", "tank.V=0.35 l", "-o", "t.csv"
+        )
+    )
     assert "p: from 0 kPa to 138 kPa" in outcome.out
-    done(command("simulate", BENCH, "--set", "p_supply=138e3", "--set", "tank.V=0.35e-3", "-o", "s.csv"))
+    done(
+        command(
+            "simulate", BENCH, "--set", "p_supply=138e3", "--set", "tank.V=0.35e-3", "-o", "s.csv"
+        )
+    )
     text, number = (pam.Trajectory.from_csv(place / name)["p"] for name in ("t.csv", "s.csv"))
     assert text == pytest.approx(number, rel=1e-9)
 
@@ -81,7 +95,11 @@ def test_start_values_are_settings_too(command: Command, place: Path) -> None:
     assert {"x_start", "u"} <= set(pam.describe(str(fmu)).settable)
     face = pam.describe("Isotonic")
     state = next(name for name in face.states if face.start_values[name].unit == "m/s")
-    done(command("simulate", "Isotonic", "--set", f"{state}=10 mm/s", "--stop-time", "0.2", "-o", "t.csv"))
+    done(
+        command(
+            "simulate", "Isotonic", "--set", f"{state}=10 mm/s", "--stop-time", "0.2", "-o", "t.csv"
+        )
+    )
     done(command("simulate", "Isotonic", "--stop-time", "0.2", "-o", "s.csv"))
     assert (place / "t.csv").read_text() != (place / "s.csv").read_text()
 
@@ -119,7 +137,9 @@ def test_an_fmu_takes_them_alike(own: bool) -> None:
     ],
     ids=lambda v: " ".join(v) if isinstance(v, list) else None,
 )  # fmt: skip
-def test_what_cannot_be_set(command: Command, place: Path, words: list[str], message: list[str]) -> None:
+def test_what_cannot_be_set(
+    command: Command, place: Path, words: list[str], message: list[str]
+) -> None:
     (place / "u.csv").write_text("time [s],u_in [A]\n0,0\n5,0.3\n")
     before = everything(place)
     refused(command(*words), message)
@@ -155,7 +175,10 @@ def filling(folder: Path, columns: dict[str, float], u_in: str = "0.3 A") -> Pat
     folder.mkdir()
     run = pam.simulate(BENCH, {"u_in": 0.3, "p_supply": "138 kPa"}, stop_time=10.0, interval=0.5)
     held = "".join(f",{value}" for value in columns.values())
-    lines = [f"{t},{p / 1e3 + 0.5 * (-1) ** i}{held}" for i, (t, p) in enumerate(zip(run.time, run["p"], strict=True))]
+    lines = [
+        f"{t},{p / 1e3 + 0.5 * (-1) ** i}{held}"
+        for i, (t, p) in enumerate(zip(run.time, run["p"], strict=True))
+    ]
     units = {"u_in": "A", "p_supply": "kPa"}
     head = ",".join(["time [s],p [kPa]", *(f"{name} [{units[name]}]" for name in columns)])
     (folder / "one.csv").write_text("\n".join([head, *lines, ""]))
@@ -167,18 +190,26 @@ def test_a_data_set_states_inputs_that_were_held(command: Command, place: Path) 
     filling(place / "data", {})
     outcome = done(command("compare", "data", "--json", "c.json"))
     content = json.loads((place / "c.json").read_text())
-    assert content["signals"]["p"]["rmse"] == pytest.approx(500.0, rel=0.02), outcome.out  # the alternating error
+    assert content["signals"]["p"]["rmse"] == pytest.approx(500.0, rel=0.02), (
+        outcome.out
+    )  # the alternating error
     recorded = filling(place / "recorded", {"u_in": 0.3, "p_supply": 138.0})
     toml = recorded / "experiment.toml"
-    kept = (line for line in toml.read_text().splitlines() if not line.startswith(("p_supply", "u_in")))
+    kept = (
+        line for line in toml.read_text().splitlines() if not line.startswith(("p_supply", "u_in"))
+    )
     toml.write_text("\n".join(kept))
-    one, two = (pam.fit(pam.read(place / name)).parameters["valve.C_A"] for name in ("data", "recorded"))
+    one, two = (
+        pam.fit(pam.read(place / name)).parameters["valve.C_A"] for name in ("data", "recorded")
+    )
     assert (one.value, one.low, one.high) == pytest.approx((two.value, two.low, two.high), rel=1e-6)
     run = pam.read(place / "data").runs[0]
     assert run.default_inputs == ("u_out",) and run.parameters["p_supply"] == pytest.approx(138e3)
 
 
-def test_what_is_set_takes_the_place_of_what_the_data_set_states(command: Command, place: Path) -> None:
+def test_what_is_set_takes_the_place_of_what_the_data_set_states(
+    command: Command, place: Path
+) -> None:
     filling(place / "data", {})
 
     def error(*settings: str) -> float:
@@ -196,7 +227,11 @@ def test_what_is_set_takes_the_place_of_what_the_data_set_states(command: Comman
     ("columns", "u_in", "message"),
     [
         ({"u_in": 0.3}, "0.3 A", ["experiment.toml:12", "u_in", "one.csv", "keep one of them"]),
-        ({"p_supply": 138.0}, "0.3 A", ["experiment.toml:6", "p_supply", "one.csv", "keep one of them"]),
+        (
+            {"p_supply": 138.0},
+            "0.3 A",
+            ["experiment.toml:6", "p_supply", "one.csv", "keep one of them"],
+        ),
         ({}, "0.3 kg", ["experiment.toml:12", "u_in", "kg"]),
     ],
 )
@@ -220,7 +255,9 @@ def test_an_input_that_is_recorded_cannot_be_fitted(command: Command, place: Pat
 def test_a_name_that_ends_in_fmu_is_a_file(command: Command, place: Path) -> None:
     outcome = done(command("build", "VesselOrifice", "-o", "sub/Mine.fmu"))
     assert outcome.out.split() == ["sub/Mine.fmu"]
-    assert [p.name for p in (place / "sub").iterdir()] == ["Mine.fmu"] and zipfile.is_zipfile(place / "sub/Mine.fmu")
+    assert [p.name for p in (place / "sub").iterdir()] == ["Mine.fmu"] and zipfile.is_zipfile(
+        place / "sub/Mine.fmu"
+    )
     done(command("build", "VesselOrifice", "-o", "sub"))
     assert sorted(p.name for p in (place / "sub").iterdir()) == ["Mine.fmu", "VesselOrifice.fmu"]
 
@@ -231,7 +268,9 @@ COMMANDS = typer.main.get_command(app).commands  # type: ignore[attr-defined]
 
 
 @pytest.mark.parametrize("name", COMMANDS)
-def test_help_says_what_is_declared(command: Command, name: str, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_help_says_what_is_declared(
+    command: Command, name: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("COLUMNS", "100")
     said = "".join(done(command(name, "--help")).out.split())
     declared = [COMMANDS[name].help, *(p.help for p in COMMANDS[name].params if not p.hidden)]
@@ -242,9 +281,20 @@ def test_help_says_what_is_declared(command: Command, name: str, monkeypatch: py
 
 def test_help_speaks_of_units() -> None:
     """So that the test above is not one of texts without brackets."""
-    declared = " ".join(p.help or "" for name in ("simulate", "sweep") for p in COMMANDS[name].params)
+    declared = " ".join(
+        p.help or "" for name in ("simulate", "sweep") for p in COMMANDS[name].params
+    )
     assert "[unit]" in declared
-    assert set(COMMANDS) >= {"build", "simulate", "sweep", "compare", "fit", "diagnose", "add", "effects"}
+    assert set(COMMANDS) >= {
+        "build",
+        "simulate",
+        "sweep",
+        "compare",
+        "fit",
+        "diagnose",
+        "add",
+        "effects",
+    }
 
 
 def test_every_exported_name_is_there() -> None:
@@ -256,15 +306,32 @@ def test_every_exported_name_is_there() -> None:
     [
         (["simulate", BENCH, "--stop-time", "inf"], "the stop time"),
         (["simulate", BENCH, "--stop-time", "1e12"], "1.67e+13 rows"),
-        (["sweep", BENCH, "--vary", "u_in=0.2:0.3:1000000000000", "-o", "s.csv"], "1000000 runs at most"),
-        (["sweep", BENCH, "--vary", "u_in=0:1:9999", "--vary", "tank.n=1:1.4:999", "-o", "s.csv"], "9989001 comb"),
+        (
+            ["sweep", BENCH, "--vary", "u_in=0.2:0.3:1000000000000", "-o", "s.csv"],
+            "1000000 runs at most",
+        ),
+        (
+            [
+                "sweep",
+                BENCH,
+                "--vary",
+                "u_in=0:1:9999",
+                "--vary",
+                "tank.n=1:1.4:999",
+                "-o",
+                "s.csv",
+            ],
+            "9989001 comb",
+        ),
         (["sweep", BENCH, "--vary", "u_in=0.2,,0.3", "-o", "s.csv"], "a value is missing"),
         (["simulate", ""], "there is no model ''"),
         (["build", ""], "there is no model ''"),
     ],
     ids=lambda value: None if isinstance(value, list) else value,
 )
-def test_what_is_too_much_or_nothing(words: list[str], said: str, command: Command, place: Path) -> None:
+def test_what_is_too_much_or_nothing(
+    words: list[str], said: str, command: Command, place: Path
+) -> None:
     refused(command(*words), [said])
 
 
@@ -280,5 +347,7 @@ def test_one_value_is_no_list(place: Path) -> None:
 
 
 def test_unknown_input_names_the_model(place: Path) -> None:
-    with pytest.raises(pam.InputError, match=rf"^\S+\.{BENCH} has no input 'u_inn'; did you mean 'u_in'"):
+    with pytest.raises(
+        pam.InputError, match=rf"^\S+\.{BENCH} has no input 'u_inn'; did you mean 'u_in'"
+    ):
         pam.simulate(BENCH, inputs=pam.Inputs([0.0, 1.0], {"u_inn": [0.0, 1.0]}))

@@ -29,7 +29,9 @@ def loaded(*words: str) -> set[str]:
     """Names of the modules that a command has loaded at its end."""
     command = [sys.executable, "-c", SCRIPT, *words]
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    completed = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=120)
+    completed = subprocess.run(
+        command, env=environment, capture_output=True, text=True, timeout=120
+    )
     assert completed.returncode == 0, completed.stderr
     return set(json.loads(completed.stderr.splitlines()[-1]))
 
@@ -37,9 +39,13 @@ def loaded(*words: str) -> set[str]:
 @pytest.mark.parametrize("module", ["server", "worker"])
 def test_the_workbench_loads_no_pictures(module: str) -> None:
     """Neither its server nor the process in which it fits; a report loads them when it is asked for."""
-    script = f"import json, sys, pam_cosim.workbench.{module}; print(json.dumps(sorted(sys.modules)))"
+    script = (
+        f"import json, sys, pam_cosim.workbench.{module}; print(json.dumps(sorted(sys.modules)))"
+    )
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    told = subprocess.run([sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True)
+    told = subprocess.run(
+        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
+    )
     assert not {"matplotlib", "jinja2"} & set(json.loads(told.stdout))
 
 

@@ -52,7 +52,9 @@ def loop(noise: int = 7) -> list[str]:
     for load in (20.0, 60.0, 100.0):
         for way, word in ((1, "up"), (-1, "down")):
             for p in np.arange(80e3, 400e3, 20e3)[::way]:
-                at = brentq(lambda x, p=p, load=load, way=way: pull(p, x) - load - 12.0 * way, -0.02, 0.1)
+                at = brentq(
+                    lambda x, p=p, load=load, way=way: pull(p, x) - load - 12.0 * way, -0.02, 0.1
+                )
                 rows.append(f"{p / 1e3:g},{load:g},{1e3 * at + rng.normal(0, 0.1):.4f},{word}")
     return rows
 
@@ -94,16 +96,29 @@ def test_a_wrong_word_is_one_message(command: Command, place: Path) -> None:
     written(place / "data", ["80,20,1,up", "100,20,3,upp"])
     outcome = command("compare", "data", "--json", "c.json")
     assert outcome.status == 2
-    assert outcome.err.strip() == "pam-cosim: data/loop.csv:3: column 'branch': 'upp' is none of up, down, none"
+    assert (
+        outcome.err.strip()
+        == "pam-cosim: data/loop.csv:3: column 'branch': 'upp' is none of up, down, none"
+    )
     assert not (place / "c.json").exists()
 
 
 def test_a_bench_put_together_for_points_at_rest(command: Command, place: Path) -> None:
-    words = ["--pneumatics", "imposed-pressure", "--mechanics", "hanging-load", "--static", "-o", "data/Hanging.mo"]
+    words = [
+        "--pneumatics",
+        "imposed-pressure",
+        "--mechanics",
+        "hanging-load",
+        "--static",
+        "-o",
+        "data/Hanging.mo",
+    ]
     (place / "data").mkdir()
     assert command("bench", *words).status == 0
     experiment = LOOP.replace('"PneumaticMuscle.Benches.QuasiStaticIsotonic"', '"Hanging.mo"')
-    experiment = experiment.replace("hold_out = { F", "hold_out = { p").replace('["60 N"]', '["100 kPa"]')
+    experiment = experiment.replace("hold_out = { F", "hold_out = { p").replace(
+        '["60 N"]', '["100 kPa"]'
+    )
     written(place / "data", [], experiment.replace('mu_fb" = 0', 'mu_fb" = 0\n"load.m" = "2 kg"'))
     rows = [row.split(",") for row in loop() if ",20," in row]
     text = "\n".join(["p [kPa],x [mm],branch", *(f"{p},{x},{word}" for p, _, x, word in rows), ""])
@@ -122,11 +137,15 @@ def example() -> ModuleType:
 
 
 @pytest.mark.full
-def test_a_printed_map_beats_formulas_with_as_many_parameters(command: Command, place: Path) -> None:
+def test_a_printed_map_beats_formulas_with_as_many_parameters(
+    command: Command, place: Path
+) -> None:
     """Held-out pressures of a fluidic muscle; see docs/static-data.md."""
     assert command("diagnose", EXAMPLE, "--json", "d.json", "--workers", 1).status == 0
     result = json.loads((place / "d.json").read_text())
-    best = min(c["holdout"]["signals"]["F"]["rmse"] for c in result["candidates"] if c.get("holdout"))
+    best = min(
+        c["holdout"]["signals"]["F"]["rmse"] for c in result["candidates"] if c.get("holdout")
+    )
     script = example()
     data = script.pam.read(EXAMPLE)
     assert best < min(script.errors_of_formula(data, *formula)[1] for formula in script.FORMULAS)

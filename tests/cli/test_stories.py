@@ -23,8 +23,15 @@ STORIES = sorted((ROOT / "docs" / "stories").glob("*.md"))
 
 def lines(page: Path) -> list[list[str]]:
     """The words of each command of the page's shell blocks."""
-    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
-    return [shlex.split(line, comments=True) for block in blocks for line in block.splitlines() if line.strip()]
+    blocks = re.findall(
+        r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE
+    )
+    return [
+        shlex.split(line, comments=True)
+        for block in blocks
+        for line in block.splitlines()
+        if line.strip()
+    ]
 
 
 def page(name: str) -> Path:
@@ -65,7 +72,9 @@ def test_vessel(command: Callable[..., Outcome], place: Path) -> None:
 
 
 @pytest.mark.full
-def test_muscle(command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_muscle(
+    command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     python, *rest = lines(page("muscle"))
     assert python[:3] == ["python", "-m", "rig"]
     measurement.main(python[3:])
@@ -83,9 +92,17 @@ def errors_of(file: Path) -> dict[str, list[float]]:
     """Errors of p [kPa], x [mm] and T [K] in fitted runs and of x in the others, of the models of the story's table."""
     errors = {}
     for c in json.loads(file.read_text(encoding="utf-8"))["candidates"]:
-        if c["failure"] is None and f"(`{c['effect']}`)" in text_of("stories/muscle.md") and len(c["effects"]) == 1:
+        if (
+            c["failure"] is None
+            and f"(`{c['effect']}`)" in text_of("stories/muscle.md")
+            and len(c["effects"]) == 1
+        ):
             fit, others = c["fit"]["signals"], c["holdout"]["signals"]
-            errors[c["effect"]] = [1e-3 * fit["p"]["rmse"], 1e3 * fit["x"]["rmse"], fit["T"]["rmse"]]
+            errors[c["effect"]] = [
+                1e-3 * fit["p"]["rmse"],
+                1e3 * fit["x"]["rmse"],
+                fit["T"]["rmse"],
+            ]
             errors[c["effect"]].append(1e3 * others["x"]["rmse"])
     assert len(errors) == 6
     return errors
@@ -97,12 +114,18 @@ def test_temperature(command: Callable[..., Outcome], place: Path) -> None:
             done(command(*words[1:]))
     rows = (place / "filling.csv").read_text(encoding="utf-8").splitlines()
     last = dict(zip(rows[0].split(","), rows[-1].split(","), strict=True))
-    assert float(next(v for k, v in last.items() if k.startswith("x"))) == pytest.approx(0.06788, rel=1e-3)
+    assert float(next(v for k, v in last.items() if k.startswith("x"))) == pytest.approx(
+        0.06788, rel=1e-3
+    )
 
 
-def test_class_of_the_library_goes_by_its_shorter_name(command: Callable[..., Outcome], place: Path) -> None:
+def test_class_of_the_library_goes_by_its_shorter_name(
+    command: Callable[..., Outcome], place: Path
+) -> None:
     done(command("add", "EnergyGas", "--to", "Examples.PrintedWallIsotonic", "-o", "Better.mo"))
-    assert "extends PneumaticMuscle.Examples.PrintedWallIsotonic" in (place / "Better.mo").read_text(encoding="utf-8")
+    assert "extends PneumaticMuscle.Examples.PrintedWallIsotonic" in (
+        place / "Better.mo"
+    ).read_text(encoding="utf-8")
     done(command("simulate", "Examples.PrintedWallEnergyGas", "-o", "run.csv"))
     assert command("simulate", "Examples.NoSuchModel", "-o", "run2.csv").status == 2
 

@@ -17,13 +17,24 @@ import xarray
 from tests.cli.test_bad_input import refused
 
 PROGRAM = (sys.executable, "-m", "pam_cosim")
-WORDS = ["sweep", "Isotonic", "--vary", "u_in=0.25:0.45:30", "--vary", "p_supply=150 kPa:300 kPa:50"]
+WORDS = [
+    "sweep",
+    "Isotonic",
+    "--vary",
+    "u_in=0.25:0.45:30",
+    "--vary",
+    "p_supply=150 kPa:300 kPa:50",
+]
 WORDS += ["--scalar", "filling time=time_to(p, 90 %)", "--scalar", "steady(x)", "--stop-time", "10"]
 
 
 def _started(place: Path, *more: str) -> subprocess.Popen[str]:
     return subprocess.Popen(
-        [*PROGRAM, *WORDS, "-o", "s.csv", *more], cwd=place, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+        [*PROGRAM, *WORDS, "-o", "s.csv", *more],
+        cwd=place,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
     )
 
 
@@ -53,19 +64,47 @@ def test_a_sweep_that_is_stopped_goes_on(
     again = _started(place)
     out, said = again.communicate(timeout=300)
     assert again.returncode == 0, said
-    assert out.startswith("1500 of 1500 runs done") and [p.name for p in place.iterdir()] == ["s.csv"]
+    assert out.startswith("1500 of 1500 runs done") and [p.name for p in place.iterdir()] == [
+        "s.csv"
+    ]
     whole = pandas.read_csv(place / "s.csv")
     done = subprocess.run(
-        [*PROGRAM, *WORDS, "-o", "t.csv", "--workers", "1"], cwd=place, capture_output=True, timeout=300, check=True
+        [*PROGRAM, *WORDS, "-o", "t.csv", "--workers", "1"],
+        cwd=place,
+        capture_output=True,
+        timeout=300,
+        check=True,
     )
     assert done.returncode == 0
     pandas.testing.assert_frame_equal(whole, pandas.read_csv(place / "t.csv"), check_exact=True)
 
 
-def test_random_runs_with_scalars_as_netcdf_and_picture(command: Callable[..., object], place: Path) -> None:
-    words = ["sweep", "TankFilling", "--vary", "u_in=0.25:0.35", "--vary", "p_supply=100 kPa:200 kPa", "--design"]
-    words += ["latin-hypercube", "--runs", "6", "--seed", "4", "--scalar", "max(T)", "--stop-time", "1 s"]
-    made = command(*words, "-o", "s.nc", "--plot", "s.png", "--trajectories", "--keep", "valve.inlet.m_flow")
+def test_random_runs_with_scalars_as_netcdf_and_picture(
+    command: Callable[..., object], place: Path
+) -> None:
+    words = [
+        "sweep",
+        "TankFilling",
+        "--vary",
+        "u_in=0.25:0.35",
+        "--vary",
+        "p_supply=100 kPa:200 kPa",
+        "--design",
+    ]
+    words += [
+        "latin-hypercube",
+        "--runs",
+        "6",
+        "--seed",
+        "4",
+        "--scalar",
+        "max(T)",
+        "--stop-time",
+        "1 s",
+    ]
+    made = command(
+        *words, "-o", "s.nc", "--plot", "s.png", "--trajectories", "--keep", "valve.inlet.m_flow"
+    )
     assert made.status == 0 and made.out.startswith("6 of 6 runs done\nmax(T): from ")  # type: ignore[attr-defined]
     with xarray.open_dataset(place / "s.nc") as data:
         assert data["valve.inlet.m_flow"].attrs["units"] == "kg/s" and data.sizes["run"] == 6
@@ -89,6 +128,10 @@ def test_random_runs_with_scalars_as_netcdf_and_picture(command: Callable[..., o
     ],
     ids=lambda value: " ".join(value),
 )
-def test_what_cannot_be_used(more: list[str], words: list[str], command: Callable[..., object], place: Path) -> None:
-    refused(command("sweep", "TankFilling", "--vary", "u_in=0.2:0.3:3", "-o", "s.csv", *more), words)  # type: ignore[arg-type]
+def test_what_cannot_be_used(
+    more: list[str], words: list[str], command: Callable[..., object], place: Path
+) -> None:
+    refused(
+        command("sweep", "TankFilling", "--vary", "u_in=0.2:0.3:3", "-o", "s.csv", *more), words
+    )  # type: ignore[arg-type]
     assert not list(place.iterdir())

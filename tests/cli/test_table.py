@@ -17,7 +17,11 @@ Command = Callable[..., Outcome]
 def four(data: Path) -> Path:
     """The data set with two volumes by two diameters."""
     text = (data / "experiment.toml").read_text()
-    head = text[: text.index("[[runs]]")].replace('"tank.V" = "16.2 l"\n', "").replace('"orifice.d" = "2.71 mm"\n', "")
+    head = (
+        text[: text.index("[[runs]]")]
+        .replace('"tank.V" = "16.2 l"\n', "")
+        .replace('"orifice.d" = "2.71 mm"\n', "")
+    )
     csv = (data / "one.csv").read_bytes()
     for volume in ("16.2 l", "20 l"):
         for d in ("2.71 mm", "3 mm"):
@@ -38,19 +42,28 @@ def test_files(command: Command, four: Path, place: Path) -> None:
     (table,) = written["tables"]
     assert table["rows"] == {"name": "tank.V", "unit": "m3", "values": [0.0162, 0.02]}
     assert table["rmse"]["values"][0][0] == written["runs"][0]["signals"]["p"]["rmse"]
-    assert (place / "t.csv").read_text().startswith("signal,statistic [unit],tank.V [m3],orifice.d = 0.00271 m")
+    assert (
+        (place / "t.csv")
+        .read_text()
+        .startswith("signal,statistic [unit],tank.V [m3],orifice.d = 0.00271 m")
+    )
     assert (place / "t.png").read_bytes().startswith(b"\x89PNG")
 
 
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--table", "tank.V", "orifice.D"], "no parameter 'orifice.D' to make a table by; did you mean 'orifice.d'"),
+        (
+            ["--table", "tank.V", "orifice.D"],
+            "no parameter 'orifice.D' to make a table by; did you mean 'orifice.d'",
+        ),
         (["--table", "tank.V", "tank.V"], "'tank.V' on both sides"),
         (["--table-csv", "t.csv"], "need --table ROWS COLUMNS"),
     ],
 )
-def test_what_cannot_be_a_table(command: Command, four: Path, place: Path, words: list[str], message: str) -> None:
+def test_what_cannot_be_a_table(
+    command: Command, four: Path, place: Path, words: list[str], message: str
+) -> None:
     before = everything(place)
     refused = command("compare", four, *words, "--json", "c.json")
     assert refused.status == 2 and message in refused.err, refused.err

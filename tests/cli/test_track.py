@@ -35,7 +35,10 @@ def test_files(command: Command, sources: Path) -> None:
     assert done.status == 0 and "follows" in done.out, done.err
     read = json.loads((sources / "t.json").read_text())
     assert read["relative_error"] == pytest.approx([0.723, 0.902], abs=0.04)
-    assert len((sources / "t.csv").read_text().splitlines()) == 3 and (sources / "t.png").stat().st_size > 10_000
+    assert (
+        len((sources / "t.csv").read_text().splitlines()) == 3
+        and (sources / "t.png").stat().st_size > 10_000
+    )
 
 
 @pytest.mark.parametrize(

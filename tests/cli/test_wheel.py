@@ -33,7 +33,12 @@ def test_contents(wheel: Path) -> None:
     with zipfile.ZipFile(wheel) as archive:
         held = dict.fromkeys(archive.namelist())
     inside = "pam_cosim/_resources"
-    for folder, pattern in (("modelica", "*.mo"), ("modelica", "package.order"), ("fmu", "*.c"), ("fmu", "*.h")):
+    for folder, pattern in (
+        ("modelica", "*.mo"),
+        ("modelica", "package.order"),
+        ("fmu", "*.c"),
+        ("fmu", "*.h"),
+    ):
         files = sorted((ROOT / folder).rglob(pattern))
         assert files
         for file in files:
@@ -44,7 +49,9 @@ def test_contents(wheel: Path) -> None:
     for file in (ROOT / "pam_cosim").rglob("*"):
         if file.is_file() and "__pycache__" not in file.parts:
             assert file.relative_to(ROOT).as_posix() in held
-    assert not [n for n in held if n.endswith((".fmu", ".so", ".o", ".pyc")) or n.startswith("tests/")]
+    assert not [
+        n for n in held if n.endswith((".fmu", ".so", ".o", ".pyc")) or n.startswith("tests/")
+    ]
     assert any(n.endswith("entry_points.txt") for n in held)
     assert "pam_cosim/py.typed" in held, "type checkers take the annotations only with it (PEP 561)"
 
@@ -64,7 +71,11 @@ def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
         archive.extractall(tmp_path / "site")
     work = tmp_path / "work"
     work.mkdir()
-    environment = {**os.environ, "PYTHONPATH": str(tmp_path / "site"), "PAM_COSIM_CACHE": str(tmp_path / "cache")}
+    environment = {
+        **os.environ,
+        "PYTHONPATH": str(tmp_path / "site"),
+        "PAM_COSIM_CACHE": str(tmp_path / "cache"),
+    }
 
     def run(*words: str) -> str:
         start = (
@@ -72,7 +83,11 @@ def test_works_from_elsewhere(wheel: Path, tmp_path: Path) -> None:
             "print(pam_cosim.__file__, file=sys.stderr); run()"
         )
         completed = subprocess.run(
-            [sys.executable, "-c", start, *words], cwd=work, env=environment, capture_output=True, text=True
+            [sys.executable, "-c", start, *words],
+            cwd=work,
+            env=environment,
+            capture_output=True,
+            text=True,
         )
         assert completed.returncode == 0, completed.stderr
         assert str(tmp_path / "site") in completed.stderr
@@ -93,11 +108,25 @@ def installed(wheel: Path, tmp_path: Path) -> Path:
     python = scripts / ("python.exe" if os.name == "nt" else "python")
     where = "import sysconfig; print(sysconfig.get_paths()['purelib'])"
     here, there = (
-        subprocess.run([one, "-c", where], capture_output=True, text=True, check=True).stdout.strip()
+        subprocess.run(
+            [one, "-c", where], capture_output=True, text=True, check=True
+        ).stdout.strip()
         for one in (sys.executable, python)
     )
-    Path(there, "dependencies.pth").write_text(f"{here}\n", encoding="utf-8")  # that folder's .pth files are not read
-    command = [sys.executable, "-m", "pip", "--python", str(python), "install", "--quiet", "--no-deps", "--no-index"]
+    Path(there, "dependencies.pth").write_text(
+        f"{here}\n", encoding="utf-8"
+    )  # that folder's .pth files are not read
+    command = [
+        sys.executable,
+        "-m",
+        "pip",
+        "--python",
+        str(python),
+        "install",
+        "--quiet",
+        "--no-deps",
+        "--no-index",
+    ]
     subprocess.run([*command, str(wheel)], check=True, cwd=tmp_path)
     return scripts
 
@@ -114,25 +143,36 @@ def test_demo_of_an_installed_wheel(installed: Path, tmp_path: Path) -> None:
 
     def run(*words: str) -> subprocess.CompletedProcess[str]:
         words = (str(installed / words[0]), *words[1:])
-        return subprocess.run(words, cwd=work, env=without_repository(tmp_path), capture_output=True, text=True)
+        return subprocess.run(
+            words, cwd=work, env=without_repository(tmp_path), capture_output=True, text=True
+        )
 
     lies = run("python", "-c", "import pam_cosim; print(pam_cosim.__file__)").stdout
     assert lies.startswith(str(tmp_path / "environment"))
     assert run("python", "-c", "import rig").returncode != 0, "the repository is on the path"
     shown = run("pam-cosim", "demo", "shown", "--workers", "1")
     assert shown.returncode == 0, shown.stderr
-    page, numbers = work / "shown" / "report.html", json.loads((work / "shown" / "report.json").read_text())
-    assert numbers["verdict"]["kind"] == "identified" and numbers["verdict"]["families"] == ["elasticity"]
+    page, numbers = (
+        work / "shown" / "report.html",
+        json.loads((work / "shown" / "report.json").read_text()),
+    )
+    assert numbers["verdict"]["kind"] == "identified" and numbers["verdict"]["families"] == [
+        "elasticity"
+    ]
     best = next(c for c in numbers["candidates"] if c["effects"] == numbers["verdict"]["effects"])
     held_out = [c["holdout"]["signals"]["x"]["rmse"] for c in (numbers["base"], best)]
     assert held_out[0] > 5 * held_out[1]
     assert "<html" in page.read_text(encoding="utf-8")[:200]
     for file in ("report.html", "report.png", "report.json", "Better.mo", "data"):
         assert (work / "shown" / file).exists() and str(Path("shown", file)) in shown.stdout
-    assert run("pam-cosim", "check", "shown/data").returncode == 0, "the recordings are a data set like any other"
+    assert run("pam-cosim", "check", "shown/data").returncode == 0, (
+        "the recordings are a data set like any other"
+    )
 
 
-def test_demonstration_spares_other_folders(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_demonstration_spares_other_folders(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     (tmp_path / "thesis.tex").write_text("years of work")
     assert main(["demo", str(tmp_path)]) == 2
     assert "thesis.tex" in capsys.readouterr().err
@@ -144,6 +184,8 @@ def test_demonstration_data_are_the_rigs(tmp_path: Path) -> None:
     """A spring law that no effect of the catalogue has, hidden in the simulated rig."""
     hidden = effect_of("elasticity:exponential")
     title = "Six runs of a muscle on the simulated rig"
-    measurement.write_data_set(tmp_path, measurement.measure(default_plan(), [hidden], seed=1), title=title)
+    measurement.write_data_set(
+        tmp_path, measurement.measure(default_plan(), [hidden], seed=1), title=title
+    )
     for file in (ROOT / "examples" / "hidden-spring").iterdir():
         assert file.read_text() == (tmp_path / file.name).read_text(), file.name

@@ -37,7 +37,9 @@ class FakeSimulator:
         tolerance: float | None,
         settle: Settle = "none",
     ) -> Trajectory:
-        self.calls.append({"parameters": dict(parameters), "inputs": inputs, "start_time": start_time})
+        self.calls.append(
+            {"parameters": dict(parameters), "inputs": inputs, "start_time": start_time}
+        )
         values = self.model(times, parameters)
         kept = list(values) if outputs is None else list(outputs)
         return Trajectory(times, {n: values[n] for n in kept}, {n: OUTPUTS[n].unit for n in kept})
@@ -64,7 +66,12 @@ def run(
     )
 
 
-def data_set(runs: Sequence[Run], signals: Mapping[str, float], fitted: Sequence[str] | None = None) -> DataSet:
+def data_set(
+    runs: Sequence[Run], signals: Mapping[str, float], fitted: Sequence[str] | None = None
+) -> DataSet:
     """Signals by name with their noise [SI]."""
-    named = {n: Signal(n, OUTPUTS[n].unit, s, fitted=fitted is None or n in fitted) for n, s in signals.items()}
+    named = {
+        n: Signal(n, OUTPUTS[n].unit, s, fitted=fitted is None or n in fitted)
+        for n, s in signals.items()
+    }
     return DataSet(Path("rig"), "a rig", "Test.Fake", named, {}, {}, tuple(runs))

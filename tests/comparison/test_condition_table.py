@@ -32,7 +32,9 @@ def comparison() -> Comparison:
     def conditions(load: float, frequency: float) -> dict[str, float]:
         return {"load.m": load, "frequency": frequency}
 
-    simulator = FakeSimulator(lambda t, known: {"x": known["load.m"] * np.array([1.0, 1.0, 1.0, 2.0])}, X)
+    simulator = FakeSimulator(
+        lambda t, known: {"x": known["load.m"] * np.array([1.0, 1.0, 1.0, 2.0])}, X
+    )
     simulator.interface.parameters.update(UNITS)
     runs = [
         run("a", TIME, parameters=conditions(1, 0.5), x=[1, 1, 1, 3]),
@@ -63,7 +65,10 @@ def test_printed_table_of_dzahir_and_yamamoto() -> None:
         [[.929, .894, .815, .732], [.937, .903, .825, .739], [.952, .883, .847, .763], [.955, .898, .839, .741],
          [.941, .895, .853, .797], [.948, .904, .861, .799]]
     )  # fmt: skip
-    loads, rates = Condition("load", "kg", (5, 10, 15, 20, 25, 30)), Condition("frequency", "Hz", (0.5, 1, 1.5, 2))
+    loads, rates = (
+        Condition("load", "kg", (5, 10, 15, 20, 25, 30)),
+        Condition("frequency", "Hz", (0.5, 1, 1.5, 2)),
+    )
     table = ConditionTable("DY", "x", "m", loads, rates, cells, cells, cells, np.ones(cells.shape))
     mean, deviation = table.by_column("correlation")
     np.testing.assert_allclose(mean, [0.944, 0.896, 0.840, 0.762], atol=5e-4)
@@ -91,7 +96,12 @@ def test_files(comparison: Comparison, tmp_path: Path) -> None:
 
 def test_names_that_cannot_be(comparison: Comparison) -> None:
     for rows, columns, signal, message in (
-        ("load", "frequency", None, "no parameter 'load' to make a table by; did you mean 'load.m'"),
+        (
+            "load",
+            "frequency",
+            None,
+            "no parameter 'load' to make a table by; did you mean 'load.m'",
+        ),
         ("load.m", "load.m", None, "'load.m' on both sides"),
         ("load.m", "frequency", "y", "no run has samples of 'y'"),
     ):

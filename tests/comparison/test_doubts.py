@@ -18,7 +18,10 @@ SIGMA = 500.0
 
 
 def compared(
-    measured: np.ndarray, modelled: np.ndarray, parameters: dict[str, float] | None = None, name: str = "run-01"
+    measured: np.ndarray,
+    modelled: np.ndarray,
+    parameters: dict[str, float] | None = None,
+    name: str = "run-01",
 ) -> RunComparison:
     """One run of a pressure by a current."""
     inputs = {"u": np.interp(TIME % 5, [0, 2.5, 5], [0.0, 1.0, 0.0])}

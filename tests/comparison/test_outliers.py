@@ -18,7 +18,12 @@ def _noise(seed: int) -> np.ndarray:
 
 @pytest.mark.parametrize("seed", range(5))
 def test_noise_alone_has_none(seed: int) -> None:
-    for course in (0 * TIME, 10 * np.sin(3 * TIME), 20.0 * (TIME > 5), 30 * np.exp(-((TIME - 5) ** 2) / 0.008)):
+    for course in (
+        0 * TIME,
+        10 * np.sin(3 * TIME),
+        20.0 * (TIME > 5),
+        30 * np.exp(-((TIME - 5) ** 2) / 0.008),
+    ):
         assert not outliers(_noise(seed) + course).any()
 
 
@@ -44,7 +49,9 @@ def test_they_become_missing_samples() -> None:
     measured = _noise(2)
     measured[400] = 50.0
     one = run("r", TIME, p=measured)
-    data, counts = without_outliers(data_set([one], {"p": 1.0}), [RunComparison(one, {"p": 0 * TIME})])
+    data, counts = without_outliers(
+        data_set([one], {"p": 1.0}), [RunComparison(one, {"p": 0 * TIME})]
+    )
     assert counts == {"p": 1}
     assert np.flatnonzero(np.isnan(data.runs[0].measurements["p"])).tolist() == [400]
     assert one.measurements["p"][400] == 50.0

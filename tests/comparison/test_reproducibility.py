@@ -32,7 +32,9 @@ def test_noise_of_any_colour_does_not_come_again(seed: int) -> None:
     for noise in (
         lambda k, y: white(100 * seed + k, 501),
         lambda k, y: red(0.9, 100 * seed + k, 501),
-        lambda k, y: white(100 * seed + k, 501) + 0.7 * np.sin(0.4 * TIME + white(seed + k, 1)[0] * 7),
+        lambda k, y: (
+            white(100 * seed + k, 501) + 0.7 * np.sin(0.4 * TIME + white(seed + k, 1)[0] * 7)
+        ),
     ):
         repeated = reproducibility(_runs(noise), SIGNALS)
         assert repeated.variance < 0.02 or repeated.score < 1.0

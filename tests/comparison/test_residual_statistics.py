@@ -46,16 +46,26 @@ def test_white_noise_has_a_standard_score() -> None:
 def test_autoregression(rho: float) -> None:
     """Correlation time (1 + rho)/(1 - rho), white part 1 - rho, score rho sqrt(n); no more than the noise."""
     statistics = [residual_statistics([red(rho, s)]) for s in range(20)]
-    assert np.mean([f.correlation_time for f in statistics]) == pytest.approx((1 + rho) / (1 - rho), rel=0.1)
+    assert np.mean([f.correlation_time for f in statistics]) == pytest.approx(
+        (1 + rho) / (1 - rho), rel=0.1
+    )
     assert np.mean([f.white_variance for f in statistics]) == pytest.approx(1 - rho, rel=0.05)
-    assert np.mean([f.chi2_reduced - f.white_variance for f in statistics]) == pytest.approx(rho, abs=0.05)
-    assert np.mean([f.whiteness_score for f in statistics]) == pytest.approx(rho * np.sqrt(4000), rel=0.05)
+    assert np.mean([f.chi2_reduced - f.white_variance for f in statistics]) == pytest.approx(
+        rho, abs=0.05
+    )
+    assert np.mean([f.whiteness_score for f in statistics]) == pytest.approx(
+        rho * np.sqrt(4000), rel=0.05
+    )
     assert np.mean([f.excess for f in statistics]) < 0.05
 
 
 def test_alternating_residuals_are_not_taken_for_drift() -> None:
     statistics = residual_statistics([red(-0.5, 0)])
-    assert statistics.whiteness_score < -20 and statistics.correlation_time == 1.0 and statistics.excess == 0.0
+    assert (
+        statistics.whiteness_score < -20
+        and statistics.correlation_time == 1.0
+        and statistics.excess == 0.0
+    )
 
 
 def test_offset_shows_as_structure() -> None:

@@ -6,7 +6,14 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from pam_cosim.comparison import RunComparison, Series, expected_squares, residual_statistics, series_of, weighted
+from pam_cosim.comparison import (
+    RunComparison,
+    Series,
+    expected_squares,
+    residual_statistics,
+    series_of,
+    weighted,
+)
 from pam_cosim.comparison.rounding import slope
 from pam_cosim.measurement import Signal
 from tests.comparison.fake import run
@@ -44,7 +51,9 @@ def test_fine_steps_are_none_and_far_off_the_noise_alone_counts() -> None:
     error = np.linspace(-5.0, 5.0, 101)
     np.testing.assert_allclose(weighted(error, coarse(1e-2)), error, atol=1e-3)
     far = np.array([1e3, -1e6])
-    np.testing.assert_allclose(weighted(far, coarse(4.0)), far - np.sign(far) * 2.0, rtol=2e-5, atol=0.05)
+    np.testing.assert_allclose(
+        weighted(far, coarse(4.0)), far - np.sign(far) * 2.0, rtol=2e-5, atol=0.05
+    )
 
 
 @pytest.mark.parametrize("steps", STEPS)
@@ -53,8 +62,13 @@ def test_the_right_model_leaves_noise_whatever_it_does(steps: float, seed: int) 
     """Chi-square is as large as is said of it, to four standard errors: in motion, and in a few long holds."""
     for course in (20.0 * steps * np.sin(TIME / 7.0), holds(steps, seed)):
         error = readings(course, steps, seed) - course
-        squares, expected = weighted(error, coarse(steps)) ** 2, expected_squares(error, coarse(steps))
-        assert squares.sum() == pytest.approx(expected.sum(), abs=4 * np.sqrt(2 * expected.sum()) + 1e-3)
+        squares, expected = (
+            weighted(error, coarse(steps)) ** 2,
+            expected_squares(error, coarse(steps)),
+        )
+        assert squares.sum() == pytest.approx(
+            expected.sum(), abs=4 * np.sqrt(2 * expected.sum()) + 1e-3
+        )
 
 
 @pytest.mark.parametrize("steps", [3.0, 10.0])
@@ -63,7 +77,9 @@ def test_holds_are_no_structure_and_half_a_step_beside_is(steps: float) -> None:
     for course in (holds(steps, 1, 40), holds(steps, 2, 4)):
         one, signal = run("r", TIME, x=readings(course, steps)), coarse(steps)
         right = residual_statistics(series_of([RunComparison(one, {"x": course})], {"x": signal}))
-        wrong = residual_statistics(series_of([RunComparison(one, {"x": course + steps / 2})], {"x": signal}))
+        wrong = residual_statistics(
+            series_of([RunComparison(one, {"x": course + steps / 2})], {"x": signal})
+        )
         assert abs(right.chi2_reduced - 1.0) < 0.1
         excess.append(wrong.excess)
     assert min(excess) > 1.0

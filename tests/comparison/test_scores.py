@@ -65,7 +65,11 @@ def test_chi_square_counts_every_sample_once_and_fitted_signals_only() -> None:
 
 
 def test_missing_samples_and_signals_that_a_run_lacks() -> None:
-    runs = [run("a", TIME, p=MEASURED), run("b", TIME, x=[1.0, NAN, NAN, NAN]), run("c", TIME, p=[NAN] * 4)]
+    runs = [
+        run("a", TIME, p=MEASURED),
+        run("b", TIME, x=[1.0, NAN, NAN, NAN]),
+        run("c", TIME, p=[NAN] * 4),
+    ]
     data = data_set(runs, {"p": 0.5, "x": 0.1})
     comparison = compare(_simulator(), data)
     assert {n: s.samples for n, s in comparison.scores["all"].items()} == {"p": 3, "x": 1}
@@ -104,7 +108,10 @@ def test_what_is_known_of_a_run_overrules_fitted_values() -> None:
     simulator = FakeSimulator(lambda t, q: {"p": np.full(len(t), q["m"] + q["c"]), "x": t})
     runs = [run("a", TIME, p=[3.0] * 4, parameters={"m": 2.0}), run("b", TIME, p=[3.0] * 4)]
     comparison = compare(simulator, data_set(runs, {"p": 1.0}), {"m": 7.0, "c": 1.0})
-    assert [c["parameters"] for c in simulator.calls] == [{"m": 2.0, "c": 1.0}, {"m": 7.0, "c": 1.0}]
+    assert [c["parameters"] for c in simulator.calls] == [
+        {"m": 2.0, "c": 1.0},
+        {"m": 7.0, "c": 1.0},
+    ]
     assert [float(r.residual("p")[0]) for r in comparison.runs] == [0.0, -5.0]
 
 
@@ -127,5 +134,7 @@ def test_text_shows_readable_units() -> None:
     def model(t, _):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         return {"p": np.zeros(4), "x": np.zeros(4)}
 
-    comparison = compare(FakeSimulator(model), data_set([run("a", TIME, p=[3e3, -3e3, 3e3, -3e3])], {"p": 500.0}))
+    comparison = compare(
+        FakeSimulator(model), data_set([run("a", TIME, p=[3e3, -3e3, 3e3, -3e3])], {"p": 500.0})
+    )
     assert "fit      p    rms error      3 kPa (50.0 % of range, noise 0.5 kPa)" in str(comparison)

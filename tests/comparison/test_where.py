@@ -21,7 +21,9 @@ X = 0.06 * (P / 200e3) ** 2
 SIGMA = 0.2e-3
 
 
-def rules(planted: Callable[[Array, Array], Array], size: float = 2e-3, runs: int = 1, seed: int = 0) -> list[Rule]:
+def rules(
+    planted: Callable[[Array, Array], Array], size: float = 2e-3, runs: int = 1, seed: int = 0
+) -> list[Rule]:
     """The rules for x when the rig differs from the model where ``planted(time, p)``, in the first run only."""
     rng = np.random.default_rng(seed)
     compared = []
@@ -57,7 +59,11 @@ def test_planted_error_is_found(words: list[str], planted: Callable[[Array, Arra
 def test_pressure_band_alone() -> None:
     """An error below 100 kPa in either direction is two bands, or more generally rules that all lie there."""
     stated = rules(lambda t, p: p < 50e3)
-    assert stated[0].rule == "0 kPa < p < 50 kPa" or "x <" in stated[0].rule or " < x" in stated[0].rule
+    assert (
+        stated[0].rule == "0 kPa < p < 50 kPa"
+        or "x <" in stated[0].rule
+        or " < x" in stated[0].rule
+    )
     assert stated[0].error_share > 0.93
     assert stated[0].time_share == pytest.approx(0.2, abs=0.02)
 
@@ -102,4 +108,6 @@ def test_steps_in_time_do_not_break_the_phases() -> None:
     time = np.insert(TIME, 500, TIME[500])
     p, x = np.insert(P, 500, P[500]), np.insert(X, 500, X[500])
     compared = RunComparison(run("0", time, x=np.where(time < 4, x + 1e-3, x)), {"p": p, "x": x})
-    assert where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS, DOMAIN)[0].rule.startswith("filling")
+    assert where([compared], {"x": Signal("x", "m", SIGMA)}, OUTPUTS, DOMAIN)[0].rule.startswith(
+        "filling"
+    )

@@ -25,9 +25,15 @@ def defaults(ode: Ode, changed: Mapping[str, float] | None = None) -> np.ndarray
     return np.array([*(values | dict(changed or {})).values()], dtype=float)
 
 
-def initial(ode: Ode, changed: Mapping[str, float] | None = None, u: Sequence[float] = ()) -> dict[str, float]:
+def initial(
+    ode: Ode, changed: Mapping[str, float] | None = None, u: Sequence[float] = ()
+) -> dict[str, float]:
     inputs = list(u) or [variable.start or 0.0 for variable in ode.interface.inputs.values()]
-    values = ca.Function("initial", [ode.p, ode.u], [ode.initial])(defaults(ode, changed), inputs).full().ravel()
+    values = (
+        ca.Function("initial", [ode.p, ode.u], [ode.initial])(defaults(ode, changed), inputs)
+        .full()
+        .ravel()
+    )
     return {state.name: float(value) for state, value in zip(ode.states, values, strict=True)}
 
 

@@ -37,9 +37,9 @@ def test_same_curve(bench, tmp_path: Path):
     file = tmp_path / "Check.mo"
     file.write_text(MODELS[bench])
     ode = compile_model(str(file))
-    model = rumoca.Session(roots=[str(library_that_begins_at_fixed_values(tmp_path / "library"))]).loads(
-        MODELS[bench], model="Check"
-    )
+    model = rumoca.Session(
+        roots=[str(library_that_begins_at_fixed_values(tmp_path / "library"))]
+    ).loads(MODELS[bench], model="Check")
     theirs = model.simulate((0, 2.0), config=rumoca.SimConfig(rtol=1e-9, atol=1e-9))
     states = simulate(ode, [2.0])
     ours = at(ode, {name: row[-1] for name, row in states.items()}, t=2.0)

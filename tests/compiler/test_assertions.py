@@ -31,7 +31,12 @@ def test_a_function_s_assertion_counts_where_it_is_called():
     texts = [s.texts[0] for s in ode.statements]
     assert sorted(texts) == ["Assertions.checked: too large", "part: the part is full"]
     at = texts.index("Assertions.checked: too large")
-    for t, x, expected in ((0.0, 50.0, True), (4.0, 0.5, True), (4.0, 1.5, True), (4.0, 50.0, False)):
+    for t, x, expected in (
+        (0.0, 50.0, True),
+        (4.0, 0.5, True),
+        (4.0, 1.5, True),
+        (4.0, 50.0, False),
+    ):
         assert holds(ode, [x], t=t)[at] is expected
 
 
@@ -56,13 +61,21 @@ def test_models_without_assertions_have_none():
         ("assert(x < 1, x)", "a String is needed: write String(x)"),
         ('assert(1, "a")', "must be a Boolean"),
         ('assert(1 > 2, "one is less")', "assertion fails: one is less"),
-        ('assert(x < 1, "a" + String(x, format="%n"))', "String() takes one value, and significantDigits"),
-        ('assert(x < 1, "a" + String(x, significantDigits=40))', "must lie between 1 and 17, not 40"),
+        (
+            'assert(x < 1, "a" + String(x, format="%n"))',
+            "String() takes one value, and significantDigits",
+        ),
+        (
+            'assert(x < 1, "a" + String(x, significantDigits=40))',
+            "must lie between 1 and 17, not 40",
+        ),
     ],
 )
 def test_refused_with_its_place(call: str, words: str, tmp_path: Path):
     file = tmp_path / "M.mo"
-    file.write_text(f"model M\n  Real x(start=0, fixed=true);\nequation\n  der(x) = 1;\n  {call};\nend M;\n")
+    file.write_text(
+        f"model M\n  Real x(start=0, fixed=true);\nequation\n  der(x) = 1;\n  {call};\nend M;\n"
+    )
     with pytest.raises(ModelError) as caught:
         compile_model(str(file), root=MODELS)
     assert words in str(caught.value) and (caught.value.file, caught.value.line) == (file, 5)

@@ -27,7 +27,11 @@ def test_class_info(tree):
     assert tree.classes["Tanks.TwoPorts"].partial
     assert tree.classes["Tanks.Valve"].extends[0].name == "Tanks.TwoPorts"
     other = next(c for c in tree.classes["Tanks.Switched"].components if c.name == "other")
-    assert (other.type, other.condition, other.modifications) == ("Tanks.Valve", "second", {"k": "0.7"})
+    assert (other.type, other.condition, other.modifications) == (
+        "Tanks.Valve",
+        "second",
+        {"k": "0.7"},
+    )
 
 
 def test_inheritance(tree):
@@ -43,15 +47,26 @@ def test_inheritance(tree):
 
 def test_replaceables(tree):
     (gas,) = tree.replaceables("Muscles.Muscle")
-    assert (gas.name, gas.default, gas.constraint) == ("Gas", "Muscles.Polytropic", "Muscles.PartialGas")
+    assert (gas.name, gas.default, gas.constraint) == (
+        "Gas",
+        "Muscles.Polytropic",
+        "Muscles.PartialGas",
+    )
 
 
 def test_structure_shows_what_is_redeclared():
     structure = read_structure("Muscles.Redeclared", root=MODELS)
     (slot,) = structure.slots
-    assert (slot.path, slot.constraint, slot.current) == ("muscle", "Muscles.PartialGas", "Muscles.Energetic")
+    assert (slot.path, slot.constraint, slot.current) == (
+        "muscle",
+        "Muscles.PartialGas",
+        "Muscles.Energetic",
+    )
     parts = {part.path: part for part in structure.parts}
-    assert parts["muscle.gas"].type == "Muscles.Energetic" and "Muscles.PartialGas" in parts["muscle.gas"].bases
+    assert (
+        parts["muscle.gas"].type == "Muscles.Energetic"
+        and "Muscles.PartialGas" in parts["muscle.gas"].bases
+    )
     assert parts["muscle"].connectors == {"port": "Muscles.Port"}
     assert parts[""].bases == ("Muscles.Redeclared", "Muscles.Bench")
 
@@ -107,4 +122,7 @@ def test_each_component_is_modified_once():
     composition = compose(read_library(), "Isotonic", ["ValveDelay", "UnequalAreas", "EnergyGas"])
     assert composition is not None
     assert composition.text.count("valve(") == composition.text.count("muscle(") == 1
-    assert "Drive = PneumaticMuscle.Effects.ValveDynamics.ValveDelay, redeclare model Area" in composition.text
+    assert (
+        "Drive = PneumaticMuscle.Effects.ValveDynamics.ValveDelay, redeclare model Area"
+        in composition.text
+    )

@@ -23,7 +23,9 @@ def test_value(text: str, expected: np.ndarray) -> None:
     np.testing.assert_allclose(elementwise(text, {"x": X, "k": 0.5}), expected, rtol=1e-15)
 
 
-@pytest.mark.parametrize("text", ["y", "open(x)", "x.real", "if x > 0 then 1 else 2", '"a"', "__import__(x)", "x +"])
+@pytest.mark.parametrize(
+    "text", ["y", "open(x)", "x.real", "if x > 0 then 1 else 2", '"a"', "__import__(x)", "x +"]
+)
 def test_what_is_no_arithmetic_is_refused(text: str) -> None:
     with pytest.raises(ModelError):
         elementwise(text, {"x": X})

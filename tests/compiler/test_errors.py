@@ -45,7 +45,9 @@ def test_error_names_place_and_cause(name, line, column, words):
 
 
 def test_unknown_model_suggests_one_of_that_name():
-    with pytest.raises(ModelError, match=r"no model 'Muscle\.Bench'; did you mean Muscles\.Bench or Tanks\.Bench"):
+    with pytest.raises(
+        ModelError, match=r"no model 'Muscle\.Bench'; did you mean Muscles\.Bench or Tanks\.Bench"
+    ):
         compiled("Muscle.Bench")
 
 

@@ -13,7 +13,9 @@ from tests.compiler.run import MODELS
 def test_a_file_named_twice_or_in_two_ways_is_one_file(tmp_path: Path, monkeypatch) -> None:
     monkeypatch.chdir(tmp_path)
     file = tmp_path / "Own.mo"
-    file.write_text("model Own\n  Real x(start=1, fixed=true);\nequation\n  der(x) = -x;\nend Own;\n")
+    file.write_text(
+        "model Own\n  Real x(start=1, fixed=true);\nequation\n  der(x) = -x;\nend Own;\n"
+    )
     (tmp_path / "link.mo").symlink_to(file)
     ways = [Path("Own.mo"), file, Path("./Own.mo"), Path("link.mo"), Path("Own.mo")]
     assert "Own" in read_library(MODELS, ways).classes
@@ -38,10 +40,14 @@ def make_package(folder: Path, start: int = 1) -> Path:
 
 
 @pytest.mark.parametrize("way", ("folder", "package.mo"))
-def test_a_package_is_named_by_its_folder_or_its_package_file(tmp_path: Path, monkeypatch, way: str) -> None:
+def test_a_package_is_named_by_its_folder_or_its_package_file(
+    tmp_path: Path, monkeypatch, way: str
+) -> None:
     package = make_package(tmp_path)
     monkeypatch.chdir(package)
-    files = [package, Path(".")] if way == "folder" else [package / "package.mo", Path("package.mo")]
+    files = (
+        [package, Path(".")] if way == "folder" else [package / "package.mo", Path("package.mo")]
+    )
     tree = read_library(files=files)
     assert benches(tree)[-1] == "Own.Benches.Fall" and benches(tree)[0] != benches(tree)[-1]
     for name in ("Fall", "Benches.Fall", "Own.Benches.Fall"):
@@ -58,7 +64,9 @@ def test_a_change_in_a_package_is_seen(tmp_path: Path) -> None:
     assert flat_hash("Own.Benches.Fall", files=[package]) != before
     make_package(tmp_path / "elsewhere", start=27)
     same = flat_hash("Own.Benches.Fall", files=[tmp_path / "elsewhere" / "Own"])
-    assert same == flat_hash("Own.Benches.Fall", files=[package]), "where a package lies makes no difference"
+    assert same == flat_hash("Own.Benches.Fall", files=[package]), (
+        "where a package lies makes no difference"
+    )
 
 
 def test_a_folder_that_is_no_package_and_a_name_that_is_taken(tmp_path: Path) -> None:

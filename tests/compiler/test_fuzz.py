@@ -44,5 +44,7 @@ def test_damaged_source(package, model, tmp_path):
             accepted += 1
         except ModelError as error:
             refused += 1
-            assert error.message and (error.file is not None or "there is no model" in error.message)
+            assert error.message and (
+                error.file is not None or "there is no model" in error.message
+            )
     assert refused > 20 and accepted > 0

@@ -21,7 +21,9 @@ def imported(file: Path) -> set[str]:
     """Modules of the project that a module imports, also within functions and for type checkers."""
     nodes = list(ast.walk(ast.parse(file.read_text(encoding="utf-8"))))
     wholes = [n for n in nodes if isinstance(n, ast.ImportFrom) and n.module]
-    names = {n.module or "" for n in wholes} | {f"{n.module}.{a.name}" for n in wholes for a in n.names}
+    names = {n.module or "" for n in wholes} | {
+        f"{n.module}.{a.name}" for n in wholes for a in n.names
+    }
     names |= {a.name for n in nodes if isinstance(n, ast.Import) for a in n.names}
     return {name for name in names if name.startswith("pam_cosim.")}
 
@@ -30,9 +32,16 @@ def test_no_library_has_a_name_in_the_compiler() -> None:
     """Nor does an effect: the names of the library's folders and of its classes are not in the source."""
     assert LIBRARY
     words = {package.name for package in LIBRARY}
-    words |= {file.stem for package in LIBRARY for file in (package / "Effects").rglob("*.mo")} - {"package"}
+    words |= {file.stem for package in LIBRARY for file in (package / "Effects").rglob("*.mo")} - {
+        "package"
+    }
     assert len(words) > 50
-    told = [(file.name, word) for file in modules("compiler") for word in words if word in file.read_text()]
+    told = [
+        (file.name, word)
+        for file in modules("compiler")
+        for word in words
+        if word in file.read_text()
+    ]
     assert not told
 
 

@@ -23,8 +23,12 @@ def test_outer_components_find_the_inner_one():
     assert [values["der(balls[1].v)"], values["der(balls[2].v)"]] == [-3, -3]
 
 
-@pytest.mark.parametrize(("model", "balls"), [("NoInner", ("balls[1]", "balls[2]", "single")), ("Ball", ("",))])
-def test_what_nothing_declares_inner_is_added_at_the_top(model: str, balls: tuple[str, ...]) -> None:
+@pytest.mark.parametrize(
+    ("model", "balls"), [("NoInner", ("balls[1]", "balls[2]", "single")), ("Ball", ("",))]
+)
+def test_what_nothing_declares_inner_is_added_at_the_top(
+    model: str, balls: tuple[str, ...]
+) -> None:
     ode = compiled(f"Language.{model}")
     assert ode.interface.parameters["world.g"].start == 9.81
     values = at(ode, p={"world.g": 3})
@@ -44,7 +48,10 @@ def test_function_redeclared_two_levels_down():
 
 def test_records_enumerations_and_constructors():
     ode = compiled("Language.Records")
-    assert ode.interface.parameters["data.a"].start == 10 and ode.interface.parameters["data.b"].start == 5
+    assert (
+        ode.interface.parameters["data.a"].start == 10
+        and ode.interface.parameters["data.b"].start == 5
+    )
     values = at(ode, p={"data.a": 4, "other.a": 3})
     assert values["area"] == 16 and values["sum_"] == 3 + 6
 
@@ -58,7 +65,9 @@ def test_redeclared_record():
 def test_linear_loop_is_solved():
     values = at(compiled("Language.Loop"), {"x": 2.0, "v": 0.5}, p={"k1": 20})
     force = 2.0 / (1 / 20 + 1 / 30)
-    assert values["node"] == pytest.approx(force / 20) and values["der(v)"] == pytest.approx(-force / 2)
+    assert values["node"] == pytest.approx(force / 20) and values["der(v)"] == pytest.approx(
+        -force / 2
+    )
 
 
 def test_rigid_coupling_is_reduced_from_index_three():
@@ -77,7 +86,9 @@ def test_initial_equations_follow_parameters():
     assert at(ode, p={"T0": 350})["T"] == pytest.approx(350)
 
 
-@pytest.mark.parametrize(("t", "x", "y"), [(0.0, 1.0, 1.0), (0.0, 0.2, 0.5), (1.0, 1.0, 1.0), (1.0, 0.05, 2.0)])
+@pytest.mark.parametrize(
+    ("t", "x", "y"), [(0.0, 1.0, 1.0), (0.0, 0.2, 0.5), (1.0, 1.0, 1.0), (1.0, 0.05, 2.0)]
+)
 def test_conditions(t, x, y):
     values = at(compiled("Language.Conditions"), {"x": x}, t=t)
     assert values["der(x)"] == -2 * x and values["y"] == y

@@ -26,9 +26,21 @@ def test_interface_carries_units_bounds_and_the_experiment():
     assert interface.inputs["inflow"].unit == "m3/s" and interface.inputs["inflow"].start == 0
     assert list(interface.parameters) == ["left.A", "left.h_start", "right.h_start", "valve.k"]
     area = interface.parameters["left.A"]
-    assert (area.unit, area.min, area.max, area.start, area.description) == ("m2", 0.01, 10, 2, "Cross-section")
+    assert (area.unit, area.min, area.max, area.start, area.description) == (
+        "m2",
+        0.01,
+        10,
+        2,
+        "Cross-section",
+    )
     level = interface.outputs["h"]
-    assert (level.unit, level.display_unit, level.quantity, level.min, level.nominal) == ("m", "mm", "Length", 0, 0.5)
+    assert (level.unit, level.display_unit, level.quantity, level.min, level.nominal) == (
+        "m",
+        "mm",
+        "Length",
+        0,
+        0.5,
+    )
     assert (interface.stop_time, interface.interval, interface.tolerance) == (20, 0.1, 1e-7)
     assert "right.A" in interface.locals
 
@@ -41,7 +53,10 @@ def test_initial_values_follow_the_parameters():
 
 def test_condition_switches_component_and_connections():
     off, on = compiled("Tanks.Switched"), compiled("Tanks.SwitchedOn")
-    assert "other.k" not in off.interface.parameters and on.interface.parameters["other.k"].start == 0.7
+    assert (
+        "other.k" not in off.interface.parameters
+        and on.interface.parameters["other.k"].start == 0.7
+    )
     assert at(off, u=[0])["der(right.h)"] == pytest.approx(0.3 * 2.5)
     assert at(on, u=[0])["der(right.h)"] == pytest.approx((0.3 + 0.7) * 2.5)
 
@@ -98,7 +113,10 @@ def test_volume_under_der_and_redeclared_gas(model, gas, L0, flow, h):
 
 def test_redeclaration_three_levels_down_takes_a_parameter_of_the_model():
     ode = compiled("Muscles.Redeclared3")
-    slow, fast = at(ode, {"bench.muscle.gas.p": 3e5}), at(ode, {"bench.muscle.gas.p": 3e5}, p={"k": 14})
+    slow, fast = (
+        at(ode, {"bench.muscle.gas.p": 3e5}),
+        at(ode, {"bench.muscle.gas.p": 3e5}, p={"k": 14}),
+    )
     slope = [v["der(bench.muscle.gas.p)"] for v in (slow, fast)]
     assert slope[1] == pytest.approx(2 * slope[0]) and slope[0] < 0
     assert "bench.muscle.gas.h" not in ode.interface.parameters
@@ -114,7 +132,11 @@ def test_redeclared_component_keeps_the_modifications_of_the_constraint_only():
 
 def test_outermost_modification_counts():
     again = compiled("Muscles.RedeclaredAgain").interface.parameters
-    assert "muscle.gas.h" not in again and again["muscle.m"].start == 4 and again["muscle.L0"].start == 0.25
+    assert (
+        "muscle.gas.h" not in again
+        and again["muscle.m"].start == 4
+        and again["muscle.L0"].start == 0.25
+    )
     modified = compiled("Muscles.ModifiedClass").interface.parameters
     assert modified["muscle.gas.h"].start == 8 and modified["muscle.gas.n"].start == 1.1
     assert compiled("Muscles.ModifiedComponent").interface.parameters["gas.h"].start == 3
@@ -140,7 +162,9 @@ def test_jacobians_are_finite_and_right():
     for j in range(len(x)):
         step = np.zeros(len(x))
         step[j] = 1e-6 * max(1e-3, abs(x[j]))
-        central = (f(0, x + step, [1e-4], p) - f(0, x - step, [1e-4], p)).full().ravel() / (2 * step[j])
+        central = (f(0, x + step, [1e-4], p) - f(0, x - step, [1e-4], p)).full().ravel() / (
+            2 * step[j]
+        )
         assert exact[:, j] == pytest.approx(central, rel=2e-5, abs=1e-6 * np.abs(central).max())
 
 

@@ -14,7 +14,9 @@ TANK = ("tank.p", "tank.q[1]", "tank.q[2]")
 
 
 @pytest.mark.parametrize(("model", "resting"), [("Plain", ()), ("Guess", ()), ("Steady", TANK)])
-def test_a_parameter_of_the_surroundings_says_how_all_begin(model: str, resting: tuple[str, ...]) -> None:
+def test_a_parameter_of_the_surroundings_says_how_all_begin(
+    model: str, resting: tuple[str, ...]
+) -> None:
     ode = compiled(f"Rest.{model}")
     assert tuple(state.name for state in ode.states) == TANK
     assert ode.resting == resting
@@ -31,7 +33,11 @@ def test_the_start_value_of_a_state_at_rest_is_a_guess() -> None:
     starts = {entry.name: (entry.initial, entry.start) for entry in table(compiled("Rest.Steady"))}
     assert [starts[name] for name in TANK] == [("approx", 1.0), ("approx", 0.0), ("approx", 0.0)]
     fixed = {entry.name: entry.initial for entry in table(compiled("Rest.Plain"))}
-    assert [fixed[name] for name in TANK] == ["approx", "exact", "exact"]  # the first is a parameter's value
+    assert [fixed[name] for name in TANK] == [
+        "approx",
+        "exact",
+        "exact",
+    ]  # the first is a parameter's value
 
 
 def test_what_symbols_solve_is_known_beforehand() -> None:
@@ -64,7 +70,10 @@ def test_it_is_saved() -> None:
 @pytest.mark.parametrize(
     ("model", "words"),
     [
-        ("Late", "the parameter 'z' depends on states that begin at rest, known only when the model has settled"),
+        (
+            "Late",
+            "the parameter 'z' depends on states that begin at rest, known only when the model has settled",
+        ),
         ("Hard", "initial values: a nonlinear algebraic loop for 'x'"),
     ],
 )

@@ -7,7 +7,14 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.compiler import Ode, compile_model, ode_bytes, read_ode, smooth_parameters, with_sensitivities
+from pam_cosim.compiler import (
+    Ode,
+    compile_model,
+    ode_bytes,
+    read_ode,
+    smooth_parameters,
+    with_sensitivities,
+)
 from pam_cosim.fmu import odes
 from pam_cosim.fmu.build import fmu_bytes
 from pam_cosim.fmu.generate import model_source
@@ -20,7 +27,10 @@ GUID = "{00000000-0000-0000-0000-000000000000}"
 
 
 def alike(one: Ode, other: Ode) -> bool:
-    same = [getattr(one, n) == getattr(other, n) for n in ("interface", "states", "description", "parts", "libraries")]
+    same = [
+        getattr(one, n) == getattr(other, n)
+        for n in ("interface", "states", "description", "parts", "libraries")
+    ]
     return all(same) and model_source(one, GUID) == model_source(other, GUID)
 
 
@@ -43,7 +53,9 @@ def test_an_effect_on_its_bench(effect: str, tmp_path: Path) -> None:
     assert fmu_bytes(ode, []) == fmu_bytes(read, [])
 
 
-def test_it_is_made_once_or_comes_with_the_package(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_it_is_made_once_or_comes_with_the_package(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     ode, calls = warning_lag(), []
 
     def make() -> Ode:
@@ -53,10 +65,15 @@ def test_it_is_made_once_or_comes_with_the_package(tmp_path: Path, monkeypatch: 
     monkeypatch.setenv("PAM_COSIM_CACHE", str(tmp_path / "cache"))
     assert alike(cached_ode("a" * 64, make), ode) and alike(cached_ode("a" * 64, make), ode)
     assert len(calls) == 1
-    write_archives(tmp_path / "shipped", {"some.xz": {"b" * 64: ode_bytes(ode), "c" * 64: ode_bytes(delayed_mix())}})
+    write_archives(
+        tmp_path / "shipped",
+        {"some.xz": {"b" * 64: ode_bytes(ode), "c" * 64: ode_bytes(delayed_mix())}},
+    )
     monkeypatch.setattr("pam_cosim.fmu.odes.shipped_models", lambda: tmp_path / "shipped")
     odes._index.cache_clear()
-    assert alike(cached_ode("b" * 64, make), ode) and alike(cached_ode("c" * 64, make), delayed_mix())
+    assert alike(cached_ode("b" * 64, make), ode) and alike(
+        cached_ode("c" * 64, make), delayed_mix()
+    )
     assert len(calls) == 1
     cached_ode("d" * 64, make)
     assert len(calls) == 2

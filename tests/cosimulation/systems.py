@@ -18,7 +18,9 @@ CONTROL = ["muscle.x -> control.x", "control.u_in -> gas.u_in", "control.u_out -
 def halves(**parameters: Any) -> System:
     """The isotonic bench in two FMUs."""
     parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad"}
-    return pam.couple(parts, CUT, {name.replace("__", "."): value for name, value in parameters.items()})
+    return pam.couple(
+        parts, CUT, {name.replace("__", "."): value for name, value in parameters.items()}
+    )
 
 
 def thirds() -> System:
@@ -48,4 +50,8 @@ def written(folder: Path, name: str, body: str) -> str:
 
 def gain(folder: Path, name: str, factor: float, offset: float = 0.0) -> str:
     """y = factor u + offset, at once."""
-    return written(folder, name, f'input Real u "In";\noutput Real y "Out";\nequation\ny = {factor}*u + ({offset});')
+    return written(
+        folder,
+        name,
+        f'input Real u "In";\noutput Real y "Out";\nequation\ny = {factor}*u + ({offset});',
+    )

@@ -31,10 +31,14 @@ STEP = "pam_core *core = &c->core;"
         ("gauss-seidel", "linear", 2),
     ],
 )
-def test_error_falls_with_the_step_by_the_order_of_the_method(method: Any, extrapolation: Any, order: int) -> None:
+def test_error_falls_with_the_step_by_the_order_of_the_method(
+    method: Any, extrapolation: Any, order: int
+) -> None:
     system, errors = halves(), []
     for step in ("4 ms", "2 ms", "1 ms"):
-        run = system.simulate(0.5, method=method, step=step, extrapolation=extrapolation, solver_tolerance=1e-9)
+        run = system.simulate(
+            0.5, method=method, step=step, extrapolation=extrapolation, solver_tolerance=1e-9
+        )
         errors.append(error(run, "muscle.x", "Isotonic", "x"))
     assert math.log2(errors[1] / errors[2]) == pytest.approx(order, abs=0.25)
     assert errors[2] < 1e-3
@@ -87,7 +91,9 @@ def test_foreign_fmus_of_both_versions_come_to_the_same(tmp_path: Path) -> None:
     own = halves().simulate(0.05, step="1 ms")
     assert foreign.trajectory["muscle.x"].tolist() == own.trajectory["muscle.x"].tolist()
     chosen = pam.couple(files, CUT).simulate(0.05, tolerance=1e-3)
-    assert chosen.trajectory["muscle.x"][-1] == pytest.approx(own.trajectory["muscle.x"][-1], abs=1e-5)
+    assert chosen.trajectory["muscle.x"][-1] == pytest.approx(
+        own.trajectory["muscle.x"][-1], abs=1e-5
+    )
 
 
 @pytest.mark.full
@@ -95,9 +101,16 @@ def test_fmu_without_slopes_keeps_the_order(tmp_path: Path) -> None:
     change = {'canInterpolateInputs="true"': 'canInterpolateInputs="false"'}
     files = {}
     for name, model in (("gas", "ValveAndGas"), ("muscle", "MuscleAndLoad")):
-        files[name] = str(repacked(pam.build(f"CoSimulation.{model}"), tmp_path / f"{name}.fmu", change))
+        files[name] = str(
+            repacked(pam.build(f"CoSimulation.{model}"), tmp_path / f"{name}.fmu", change)
+        )
     errors = [
-        error(pam.couple(files, CUT).simulate(0.3, method="jacobi", step=step), "muscle.x", "Isotonic", "x")
+        error(
+            pam.couple(files, CUT).simulate(0.3, method="jacobi", step=step),
+            "muscle.x",
+            "Isotonic",
+            "x",
+        )
         for step in ("4 ms", "2 ms")
     ]
     assert math.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.4)
@@ -115,7 +128,9 @@ def test_units_are_converted(tmp_path: Path) -> None:
     )  # fmt: skip
     system = pam.couple({"a": source, "b": sink}, ["a.T -> b.T", "a.l -> b.l"])
     run = system.simulate(1, step=0.1)
-    assert run.trajectory["b.y"] == pytest.approx(293.15 + (5 + run.trajectory.time) * 1e-3, rel=1e-12)
+    assert run.trajectory["b.y"] == pytest.approx(
+        293.15 + (5 + run.trajectory.time) * 1e-3, rel=1e-12
+    )
 
 
 def test_input_of_the_system_that_jumps_between_steps(tmp_path: Path) -> None:
@@ -143,7 +158,11 @@ def test_controller_is_called_once_for_every_sample() -> None:
         calls.append(time)
         return 350.0 if x < 5 else 0.0
 
-    parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad", "lift": lift}
+    parts = {
+        "gas": "CoSimulation.ValveAndGas",
+        "muscle": "CoSimulation.MuscleAndLoad",
+        "lift": lift,
+    }
     system = pam.couple(parts, [*CUT, "muscle.x -> lift.x", "lift.u_in -> gas.u_in"])
     assert "lift: lift, every 0.02 s" in repr(system)
     for settings in ({"step": "3 ms"}, {"tolerance": 1e-4}):
@@ -177,7 +196,11 @@ def _failing(time: float, x: float) -> float:
 )
 def test_controller_that_goes_wrong_names_itself_and_the_time(function: Any, message: str) -> None:
     lift = pam.Controller(function, {"x": "m"}, {"u_in": "A"}, "20 ms")
-    parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad", "lift": lift}
+    parts = {
+        "gas": "CoSimulation.ValveAndGas",
+        "muscle": "CoSimulation.MuscleAndLoad",
+        "lift": lift,
+    }
     system = pam.couple(parts, [*CUT, "muscle.x -> lift.x", "lift.u_in -> gas.u_in"])
     with pytest.raises(ControllerError, match=message) as caught:
         system.simulate(0.5, step="5 ms")
@@ -193,18 +216,28 @@ def test_controller_that_goes_wrong_names_itself_and_the_time(function: Any, mes
 def test_fmu_that_fails_is_named_and_nothing_is_lost(tmp_path: Path, settings: Any) -> None:
     body = 'input Real u "u";\noutput Real y(start=0, fixed=true) "y";\nequation\nder(y) = u;'
     limited = written(tmp_path, "Limited", body + '\nassert(y < 0.5, "level too high");')
-    system = pam.couple({"a": written(tmp_path, "Sum", body), "b": limited}, ["a.y -> b.u"], {"a.u": 1.0})
-    with pytest.raises(CouplingFailure, match=r"component 'b' \(.*Limited.mo\) failed: .*level too high") as caught:
+    system = pam.couple(
+        {"a": written(tmp_path, "Sum", body), "b": limited}, ["a.y -> b.u"], {"a.u": 1.0}
+    )
+    with pytest.raises(
+        CouplingFailure, match=r"component 'b' \(.*Limited.mo\) failed: .*level too high"
+    ) as caught:
         system.simulate(2, **settings)
     kept = caught.value.run.trajectory
     assert "coupled up to" in str(caught.value) and kept.time[-1] == pytest.approx(1.0, abs=0.11)
     assert kept["b.y"] == pytest.approx(kept.time**2 / 2, abs=0.02)
 
 
-@pytest.mark.parametrize("settings", [{"step": 0.1}, pytest.param({"tolerance": 1e-3}, marks=pytest.mark.full)])
+@pytest.mark.parametrize(
+    "settings", [{"step": 0.1}, pytest.param({"tolerance": 1e-3}, marks=pytest.mark.full)]
+)
 def test_fmu_that_crashes_is_named(tmp_path: Path, settings: Any) -> None:
     path = patched(tmp_path, "pam_cosimulation.c", STEP, f"if (now > 0.45) abort(); {STEP}")
-    system = pam.couple({"good": str(models.fmu(models.lag)), "bad": str(path)}, ["good.y -> bad.u"], {"good.u": 1.0})
+    system = pam.couple(
+        {"good": str(models.fmu(models.lag)), "bad": str(path)},
+        ["good.y -> bad.u"],
+        {"good.u": 1.0},
+    )
     with pytest.raises(
         CouplingFailure, match=r"'bad' .* crashed its process \(signal SIGABRT\).*coupled up to"
     ) as caught:
@@ -215,8 +248,13 @@ def test_fmu_that_crashes_is_named(tmp_path: Path, settings: Any) -> None:
 def test_fmu_that_cannot_go_back_is_for_fixed_steps(tmp_path: Path) -> None:
     change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
     plain = repacked(models.fmu(models.lag), tmp_path / "Plain.fmu", change)
-    system = pam.couple({"a": str(models.fmu(models.lag)), "b": str(plain)}, ["a.y -> b.u"], {"a.u": 1.0})
-    with pytest.raises(InputError, match=r"component 'b' .* cannot go back: .* canGetAndSetFMUstate.*use fixed steps"):
+    system = pam.couple(
+        {"a": str(models.fmu(models.lag)), "b": str(plain)}, ["a.y -> b.u"], {"a.u": 1.0}
+    )
+    with pytest.raises(
+        InputError,
+        match=r"component 'b' .* cannot go back: .* canGetAndSetFMUstate.*use fixed steps",
+    ):
         system.simulate(1, tolerance=1e-3)
     assert system.simulate(1, step=0.1).trajectory["b.y"][-1] > 0
 
@@ -230,7 +268,13 @@ def test_algebraic_loop_is_named_and_solved(tmp_path: Path) -> None:
     assert {str(one) for one in system.algebraic_loop} == {"a.u", "a.y", "b.u", "b.y"}
     with pytest.raises(InputError) as caught:
         system.simulate(1, step=0.1)
-    for word in ("algebraic loop: ", "a.y -> b.u -> b.y", "loops='iterate'", "loops='delay'", "a filter"):
+    for word in (
+        "algebraic loop: ",
+        "a.y -> b.u -> b.y",
+        "loops='iterate'",
+        "loops='delay'",
+        "a filter",
+    ):
         assert word in str(caught.value), word
     run = system.simulate(1, step=0.1, loops="iterate")  # y = 3 (-2 y) + 1
     assert run.trajectory["a.y"] == pytest.approx(1 / 7, rel=1e-9)
@@ -260,9 +304,13 @@ def test_undeclared_dependencies_count_as_all(tmp_path: Path) -> None:
     assert part is not None
     silent = re.sub(r' dependencies(Kind)?="[^"]*"', "", part[0])
     other = repacked(path, tmp_path / "Silent.fmu", {part[0]: silent})
-    assert not pam.couple({"a": str(path), "b": str(path)}, ["a.y -> b.u", "b.y -> a.u"]).algebraic_loop
+    assert not pam.couple(
+        {"a": str(path), "b": str(path)}, ["a.y -> b.u", "b.y -> a.u"]
+    ).algebraic_loop
     system = pam.couple({"a": str(other), "b": str(other)}, ["a.y -> b.u", "b.y -> a.u"])
-    with pytest.raises(InputError, match="a, b does not declare which inputs .* may not be a real one"):
+    with pytest.raises(
+        InputError, match="a, b does not declare which inputs .* may not be a real one"
+    ):
         system.simulate(1, step=0.1)
 
 
@@ -276,15 +324,25 @@ def test_undeclared_dependencies_count_as_all(tmp_path: Path) -> None:
         (["gass.p -> muscle.p"], {}, "no component 'gass'; did you mean 'gas'"),
         (["gas.pp -> muscle.p"], {}, "no output 'pp'; did you mean 'p'"),
         (["gas.p -> muscle.pp"], {}, "no input 'pp'; did you mean 'p'"),
-        (["gas.T -> muscle.p"], {}, "connection 'gas.T -> muscle.p': unit 'K' cannot be converted to 'Pa'"),
+        (
+            ["gas.T -> muscle.p"],
+            {},
+            "connection 'gas.T -> muscle.p': unit 'K' cannot be converted to 'Pa'",
+        ),
         (["gas.p -> muscle.p", "gas.p -> muscle.p"], {}, "'muscle.p' has more than one source"),
-        (["gas.p -> muscle.p"], {"muscle.p": 1.0}, "'muscle.p' has more than one source: gas.p, a value"),
+        (
+            ["gas.p -> muscle.p"],
+            {"muscle.p": 1.0},
+            "'muscle.p' has more than one source: gas.p, a value",
+        ),
         ([], {"muscle.load.mm": 1.0}, "no parameter or input 'load.mm'; did you mean 'load.m'"),
         ([], {"muscle.load.m": "5 m"}, "cannot be converted to 'kg'"),
         ([], {"load.m": 5}, "no component 'load'"),
     ],
 )
-def test_system_that_cannot_be_made(connections: list[str], parameters: dict[str, Any], message: str) -> None:
+def test_system_that_cannot_be_made(
+    connections: list[str], parameters: dict[str, Any], message: str
+) -> None:
     parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad"}
     with pytest.raises(InputError, match=message):
         pam.couple(parts, connections, parameters)
@@ -302,7 +360,10 @@ def test_system_that_cannot_be_made(connections: list[str], parameters: dict[str
         ({"outputs": ["muscle.load.w"]}, "no variable 'load.w'; did you mean 'load.[mvs]'"),
         ({"order": ["gas"]}, "the order must name each FMU once: gas, muscle"),
         ({"inputs": pam.Inputs([0.0], {"gas.V": [1.0]})}, "'gas.V' is connected"),
-        ({"inputs": pam.Inputs([0.0], {"gas.u_inn": [1.0]})}, "no free input 'gas.u_inn'; did you mean 'gas.u_in'"),
+        (
+            {"inputs": pam.Inputs([0.0], {"gas.u_inn": [1.0]})},
+            "no free input 'gas.u_inn'; did you mean 'gas.u_in'",
+        ),
     ],
 )
 def test_run_that_cannot_be_made(settings: dict[str, Any], message: str) -> None:
@@ -314,13 +375,19 @@ def test_shows_itself() -> None:
     system = halves(muscle__load__m="5 kg")
     assert "gas: CoSimulation.ValveAndGas" in repr(system) and "  gas.p -> muscle.p" in repr(system)
     run = system.simulate(0.1, step="10 ms", outputs=["muscle.load.v"])
-    assert repr(run).startswith("gauss-seidel up to 0.1 s: 10 steps of 0.01 s; steps of the components: gas 10")
-    assert run.trajectory.units["muscle.load.v"] == "m/s" and run.trajectory["muscle.load.v"][-1] > 0
+    assert repr(run).startswith(
+        "gauss-seidel up to 0.1 s: 10 steps of 0.01 s; steps of the components: gas 10"
+    )
+    assert (
+        run.trajectory.units["muscle.load.v"] == "m/s" and run.trajectory["muscle.load.v"][-1] > 0
+    )
 
 
 def test_example_runs(tmp_path: Path) -> None:
     script, table = ROOT / "examples/co-simulation/coupling.py", tmp_path / "coupled.csv"
-    done = subprocess.run([sys.executable, str(script), str(table)], cwd=tmp_path, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, str(script), str(table)], cwd=tmp_path, capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("the load is at 16.35 mm") == 2  # fixed and chosen steps agree
     assert pam.Trajectory.from_csv(table)["lift.u_in"].max() <= 350
@@ -330,8 +397,14 @@ def _sampled(folder: Path, distance: str, **settings: Any) -> pam.CoupledRun:
     """The controller as an FMU that cannot go back, which acts at samples."""
     change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
     plain = repacked(pam.build("CoSimulation.ContractionController"), folder / "plain.fmu", change)
-    parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad", "control": str(plain)}
-    return pam.couple(parts, [*CUT, *CONTROL], samples={"control": distance}).simulate(0.4, **settings)
+    parts = {
+        "gas": "CoSimulation.ValveAndGas",
+        "muscle": "CoSimulation.MuscleAndLoad",
+        "control": str(plain),
+    }
+    return pam.couple(parts, [*CUT, *CONTROL], samples={"control": distance}).simulate(
+        0.4, **settings
+    )
 
 
 def test_fmu_that_cannot_go_back_acts_at_samples(tmp_path: Path) -> None:
@@ -342,7 +415,12 @@ def test_fmu_that_cannot_go_back_acts_at_samples(tmp_path: Path) -> None:
         moments = run.trajectory.time[np.flatnonzero(np.diff(run.trajectory[name]))]
         assert np.allclose(moments / 0.01, np.round(moments / 0.01), rtol=0, atol=1e-6)
     far = error(run, "muscle.x", "CoSimulation.ControlledIsotonic", "x")
-    near = error(_sampled(tmp_path, "2 ms", tolerance=1e-4), "muscle.x", "CoSimulation.ControlledIsotonic", "x")
+    near = error(
+        _sampled(tmp_path, "2 ms", tolerance=1e-4),
+        "muscle.x",
+        "CoSimulation.ControlledIsotonic",
+        "x",
+    )
     assert near < far / 2 and far < 1e-3
 
 

@@ -21,11 +21,15 @@ STEP = "pam_core *core = &c->core;"
 @pytest.fixture(scope="module", params=["2.0", "3.0"])
 def foreign(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> str:
     """An FMU as a file, which runs in a process of its own."""
-    return str(pam.build("Isotonic", tmp_path_factory.mktemp("fmu") / "isotonic.fmu", fmi=request.param))
+    return str(
+        pam.build("Isotonic", tmp_path_factory.mktemp("fmu") / "isotonic.fmu", fmi=request.param)
+    )
 
 
 def test_steps_equal_one_run() -> None:
-    whole = pam.simulate("Isotonic", {"load.m": "5 kg", "u_in": "0.3 A"}, stop_time=1.0, interval=0.1)
+    whole = pam.simulate(
+        "Isotonic", {"load.m": "5 kg", "u_in": "0.3 A"}, stop_time=1.0, interval=0.1
+    )
     with pam.start("Isotonic", {"load.m": 5.0, "u_in": "300 mA"}) as rig:
         for _ in range(10):
             rig.step("100 ms")
@@ -53,7 +57,9 @@ def test_input_that_steps_stands_twice_and_is_held() -> None:
 def test_shows_itself() -> None:
     with pam.start("Isotonic") as rig:
         assert repr(rig.step(0.5)) in repr(rig)
-        assert repr(rig).startswith("PneumaticMuscle.Benches.Isotonic at 0.5 s: p = ") and " kPa, x = " in repr(rig)
+        assert repr(rig).startswith(
+            "PneumaticMuscle.Benches.Isotonic at 0.5 s: p = "
+        ) and " kPa, x = " in repr(rig)
         assert rig.read("muscle.braid.L", "mm") == pytest.approx(1e3 * rig["muscle.braid.L"])
     assert "at 0.5 s, ended: p = " in repr(rig)
     with pytest.raises(InputError, match="has ended"):
@@ -102,7 +108,9 @@ def test_fmu_that_cannot_save_says_so(tmp_path: Path) -> None:
     path = repacked(models.fmu(models.lag), tmp_path / "Plain.fmu", change)
     with pam.start(str(path), {"u": 1.0}) as rig:
         rig.step(0.1)
-        with pytest.raises(InputError, match="Plain.fmu cannot save its state: .* does not declare canGetAndSet"):
+        with pytest.raises(
+            InputError, match="Plain.fmu cannot save its state: .* does not declare canGetAndSet"
+        ):
             rig.save()
         assert rig.step(0.1)["y"] > 0
     change = {'canSerializeFMUstate="true"': 'canSerializeFMUstate="false"'}
@@ -175,7 +183,9 @@ def test_model_that_fails_in_a_step_can_go_back(tmp_path: Path) -> None:
 
 def test_example_runs(tmp_path: Path) -> None:
     script, table = ROOT / "examples/co-simulation/stepping.py", tmp_path / "steps.csv"
-    done = subprocess.run([sys.executable, str(script), str(table)], cwd=tmp_path, capture_output=True, text=True)
+    done = subprocess.run(
+        [sys.executable, str(script), str(table)], cwd=tmp_path, capture_output=True, text=True
+    )
     assert done.returncode == 0, done.stderr
     assert "valves shut: p = " in done.stdout
     assert pam.Trajectory.from_csv(table)["x"].max() > 0.03

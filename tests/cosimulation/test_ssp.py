@@ -40,7 +40,9 @@ def chain(folder: Path) -> System:
         "first": written(folder, "First", LAG.format("V", "mm", 1)),
         "second": written(folder, "Second", LAG.format("m", "1", 1)),
     }
-    return pam.couple(parts, ["first.y -> second.u"], {"first.u": 3.0, "second.tau": "200 ms"}, title="a chain")
+    return pam.couple(
+        parts, ["first.y -> second.u"], {"first.u": 3.0, "second.tau": "200 ms"}, title="a chain"
+    )
 
 
 def archive(file: Path, description: str, entries: dict[str, bytes] | None = None) -> Path:
@@ -67,7 +69,9 @@ def system(elements: str, connections: str = "", before: str = "") -> str:
 def test_written_and_read_again_runs_alike(version: str, tmp_path: Path) -> None:
     made = chain(tmp_path)
     again = pam.read_system(pam.write_system(made, tmp_path / "chain.ssp", ssp=version))
-    assert again.title == "a chain" and [str(c) for c in again.connections] == ["first.y -> second.u"]
+    assert again.title == "a chain" and [str(c) for c in again.connections] == [
+        "first.y -> second.u"
+    ]
     assert again.values == {"first": {"u": 3.0}, "second": {"tau": 0.2}}
     here, there = (one.simulate(1, step=0.05).trajectory for one in (made, again))
     assert here["second.y"].tolist() == there["second.y"].tolist() and here["second.y"][-1] > 0.001
@@ -102,10 +106,15 @@ def test_version_2_is_valid_by_its_own_schema_and_not_by_the_first(tmp_path: Pat
     [
         (later(system(component("a"), before="<ssd:Nothing/>")), "not valid by SSP 2.0: .*Nothing"),
         (
-            later(system(component("a"))).replace("</ssd:Connector>", '<ssc:Dimension size="3"/></ssd:Connector>'),
+            later(system(component("a"))).replace(
+                "</ssd:Connector>", '<ssc:Dimension size="3"/></ssd:Connector>'
+            ),
             "arrays",
         ),
-        (later(system(component("a"))).replace('version="2.0"', 'version="3.0"'), "not valid by SSP 1.0"),
+        (
+            later(system(component("a"))).replace('version="2.0"', 'version="3.0"'),
+            "not valid by SSP 1.0",
+        ),
     ],
 )
 def test_version_2_that_cannot_be_read(description: str, message: str, tmp_path: Path) -> None:
@@ -118,11 +127,21 @@ def test_fmpy_reads_the_same_and_its_master_comes_to_the_same(tmp_path: Path) ->
     made = pam.couple({"a": lag, "b": lag}, ["a.y -> b.u"], {"a.x_start": 2.0})
     file = pam.write_system(made, tmp_path / "lags.ssp")
     read = read_ssd(str(file), validate=True)
-    assert {c.name: c.source for c in read.system.elements} == {"a": "resources/a.fmu", "b": "resources/b.fmu"}
+    assert {c.name: c.source for c in read.system.elements} == {
+        "a": "resources/a.fmu",
+        "b": "resources/b.fmu",
+    }
     wire = read.system.connections[0]
-    assert (wire.startElement, wire.startConnector, wire.endElement, wire.endConnector) == ("a", "y", "b", "u")
+    assert (wire.startElement, wire.startConnector, wire.endElement, wire.endConnector) == (
+        "a",
+        "y",
+        "b",
+        "u",
+    )
     connectors = {(c.name, k.name, k.kind) for c in read.system.elements for k in c.connectors}
-    assert connectors == {(c, *k) for c in "ab" for k in (("u", "input"), ("y", "output"), ("feed", "output"))}
+    assert connectors == {
+        (c, *k) for c in "ab" for k in (("u", "input"), ("y", "output"), ("feed", "output"))
+    }
     bound = read.system.elements[0].parameterBindings[0].parameterValues[0].parameters
     assert [(p.name, p.type, p.value) for p in bound] == [("x_start", "Real", "2.0")]
 
@@ -132,7 +151,9 @@ def test_fmpy_couples_to_the_same(tmp_path: Path) -> None:
     wires = '<ssd:Connection startConnector="u" endElement="a" endConnector="u"/>' + WIRE.replace(
         'endElement="a"', 'endElement="b"'
     )
-    file = archive(tmp_path / "lags.ssp", system(component("a") + component("b"), wires, before=ENTRY))
+    file = archive(
+        tmp_path / "lags.ssp", system(component("a") + component("b"), wires, before=ENTRY)
+    )
     theirs = simulate_ssp(str(file), stop_time=0.95, step_size=0.1, input={"u": lambda time: 1.0})
     course = pam.Inputs([0.0, 0.1, 0.1, 1.0], {"a.u": [0.0, 0.0, 1.0, 1.0]})
     run = pam.read_system(file).simulate(
@@ -146,7 +167,9 @@ def test_fmpy_couples_to_the_same(tmp_path: Path) -> None:
 
 def test_nested_systems_and_transformations(tmp_path: Path) -> None:
     inner = (
-        '<ssd:System name="inner">' + CONNECTORS + f"<ssd:Elements>{component('lag')}</ssd:Elements><ssd:Connections>"
+        '<ssd:System name="inner">'
+        + CONNECTORS
+        + f"<ssd:Elements>{component('lag')}</ssd:Elements><ssd:Connections>"
         '<ssd:Connection startConnector="u" endElement="lag" endConnector="u"><ssc:LinearTransformation factor="2"/>'
         '</ssd:Connection><ssd:Connection startElement="lag" startConnector="y" endConnector="y"/>'
         "</ssd:Connections></ssd:System>"
@@ -156,7 +179,9 @@ def test_nested_systems_and_transformations(tmp_path: Path) -> None:
         '<ssc:LinearTransformation factor="3" offset="1"/></ssd:Connection>'
         '<ssd:Connection startElement="inner" startConnector="y" endElement="last" endConnector="u"/>'
     )
-    file = archive(tmp_path / "n.ssp", system(component("first") + inner + component("last"), wires))
+    file = archive(
+        tmp_path / "n.ssp", system(component("first") + inner + component("last"), wires)
+    )
     read = pam.read_system(file)
     assert {str(c): (c.factor, c.offset) for c in read.connections} == {
         "first.y -> inner_lag.u": (6.0, 2.0),
@@ -178,7 +203,10 @@ def test_parameter_values_of_systems_go_to_their_components(tmp_path: Path) -> N
 
     elements = component("a", inside=CONNECTORS + values("tau", "7")) + component("b")
     file = archive(tmp_path / "p.ssp", system(elements, before=values("a.x_start", "5")))
-    assert pam.read_system(file, parameters={"b.u": 2.0}).values == {"a": {"tau": 7.0, "x_start": 5.0}, "b": {"u": 2.0}}
+    assert pam.read_system(file, parameters={"b.u": 2.0}).values == {
+        "a": {"tau": 7.0, "x_start": 5.0},
+        "b": {"u": 2.0},
+    }
     outer = archive(tmp_path / "o.ssp", system(elements, before=values("a.tau", "8")))
     assert pam.read_system(outer).values == {"a": {"tau": 8.0}}  # the outermost wins
     unknown = archive(tmp_path / "u.ssp", system(elements, before=values("c.tau", "8")))
@@ -269,8 +297,14 @@ def test_names_do_not_steer_a_terminal(tmp_path: Path) -> None:
 
 def test_python_controllers_are_not_written(tmp_path: Path) -> None:
     lift = pam.Controller(lambda time, x: 0.0, {"x": "m"}, {"u_in": "A"})
-    parts = {"gas": "CoSimulation.ValveAndGas", "muscle": "CoSimulation.MuscleAndLoad", "lift": lift}
-    with pytest.raises(InputError, match="'lift' is a function in Python, which an SSP archive cannot hold"):
+    parts = {
+        "gas": "CoSimulation.ValveAndGas",
+        "muscle": "CoSimulation.MuscleAndLoad",
+        "lift": lift,
+    }
+    with pytest.raises(
+        InputError, match="'lift' is a function in Python, which an SSP archive cannot hold"
+    ):
         pam.write_system(pam.couple(parts, CUT), tmp_path / "x.ssp")
     assert not (tmp_path / "x.ssp").exists()
 
@@ -306,7 +340,9 @@ def test_toml_names_files_beside_it(tmp_path: Path) -> None:
         ("[components\na = 'Isotonic'", 1, "not valid TOML"),
     ],
 )  # fmt: skip
-def test_toml_that_cannot_be_read(tmp_path: Path, text: str, line: int | None, message: str) -> None:
+def test_toml_that_cannot_be_read(
+    tmp_path: Path, text: str, line: int | None, message: str
+) -> None:
     file = tmp_path / "system.toml"
     file.write_text(text)
     with pytest.raises(InputError, match=message) as caught:

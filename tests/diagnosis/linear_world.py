@@ -66,17 +66,27 @@ class LinearWorld(Search):
         rng = np.random.default_rng(zlib.crc32(f"noise {role}".encode()))
         seen = rng.standard_normal(ROWS) + base_moves(role) @ [0.5, -0.5]
         seen += self.strange * rng.standard_normal(ROWS)
-        return np.asarray(seen + sum((s * moves(n, role)[:, 0] for n, s in self.hidden.items()), np.zeros(ROWS)))
+        return np.asarray(
+            seen + sum((s * moves(n, role)[:, 0] for n, s in self.hidden.items()), np.zeros(ROWS))
+        )
 
     def fitted(self, effects: Sequence[str]) -> Fit:
         """The model with these effects."""
-        columns = {r: np.hstack([base_moves(r), *(moves(e, r) for e in effects)]) for r in ("fit", "holdout")}
+        columns = {
+            r: np.hstack([base_moves(r), *(moves(e, r) for e in effects)])
+            for r in ("fit", "holdout")
+        }
         values = np.linalg.lstsq(columns["fit"], self.samples("fit"), rcond=None)[0]
         left = {r: self.samples(r) - columns[r] @ values for r in columns}
         names = ("base.0", "base.1", *(f"{e}.strength" for e in effects))
-        estimates = {n: Estimate(float(v), float(v) - 0.1, float(v) + 0.1) for n, v in zip(names, values, strict=True)}
+        estimates = {
+            n: Estimate(float(v), float(v) - 0.1, float(v) + 0.1)
+            for n, v in zip(names, values, strict=True)
+        }
         chi2 = {r: float(v @ v) / ROWS for r, v in left.items()}
-        numbers = {r: statistics(c, 30.0 if c > 1.3 else 0.0, samples=ROWS) for r, c in chi2.items()}
+        numbers = {
+            r: statistics(c, 30.0 if c > 1.3 else 0.0, samples=ROWS) for r, c in chi2.items()
+        }
         limits = np.full(len(names), 1e3)
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
         return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
@@ -88,7 +98,10 @@ class LinearWorld(Search):
         for e in (KNOWN[name] for name in effects):
             moved = moves(e.name if has or e.family != self.masked else "HangingMass", "fit")
             slopes = np.hstack([fitted.linear.slopes, moved])
-            names, values = (*fitted.linear.names, f"{e.name}.strength"), np.append(fitted.linear.values, 0.5)
+            names, values = (
+                (*fitted.linear.names, f"{e.name}.strength"),
+                np.append(fitted.linear.values, 0.5),
+            )
             limits = np.full(len(names), 1e3)
             left = fitted.linear.residual - 0.5 * moved[:, 0]
             linear = Linear(names, values, -limits, limits, left, slopes)
@@ -112,7 +125,15 @@ class LinearWorld(Search):
         """The model with these effects, fitted."""
         last: EffectClass = KNOWN[names[-1]]
         own = (f"{last.name}.strength",)
-        return Candidate(last.name, last.family, last.balance, names, own, self.fitted(names), general=last.general)
+        return Candidate(
+            last.name,
+            last.family,
+            last.balance,
+            names,
+            own,
+            self.fitted(names),
+            general=last.general,
+        )
 
 
 def world(hidden: Mapping[str, float], strange: float = 0.0, masked: str = "") -> LinearWorld:

@@ -17,7 +17,9 @@ SAMPLES = 1000
 NOISE = 1.0  # chi2 of a residual that is noise
 
 
-def statistics(chi2: float, score: float = 0.0, time: float = 1.0, samples: int = SAMPLES) -> ResidualStatistics:
+def statistics(
+    chi2: float, score: float = 0.0, time: float = 1.0, samples: int = SAMPLES
+) -> ResidualStatistics:
     """``chi2`` reduced; the white part of the residual is that of the noise."""
     return ResidualStatistics(chi2 * samples, samples, min(chi2, NOISE), score, time)
 
@@ -45,9 +47,14 @@ def fitted(
     signals = {n: Signal(n, "K", 1.0, fitted=False) for n in shown or {}}
     signals |= {measured.name: measured} if measured else {}
     comparison = SimpleNamespace(
-        runs=tuple(_run(name, measured.name, error) for name, error in (runs or {}).items() if measured),
+        runs=tuple(
+            _run(name, measured.name, error) for name, error in (runs or {}).items() if measured
+        ),
         data=SimpleNamespace(signals=signals),
-        scores={"all": {n: SimpleNamespace(rmse=v, noise_rmse=1.0) for n, v in (shown or {}).items()}, "fit": {}},
+        scores={
+            "all": {n: SimpleNamespace(rmse=v, noise_rmse=1.0) for n, v in (shown or {}).items()},
+            "fit": {},
+        },
         chi2_reduced=lambda role: {"fit": chi2}.get(role, float("nan")),
     )
     structure = {

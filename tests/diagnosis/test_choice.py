@@ -30,17 +30,23 @@ def test_expected_effects_are_chosen_from_among_themselves() -> None:
 
 def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
     leaks = {e.name for e in SHELF if e.family == "leak"}
-    assert effects_named(SHELF, ["leak", "ThermocoupleLag"], InputError) == leaks | {"ThermocoupleLag"}
+    assert effects_named(SHELF, ["leak", "ThermocoupleLag"], InputError) == leaks | {
+        "ThermocoupleLag"
+    }
     assert effects_named(SHELF, ["wrong_parameter"], InputError) == frozenset()
     with pytest.raises(InputError, match=r"no effect 'leek'; did you mean 'leak'"):
         effects_named(SHELF, ["leek"], InputError)
 
 
-def test_what_is_excluded_or_expected_is_read_and_written(tmp_path: Path, bench: Callable[[str], Path]) -> None:
+def test_what_is_excluded_or_expected_is_read_and_written(
+    tmp_path: Path, bench: Callable[[str], Path]
+) -> None:
     write_light_data(tmp_path / "d", seed=3)
     file = tmp_path / "d" / "experiment.toml"
     text = file.read_text()
-    file.write_text(text + '\n[effects]\nexclude = ["creep", "OrificeLeak"]\nexpect = ["elasticity"]\n')
+    file.write_text(
+        text + '\n[effects]\nexclude = ["creep", "OrificeLeak"]\nexpect = ["elasticity"]\n'
+    )
     data = study.read(tmp_path / "d")
     assert (data.excluded, data.expected) == (("creep", "OrificeLeak"), ("elasticity",))
     with Simulator(bench("Isotonic")) as simulator:
@@ -60,7 +66,9 @@ def test_an_unknown_family_is_refused_where_it_stands(tmp_path: Path) -> None:
         and refused.value.line == file.read_text().splitlines().index('exclude = ["crepe"]') + 1
     )
     with pytest.raises(InputError, match="expect: there is no family"):
-        study.diagnose(replace(study.read(tmp_path / "d"), excluded=()), workers=0, expect=["crepe"])
+        study.diagnose(
+            replace(study.read(tmp_path / "d"), excluded=()), workers=0, expect=["crepe"]
+        )
 
 
 def test_families_that_were_not_looked_for_are_named_with_the_reason(tmp_path: Path) -> None:
@@ -68,10 +76,14 @@ def test_families_that_were_not_looked_for_are_named_with_the_reason(tmp_path: P
     data = study.read(tmp_path / "d")
     pressure = {name: signal for name, signal in data.signals.items() if name == "p"}
     runs = tuple(replace(r, measurements={"p": r.measurements["p"]}) for r in data.runs)
-    diagnosis = study.diagnose(replace(data, signals=pressure, runs=runs), workers=0, explain=False, exclude=["creep"])
+    diagnosis = study.diagnose(
+        replace(data, signals=pressure, runs=runs), workers=0, explain=False, exclude=["creep"]
+    )
     assert diagnosis.not_tried["creep"] == "excluded"
     assert diagnosis.not_tried["force_sensor"] == "the model has no place for them"
     assert diagnosis.not_tried["thermocouple_lag"] == "nothing that was fitted shows them"
     assert "leak" not in diagnosis.not_tried
     assert "not looked for: creep: excluded" in str(diagnosis)
-    assert not any(KNOWN[n].family == "creep" for c in diagnosis.candidates for n in c.effects if n in KNOWN)
+    assert not any(
+        KNOWN[n].family == "creep" for c in diagnosis.candidates for n in c.effects if n in KNOWN
+    )

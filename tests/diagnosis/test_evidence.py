@@ -31,13 +31,17 @@ def test_parameters_pay_for_being_where_nobody_expects_them() -> None:
     """Three standard deviations off what is known of it are nine, whatever the noise."""
     gain = {"gauge.gain": Estimate(1.3, 1.2, 1.4, prior=Prior(1.0, 0.1))}
     for variance, time in ((1.0, 1.0), (2.0, 10.0)):
-        paid = bic(fitted(1.5, own=gain), variance, time) - bic(fitted(1.5, parameters=3), variance, time)
+        paid = bic(fitted(1.5, own=gain), variance, time) - bic(
+            fitted(1.5, parameters=3), variance, time
+        )
         assert paid == pytest.approx(9.0)
 
 
 def test_undetermined_parameters_cost_nothing() -> None:
     dead = Estimate(1.0, 0.0, 2.0, determined=False)
-    assert bic(fitted(1.0, parameters=2, own={"n": dead}), 1.0, 1.0) == bic(fitted(1.0, parameters=2), 1.0, 1.0)
+    assert bic(fitted(1.0, parameters=2, own={"n": dead}), 1.0, 1.0) == bic(
+        fitted(1.0, parameters=2), 1.0, 1.0
+    )
 
 
 def test_rank_and_probabilities() -> None:
@@ -80,7 +84,11 @@ def test_convincing_needs_evidence_and_the_holdout_runs() -> None:
     (better,) = rank(base, [candidate("a", fitted(1.0, holdout=1.1))])
     (overfitted,) = rank(base, [candidate("a", fitted(1.0, holdout=2.1))])
     (chance,) = rank(base, [candidate("a", fitted(1.995, holdout=1.9, parameters=3))])
-    assert [significantly_better(base, c) for c in (better, overfitted, chance)] == [True, False, False]
+    assert [significantly_better(base, c) for c in (better, overfitted, chance)] == [
+        True,
+        False,
+        False,
+    ]
     (no_holdout,) = rank(fitted(2.0), [candidate("a", fitted(1.0))])
     assert significantly_better(fitted(2.0), no_holdout)
 
@@ -88,9 +96,9 @@ def test_convincing_needs_evidence_and_the_holdout_runs() -> None:
 def test_evidence_of_all_runs_and_what_it_pays_for() -> None:
     """Chi-square of both roles, a parameter's logarithm, and the number of sets of two among ten effects."""
     fit = fitted(1.0, holdout=1.5, parameters=3)
-    assert information_criterion(fit, NoiseScale(1.0, 1.0), ("a", "b"), ModelSpace(10)) == pytest.approx(
-        1000 + 3 * LOG + 1500 + 2 * math.log(45)
-    )
+    assert information_criterion(
+        fit, NoiseScale(1.0, 1.0), ("a", "b"), ModelSpace(10)
+    ) == pytest.approx(1000 + 3 * LOG + 1500 + 2 * math.log(45))
     assert information_criterion(fit, NoiseScale(2.0, 5.0), (), ModelSpace(10)) == pytest.approx(
         100 + 3 * math.log(200) + 150
     )

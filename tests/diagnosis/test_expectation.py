@@ -20,7 +20,11 @@ NAMES = {"LinearBladder", "ThermocoupleLag", "OrificeLeak"}
 
 def additions() -> Additions:
     assert BASE.linear is not None
-    made = [addition(BASE.linear, p) for p in WORLD.probe(BASE, (), [e.name for e in SHELF]) if p.effect in NAMES]
+    made = [
+        addition(BASE.linear, p)
+        for p in WORLD.probe(BASE, (), [e.name for e in SHELF])
+        if p.effect in NAMES
+    ]
     return Additions([a for a in made if a is not None])
 
 
@@ -37,7 +41,9 @@ def test_one_and_two_further_effects() -> None:
 def test_effects_on_top_of_one_that_was_fitted() -> None:
     one = WORLD.fitted(("LinearBladder",))
     assert one.linear is not None
-    results = LinearisedNeighbourhood(("LinearBladder",), one.linear, FAMILY, additions()).with_one()
+    results = LinearisedNeighbourhood(
+        ("LinearBladder",), one.linear, FAMILY, additions()
+    ).with_one()
     assert {e.effects for e in results} == {("LinearBladder", n) for n in NAMES - {"LinearBladder"}}
     for e in results:
         taken = one.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
@@ -54,7 +60,9 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
         if p.effect in {"YoungBladder", "OrificeLeak"}
     ]
     every = Additions([a for a in made if a is not None])
-    (other,) = LinearisedNeighbourhood(("LinearBladder",), one.linear, FAMILY, every).with_another_form()
+    (other,) = LinearisedNeighbourhood(
+        ("LinearBladder",), one.linear, FAMILY, every
+    ).with_another_form()
     assert (other.effects, other.exchanged) == (("YoungBladder",), "LinearBladder")
     left = one.residuals["fit"].chi2 - other.reduction
     assert left <= likely.fitted(("YoungBladder",)).residuals["fit"].chi2
@@ -63,12 +71,16 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
 def test_a_reduction_ends_at_a_bound() -> None:
     slopes = np.ones((ROWS, 1))
     free, bounded = (
-        Linear(("k",), np.array([0.0]), np.array([0.0]), np.array([high]), np.full(ROWS, 2.0), slopes)
+        Linear(
+            ("k",), np.array([0.0]), np.array([0.0]), np.array([high]), np.full(ROWS, 2.0), slopes
+        )
         for high in (10.0, 1.0)
     )
     assert reduction(free) == pytest.approx(4.0 * ROWS)
     assert reduction(bounded) == pytest.approx(3.0 * ROWS)  # 2 goes to 1 everywhere
-    wrong_way = Linear(("k",), np.array([0.0]), np.array([-1.0]), np.array([0.0]), np.full(ROWS, 2.0), slopes)
+    wrong_way = Linear(
+        ("k",), np.array([0.0]), np.array([-1.0]), np.array([0.0]), np.full(ROWS, 2.0), slopes
+    )
     assert reduction(wrong_way) == pytest.approx(0.0, abs=1e-6)
 
 
@@ -88,7 +100,10 @@ def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
     made = addition(BASE.linear, replace(probe, linear=replace(probe.linear, priors=prior)))  # type: ignore[arg-type]
     assert made is not None and BASE.linear is not None
     (one,) = LinearisedNeighbourhood((), BASE.linear, FAMILY, Additions([made])).with_one()
-    expected, rows = one.within_bounds, np.hstack([BASE.linear.slopes, moves("LinearBladder", "fit")])
+    expected, rows = (
+        one.within_bounds,
+        np.hstack([BASE.linear.slopes, moves("LinearBladder", "fit")]),
+    )
     assert expected is not None
     both = np.vstack([rows, [0.0, 0.0, 20.0]])
     values = np.linalg.lstsq(both, np.append(WORLD.samples("fit"), 0.0), rcond=None)[0]
@@ -100,9 +115,19 @@ def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
 
 def test_what_moves_nothing_adds_nothing() -> None:
     assert BASE.linear is not None
-    (probe,) = [p for p in WORLD.probe(BASE, (), [e.name for e in SHELF]) if p.effect == "OrificeLeak"]
+    (probe,) = [
+        p for p in WORLD.probe(BASE, (), [e.name for e in SHELF]) if p.effect == "OrificeLeak"
+    ]
     still = np.hstack([BASE.linear.slopes, np.zeros((ROWS, 1))])
     idle = Linear(
-        probe.linear.names, probe.linear.values, probe.linear.low, probe.linear.high, BASE.linear.residual, still
+        probe.linear.names,
+        probe.linear.values,
+        probe.linear.low,
+        probe.linear.high,
+        BASE.linear.residual,
+        still,
     )
-    assert addition(BASE.linear, type(probe)(probe.effect, probe.family, probe.own_parameters, idle)) is None
+    assert (
+        addition(BASE.linear, type(probe)(probe.effect, probe.family, probe.own_parameters, idle))
+        is None
+    )

@@ -21,7 +21,9 @@ RATIO = "ratio(muscle.L0)"
 
 def data_of(count: int) -> DataSet:
     empty = np.zeros(0)
-    runs = tuple(Run(f"r{i}", Path(f"r{i}.csv"), "fit", "linear", {}, empty, {}, {}) for i in range(count))
+    runs = tuple(
+        Run(f"r{i}", Path(f"r{i}.csv"), "fit", "linear", {}, empty, {}, {}) for i in range(count)
+    )
     return DataSet("t", Path("."), "Isotonic", {"F": Signal("F", "N", 1.0)}, {}, {}, runs)
 
 
@@ -32,12 +34,16 @@ class World:
         self.gains, self.fold, self.asked = gains, 0, []
 
     def left(self, data: DataSet, effects: tuple[str, ...]) -> Any:
-        (fold,) = {i % CRITERIA.folds.most for i, run in enumerate(data.runs) if run.role == "holdout"}
+        (fold,) = {
+            i % CRITERIA.folds.most for i, run in enumerate(data.runs) if run.role == "holdout"
+        }
         self.asked.append((fold, effects))
         chi2 = 4.0 + sum(gain[fold] for name, gain in self.gains.items() if name not in effects)
         return module._HoldoutError({"F": float(np.sqrt(chi2))}, chi2, (f"r{fold}",))
 
-    def folds(self, monkeypatch: pytest.MonkeyPatch, runs: int = 10, **values: float) -> Folds | None:
+    def folds(
+        self, monkeypatch: pytest.MonkeyPatch, runs: int = 10, **values: float
+    ) -> Folds | None:
         def left_out(subject: Any, search: Any, data: DataSet, models: Any, values: Any) -> Any:
             return {effects: self.left(data, effects) for effects in models}
 
@@ -81,14 +87,18 @@ def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_a_model_that_breaks_down_with_an_effect_does_not_need_it() -> None:
     good = module._HoldoutError({}, 2.0)
     assert module._is_needed(good, None) and not module._is_needed(None, good)
-    assert not module._is_needed(replace(good, chi2=0.9), replace(good, chi2=0.99))  # noise either way
+    assert not module._is_needed(
+        replace(good, chi2=0.9), replace(good, chi2=0.99)
+    )  # noise either way
 
 
 def test_what_it_is_good_for_is_said() -> None:
     needed = {"StiffWall": 5, "Ends": 5, "Wall": 4, "Once": 2}
     folds = Folds(5, needed, {}, {"F": 4.31}, {"F": (5.0, ("r3",))})
     signals = data_of(1).signals
-    verdict = cross_validated(Verdict("unknown", (), (), "Something else is missing."), folds, signals)
+    verdict = cross_validated(
+        Verdict("unknown", (), (), "Something else is missing."), folds, signals
+    )
     assert verdict.reason == (
         "Good to 4.31 N of F on runs that were never fitted. "
         "StiffWall, Ends are needed in every one of 5 folds of runs. Wall is needed in 4 of 5 folds of runs. "

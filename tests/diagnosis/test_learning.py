@@ -41,7 +41,9 @@ def _learned(hidden: str) -> LearnedTerm:
 
 
 @pytest.mark.parametrize("hidden", HIDDEN)
-def test_learned_term_brings_the_error_down_on_a_run_it_has_not_seen(hidden: str, tmp_path: Path) -> None:
+def test_learned_term_brings_the_error_down_on_a_run_it_has_not_seen(
+    hidden: str, tmp_path: Path
+) -> None:
     data, base, _ = _kept(hidden)
     term = _learned(hidden)
     assert term.balance == "force" and term.score > 0.9
@@ -79,10 +81,17 @@ def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
     file.write_text(term.modelica_source)
     (effect,) = [e for e in effect_classes(read_library(files=[file])) if e.family == "learned"]
     assert effect.parameters == ("c_1", "s_1") and effect.balance == "force"
-    assert "not a cause" in " ".join(effect.documentation.split()) and "Fingerprint:" in effect.documentation
+    assert (
+        "not a cause" in " ".join(effect.documentation.split())
+        and "Fingerprint:" in effect.documentation
+    )
     text = study.add([term.name], "Isotonic", tmp_path / "With.mo", files=[file])
     known = compile_model("With", files=[file, tmp_path / "With.mo"]).interface.parameters
-    own = [known[n] for n in known if n.startswith(effect.component_name + ".") and n.endswith(effect.parameters)]
+    own = [
+        known[n]
+        for n in known
+        if n.startswith(effect.component_name + ".") and n.endswith(effect.parameters)
+    ]
     assert text and len(own) == 2
     for variable in own:
         assert variable.unit and variable.min is not None and variable.max is not None
@@ -100,7 +109,11 @@ def test_nothing_is_learned_where_nothing_fails() -> None:
 
 def test_forms_are_distinct_and_finite() -> None:
     rng = np.random.default_rng(1)
-    variables = {"x": rng.uniform(0, 0.07, 200), "v": rng.uniform(-0.3, 0.3, 200), "twice": np.zeros(200)}
+    variables = {
+        "x": rng.uniform(0, 0.07, 200),
+        "v": rng.uniform(-0.3, 0.3, 200),
+        "twice": np.zeros(200),
+    }
     variables["twice"] = 2 * variables["x"]
     known = quantities(variables, {"x": "m", "v": "m/s", "twice": "m"})
     assert [(q.name, q.signed) for q in known] == [("x", False), ("v", True)]

@@ -31,7 +31,15 @@ def learned(data: DataSet) -> tuple[Fit, LearnedModel | None]:
     with subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
         known, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
-    search = Search(subject.tree, subject.name, available_effects, known, subject.sources, lambda message: None, 1)
+    search = Search(
+        subject.tree,
+        subject.name,
+        available_effects,
+        known,
+        subject.sources,
+        lambda message: None,
+        1,
+    )
     return base, directly_learned(search, (), base)
 
 
@@ -43,7 +51,10 @@ def hidden_force(p: np.ndarray, x: np.ndarray) -> np.ndarray:
 def write_map(folder: Path, model: str = "PneumaticMuscle.Benches.QuasiStaticIsometric") -> Path:
     """Points at rest of a cylinder with the hidden force, by its own formula, with noise; two pressures held out."""
     noise, b = np.random.default_rng(5), np.hypot(L0, TURNS * np.pi * D0)
-    p, x = (a.ravel() for a in np.meshgrid(np.arange(1, 6.1) * 8e4, np.linspace(0, 0.05, 14), indexing="ij"))
+    p, x = (
+        a.ravel()
+        for a in np.meshgrid(np.arange(1, 6.1) * 8e4, np.linspace(0, 0.05, 14), indexing="ij")
+    )
     pull = p * (3 * (L0 - x) ** 2 - b**2) / (4 * np.pi * TURNS**2) - hidden_force(p, x)
     rows = zip(p / 1e3, 1e3 * x, pull + noise.normal(0, NOISE, p.size), strict=True)
     table = "\n".join(f"{a:.6g},{c:.6g},{d:.6g}" for a, c, d in rows)
@@ -93,7 +104,11 @@ def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Pat
     diagnosis = replace(make_diagnosis("unknown"), model=data.model, data=data, learned=found)
     better = tmp_path / "Better.mo"
     text = pam.add(diagnosis, output=better, learned=True)
-    assert better.read_text() == text and f"model {found.term.name} " in text and "model Better " in text
+    assert (
+        better.read_text() == text
+        and f"model {found.term.name} " in text
+        and "model Better " in text
+    )
     after = pam.compare(data, str(better)).scores["holdout"]["F"].rmse
     assert after == pytest.approx(found.model.fit.comparison.scores["holdout"]["F"].rmse, rel=1e-3)
     with pytest.raises(InputError, match="nothing was learned"):
@@ -111,8 +126,12 @@ def test_ramps_are_lines_and_bends_inside_the_span() -> None:
     z = np.concatenate([np.zeros(40), np.linspace(0, 2, 60)])
     known = quantities({"x": z}, {"x": "m"})
     library = ramps(known, {"x": z})
-    assert [f.words for f in library][:2] == ["1", "x"] and len(library) == 4  # a bend at the first value says nothing
+    assert [f.words for f in library][:2] == ["1", "x"] and len(
+        library
+    ) == 4  # a bend at the first value says nothing
     bend = library[2]
     values = bend.values({"x": np.array([0.0, 2.0])})
-    assert values[0] < 0.02 and values[1] == pytest.approx(1 - float(bend.words.split("- ")[1][:-1]), abs=0.02)
+    assert values[0] < 0.02 and values[1] == pytest.approx(
+        1 - float(bend.words.split("- ")[1][:-1]), abs=0.02
+    )
     assert replace(bend) == bend

@@ -9,7 +9,15 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.cli.commands.common import follower, teller
-from pam_cosim.diagnosis import BaseFitted, EffectProbed, EffectsProbed, Event, FailedTrial, Judged, Message
+from pam_cosim.diagnosis import (
+    BaseFitted,
+    EffectProbed,
+    EffectsProbed,
+    Event,
+    FailedTrial,
+    Judged,
+    Message,
+)
 from pam_cosim.diagnosis.events import listened
 from pam_cosim.diagnosis.search import result_message
 from rig.short import write_light_data
@@ -43,17 +51,26 @@ def test_status_line_counts_the_results_since_the_last_headline() -> None:
         Message("added a"),
     ):
         say(message)
-    assert status.shown == [r"  fitting \[red]", r"  fitting \[red]: 1 done", r"  fitting \[red]: 2 done", "added a"]
+    assert status.shown == [
+        r"  fitting \[red]",
+        r"  fitting \[red]: 1 done",
+        r"  fitting \[red]: 2 done",
+        "added a",
+    ]
 
 
-def test_a_diagnosis_prints_what_it_tells(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_a_diagnosis_prints_what_it_tells(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     messages: list[Message] = []
 
     def say(message: Message) -> None:
         messages.append(message)
         print(message)
 
-    pam.diagnose(pam.read(write_light_data(tmp_path / "d", [], 1)), say=say, workers=0, explain=False)
+    pam.diagnose(
+        pam.read(write_light_data(tmp_path / "d", [], 1)), say=say, workers=0, explain=False
+    )
     lines = capsys.readouterr().out.splitlines()
     assert lines == messages and lines[0].startswith("base model refitted: ")
     assert [m.detail for m in messages] == [line.startswith("  ") for line in lines]
@@ -64,11 +81,17 @@ def test_what_happens_is_told_as_data_too(tmp_path: Path) -> None:
     lines: list[Message] = []
     events: list[Event] = []
     data = pam.read(write_light_data(tmp_path / "d", [], 1))
-    diagnosis = pam.diagnose(data, say=lines.append, progress=events.append, workers=0, explain=False)
+    diagnosis = pam.diagnose(
+        data, say=lines.append, progress=events.append, workers=0, explain=False
+    )
     spoken = [event for event in events if str(event)]
     assert [event.message for event in spoken] == lines and [line.event for line in lines] == spoken
     assert isinstance(events[0], BaseFitted) and events[0].fit.values == diagnosis.base.values
-    assert isinstance(events[-1], Judged) and events[-1].verdict == diagnosis.verdict and not str(events[-1])
+    assert (
+        isinstance(events[-1], Judged)
+        and events[-1].verdict == diagnosis.verdict
+        and not str(events[-1])
+    )
 
 
 def test_a_line_is_copied_with_what_it_knows() -> None:

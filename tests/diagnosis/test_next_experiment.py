@@ -29,7 +29,9 @@ def rival(effect: str, family: str, data: DataSet, **values: float) -> Candidate
     own = composition.parameters[effect]
     given = {n: Estimate(values[n.rpartition(".")[2]], 0.0, 1.0) for n in own}
     fit = Fit(composition.name, given, None, {}, 1)  # type: ignore[arg-type]
-    return Candidate(effect, family, "force", (effect,), tuple(own), fit, equations=composition.text)
+    return Candidate(
+        effect, family, "force", (effect,), tuple(own), fit, equations=composition.text
+    )
 
 
 def test_creep_without_end_is_a_spring(data: DataSet) -> None:

@@ -16,7 +16,9 @@ KNOWN_PARAMETERS = {name: len(e.parameters) for name, e in KNOWN.items()}
 STRUCTURE = 30.0  # whiteness score of residuals that are correlated
 
 
-def _model(effects: str, chi2: float, parameters: int, score: float = 0.0, holdout: float | None = None) -> Candidate:
+def _model(
+    effects: str, chi2: float, parameters: int, score: float = 0.0, holdout: float | None = None
+) -> Candidate:
     names = tuple(effects.split("+"))
     own = {f"own.{i}": Estimate(1.0, 0.9, 1.1) for i in range(parameters)}
     last = KNOWN[names[-1]]
@@ -42,7 +44,10 @@ def test_nothing_is_best_where_nothing_beats_the_base_model() -> None:
 
 
 def test_what_leaves_noise_is_better_than_what_does_not_however_many_parameters_it_takes() -> None:
-    assert _best(_model("GeneralLeak", 1.0, 9), _model("OrificeLeak", 1.2, 1, STRUCTURE)) == "GeneralLeak"
+    assert (
+        _best(_model("GeneralLeak", 1.0, 9), _model("OrificeLeak", 1.2, 1, STRUCTURE))
+        == "GeneralLeak"
+    )
 
 
 def test_a_further_effect_that_follows_the_noise_more_closely_is_not_needed() -> None:
@@ -53,20 +58,30 @@ def test_a_further_effect_that_follows_the_noise_more_closely_is_not_needed() ->
 
 def test_two_laws_are_better_than_one_effect_that_takes_many_more_parameters() -> None:
     assert (
-        _best(_model("GeneralLeak", 1.1, 8), _model("OrificeLeak+LinearBladder", 1.0, 2)) == "OrificeLeak+LinearBladder"
+        _best(_model("GeneralLeak", 1.1, 8), _model("OrificeLeak+LinearBladder", 1.0, 2))
+        == "OrificeLeak+LinearBladder"
     )
 
 
 def test_not_where_they_explain_less() -> None:
-    assert _best(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak+LinearBladder", 1.2, 2)) == "GeneralLeak"
+    assert (
+        _best(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak+LinearBladder", 1.2, 2))
+        == "GeneralLeak"
+    )
 
 
 def test_not_where_they_take_about_as_many() -> None:
-    assert _best(_model("FlexibleLeak", 1.1, 3), _model("OrificeLeak+LinearBladder", 1.0, 2)) == "FlexibleLeak"
+    assert (
+        _best(_model("FlexibleLeak", 1.1, 3), _model("OrificeLeak+LinearBladder", 1.0, 2))
+        == "FlexibleLeak"
+    )
 
 
 def test_laws_are_carried_on_beside_what_says_whatever_its_family_can() -> None:
-    general, laws = _model("GeneralLeak", 5.0, 8, STRUCTURE), _model("OrificeLeak+LinearBladder", 9.0, 2, STRUCTURE)
+    general, laws = (
+        _model("GeneralLeak", 5.0, 8, STRUCTURE),
+        _model("OrificeLeak+LinearBladder", 9.0, 2, STRUCTURE),
+    )
     order = _order(general, laws)
     assert order.parents() == [general, laws]
     of_all, of_laws = order.acceptance_thresholds(3, order.scale)
@@ -82,13 +97,24 @@ def test_laws_are_carried_on_beside_what_says_whatever_its_family_can() -> None:
 
 def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
     laws = _model("OrificeLeak", 5.0, 1, STRUCTURE)
-    assert len(_order(laws, _model("GeneralLeak", 9.0, 8, STRUCTURE)).acceptance_thresholds(2, _order(laws).scale)) == 1
+    assert (
+        len(
+            _order(laws, _model("GeneralLeak", 9.0, 8, STRUCTURE)).acceptance_thresholds(
+                2, _order(laws).scale
+            )
+        )
+        == 1
+    )
     solved = _order(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE))
     assert [bar.specific for bar in solved.acceptance_thresholds(1, solved.scale)] == [False]
 
 
-@pytest.mark.parametrize(("effect", "room"), [("OrificeLeak", False), ("FlexibleLeak", False), ("GeneralLeak", True)])
-def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(effect: str, room: bool) -> None:
+@pytest.mark.parametrize(
+    ("effect", "room"), [("OrificeLeak", False), ("FlexibleLeak", False), ("GeneralLeak", True)]
+)
+def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(
+    effect: str, room: bool
+) -> None:
     assert _order(_model(effect, 1.0, KNOWN_PARAMETERS[effect])).more_effects_can_pay(2) is room
 
 
@@ -115,5 +141,7 @@ def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
         (fitted(1.0, None, STRUCTURE), False),
     ],
 )
-def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(fit: Fit, expected: bool) -> None:
+def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(
+    fit: Fit, expected: bool
+) -> None:
     assert contradicted_by_holdout(fit) is expected

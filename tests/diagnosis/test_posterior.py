@@ -34,7 +34,9 @@ def known(best: Candidate | None, tried: Sequence[Candidate]) -> Posterior:
 
 def test_they_sum_to_one_and_the_answer_comes_first() -> None:
     own = known(GOOD, [GOOD, near("Wall", "wall"), near("Gauge", "gauge", 1.01)])
-    assert sum(one.probability for one in own.explanations) + own.something_else == pytest.approx(1.0)
+    assert sum(one.probability for one in own.explanations) + own.something_else == pytest.approx(
+        1.0
+    )
     assert own.explanations[0].families == ("leak",) and own.explanations[0].evidence == 0
     assert set(own.by_family) == {"leak", "wall", "gauge"}
     shares = [one.probability for one in own.explanations]
@@ -45,7 +47,9 @@ def test_odds_are_those_of_the_tempered_evidence() -> None:
     own = known(GOOD, [GOOD, near("Wall", "wall")])
     by = {one.families: one for one in own.explanations}
     ratio = by["leak",].probability / by["wall",].probability
-    assert ratio == pytest.approx(math.exp(by["wall",].evidence / (2 * CRITERIA.evidence.temperature)))
+    assert ratio == pytest.approx(
+        math.exp(by["wall",].evidence / (2 * CRITERIA.evidence.temperature))
+    )
     assert by[()].probability < 1e-6  # the base model leaves ten times the noise
 
 
@@ -59,7 +63,12 @@ def test_brief_fits_and_larger_sets_do_not_count() -> None:
     brief = replace(near("Wall", "wall"), brief=True)
     pair = candidate("Gauge", fitted(0.99, holdout=1.0), "gauge", before=("Leak",))
     own = posterior(
-        BASE, GOOD, [GOOD, brief, pair], {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}, ModelSpace(40), SURE
+        BASE,
+        GOOD,
+        [GOOD, brief, pair],
+        {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"},
+        ModelSpace(40),
+        SURE,
     )
     assert set(own.by_family) == {"leak"}
 
@@ -67,7 +76,14 @@ def test_brief_fits_and_larger_sets_do_not_count() -> None:
 def test_a_family_that_is_in_several_sets_is_counted_with_all_of_them() -> None:
     pair = candidate("Gauge", fitted(1.0, holdout=1.0), "gauge", before=("Leak",))
     other = candidate("Wall", fitted(1.001, holdout=1.0), "wall", before=("Leak",))
-    own = posterior(BASE, pair, [pair, other], {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}, ModelSpace(40), SURE)
+    own = posterior(
+        BASE,
+        pair,
+        [pair, other],
+        {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"},
+        ModelSpace(40),
+        SURE,
+    )
     assert own.by_family["leak"] == pytest.approx(own.by_family["gauge"] + own.by_family["wall"])
     assert next(iter(own.by_family)) == "leak"
 
@@ -90,8 +106,12 @@ def test_doubts_of_answers() -> None:
 
 def test_an_unknown_verdict_is_something_else_as_a_rule() -> None:
     left = candidate("Leak", fitted(4.0, holdout=4.0, score=40.0), "leak")
-    verdict = with_posterior(judge(BASE, [left], []), BASE, [left], [left], {"Leak": "leak"}, ModelSpace(40))
-    assert verdict.kind == "unknown" and verdict.posterior.something_else > 0.5 > verdict.probability
+    verdict = with_posterior(
+        judge(BASE, [left], []), BASE, [left], [left], {"Leak": "leak"}, ModelSpace(40)
+    )
+    assert (
+        verdict.kind == "unknown" and verdict.posterior.something_else > 0.5 > verdict.probability
+    )
     assert verdict.otherwise.startswith("something else")
 
 
@@ -100,7 +120,9 @@ def test_the_probability_of_a_verdict_is_that_of_what_it_names() -> None:
     tried = [GOOD, rival, near("Gauge", "gauge", 1.02)]
     both = with_posterior(judge(BASE, [GOOD], [rival]), BASE, [GOOD], tried, family, ModelSpace(40))
     own = {one.families: one.probability for one in both.posterior.explanations}
-    assert both.kind == "ambiguous" and both.probability == pytest.approx(own["leak",] + own["wall",])
+    assert both.kind == "ambiguous" and both.probability == pytest.approx(
+        own["leak",] + own["wall",]
+    )
     one = with_posterior(judge(BASE, [GOOD], []), BASE, [GOOD], tried, family, ModelSpace(40))
     assert one.probability == pytest.approx(own["leak",])
     content = one.as_dict()["posterior"]

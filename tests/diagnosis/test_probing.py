@@ -16,7 +16,9 @@ RNG = np.random.default_rng(4)
 BASE, SHAPE = RNG.standard_normal((ROWS, 2)), RNG.standard_normal(ROWS)
 
 
-def looked(does: Callable[[float], np.ndarray], hidden: np.ndarray, signed: bool = False) -> list[tuple[float, float]]:
+def looked(
+    does: Callable[[float], np.ndarray], hidden: np.ndarray, signed: bool = False
+) -> list[tuple[float, float]]:
     """Strengths that are looked at, and the share of the sum of squares that each leaves."""
     left = hidden + 1e-5 * RNG.standard_normal(ROWS)
     limits = np.full(2, 1e3)
@@ -57,7 +59,11 @@ def test_what_acts_the_wrong_way_is_given_up_soon() -> None:
 
 
 def test_parameters_follow_the_strength() -> None:
-    stiffness, ceiling, scale = Free("k", 0.0, 1e3, 5.0), Free("high", -1.0, 1.0, 0.005), Free("v", 0.1, 10.0, 2.0)
+    stiffness, ceiling, scale = (
+        Free("k", 0.0, 1e3, 5.0),
+        Free("high", -1.0, 1.0, 0.005),
+        Free("v", 0.1, 10.0, 2.0),
+    )
     strengths = Strengths((stiffness, ceiling, scale), {"k": 0.0, "high": 1.0})
     assert strengths.at(1.0) == pytest.approx({"k": 5.0, "high": 0.005, "v": 2.0})
     assert strengths.at(0.0) == pytest.approx({"k": 0.0, "high": 1.0, "v": 2.0})

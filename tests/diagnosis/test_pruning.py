@@ -10,7 +10,11 @@ from pam_cosim.diagnosis import pruning
 from pam_cosim.fitting import Estimate, Fit, Free
 from tests.diagnosis.synthetic import SAMPLES, fitted
 
-OWN = {"a": Estimate(0.1, -1.0, 1.0), "b": Estimate(-2.5, -2.6, -2.4), "c": Estimate(0.2, -0.1, 0.5)}
+OWN = {
+    "a": Estimate(0.1, -1.0, 1.0),
+    "b": Estimate(-2.5, -2.6, -2.4),
+    "c": Estimate(0.2, -0.1, 0.5),
+}
 COST = {"a": 0.5, "b": 500.0, "c": 50.0}  # of holding them at zero, in chi-square
 FREE = [Free(name, -5.0, 5.0, 1.0) for name in ("base.0", "base.1", *OWN)]
 
@@ -23,8 +27,17 @@ def known(chi2: float, held: Sequence[str] = ()) -> Fit:
 def prune(monkeypatch: pytest.MonkeyPatch, chi2: float) -> tuple[Fit, list[set[str]]]:
     asked: list[set[str]] = []
 
-    def fit(simulator: object, data: object, left: Sequence[Free], *, fixed: Mapping[str, float], **how: object) -> Fit:
-        assert {f.name for f in left} == {f.name for f in FREE} - set(fixed) and set(fixed.values()) == {0.0}
+    def fit(
+        simulator: object,
+        data: object,
+        left: Sequence[Free],
+        *,
+        fixed: Mapping[str, float],
+        **how: object,
+    ) -> Fit:
+        assert {f.name for f in left} == {f.name for f in FREE} - set(fixed) and set(
+            fixed.values()
+        ) == {0.0}
         asked.append(set(fixed))
         return known(chi2, list(fixed))
 
@@ -35,12 +48,18 @@ def prune(monkeypatch: pytest.MonkeyPatch, chi2: float) -> tuple[Fit, list[set[s
 def test_what_the_evidence_does_not_miss_is_held(monkeypatch: pytest.MonkeyPatch) -> None:
     pruned_fit, asked = prune(monkeypatch, 1.0)
     assert asked == [{"a"}, {"a", "c"}]  # the least certain first; b is certain
-    assert pruned_fit.values["a"] == 0 and pruned_fit.parameters["a"].held and not pruned_fit.parameters["a"].determined
+    assert (
+        pruned_fit.values["a"] == 0
+        and pruned_fit.parameters["a"].held
+        and not pruned_fit.parameters["a"].determined
+    )
     assert "held" in str(pruned_fit.parameters["a"])
     assert {n: pruned_fit.values[n] for n in "bc"} == {"b": -2.5, "c": 0.2}
     assert list(pruned_fit.parameters) == [f.name for f in FREE]
 
 
-def test_a_model_that_is_far_from_the_noise_is_left_as_it_is(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_model_that_is_far_from_the_noise_is_left_as_it_is(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     pruned_fit, asked = prune(monkeypatch, 3.0)
     assert not asked and not any(e.held for e in pruned_fit.parameters.values())

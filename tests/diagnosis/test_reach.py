@@ -23,7 +23,9 @@ def looked_at(data: DataSet) -> tuple[Search, Fit]:
     with subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
         data, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
-    return Search(subject.tree, subject.name, available_effects, data, subject.sources, workers=0), base
+    return Search(
+        subject.tree, subject.name, available_effects, data, subject.sources, workers=0
+    ), base
 
 
 @pytest.fixture(scope="module")
@@ -40,10 +42,14 @@ def at_rest(tmp_path_factory: pytest.TempPathFactory) -> tuple[Search, Fit]:
     return looked_at(pam.read(folder))
 
 
-def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(at_rest: tuple[Search, Fit]) -> None:
+def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(
+    at_rest: tuple[Search, Fit],
+) -> None:
     search, base = at_rest
     general, lag, offset = search.probe(base, (), ["GeneralLoadCell", "ForceLag", "ForceOffset"])
-    assert lag.silent and not general.silent and not offset.silent and offset.inactive_parameters == ()
+    assert (
+        lag.silent and not general.silent and not offset.silent and offset.inactive_parameters == ()
+    )
     assert [name.rpartition(".")[2] for name in general.inactive_parameters] == ["tau", "r"]
     without = replace(search, inactive_parameters={"GeneralLoadCell": general.inactive_parameters})
     assert without.cost["GeneralLoadCell"] == search.cost["GeneralLoadCell"] - 2
@@ -71,7 +77,11 @@ def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
         'model = "PneumaticMuscle.Benches.TankFilling"\n[signals.p]\nsigma = "0.5 kPa"\n[[runs]]\nfile = "a.csv"\n'
     )
     search, base = looked_at(pam.read(tmp_path))
-    names = [e.name for e in search.available_effects if e.family in ("temperature_sensor", "thermocouple_lag")]
+    names = [
+        e.name
+        for e in search.available_effects
+        if e.family in ("temperature_sensor", "thermocouple_lag")
+    ]
     probes = {p.effect: p for p in search.probe(base, (), [*names, "WarmWall", "OrificeLeak"])}
     assert names and all(probes[name].only_unmeasured for name in names)
     assert not probes["OrificeLeak"].only_unmeasured and not probes["WarmWall"].only_unmeasured

@@ -31,7 +31,14 @@ def test_a_diagnosis_is_the_same_everywhere(tmp_path: Path) -> None:
     for number, way in enumerate(WAYS):
         folder = tmp_path / f"{number}" / "other place"
         shutil.copytree(recorded, folder)
-        words = ["diagnose", str(folder), "--json", str(tmp_path / f"{number}.json"), "--workers", way["workers"]]
+        words = [
+            "diagnose",
+            str(folder),
+            "--json",
+            str(tmp_path / f"{number}.json"),
+            "--workers",
+            way["workers"],
+        ]
         environment = os.environ | {key: value for key, value in way.items() if key != "workers"}
         command = [sys.executable, "-m", "pam_cosim", *words, *excluded]
         made = subprocess.run(command, capture_output=True, text=True, env=environment, cwd=folder)

@@ -31,14 +31,20 @@ def unit(row: int) -> np.ndarray:
 BASE = Linear(("a",), np.array([0.0]), -WIDE, WIDE, np.zeros(2 * COUNT), 5 * unit(0)[:, None])
 
 
-def stated(effect: str, family: str, does: np.ndarray, weaker: float = CRITERIA.search.weaker) -> StatedEffect:
+def stated(
+    effect: str, family: str, does: np.ndarray, weaker: float = CRITERIA.search.weaker
+) -> StatedEffect:
     """An effect of one parameter, which does this at its stated value, and so much of it when weaker."""
     name = f"{effect}.k"
     own = Free(name, -1e6, 1e6, 1.0, "N")
     slopes = np.column_stack([BASE.slopes, does])
     limits = np.append(WIDE, 1e6)
-    linear = Linear(("a", name), np.array([0.0, 1.0]), -limits, limits, BASE.residual - does, slopes)
-    return StatedEffect(effect, family, Strengths((own,), {name: 0.0}), linear, (BASE.residual - weaker * does,))
+    linear = Linear(
+        ("a", name), np.array([0.0, 1.0]), -limits, limits, BASE.residual - does, slopes
+    )
+    return StatedEffect(
+        effect, family, Strengths((own,), {name: 0.0}), linear, (BASE.residual - weaker * does,)
+    )
 
 
 def rows(*effects: StatedEffect) -> Rows:
@@ -55,14 +61,18 @@ def test_a_parameter_is_known_as_well_as_the_samples_move_with_it() -> None:
 def test_a_parameter_that_moves_nothing_is_known_as_well_as_its_bounds() -> None:
     still = replace(BASE, slopes=0 * BASE.slopes)
     (known,) = (
-        Rows(still, {"a": "m"}, [], [AS_MEASURED] * 2 * COUNT, {AS_MEASURED: 2 * COUNT}).identifiability().parameters
+        Rows(still, {"a": "m"}, [], [AS_MEASURED] * 2 * COUNT, {AS_MEASURED: 2 * COUNT})
+        .identifiability()
+        .parameters
     )
     assert known.deviation == pytest.approx(2e6 / math.sqrt(12))  # of an even distribution
     assert not known.determined
 
 
 def test_an_effect_shows_by_what_no_free_parameter_does() -> None:
-    (shown,) = rows(stated("Spring", "elasticity", 30 * unit(0) + 20 * unit(1))).identifiability().shown
+    (shown,) = (
+        rows(stated("Spring", "elasticity", 30 * unit(0) + 20 * unit(1))).identifiability().shown
+    )
     assert shown.size == pytest.approx(20.0, rel=1e-6)
     needed = math.sqrt(CRITERIA.evidence.very_strong + PRICE)
     assert shown.least == pytest.approx(needed / 20, rel=1e-6)
@@ -70,7 +80,9 @@ def test_an_effect_shows_by_what_no_free_parameter_does() -> None:
 
 
 def test_what_does_nothing_is_hidden_and_a_faint_effect_is_not_visible() -> None:
-    told = rows(stated("None", "leak", 0 * unit(1)), stated("Faint", "creep", 2 * unit(1))).identifiability()
+    told = rows(
+        stated("None", "leak", 0 * unit(1)), stated("Faint", "creep", 2 * unit(1))
+    ).identifiability()
     assert told.hidden == ("leak",)
     assert told.visible == frozenset()
     assert told.families["creep"].least > 1
@@ -85,15 +97,21 @@ def test_what_begins_at_a_threshold_shows_where_it_was_seen_or_not_at_all() -> N
 
 def test_a_strength_is_extrapolated_from_the_weakest_look_that_shows() -> None:
     assert detectable_strength([100.0, 10.0, 1.0], 5.0) == pytest.approx(0.05)  # in proportion
-    assert detectable_strength([100.0, 40.0, 4.0], 5.0) == pytest.approx(0.1 * 5 / 40)  # saturated where it is strong
-    assert detectable_strength([100.0, 10.0, 0.0], 5.0) == pytest.approx(0.1)  # a threshold lies between the last two
+    assert detectable_strength([100.0, 40.0, 4.0], 5.0) == pytest.approx(
+        0.1 * 5 / 40
+    )  # saturated where it is strong
+    assert detectable_strength([100.0, 10.0, 0.0], 5.0) == pytest.approx(
+        0.1
+    )  # a threshold lies between the last two
     assert detectable_strength([1.0], 5.0) == pytest.approx(5.0)
     assert detectable_strength([0.0], 5.0) == math.inf
 
 
 def test_families_that_do_the_same_are_told_apart_by_a_signal_in_which_they_differ() -> None:
     same, apart = 40 * unit(1), unit(COUNT + 1)
-    told = rows(stated("Spring", "elasticity", same), stated("Hole", "leak", 0.5 * same + 60 * apart))
+    told = rows(
+        stated("Spring", "elasticity", same), stated("Hole", "leak", 0.5 * same + 60 * apart)
+    )
     now, then = told.identifiability(), told.identifiability(MORE)
     assert [{a.family, a.other_family} for a in now.alike] == [{"elasticity", "leak"}]
     assert not now.pairs
@@ -122,7 +140,9 @@ def test_the_deviations_of_a_vessel_are_those_of_its_fit(tmp_path: Path) -> None
 def test_measuring_the_temperature_of_a_vessel_helps(tmp_path: Path) -> None:
     """Pressure alone says little of heat, and nothing of what reads a temperature."""
     check = vessel(tmp_path / "rig")
-    assert {"temperature_sensor", "thermocouple_lag"} <= set(check.told.hidden) | set(check.no_place)
+    assert {"temperature_sensor", "thermocouple_lag"} <= set(check.told.hidden) | set(
+        check.no_place
+    )
     (temperature,) = [h for h in check.helps if h.option.text.startswith("T in every run")]
     assert "temperature_sensor" in temperature.shows
     assert temperature.sharper < 0.5
@@ -132,9 +152,9 @@ def test_measuring_the_temperature_of_a_vessel_helps(tmp_path: Path) -> None:
 
 def test_a_parameter_that_data_do_not_determine_is_named(tmp_path: Path) -> None:
     """The volume and the area of the hole act as their ratio alone."""
-    text = EXPERIMENT.replace('"tank.n" =', '"tank.V" = { min = "16.2 l", max = "16.3 l" }\n"tank.n" =').replace(
-        '"tank.V" = "16.2 l"\n', ""
-    )
+    text = EXPERIMENT.replace(
+        '"tank.n" =', '"tank.V" = { min = "16.2 l", max = "16.3 l" }\n"tank.n" ='
+    ).replace('"tank.V" = "16.2 l"\n', "")
     known = {k.name: k for k in vessel(tmp_path / "rig", text).told.parameters}
     assert not known["tank.V"].determined
     assert known["tank.n"].determined

@@ -24,7 +24,9 @@ def test_nothing_is_tried_where_nothing_is_missing() -> None:
     assert selection.path == selection.tried == ()
 
 
-@pytest.mark.parametrize("effect", ["LinearBladder", "OrificeLeak", "ThermocoupleLag", "GeneralWall"])
+@pytest.mark.parametrize(
+    "effect", ["LinearBladder", "OrificeLeak", "ThermocoupleLag", "GeneralWall"]
+)
 @pytest.mark.parametrize("strength", [1.5, 30.0])
 def test_one_effect_weak_and_strong(effect: str, strength: float) -> None:
     one = world({effect: strength})
@@ -67,10 +69,14 @@ def test_few_models_are_fitted_where_nothing_explains_what_is_missing() -> None:
     assert len(strange.tried) < len(SHELF)
 
 
-def test_what_was_best_when_the_time_was_over_is_the_answer(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_what_was_best_when_the_time_was_over_is_the_answer(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     """Though it was fitted in a few steps only."""
     one = world({"LinearBladder": 30.0})
-    times = iter([0.0])  # the first look at the clock is in time, before the first few steps; every other is late
+    times = iter(
+        [0.0]
+    )  # the first look at the clock is in time, before the first few steps; every other is late
     monkeypatch.setattr("pam_cosim.diagnosis.selection.time.monotonic", lambda: next(times, 2.0))
     selection = select_effects(one, one.fitted(()), deadline=1.0)
     assert selection.untried and not one.tried  # none was fitted to the end before
@@ -91,7 +97,9 @@ def test_what_stands_for_a_family_is_looked_at_first_where_time_is_short() -> No
     pair = world({"LinearBladder": 5.0})
     short = select_effects(pair, pair.fitted(()), deadline=time.monotonic() + 1e6)
     every = select_effects(pair, pair.fitted(()))
-    assert [p.effect for p in short.probes[: len(pair.family_representatives)]] == pair.family_representatives
+    assert [
+        p.effect for p in short.probes[: len(pair.family_representatives)]
+    ] == pair.family_representatives
     assert {p.effect for p in short.probes} == {p.effect for p in every.probes}
 
 
@@ -122,14 +130,18 @@ def test_whatever_is_chosen_is_compared_with_all_that_lacks_one_of_its_effects()
     assert {frozenset(two) for two in combinations(selection.path[-1].effects, 2)} <= to_the_end
 
 
-def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
     leaking = world({"GeneralLeak": 30.0})
     models = _Models(leaking, leaking.fitted(()), math.inf)
     for names in (("GeneralLeak",), ("OrificeLeak",)):
         models.fitted[names] = leaking.candidate(names)
     models.ranking.update_scale()
     whole = LinearWorld.fit_final
-    broken = staticmethod(lambda effects, start: None if "GeneralLeak" in effects else whole(leaking, effects, start))
+    broken = staticmethod(
+        lambda effects, start: None if "GeneralLeak" in effects else whole(leaking, effects, start)
+    )
     assert models.path()[-1].effects == ("GeneralLeak",)
     monkeypatch.setattr(LinearWorld, "fit_final", broken)
     assert models.path()[-1].effects == ("OrificeLeak",)

@@ -47,7 +47,9 @@ def test_a_ratio_is_multiplied_by_what_each_run_states(tmp_path: Path) -> None:
 
 def test_slopes_by_a_ratio_are_those_of_differences(tmp_path: Path) -> None:
     data = misled(tmp_path)
-    data = replace(data, signals={n: replace(s, sigma=s.sigma or 1.0) for n, s in data.signals.items()})
+    data = replace(
+        data, signals={n: replace(s, sigma=s.sigma or 1.0) for n, s in data.signals.items()}
+    )
     free = [Free(LENGTH, 0.5, 2.0, 1.01, "1", 0.05), Free(LOAD, 0.5, 2.0, 0.98, "1", 0.05)]
     with Simulator(build_model(data.model, (), sensitivities=["muscle.L0", "load.m"])) as simulator:
         objective = Objective(simulator, data, data.runs, free, None, 1e-9)
@@ -82,4 +84,7 @@ def test_a_wrong_length_is_named_and_measured(tmp_path: Path, workers: int | Non
     estimate = diagnosis.final.parameters[diagnosis.path[0].own_parameters[0]]
     assert diagnosis.path[0].effect == LENGTH, diagnosis.verdict
     assert estimate.low <= 1.04 <= estimate.high
-    assert "An instrument, not physics: wrong parameter: what the data set states" in diagnosis_text(diagnosis)
+    assert (
+        "An instrument, not physics: wrong parameter: what the data set states"
+        in diagnosis_text(diagnosis)
+    )

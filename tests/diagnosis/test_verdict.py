@@ -9,7 +9,14 @@ import pytest
 from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.evidence import rank
 from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.verdict import explained, judge, nearest, rivals, with_facts, with_posterior
+from pam_cosim.diagnosis.verdict import (
+    explained,
+    judge,
+    nearest,
+    rivals,
+    with_facts,
+    with_posterior,
+)
 from pam_cosim.fitting import Estimate, Fit, WithoutPriors
 from pam_cosim.measurement import Prior, Signal
 from pam_cosim.model.domain import Domain
@@ -47,7 +54,9 @@ def test_a_general_member_leaves_the_form_open() -> None:
 
 def test_several_effects_in_the_order_in_which_they_were_added() -> None:
     second = candidate("Lag", fitted(1.0, holdout=1.0), "valve", before=("Leak",))
-    verdict = judge(BASE, [candidate("Leak", fitted(3.0, holdout=3.0, score=30.0), "leak"), second], [])
+    verdict = judge(
+        BASE, [candidate("Leak", fitted(3.0, holdout=3.0, score=30.0), "leak"), second], []
+    )
     assert (verdict.families, verdict.effects) == (("leak", "valve"), ("Leak", "Lag"))
     assert verdict.reason.startswith("Leak + Lag removes")
 
@@ -56,9 +65,15 @@ def test_several_effects_in_the_order_in_which_they_were_added() -> None:
     "signal, taken",
     [
         (Signal("x", "m", 1e-3), "2 times the stated noise"),
-        (Signal("x", "m", 1e-3, estimated=True), "2 times the noise that was estimated from the samples"),
+        (
+            Signal("x", "m", 1e-3, estimated=True),
+            "2 times the noise that was estimated from the samples",
+        ),
         (Signal("x", "m", 1e-3, repeatability=1e-3), "2 times the stated repeatability"),
-        (Signal("x", "m", 1e-3, repeatability=1e-3, repeats=True), "2 times the repeatability of repeated runs"),
+        (
+            Signal("x", "m", 1e-3, repeatability=1e-3, repeats=True),
+            "2 times the repeatability of repeated runs",
+        ),
     ],
 )
 def test_loud_noise_is_said_by_whom_it_was_stated(signal: Signal, taken: str) -> None:
@@ -77,7 +92,9 @@ def test_a_signal_that_was_not_fitted_is_judged_too() -> None:
     assert "what remains of p is noise. T, compared but not fitted, is 16 K off" in verdict.reason
     assert "nothing else" not in probability_sentence(replace(verdict, probability=0.7))
     near = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 1.5}, measured=seen), "leak")
-    sound = with_facts(judge(BASE, [near], []), BASE, near, [near], {"Leak": "leak"}, ModelSpace(10))
+    sound = with_facts(
+        judge(BASE, [near], []), BASE, near, [near], {"Leak": "leak"}, ModelSpace(10)
+    )
     assert sound.off == () and "not fitted" not in sound.reason
     assert "nothing else" in probability_sentence(replace(sound, probability=0.7))
 
@@ -86,13 +103,20 @@ def test_models_that_come_as_near_are_named_with_the_reason() -> None:
     family = {"Leak": "leak", "Gauge": "gauge", "Bends": "spring"}
     best = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "leak")
     wrong = candidate("Gauge", fitted(1.0, holdout=1.0, shown={"T": 38.0}), "gauge")
-    bends = replace(candidate("Bends", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "spring"), general=True)
+    bends = replace(
+        candidate("Bends", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "spring"), general=True
+    )
     alone = with_facts(judge(BASE, [best], []), BASE, best, [best], family, ModelSpace(10))
     assert "No effect of another family comes close." in meaning(alone, Domain())
-    verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, wrong, bends], family, ModelSpace(10))
+    verdict = with_facts(
+        judge(BASE, [best], []), BASE, best, [best, wrong, bends], family, ModelSpace(10)
+    )
     assert (verdict.refuted, verdict.bending) == (("Gauge",), ("Bends",))
     said = meaning(verdict, Domain())
-    assert "Gauge would fit it as well, but misses T by far more." in said and "Bends comes as near" in said
+    assert (
+        "Gauge would fit it as well, but misses T by far more." in said
+        and "Bends comes as near" in said
+    )
     assert "No effect of another family" not in said
 
 
@@ -104,7 +128,9 @@ def test_what_only_an_unusual_instrument_would_explain_is_named() -> None:
     held = candidate("Gauge", fitted(1.01, holdout=1.0, own=own), "gauge", own=own)
     freed = replace(held, without_priors=WithoutPriors(10.0, {"gauge.gain": 1.3}))
     for gauge, said in ((freed, True), (replace(held, without_priors=WithoutPriors()), False)):
-        verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, gauge], family, ModelSpace(10))
+        verdict = with_facts(
+            judge(BASE, [best], []), BASE, best, [best, gauge], family, ModelSpace(10)
+        )
         assert bool(verdict.implausible) is said
         assert not rivals(BASE, best, [best, gauge], family, ModelSpace(10))
     verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, freed], family, ModelSpace(10))
@@ -117,16 +143,22 @@ def test_a_run_that_is_far_off_is_no_noise() -> None:
     runs = {"run-01": 0.2, "run-02": 0.21, "run-07": 1.4}
     last = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=runs), "leak")
     assert "But not in every run: run-07 (1.4 mm of x) is off." in judge(BASE, [last], []).reason
-    pair = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs={"a": 0.2, "b": 1.4}), "leak")
+    pair = candidate(
+        "Leak", fitted(1.0, holdout=1.0, measured=seen, runs={"a": 0.2, "b": 1.4}), "leak"
+    )
     assert "b (1.4 mm of x) is off" in judge(BASE, [pair], []).reason
-    even = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=dict.fromkeys(runs, 0.2)), "leak")
+    even = candidate(
+        "Leak", fitted(1.0, holdout=1.0, measured=seen, runs=dict.fromkeys(runs, 0.2)), "leak"
+    )
     assert "But not" not in judge(BASE, [even], []).reason
 
 
 def test_a_parameter_that_the_data_do_not_determine_is_no_caution() -> None:
     lost = candidate("Leak", fitted(1.0, holdout=1.0, own={"tank.n": LOST}), "leak")
     assert "Caution" not in judge(BASE, [lost], []).reason
-    ended = candidate("Leak", fitted(1.0, holdout=1.0, own={"tank.n": replace(LOST, determined=True)}), "leak")
+    ended = candidate(
+        "Leak", fitted(1.0, holdout=1.0, own={"tank.n": replace(LOST, determined=True)}), "leak"
+    )
     assert "Caution: tank.n ended at a bound" in judge(BASE, [ended], []).reason
 
 
@@ -140,7 +172,9 @@ def test_ambiguous_names_all() -> None:
 def test_ambiguous_names_what_a_rival_has_instead_and_nothing_twice() -> None:
     first = candidate("Creep", fitted(2.0, holdout=2.0), "creep")
     best = candidate("Clock", fitted(1.0, holdout=1.02), "clock_offset", before=("Creep",))
-    rival = candidate("Clock", fitted(1.001, holdout=1.001), "clock_offset", before=("Spring", "Leak"))
+    rival = candidate(
+        "Clock", fitted(1.001, holdout=1.001), "clock_offset", before=("Spring", "Leak")
+    )
     family = {"Spring": "elasticity", "Leak": "leak", "Creep": "creep", "Clock": "clock_offset"}
     verdict = judge(BASE, [first, best], [rival], family=family)
     assert verdict.kind == "ambiguous"
@@ -160,7 +194,9 @@ def test_unknown_without_and_with_effects() -> None:
 
 def test_the_one_family_that_takes_away_nearly_all_is_identified_and_its_form_left_open() -> None:
     one = candidate("Leak", fitted(1.3, holdout=1.3, score=30.0), "leak")
-    far, near = (candidate("Lag", fitted(chi2, holdout=2.0, score=30.0), "valve") for chi2 in (5.0, 1.5))
+    far, near = (
+        candidate("Lag", fitted(chi2, holdout=2.0, score=30.0), "valve") for chi2 in (5.0, 1.5)
+    )
     verdict = judge(LOUD, [one], [], [one, far])
     assert (verdict.kind, verdict.families) == ("identified", ("leak",))
     assert "no listed law" in verdict.reason and verdict.remainder
@@ -172,9 +208,18 @@ def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
     dry = candidate("Dry", fitted(50.0, holdout=49.0, score=30.0), "dry_friction")
     rate = candidate("Rate", fitted(50.1, holdout=49.0, score=30.0), "rate_friction")
     verdict = judge(LOUD, [dry], [rate])
-    assert (verdict.kind, verdict.families, verdict.effects) == ("unknown", ("dry_friction",), ("Dry",))
-    assert "separate dry_friction and rate_friction" in verdict.reason and "something else" in verdict.reason
-    second = candidate("Rate", fitted(50.0, holdout=49.0, score=30.0), "rate_friction", before=("Spring",))
+    assert (verdict.kind, verdict.families, verdict.effects) == (
+        "unknown",
+        ("dry_friction",),
+        ("Dry",),
+    )
+    assert (
+        "separate dry_friction and rate_friction" in verdict.reason
+        and "something else" in verdict.reason
+    )
+    second = candidate(
+        "Rate", fitted(50.0, holdout=49.0, score=30.0), "rate_friction", before=("Spring",)
+    )
     first = candidate("Spring", fitted(60.0, holdout=60.0, score=30.0), "elasticity")
     assert judge(LOUD, [first, second], [dry]).families == ("elasticity", "rate_friction")
 
@@ -210,7 +255,10 @@ def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() 
 def _rivals(*others):  # type: ignore[no-untyped-def]  # noqa: ANN002, ANN202
     ranked = rank(BASE, [GOOD, *others])
     assert ranked[0].effect == "Leak"
-    return [c.effect for c in rivals(BASE, ranked[0], ranked, _families(ranked), ModelSpace(len(ranked)))]
+    return [
+        c.effect
+        for c in rivals(BASE, ranked[0], ranked, _families(ranked), ModelSpace(len(ranked)))
+    ]
 
 
 def _families(candidates):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -225,11 +273,15 @@ def test_rivals_are_close_and_of_other_families() -> None:
 
 
 def test_a_general_member_is_no_rival_of_a_law() -> None:
-    ranked = rank(BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)])
+    ranked = rank(
+        BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)]
+    )
     anything, law = sorted(ranked, key=lambda c: not c.general)
     family = _families(ranked)
     assert rivals(BASE, law, ranked, family, ModelSpace(len(ranked))) == []
-    assert [c.effect for c in rivals(BASE, anything, ranked, family, ModelSpace(len(ranked)))] == [law.effect]
+    assert [c.effect for c in rivals(BASE, anything, ranked, family, ModelSpace(len(ranked)))] == [
+        law.effect
+    ]
 
 
 def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:
@@ -246,7 +298,10 @@ def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:
 
 
 def test_one_rival_of_a_family() -> None:
-    a, b = (candidate(n, fitted(c, holdout=1.0), "offset") for n, c in (("Worse", 1.004), ("Better", 1.002)))
+    a, b = (
+        candidate(n, fitted(c, holdout=1.0), "offset")
+        for n, c in (("Worse", 1.004), ("Better", 1.002))
+    )
     assert _rivals(a, b) == ["Better"]
 
 
@@ -282,7 +337,9 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
     assert verdict.kind == "identified" and "they check little" in verdict.reason
     assert "check little" not in judge(BASE, [GOOD], []).reason
     sure, unsure = (
-        with_posterior(judge(LOUD, [c], []), LOUD, [c], [c], {c.effect: c.family}, ModelSpace(1)).probability
+        with_posterior(
+            judge(LOUD, [c], []), LOUD, [c], [c], {c.effect: c.family}, ModelSpace(1)
+        ).probability
         for c in (GOOD, one)
     )
     assert unsure < sure - 0.1

@@ -45,7 +45,9 @@ def test_tasks_run_where_who_asks_is_now(tmp_path: Path, monkeypatch: pytest.Mon
         folder = tmp_path / name
         folder.mkdir()
         monkeypatch.chdir(folder)
-        assert run_tasks(os.path.abspath, ["model.mo"], str, lambda _: None, 1) == [str(folder / "model.mo")]
+        assert run_tasks(os.path.abspath, ["model.mo"], str, lambda _: None, 1) == [
+            str(folder / "model.mo")
+        ]
 
 
 def test_no_tasks() -> None:
@@ -53,7 +55,9 @@ def test_no_tasks() -> None:
 
 
 def test_tasks_run_in_other_processes_and_side_by_side(tmp_path: Path) -> None:
-    results = run_tasks(process_beside_another, [str(tmp_path)] * 2, lambda _: -1, lambda _: None, 2)
+    results = run_tasks(
+        process_beside_another, [str(tmp_path)] * 2, lambda _: -1, lambda _: None, 2
+    )
     assert os.getpid() not in results
     assert len(dict.fromkeys(results)) == 2
 
@@ -70,7 +74,9 @@ run_tasks(tell_and_sleep, [sys.argv[1]], str, print, 1)
 @pytest.mark.skipif(os.name != "posix", reason="an orphan does not tell")
 def test_workers_end_with_a_study_that_is_killed(tmp_path: Path) -> None:
     file = tmp_path / "process"
-    study = subprocess.Popen([sys.executable, "-c", _STUDY, str(file)], cwd=Path(__file__).parents[2])
+    study = subprocess.Popen(
+        [sys.executable, "-c", _STUDY, str(file)], cwd=Path(__file__).parents[2]
+    )
     end = time.monotonic() + 60
     while not (file.exists() and file.read_text()) and time.monotonic() < end:
         time.sleep(0.1)
@@ -107,7 +113,9 @@ if __name__ == "__main__":
 
 @pytest.mark.full
 @pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
-def test_interrupted_tasks_clean_up_and_large_ones_in_the_queue_hold_nothing_up(tmp_path: Path) -> None:
+def test_interrupted_tasks_clean_up_and_large_ones_in_the_queue_hold_nothing_up(
+    tmp_path: Path,
+) -> None:
     process = subprocess.Popen(
         [sys.executable, "-c", _LARGE, str(tmp_path)],
         env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},

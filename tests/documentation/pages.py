@@ -30,7 +30,11 @@ def other_pictures(folder: Path) -> list[str]:
     """Names of pictures in a folder that are not those of ``docs/pictures``, byte by byte."""
     made = sorted(folder.glob("*.png"))
     kept = DOCS / "pictures"
-    return [p.name for p in made if not (kept / p.name).exists() or p.read_bytes() != (kept / p.name).read_bytes()]
+    return [
+        p.name
+        for p in made
+        if not (kept / p.name).exists() or p.read_bytes() != (kept / p.name).read_bytes()
+    ]
 
 
 def quoted(page: str) -> list[str]:
@@ -59,7 +63,9 @@ def other_numbers(page: str, table: Mapping[str, Sequence[float]]) -> list[str]:
     """
     wrong, found = [], set()
     for line in (DOCS / page).read_text(encoding="utf-8").splitlines():
-        first, *cells = [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else [""]
+        first, *cells = (
+            [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else [""]
+        )
         name = next((n for n in table if f"`{n}`" in first), None)
         if name is None:
             continue

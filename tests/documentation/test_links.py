@@ -11,7 +11,9 @@ from scripts.links import anchors, relative_links
 
 ROOT = Path(__file__).parents[2]
 PAGES = sorted(
-    page for where in ("*.md", "docs/**/*.md", "examples/**/*.md", "benchmarks/**/*.md") for page in ROOT.glob(where)
+    page
+    for where in ("*.md", "docs/**/*.md", "examples/**/*.md", "benchmarks/**/*.md")
+    for page in ROOT.glob(where)
 )
 NAVIGATION = (ROOT / "mkdocs.yml").read_text().partition("\nnav:")[2]
 
@@ -26,7 +28,9 @@ def broken_links(page: Path) -> list[str]:
         elif not target.exists():
             faults.append(f"{page.name}:{link.line}: there is no {link.path}")
         elif link.anchor and link.anchor not in anchors(target.read_text()):
-            faults.append(f"{page.name}:{link.line}: {link.path or 'the page'} has no heading #{link.anchor}")
+            faults.append(
+                f"{page.name}:{link.line}: {link.path or 'the page'} has no heading #{link.anchor}"
+            )
     return faults
 
 
@@ -37,7 +41,9 @@ def test_links(page: Path) -> None:
 
 def test_broken_links_are_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
     monkeypatch.setattr(f"{__name__}.ROOT", tmp_path)
-    (tmp_path / "other.md").write_text('# A `b`, and C\n\n# A b and C\n\n| x |\n|---|\n| <a id="d.e"></a> |\n')
+    (tmp_path / "other.md").write_text(
+        '# A `b`, and C\n\n# A b and C\n\n| x |\n|---|\n| <a id="d.e"></a> |\n'
+    )
     page = tmp_path / "page.md"
     page.write_text(
         "[1](other.md#a-b-and-c) [2](other.md#a-b-and-c-1) [3](other.md#d.e) [4](https://example.org/x)\n"
@@ -56,12 +62,18 @@ def test_every_page_is_in_the_navigation() -> None:
     entries = set(re.findall(r": (\S+)$", NAVIGATION, re.MULTILINE))
     pages = [page.relative_to(ROOT / "docs") for page in PAGES if ROOT / "docs" in page.parents]
     assert len(pages) >= 10
-    assert not [p.as_posix() for p in pages if not {p.as_posix(), f"{p.parent.as_posix()}/"} & entries]
+    assert not [
+        p.as_posix() for p in pages if not {p.as_posix(), f"{p.parent.as_posix()}/"} & entries
+    ]
 
 
 def test_every_package_is_in_the_reference() -> None:
     """What a package of ``pam_cosim`` offers, its ``__all__``, is documented."""
-    packages = {p.parent.name for p in ROOT.glob("pam_cosim/*/__init__.py") if "__all__" in p.read_text()}
+    packages = {
+        p.parent.name for p in ROOT.glob("pam_cosim/*/__init__.py") if "__all__" in p.read_text()
+    }
     assert len(packages) >= 9
-    listed = re.findall(r"^::: pam_cosim\.(\w+)$", (ROOT / "docs" / "api-rooms.md").read_text(), re.MULTILINE)
+    listed = re.findall(
+        r"^::: pam_cosim\.(\w+)$", (ROOT / "docs" / "api-rooms.md").read_text(), re.MULTILINE
+    )
     assert sorted(listed) == sorted(packages)

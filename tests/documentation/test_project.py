@@ -18,7 +18,9 @@ PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]
 
 def test_citation() -> None:
     citation = yaml.safe_load((ROOT / "CITATION.cff").read_text())
-    assert {"cff-version", "message", "title", "authors"} <= set(citation)  # what the format asks for
+    assert {"cff-version", "message", "title", "authors"} <= set(
+        citation
+    )  # what the format asks for
     assert citation["title"] == PROJECT["name"]
     assert citation["version"] == PROJECT["version"]
     assert citation["license"] == PROJECT["license"]
@@ -37,7 +39,9 @@ def test_checks_before_a_commit_are_those_of_the_tests() -> None:
     assert [repository["repo"] for repository in configuration["repos"]] == ["local"]
     entries = [hook["entry"] for hook in configuration["repos"][0]["hooks"]]
     assert all(entry.startswith(".venv/bin/") for entry in entries)
-    commands = re.findall(r"^(\.venv/bin/\w+(?: check)?)", (ROOT / "scripts" / "test").read_text(), re.MULTILINE)
+    commands = re.findall(
+        r"^(\.venv/bin/\w+(?: check)?)", (ROOT / "scripts" / "test").read_text(), re.MULTILINE
+    )
     assert len(commands) >= 2
     assert all(any(entry.startswith(command) for entry in entries) for command in commands)
 

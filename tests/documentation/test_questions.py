@@ -17,7 +17,9 @@ COMMANDS = typer.main.get_command(app).commands  # type: ignore[attr-defined]
 
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_commands_and_options_are_there(page: object) -> None:
-    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)  # type: ignore[attr-defined]
+    blocks = re.findall(
+        r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE
+    )  # type: ignore[attr-defined]
     lines = [shlex.split(line, comments=True) for block in blocks for line in block.splitlines()]
     assert lines
     for program, name, *words in lines:

@@ -31,7 +31,9 @@ def test_every_place_states_the_version() -> None:
 
 def test_a_place_that_says_otherwise_is_found(copy: Path) -> None:
     citation = copy / "CITATION.cff"
-    citation.write_text(citation.read_text().replace(f"version: {versions.version()}", "version: 9.9.9"))
+    citation.write_text(
+        citation.read_text().replace(f"version: {versions.version()}", "version: 9.9.9")
+    )
     assert versions.faults(copy) == [f"CITATION.cff says 9.9.9, not {versions.version()}"]
 
 
@@ -39,7 +41,9 @@ def test_a_new_version_is_written_to_every_place(copy: Path) -> None:
     versions.set_version("7.8.9", copy)
     assert versions.version(copy) == "7.8.9"
     assert versions.faults(copy) == ["tests/saved/7.8.9 is missing: python -m tests.saved.write"]
-    assert "`pam-cosim demo`" in versions.notes("7.8.9", copy), "what was not released is the new section"
+    assert "`pam-cosim demo`" in versions.notes("7.8.9", copy), (
+        "what was not released is the new section"
+    )
     log = (copy / "CHANGELOG.md").read_text()
     assert log.index("## [Unreleased]") < log.index("## 7.8.9") < log.index("## 0.1.0")
     with pytest.raises(ValueError, match="no version"):
@@ -68,7 +72,9 @@ def test_workflows_call_what_is_there(file: Path) -> None:
 
 def test_paper_cites_what_its_list_has() -> None:
     paper = (ROOT / "paper" / "paper.md").read_text(encoding="utf-8")
-    listed = re.findall(r"^@\w+\{(\w+),", (ROOT / "paper" / "paper.bib").read_text(encoding="utf-8"), re.MULTILINE)
+    listed = re.findall(
+        r"^@\w+\{(\w+),", (ROOT / "paper" / "paper.bib").read_text(encoding="utf-8"), re.MULTILINE
+    )
     assert len(listed) == len(set(listed)) and set(re.findall(r"@(\w+)", paper)) == set(listed)
     head = yaml.safe_load(paper.split("---")[1])
     assert {"title", "tags", "authors", "affiliations", "date", "bibliography"} <= set(head)

@@ -78,8 +78,12 @@ def test_pages_read_as_on_a_code_host(site: Path) -> None:
     markdown = MarkdownIt("commonmark").enable("table")
     pages = [page for page in (ROOT / "docs").rglob("*.md") if "\n::: " not in page.read_text()]
     for page in pages:
-        made = read((site / page.relative_to(ROOT / "docs")).with_suffix(".html").read_text()).counts
-        assert made == read(f"<article>{markdown.render(page.read_text())}</article>").counts, page.name
+        made = read(
+            (site / page.relative_to(ROOT / "docs")).with_suffix(".html").read_text()
+        ).counts
+        assert made == read(f"<article>{markdown.render(page.read_text())}</article>").counts, (
+            page.name
+        )
 
 
 def test_files_outside_docs_are_in_the_site(site: Path) -> None:

@@ -22,12 +22,19 @@ PAGES = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
 @pytest.mark.parametrize("page", PAGES, ids=lambda page: page.stem)
 def test_tutorial(page: Path, command: Callable[..., Outcome], place: Path) -> None:  # noqa: F811
     os.symlink(ROOT / "examples", place / "examples")
-    blocks = re.findall(r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE)
+    blocks = re.findall(
+        r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE
+    )
     lines = [shlex.split(line) for block in blocks for line in block.splitlines()]
     assert len(lines) >= 2 and {words[0] for words in lines} == {"pam-cosim"}
     said = "\n".join(done(command(*words[1:])).out for words in lines)
     assert unsaid(f"tutorials/{page.name}", said) == []
-    asked = {words[i + 1] for words in lines for i, word in enumerate(words) if word in ("-o", "--plot", "--report")}
+    asked = {
+        words[i + 1]
+        for words in lines
+        for i, word in enumerate(words)
+        if word in ("-o", "--plot", "--report")
+    }
     assert asked <= {file.name for file in place.iterdir()}
 
 

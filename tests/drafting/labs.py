@@ -60,9 +60,17 @@ def german(folder: Path, levels: list[float], seed: int, mass: float = 2.27) -> 
     time, p_set = steps(levels, 1.0, 0.005)
     p = lag(p_set, 0.005)
     x = lift(p, 0.005, mass)
-    rows = zip(time, p_set / 1e5, noisy(p / 1e5, 0.004, seed), noisy(212.5 - 1e3 * x, 0.05, seed + 1), strict=True)
+    rows = zip(
+        time,
+        p_set / 1e5,
+        noisy(p / 1e5, 0.004, seed),
+        noisy(212.5 - 1e3 * x, 0.05, seed + 1),
+        strict=True,
+    )
     text = "Prüfstand 3;;;;\nBediener: Jürgen Müller;;;;\n\nZeit;Solldruck;Druck;Weg;Bemerkung\ns;bar;bar;mm;\n"
-    text += "".join(f"{t:.3f};{w:.3f};{q:.4f};{z:.3f};ok\n".replace(".", ",") for t, w, q, z in rows)
+    text += "".join(
+        f"{t:.3f};{w:.3f};{q:.4f};{z:.3f};ok\n".replace(".", ",") for t, w, q, z in rows
+    )
     file = folder / f"Messung {seed:02d}.csv"
     file.write_bytes(text.encode("latin-1"))
     return file
@@ -93,7 +101,9 @@ def valves(folder: Path, current: float, seed: int) -> Path:
     read = [noisy(p / 1e3, 0.3, seed + 1), noisy(1e3 * x, 0.05, seed + 2)]
     columns = [1e3 * time, 1e3 * u_in, 1e3 * u_out, supply, *read]
     text = "t,I_in,I_out,Vordruck,pm,Kontraktion\nms,mA,mA,kPa,kPa,mm\n"
-    text += "".join(",".join(f"{value:.4f}" for value in row) + "\n" for row in zip(*columns, strict=True))
+    text += "".join(
+        ",".join(f"{value:.4f}" for value in row) + "\n" for row in zip(*columns, strict=True)
+    )
     file = folder / f"valves-{seed}.csv"
     file.write_text(text)
     return file

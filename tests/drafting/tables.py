@@ -27,7 +27,9 @@ def noise(count: int, sigma: float, seed: int) -> Array:
 def no_load(pressures: Sequence[float], load: float = 0.0) -> Array:
     """Contraction [m] at which the muscle pulls as much as the load, with a spring of 400 N/m as its bladder."""
     at = [
-        brentq(lambda x, p=p: float(force(p, x)) - 400.0 * x - load, 0.0, LENGTH / 2) if force(p, 0.0) > load else 0.0
+        brentq(lambda x, p=p: float(force(p, x)) - 400.0 * x - load, 0.0, LENGTH / 2)
+        if force(p, 0.0) > load
+        else 0.0
         for p in pressures
     ]
     return np.array(at)
@@ -43,6 +45,11 @@ def loop(highest: float, count: int, load: float = 0.0) -> tuple[Array, Array, A
 
 def write(file: Path, heading: str, rows: Sequence[Sequence[object]], end: str = "") -> Path:
     """A file of text with commas; ``end``: what every line ends with."""
-    lines = [",".join(str(cell) if isinstance(cell, str) else f"{cell:.4g}" for cell in row) + end for row in rows]
-    file.write_text("\n".join([*([heading + end] if heading else []), *lines]) + "\n", encoding="utf-8")
+    lines = [
+        ",".join(str(cell) if isinstance(cell, str) else f"{cell:.4g}" for cell in row) + end
+        for row in rows
+    ]
+    file.write_text(
+        "\n".join([*([heading + end] if heading else []), *lines]) + "\n", encoding="utf-8"
+    )
     return file

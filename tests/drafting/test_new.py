@@ -20,7 +20,13 @@ def written(made: NewDataSet) -> dict[str, Any]:
 
 def test_german_regulator(tmp_path: Path) -> None:
     """Semicolons, decimal commas, Latin-1, a remark, and a potentiometer that counts down from 212.5 mm."""
-    files = several(german, tmp_path / "lab", ([2e5, 3e5, 1e5], 1), ([3e5, 4e5, 2e5], 3), ([2.5e5, 3.5e5, 1.5e5], 5))
+    files = several(
+        german,
+        tmp_path / "lab",
+        ([2e5, 3e5, 1e5], 1),
+        ([3e5, 4e5, 2e5], 3),
+        ([2.5e5, 3.5e5, 1.5e5], 5),
+    )
     made = pam.new(tmp_path / "my-rig", files, parameters={"load.m": "2.27 kg"}, title='a "rig"')
     content = written(made)
     assert content["title"] == 'a "rig"' and content["model"] == "MyRig.mo"
@@ -34,7 +40,9 @@ def test_german_regulator(tmp_path: Path) -> None:
     assert all(run["interpolation"] == "previous" for run in content["runs"])
     assert content["parameters"] == {"load.m": "2.27 kg"} and "regulator.tau" in content["fit"]
     signals = made.data.signals
-    assert signals["p"].sigma == pytest.approx(400.0, rel=0.2) and signals["x"].sigma == pytest.approx(5e-5, rel=0.2)
+    assert signals["p"].sigma == pytest.approx(400.0, rel=0.2) and signals[
+        "x"
+    ].sigma == pytest.approx(5e-5, rel=0.2)
     for run in made.data.runs:
         assert abs(float(np.mean(run.measurements["x"][:100]))) < 2e-5  # its zero
         assert 0.02 < float(np.max(run.measurements["x"])) < 0.12
@@ -55,7 +63,9 @@ def test_matlab_isometric(tmp_path: Path) -> None:
     lengths = [float(np.mean(run.inputs["s"])) for run in made.data.runs]
     np.testing.assert_allclose(lengths, [0.0, 0.01, 0.02, 0.03], atol=1e-4)
     starts = [run.get("parameters", {}).get("drive.s_start", "0 mm") for run in content["runs"]]
-    np.testing.assert_allclose([float(one.split()[0]) for one in starts], [0.0, 10.0, 20.0, 30.0], atol=0.1)
+    np.testing.assert_allclose(
+        [float(one.split()[0]) for one in starts], [0.0, 10.0, 20.0, 30.0], atol=0.1
+    )
     assert content["runs"][0]["role"] == content["runs"][3]["role"] == "fit"
     assert made.data.signals["F"].sigma == pytest.approx(0.3, rel=0.2)
 
@@ -77,10 +87,15 @@ def test_two_runs_of_valves(tmp_path: Path) -> None:
 @pytest.mark.full
 def test_twenty_runs_with_loads_in_their_names(tmp_path: Path) -> None:
     masses = [2.5, 5.0, 7.5, 10.0]
-    courses = [([1e5 + 2e4 * (i % 7), 2e5 + 3e4 * (i % 5), 1e5 * (i % 3)], i, masses[i % 4]) for i in range(20)]
+    courses = [
+        ([1e5 + 2e4 * (i % 7), 2e5 + 3e4 * (i % 5), 1e5 * (i % 3)], i, masses[i % 4])
+        for i in range(20)
+    ]
     made = pam.new(tmp_path / "rig", several(french, tmp_path / "lab", *courses))
     content = written(made)
-    assert [run["parameters"]["load.m"] for run in content["runs"]] == [f"{masses[i % 4]:g} kg" for i in range(20)]
+    assert [run["parameters"]["load.m"] for run in content["runs"]] == [
+        f"{masses[i % 4]:g} kg" for i in range(20)
+    ]
     assert sum(run["role"] == "holdout" for run in content["runs"]) == 5
     assert content["columns"]["p"] == {"column": "pression"} and list(content["signals"]) == ["x"]
     fitted = [run.parameters["load.m"] for run in made.data.fit_runs]
@@ -89,11 +104,16 @@ def test_twenty_runs_with_loads_in_their_names(tmp_path: Path) -> None:
 
 def test_what_the_user_says_counts(tmp_path: Path) -> None:
     text = "time [s],Druck 1 [bar],Druck 2 [bar],Weg [mm]\n"
-    text += "".join(f"{0.01 * i},{min(i / 50, 3):.3f},{min(i / 40, 3):.3f},{min(i / 20, 20):.3f}\n" for i in range(300))
+    text += "".join(
+        f"{0.01 * i},{min(i / 50, 3):.3f},{min(i / 40, 3):.3f},{min(i / 20, 20):.3f}\n"
+        for i in range(300)
+    )
     (tmp_path / "a.csv").write_text(text)
     guessed = pam.new(tmp_path / "one", [tmp_path / "a.csv"])
     assert any("could be it too" in guess.why for guess in guessed.guesses)
-    other = next(n for n in ("Druck 1", "Druck 2") if written(guessed)["columns"]["p"]["column"] != n)
+    other = next(
+        n for n in ("Druck 1", "Druck 2") if written(guessed)["columns"]["p"]["column"] != n
+    )
     said = pam.new(
         tmp_path / "two", [tmp_path / "a.csv"], columns={"p": other, "x": "2 * Weg"}, model="VerticalLoad",
         recording={"decimal": "."},
@@ -109,14 +129,22 @@ def test_supply_absolute_pressure_and_a_single_switch(tmp_path: Path) -> None:
     time = 0.002 * np.arange(1500)
     p = 1.013 + 3.0 * (1.0 - np.exp(-np.clip(time - 1.0, 0.0, None) / 0.2))
     rng = np.random.default_rng(1)
-    rows = np.column_stack([time, time > 1.0, 6.0 + rng.normal(0, 0.01, 1500), p + rng.normal(0, 0.003, 1500)])
+    rows = np.column_stack(
+        [time, time > 1.0, 6.0 + rng.normal(0, 0.01, 1500), p + rng.normal(0, 0.003, 1500)]
+    )
     x = 40.0 * (p - 1.013) / 3.0 + rng.normal(0, 0.02, 1500)
     text = "t [s];Ventil;P1 [bar];P2 [bar];Weg [mm]\n"
-    text += "".join(f"{a:.3f};{b:.0f};{c:.4f};{d:.4f};{e:.3f}\n" for (a, b, c, d), e in zip(rows, x, strict=True))
+    text += "".join(
+        f"{a:.3f};{b:.0f};{c:.4f};{d:.4f};{e:.3f}\n"
+        for (a, b, c, d), e in zip(rows, x, strict=True)
+    )
     (tmp_path / "a.csv").write_text(text)
     made = pam.new(tmp_path / "rig", [tmp_path / "a.csv"])
     content = written(made)
-    assert content["columns"]["p_supply"]["column"] == "P1" and content["columns"]["u_in"]["column"] == "Ventil"
+    assert (
+        content["columns"]["p_supply"]["column"] == "P1"
+        and content["columns"]["u_in"]["column"] == "Ventil"
+    )
     assert "zero" in content["columns"]["p"]
     assert float(np.mean(made.data.runs[0].measurements["p"][:300])) == pytest.approx(0.0, abs=50.0)
     assert any("u_out" in line for line in made.to_check)
@@ -129,14 +157,22 @@ def test_runs_that_differ(tmp_path: Path) -> None:
         time = 100.0 * number + 0.01 * np.arange(400)
         p = 100.0 * (number + 1) * np.clip(0.01 * np.arange(400) - 1.0, 0.0, 1.0)
         x = 7.0 + p / 10 + np.random.default_rng(number).normal(0.0, 0.02, 400)
-        columns = {"t [s]": time, "p_set [kPa]": p, "x [mm]": x} | ({"F [N]": x + p} if number < 2 else {})
-        rows = "".join(",".join(f"{v:.4f}" for v in row) + "\n" for row in zip(*columns.values(), strict=True))
+        columns = {"t [s]": time, "p_set [kPa]": p, "x [mm]": x} | (
+            {"F [N]": x + p} if number < 2 else {}
+        )
+        rows = "".join(
+            ",".join(f"{v:.4f}" for v in row) + "\n" for row in zip(*columns.values(), strict=True)
+        )
         files.append(tmp_path / f"run{number}.csv")
         files[-1].write_text(",".join(columns) + "\n" + rows)
     made = pam.new(tmp_path / "rig", files, model="regulator and spring")
     content = written(made)
     assert "Mechanics.Spring" in next(made.folder.glob("*.mo")).read_text()
-    assert [run["columns"]["x"]["zero"]["from"] for run in content["runs"]] == ["0 s", "100 s", "200 s"]
+    assert [run["columns"]["x"]["zero"]["from"] for run in content["runs"]] == [
+        "0 s",
+        "100 s",
+        "200 s",
+    ]
     for run in made.data.runs:
         assert abs(float(np.mean(run.measurements["x"][:90]))) < 1e-5
     assert ["F" in run.measurements for run in made.data.runs] == [True, True, False]
@@ -155,9 +191,12 @@ def test_a_fixed_length_that_nobody_recorded(tmp_path: Path) -> None:
 def test_columns_that_are_parameters(tmp_path: Path) -> None:
     """A mass and a room's temperature that loggers repeat in every row; a column that is called like a unit."""
     rows = "".join(
-        f"{0.1 * i:.1f};{min(i, 99)};{200 - min(i, 99) / 3:.2f};5;{22 + 0.01 * (i % 2)};1\n" for i in range(120)
+        f"{0.1 * i:.1f};{min(i, 99)};{200 - min(i, 99) / 3:.2f};5;{22 + 0.01 * (i % 2)};1\n"
+        for i in range(120)
     )
-    (tmp_path / "a.csv").write_text("t [s];p [kPa];x [mm];Masse [kg];Raumtemperatur [degC];mm\n" + rows)
+    (tmp_path / "a.csv").write_text(
+        "t [s];p [kPa];x [mm];Masse [kg];Raumtemperatur [degC];mm\n" + rows
+    )
     made = pam.new(tmp_path / "rig", [tmp_path / "a.csv"])
     own = written(made)["runs"][0]["parameters"]
     assert own["load.m"] == "5 kg" and own["ambient.T"].startswith("295.15")

@@ -15,7 +15,11 @@ RAMP = np.clip(TIME - 3.0, 0.0, 2.0)  # rests until 3 s and from 5 s
 def test_rest_is_found_beside_noise() -> None:
     found = rests(TIME, [RAMP + RNG.normal(0.0, 0.01, 1000)])
     assert [one.start for one in found][0] == 0
-    assert len(found) == 2 and 2.5 < TIME[found[0].stop - 1] < 3.05 and 4.95 < TIME[found[1].start] < 5.5
+    assert (
+        len(found) == 2
+        and 2.5 < TIME[found[0].stop - 1] < 3.05
+        and 4.95 < TIME[found[1].start] < 5.5
+    )
 
 
 def test_all_columns_must_rest() -> None:
@@ -52,7 +56,9 @@ def test_noise_at_rest(sigma: float) -> None:
 def test_noise_below_the_step_of_the_record() -> None:
     values = np.round(RAMP / 0.05) * 0.05
     value, step = noise_at_rest(TIME, values, rests(TIME, [values])[0])
-    assert step == pytest.approx(0.05, rel=1e-6) and value == pytest.approx(0.05 / np.sqrt(12.0), rel=1e-3)
+    assert step == pytest.approx(0.05, rel=1e-6) and value == pytest.approx(
+        0.05 / np.sqrt(12.0), rel=1e-3
+    )
 
 
 def test_computed_numbers_have_no_noise() -> None:
@@ -64,5 +70,9 @@ def test_kinds_of_courses() -> None:
     stairs = np.repeat(np.arange(20.0), 50)
     lagged = np.convolve(stairs, np.exp(-np.arange(60) / 12.0) / 12.0)[:1000]
     assert is_held(stairs) and not is_held(lagged) and not is_held(np.ones(1000))
-    assert is_switch(np.where(TIME > 2.0, 1.0, 0.0)) and not is_switch(stairs) and not is_switch(np.ones(5))
+    assert (
+        is_switch(np.where(TIME > 2.0, 1.0, 0.0))
+        and not is_switch(stairs)
+        and not is_switch(np.ones(5))
+    )
     assert is_constant(207.0 + RNG.normal(0.0, 0.3, 1000)) and not is_constant(RAMP)

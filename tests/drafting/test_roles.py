@@ -29,7 +29,9 @@ def test_never_the_outermost() -> None:
     told = roles([course(level) for level in levels], BENCH)
     held = [level for level, role in zip(levels, told, strict=True) if role.role == "holdout"]
     assert held and min(levels) not in held and max(levels) not in held
-    assert all("within" in role.why and " to " in role.why for role in told if role.role == "holdout")
+    assert all(
+        "within" in role.why and " to " in role.why for role in told if role.role == "holdout"
+    )
 
 
 def test_the_order_of_the_files_does_not_matter() -> None:

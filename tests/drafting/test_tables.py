@@ -30,7 +30,9 @@ def test_a_map_of_force_with_gaps_and_commas_at_the_ends(tmp_path: Path) -> None
     ]
     rows[7][3] = "nan"
     rows[9][1] = "nan"
-    made = pam.new(tmp_path / "rig", [write(tmp_path / "map.csv", "Nr,pressure,contraction,force", rows, ",,")])
+    made = pam.new(
+        tmp_path / "rig", [write(tmp_path / "map.csv", "Nr,pressure,contraction,force", rows, ",,")]
+    )
     content = written(made)
     assert content["kind"] == "static" and content["model"].endswith("QuasiStaticIsometric")
     assert content["recording"] == {"ignore": ["Nr"], "missing": ["nan"]}
@@ -63,11 +65,17 @@ def test_one_question_where_nobody_says_at_which_contraction(tmp_path: Path) -> 
     files = []
     for name, x in (("b", 0.0), ("a", 0.03), ("c", 0.01)):
         p, _, pull = grid(PRESSURES, [x])
-        files.append(write(tmp_path / f"{name}.csv", "p [bar],F [N]", list(zip(p / 1e5, pull, strict=True))))
-    with pytest.raises(pam.InputError, match=r"contraction \(x\); say it: --parameter 'x=0 mm'.*'x@FILE=0 mm'"):
+        files.append(
+            write(tmp_path / f"{name}.csv", "p [bar],F [N]", list(zip(p / 1e5, pull, strict=True)))
+        )
+    with pytest.raises(
+        pam.InputError, match=r"contraction \(x\); say it: --parameter 'x=0 mm'.*'x@FILE=0 mm'"
+    ):
         pam.new(tmp_path / "rig", files)
     assert not (tmp_path / "rig").exists()
-    made = pam.new(tmp_path / "rig", files, parameters={"x@b": "0 mm", "x@a": "30 mm", "x@c": "10 mm"})
+    made = pam.new(
+        tmp_path / "rig", files, parameters={"x@b": "0 mm", "x@a": "30 mm", "x@c": "10 mm"}
+    )
     assert [run["role"] for run in written(made)["runs"]] == ["fit", "fit", "holdout"]
     with pytest.raises(pam.InputError, match="no recording 'd'"):
         pam.new(tmp_path / "other", files, parameters={"x@d": "0 mm"})
@@ -82,12 +90,15 @@ def test_the_direction_by_any_word(tmp_path: Path, column: str, up: object, down
     """What a word means follows from the pressure, however it is called; the rows are shuffled in no way."""
     p, x, way = loop(5e5, 11)
     rows: list[list[object]] = [
-        [1, a / 1e3, 1e3 * b, up if c > 0 else down] for a, b, c in zip(p, x + noise(len(p), 5e-5, 2), way, strict=True)
+        [1, a / 1e3, 1e3 * b, up if c > 0 else down]
+        for a, b, c in zip(p, x + noise(len(p), 5e-5, 2), way, strict=True)
     ]
     file = write(tmp_path / "no load.csv", f"cycle,p [kPa],contraction [mm],{column}", rows)
     made = pam.new(tmp_path / "rig", [file])
     content = written(made)
-    assert content["model"].endswith("QuasiStaticIsotonic") and content["recording"] == {"ignore": ["cycle"]}
+    assert content["model"].endswith("QuasiStaticIsotonic") and content["recording"] == {
+        "ignore": ["cycle"]
+    }
     assert content["runs"][0]["parameters"] == {"F": "0 N"}
     (told,) = [guess for guess in made.guesses if "branch" in guess.taken_as]
     assert f"{up} = up" in told.taken_as and f"{down} = down" in told.taken_as
@@ -100,7 +111,11 @@ def test_the_direction_by_any_word(tmp_path: Path, column: str, up: object, down
 def test_rows_that_go_up_and_come_back_tell_their_direction(tmp_path: Path) -> None:
     p, x, _ = loop(5e5, 9)
     rows = list(zip(p / 1e3, 1e3 * (LENGTH - x), strict=True))
-    made = pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", "p [kPa],length [mm]", rows)], parameters={"F": "0 N"})
+    made = pam.new(
+        tmp_path / "rig",
+        [write(tmp_path / "a.csv", "p [kPa],length [mm]", rows)],
+        parameters={"F": "0 N"},
+    )
     content = written(made)
     assert content["runs"][0]["branch"] == "order"
     assert content["columns"]["x"]["formula"].startswith('"0.24 m" - ')
@@ -137,7 +152,10 @@ def test_a_fluidic_muscle_from_its_table_alone(tmp_path: Path) -> None:
     file.write_bytes(example.read_bytes())
     made = pam.new(tmp_path / "rig", [file])
     free = set(written(made)["fit"])
-    fibres, wall = ("sleeve.D0", "sleeve.alpha_0"), ("membrane.p_0", "membrane.p_w", "membrane.eps_w")
+    fibres, wall = (
+        ("sleeve.D0", "sleeve.alpha_0"),
+        ("membrane.p_0", "membrane.p_w", "membrane.eps_w"),
+    )
     assert free == {f"muscle.{name}" for name in (*fibres, *wall)}
     assert made.data.parameters["muscle.sleeve.L0"] == pytest.approx(0.296)
     before, fitted = pam.compare(made.data), pam.fit(made.data).comparison
@@ -147,9 +165,13 @@ def test_a_fluidic_muscle_from_its_table_alone(tmp_path: Path) -> None:
 
 def test_what_lies_in_the_rubber_is_offered_for_recordings_over_time_too(tmp_path: Path) -> None:
     rows = [[0.01 * i, 2.0 * min(i, 150), 0.4 * min(i, 150)] for i in range(300)]
-    made = pam.new(tmp_path / "rig", [write(tmp_path / "MAS-10-200 run.csv", "t [s],p [kPa],F [N]", rows)])
+    made = pam.new(
+        tmp_path / "rig", [write(tmp_path / "MAS-10-200 run.csv", "t [s],p [kPa],F [N]", rows)]
+    )
     text = (tmp_path / "rig" / "experiment.toml").read_text()
-    assert '# "muscle.membrane.p_w" = { min' in text and "muscle.membrane.p_w" not in written(made).get("fit", {})
+    assert '# "muscle.membrane.p_w" = { min' in text and "muscle.membrane.p_w" not in written(
+        made
+    ).get("fit", {})
     assert '"muscle.sleeve.L0" = "200 mm"' in text
 
 
@@ -158,14 +180,19 @@ def test_a_pressure_along_the_top(tmp_path: Path) -> None:
     x, p = np.arange(0.0, 0.05, 0.01), [1e5, 2e5, 3e5, 4e5]
     pull = grid(p, list(x))[2].reshape(4, 5)
     rows = [[1e3 * a, *column] for a, column in zip(x, pull.T, strict=True)]
-    plain, named = "contraction [mm],1 bar,2 bar,3 bar,4 bar", [f"F@{kilo}kPa [N]" for kilo in (100, 200, 300, 400)]
+    plain, named = (
+        "contraction [mm],1 bar,2 bar,3 bar,4 bar",
+        [f"F@{kilo}kPa [N]" for kilo in (100, 200, 300, 400)],
+    )
     for heading in (plain, ",".join(["x [mm]", *named])):
         folder = tmp_path / heading[0]
         made = pam.new(folder, [write(tmp_path / "sheet.csv", heading, rows)])
         assert sum(run.sample_count("F") for run in made.data.runs) == 20
         told = [(run.inputs["p"][i], run.inputs["x"][i], run.measurements["F"][i])
                 for run in made.data.runs for i in range(len(run.time))]  # fmt: skip
-        expected = [(q, a, f) for q, own in zip(p, pull, strict=True) for a, f in zip(x, own, strict=True)]
+        expected = [
+            (q, a, f) for q, own in zip(p, pull, strict=True) for a, f in zip(x, own, strict=True)
+        ]
         np.testing.assert_allclose(sorted(told), sorted(expected), rtol=2e-3, atol=1e-9)
 
 
@@ -204,14 +231,22 @@ def test_a_short_rest_is_one(tmp_path: Path) -> None:
 
 def test_a_table_that_repeats_the_muscle_and_its_length_in_every_row(tmp_path: Path) -> None:
     rows = [
-        ["MAS-20", 250.0, p, e, p * (3 - e / 9)] for p in (100.0, 200.0, 300.0, 400.0) for e in (0.0, 5.0, 10.0, 15.0)
+        ["MAS-20", 250.0, p, e, p * (3 - e / 9)]
+        for p in (100.0, 200.0, 300.0, 400.0)
+        for e in (0.0, 5.0, 10.0, 15.0)
     ]
     made = pam.new(
-        tmp_path / "rig", [write(tmp_path / "a.csv", "muscle,length_mm,p_kPa,contraction_pct,force_N", rows)]
+        tmp_path / "rig",
+        [write(tmp_path / "a.csv", "muscle,length_mm,p_kPa,contraction_pct,force_N", rows)],
     )
     assert "Muscles.MAS20" in (tmp_path / "rig" / "Rig.mo").read_text()
     assert written(made)["parameters"] == {"muscle.sleeve.L0": "250 mm"}
-    assert {round(1e3 * float(x), 6) for run in made.data.runs for x in run.inputs["s"]} == {0.0, 12.5, 25.0, 37.5}
+    assert {round(1e3 * float(x), 6) for run in made.data.runs for x in run.inputs["s"]} == {
+        0.0,
+        12.5,
+        25.0,
+        37.5,
+    }
 
 
 def test_a_way_for_each_file(tmp_path: Path) -> None:
@@ -222,7 +257,8 @@ def test_a_way_for_each_file(tmp_path: Path) -> None:
         ("test1_0N", "test2_0N", ["order", "order"]),
     ):
         files = [
-            write(tmp_path / f"{name}.csv", "p [bar],x [mm]", own) for name, own in ((up, rows), (down, rows[::-1]))
+            write(tmp_path / f"{name}.csv", "p [bar],x [mm]", own)
+            for name, own in ((up, rows), (down, rows[::-1]))
         ]
         made = pam.new(tmp_path / up, files)
         assert [run["branch"] for run in written(made)["runs"]] == told
@@ -241,6 +277,9 @@ def test_tables_of_a_press_come_to_a_verdict_with_no_line_by_hand(tmp_path: Path
         files.append(write(tmp_path / f"Kraft_{bar}bar.csv", "Nr.,Länge [mm],Kraft [N]", rows, ","))
     diagnosis = pam.diagnose(pam.new(tmp_path / "rig", files).data)
     assert diagnosis.verdict.kind in ("identified", "ambiguous") and diagnosis.path
-    before, after = (c.scores["holdout"]["F"].rmse for c in (diagnosis.base.comparison, diagnosis.final.comparison))
+    before, after = (
+        c.scores["holdout"]["F"].rmse
+        for c in (diagnosis.base.comparison, diagnosis.final.comparison)
+    )
     assert after < 3 * sigma and after < before / 20
     assert {"pressure_sensor_lag", "temperature_sensor", "creep"} <= set(diagnosis.not_tried)

@@ -25,8 +25,12 @@ def test_calibration_of_the_valve(tmp_path: Path) -> None:
     with xarray.open_dataset(tmp_path / "valve.nc") as data:
         area = data["effective area"].isel(u_in=-1, p_supply=-1)
         choked = constant * float(area) * (280e3 + 101325.0) / np.sqrt(293.15)
-        assert float(data["mass flow"].isel(u_in=-1, p_supply=-1)) == pytest.approx(choked, rel=2e-3)
-        assert (data["mass flow"].diff("p_supply") > 0).all() and (data["mass flow"].diff("u_in") > 0).all()
+        assert float(data["mass flow"].isel(u_in=-1, p_supply=-1)) == pytest.approx(
+            choked, rel=2e-3
+        )
+        assert (data["mass flow"].diff("p_supply") > 0).all() and (
+            data["mass flow"].diff("u_in") > 0
+        ).all()
 
 
 @pytest.mark.full
@@ -36,8 +40,17 @@ def test_the_notebook_runs_from_top_to_bottom() -> None:
 
     notebook = nbformat.read(ROOT / "examples" / "tour.ipynb", as_version=4)
     NotebookClient(
-        notebook, timeout=300, kernel_name="python3", resources={"metadata": {"path": ROOT / "examples"}}
+        notebook,
+        timeout=300,
+        kernel_name="python3",
+        resources={"metadata": {"path": ROOT / "examples"}},
     ).execute()
-    shown = [output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs]
-    assert not [output for output in shown if output.output_type == "error" or output.get("name") == "stderr"]
+    shown = [
+        output for cell in notebook.cells if cell.cell_type == "code" for output in cell.outputs
+    ]
+    assert not [
+        output
+        for output in shown
+        if output.output_type == "error" or output.get("name") == "stderr"
+    ]
     assert sum("text/html" in output.get("data", {}) for output in shown) >= 5

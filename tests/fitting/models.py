@@ -30,16 +30,31 @@ def data_set(
     parameters: Mapping[str, float] | None = None,
 ) -> DataSet:
     signals = {n: Signal(n, UNITS[n], s) for n, s in sigma.items()}
-    return DataSet(Path("rig"), "a rig", model, signals, dict(parameters or {}), {f.name: f for f in fit}, tuple(runs))
+    return DataSet(
+        Path("rig"),
+        "a rig",
+        model,
+        signals,
+        dict(parameters or {}),
+        {f.name: f for f in fit},
+        tuple(runs),
+    )
 
 
 def recording(
-    time: Array, measurements: Mapping[str, Array], role: str = "fit", inputs: Mapping[str, Array] | None = None
+    time: Array,
+    measurements: Mapping[str, Array],
+    role: str = "fit",
+    inputs: Mapping[str, Array] | None = None,
 ) -> Run:
-    return Run("run", Path("run.csv"), role, "linear", {}, time, dict(inputs or {}), dict(measurements))  # type: ignore[arg-type]
+    return Run(
+        "run", Path("run.csv"), role, "linear", {}, time, dict(inputs or {}), dict(measurements)
+    )  # type: ignore[arg-type]
 
 
-def discharge(c_d: float = TRUE_C_D, n: float = TRUE_N, times: Array = TIMES) -> tuple[Array, Array]:
+def discharge(
+    c_d: float = TRUE_C_D, n: float = TRUE_N, times: Array = TIMES
+) -> tuple[Array, Array]:
     """Pressure [Pa gauge] and temperature [K] of the reference vessel that empties."""
     vessel = Vessel(VOLUME, n, P_START + P_ATM, T_START)
     trajectory = simulate_vessel(vessel, orifice_port(DIAMETER, c_d, 0.0), times, P_START)

@@ -56,9 +56,13 @@ def test_it_is_within_bounds_and_as_low_as_scipys(problem: Problem) -> None:
     edges = (low[apart] * size, high[apart] * size)
     if apart.any():
         other = x.copy()
-        scaled = lsq_linear(matrix[:, apart] / size, rest, edges, method="bvls", tol=1e-14, max_iter=1000).x
+        scaled = lsq_linear(
+            matrix[:, apart] / size, rest, edges, method="bvls", tol=1e-14, max_iter=1000
+        ).x
         other[apart] = scaled / size
-        assert cost(problem, x) <= cost(problem, other) + 1e-9 * max(cost(problem, other), float(right @ right))
+        assert cost(problem, x) <= cost(problem, other) + 1e-9 * max(
+            cost(problem, other), float(right @ right)
+        )
 
 
 @settings(max_examples=200, deadline=None)
@@ -68,7 +72,11 @@ def test_no_other_point_of_the_box_is_lower(problem: Problem, seed: int) -> None
     x = bounded_least_squares(*problem)
     random = np.random.default_rng(seed)
     for _ in range(20):
-        other = np.clip(x + random.normal(size=len(x)) * 10.0 ** random.uniform(-6, 1) * (abs(x) + 1e-4), low, high)
+        other = np.clip(
+            x + random.normal(size=len(x)) * 10.0 ** random.uniform(-6, 1) * (abs(x) + 1e-4),
+            low,
+            high,
+        )
         assert cost(problem, x) <= cost(problem, other) + 1e-9 * float(right @ right)
 
 
@@ -93,6 +101,10 @@ def test_the_net_comes_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_nothing_to_move() -> None:
-    x = bounded_least_squares(np.zeros((3, 2)), np.ones(3), np.array([-1.0, 2.0]), np.array([1.0, 3.0]))
+    x = bounded_least_squares(
+        np.zeros((3, 2)), np.ones(3), np.array([-1.0, 2.0]), np.array([1.0, 3.0])
+    )
     assert x.tolist() == [0.0, 2.0]
-    assert bounded_least_squares(np.zeros((3, 0)), np.ones(3), np.zeros(0), np.zeros(0)).shape == (0,)
+    assert bounded_least_squares(np.zeros((3, 0)), np.ones(3), np.zeros(0), np.zeros(0)).shape == (
+        0,
+    )

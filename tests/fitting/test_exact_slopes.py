@@ -23,7 +23,10 @@ _FREE = (
 def _data() -> DataSet:
     p = 4e5 * np.exp(-TIMES / 20.0)
     p[5] = np.nan
-    runs = [recording(TIMES, {"p": p}), replace(recording(TIMES, {"p": p}), parameters={"tank.n": 1.3})]
+    runs = [
+        recording(TIMES, {"p": p}),
+        replace(recording(TIMES, {"p": p}), parameters={"tank.n": 1.3}),
+    ]
     return data_set("VesselOrifice", runs, {"p": 500.0})
 
 

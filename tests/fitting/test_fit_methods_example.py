@@ -27,6 +27,8 @@ def test_all_methods_come_to_one_optimum_and_the_swarm_alone_does_not(tmp_path: 
     assert made["least-squares"].evaluations < 60 < made["particle-swarm"].search.evaluations
     example.draw(made, tmp_path / "fit-methods.png")
     assert other_pictures(tmp_path) == []
-    said = [quote for quote in quoted("fitting.md") if "simulations" in quote or "generation" in quote]
+    said = [
+        quote for quote in quoted("fitting.md") if "simulations" in quote or "generation" in quote
+    ]
     assert len(said) == 6
     assert [quote for quote in said if quote not in one_line(example.told(made))] == []

@@ -45,13 +45,19 @@ def test_typical_range_holds_95_percent_of_a_prior_as_it_is_searched() -> None:
         Free("g", 0.5, 2.0, 1.0).with_typical_range(0.95, 1.05),
         Free("t", 1e-4, 5.0, 0.1).with_typical_range(1e-3, 0.1),
     )
-    assert gain.prior is not None and not gain.prior.logarithmic and gain.prior.mean == pytest.approx(1.0)
+    assert (
+        gain.prior is not None
+        and not gain.prior.logarithmic
+        and gain.prior.mean == pytest.approx(1.0)
+    )
     assert lag.prior is not None and lag.prior.logarithmic and lag.prior.mean == pytest.approx(0.01)
     for prior, low, high in ((gain.prior, 0.95, 1.05), (lag.prior, 1e-3, 0.1)):
         assert (prior.low, prior.high) == pytest.approx((low, high))
         assert (prior.surprise(low), prior.surprise(high)) == pytest.approx((-1.96, 1.96))
         step = 1e-6 * high
-        assert prior.slope(low) == pytest.approx((prior.surprise(low + step) - prior.surprise(low)) / step, rel=1e-3)
+        assert prior.slope(low) == pytest.approx(
+            (prior.surprise(low + step) - prior.surprise(low)) / step, rel=1e-3
+        )
 
 
 @pytest.mark.parametrize("start", [1e-3, 1.0, 3e4])
@@ -77,9 +83,12 @@ def test_unknown_parameter_names_the_file() -> None:
 
 
 @pytest.mark.parametrize(
-    ("default", "start", "expected"), [(0.7, None, 0.7), (3.0, None, 1.0), (None, None, 0.5), (0.7, 0.2, 0.2)]
+    ("default", "start", "expected"),
+    [(0.7, None, 0.7), (3.0, None, 1.0), (None, None, 0.5), (0.7, 0.2, 0.2)],
 )
 def test_first_guess(default: float | None, start: float | None, expected: float) -> None:
     data = vessel_data(fit=(FreeParameter("a", 0.0, 1.0, start),))
-    (free,) = base_parameters(data, Interface("Test", parameters={"a": Variable("a", start=default)}))
+    (free,) = base_parameters(
+        data, Interface("Test", parameters={"a": Variable("a", start=default)})
+    )
     assert free.start == expected

@@ -33,12 +33,16 @@ sigma = "1 kPa"
 RUN = '[[runs]]\nfile = "{name}.csv"\n'
 
 
-def write(folder: Path, fit: str, runs: dict[str, str], c_d: dict[str, float] | None = None) -> Path:
+def write(
+    folder: Path, fit: str, runs: dict[str, str], c_d: dict[str, float] | None = None
+) -> Path:
     """A data set of the independent vessel; each run with its own discharge coefficient, and further lines."""
     folder.mkdir(exist_ok=True)
     text = HEAD.format(fit=fit)
     for k, (name, lines) in enumerate(runs.items()):
-        p = discharge((c_d or {}).get(name, TRUE_C_D))[0] + 1e3 * np.random.default_rng([k, 5]).standard_normal(61)
+        p = discharge((c_d or {}).get(name, TRUE_C_D))[0] + 1e3 * np.random.default_rng(
+            [k, 5]
+        ).standard_normal(61)
         rows = [f"{t},{value / 1e3:.5f}" for t, value in enumerate(p)]
         (folder / f"{name}.csv").write_text("\n".join(["time [s],p [kPa]", *rows, ""]))
         text += RUN.format(name=name) + lines + "\n"
@@ -58,11 +62,15 @@ def test_prior_adds_to_the_chi_square_as_one_more_measurement() -> None:
     between = pam.fit(replace(data, fit={"tank.n": replace(N, prior=Prior(far, sd))}))
     estimate = between.parameters["tank.n"]
     assert estimate.value == pytest.approx(free.value - 2 * sd, abs=0.1 * sd)
-    assert estimate.surprise == pytest.approx(2, abs=0.1) and between.chi2_priors == pytest.approx(4, abs=0.4)
+    assert estimate.surprise == pytest.approx(2, abs=0.1) and between.chi2_priors == pytest.approx(
+        4, abs=0.4
+    )
     assert (estimate.high - estimate.low) / 3.92 == pytest.approx(sd / np.sqrt(2), rel=0.1)
     assert "sd from the prior" in str(between)
     assert between.as_dict()["chi2_priors"] == between.chi2_priors
-    wide = pam.fit(replace(data, fit={"tank.n": replace(N, prior=Prior(far, 1e3 * sd))})).parameters["tank.n"]
+    wide = pam.fit(
+        replace(data, fit={"tank.n": replace(N, prior=Prior(far, 1e3 * sd))})
+    ).parameters["tank.n"]
     assert wide.value == pytest.approx(free.value, abs=1e-3 * sd)
 
 
@@ -84,7 +92,9 @@ def test_prior_of_the_logarithm_is_as_steep_as_the_fit_takes_it_for() -> None:
 def test_logarithm_changes_the_way_and_not_the_end() -> None:
     data = vessel_data()
     linear = pam.fit(data).values
-    logarithmic = pam.fit(replace(data, fit={n: replace(f, transform="log") for n, f in data.fit.items()})).values
+    logarithmic = pam.fit(
+        replace(data, fit={n: replace(f, transform="log") for n, f in data.fit.items()})
+    ).values
     assert logarithmic == pytest.approx(linear, rel=1e-4)
 
 
@@ -104,56 +114,92 @@ def test_run_has_a_parameter_of_its_own(tmp_path: Path) -> None:
     values = read_parameters(tmp_path / "p.json")
     assert values == fit.values
     again = pam.compare(data, parameters=values)
-    assert again.scores["all"]["p"].rmse == pytest.approx(fit.comparison.scores["all"]["p"].rmse, rel=1e-4)
+    assert again.scores["all"]["p"].rmse == pytest.approx(
+        fit.comparison.scores["all"]["p"].rmse, rel=1e-4
+    )
     with pytest.raises(InputError, match="no run 'd'"):
         pam.compare(data, parameters={"orifice.C_d@d": 0.6})
 
 
 def test_data_set_is_written_as_it_was_read(tmp_path: Path) -> None:
-    fit = '"tank.n" = { min = 1.0, max = 1.4, transform = "log", prior = { mean = 1.2, sd = 0.05 } }'
+    fit = (
+        '"tank.n" = { min = 1.0, max = 1.4, transform = "log", prior = { mean = 1.2, sd = 0.05 } }'
+    )
     own = '[runs.fit]\n"tank.V" = { min = "16 l", max = "17 l", prior = { mean = "16.2 l", sd = "0.1 l" } }'
     data = pam.read(write(tmp_path / "rig", fit, {"a": own, "b": ""}))
     assert data.fit["tank.V@a"].prior == Prior(pytest.approx(0.0162), pytest.approx(1e-4))
-    assert "tank.V" not in data.runs[0].parameters and data.runs[1].parameters["tank.V"] == pytest.approx(0.0162)
+    assert "tank.V" not in data.runs[0].parameters and data.runs[1].parameters[
+        "tank.V"
+    ] == pytest.approx(0.0162)
     interface = pam.describe(data.model)
     again = write_data_set(tmp_path / "copy", data, interface)
     assert list(again.fit) == list(data.fit)
     for name, free in data.fit.items():
         copy = again.fit[name]
-        assert (copy.transform, copy.run, copy.parameter) == (free.transform, free.run, free.parameter)
+        assert (copy.transform, copy.run, copy.parameter) == (
+            free.transform,
+            free.run,
+            free.parameter,
+        )
         assert [copy.min, copy.max, copy.prior.mean, copy.prior.sd] == pytest.approx(  # type: ignore[union-attr]
             [free.min, free.max, free.prior.mean, free.prior.sd]  # type: ignore[union-attr]
         )
-    assert read_data_set(tmp_path / "copy", lambda _: interface).runs[0].parameters == pytest.approx(
-        data.runs[0].parameters
-    )
+    assert read_data_set(tmp_path / "copy", lambda _: interface).runs[
+        0
+    ].parameters == pytest.approx(data.runs[0].parameters)
 
 
 HELD = 'role = "holdout"\n[runs.fit]\n"tank.n" = { min = 1.0, max = 1.4 }'
 TWICE = '[runs.parameters]\n"tank.n" = 1.2\n[runs.fit]\n"tank.n" = { min = 1.0, max = 1.4 }'
 BAD = [
-    ('"tank.n" = { min = 0, max = 1.4, transform = "log" }', "", "a logarithm needs bounds above zero|outside"),
-    ('"orifice.d" = { min = "0 mm", max = "3 mm", transform = "log" }', "", "above zero|outside the model's range"),
+    (
+        '"tank.n" = { min = 0, max = 1.4, transform = "log" }',
+        "",
+        "a logarithm needs bounds above zero|outside",
+    ),
+    (
+        '"orifice.d" = { min = "0 mm", max = "3 mm", transform = "log" }',
+        "",
+        "above zero|outside the model's range",
+    ),
     (
         '"tank.n" = { min = 1.0, max = 1.4, transform = "square" }',
         "",
         "'square' is not possible; write 'log' or 'linear'",
     ),
-    ('"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2 } }', "", "'sd' is missing: write prior = "),
+    (
+        '"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2 } }',
+        "",
+        "'sd' is missing: write prior = ",
+    ),
     (
         '"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2, sd = 0 } }',
         "",
         "sd of the prior of tank.n must be greater",
     ),
-    ('"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2, sd = "1 kg" } }', "", "sd of the prior of tank.n"),
-    ('"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2, sb = 1 } }', "", "unknown key 'sb'; Known: mean, sd"),
+    (
+        '"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2, sd = "1 kg" } }',
+        "",
+        "sd of the prior of tank.n",
+    ),
+    (
+        '"tank.n" = { min = 1.0, max = 1.4, prior = { mean = 1.2, sb = 1 } }',
+        "",
+        "unknown key 'sb'; Known: mean, sd",
+    ),
     (BOTH, TWICE, "free under .runs.fit. and has a value under .runs.parameters."),
-    (BOTH, '[runs.fit]\n"tank.m" = { min = 1.0, max = 1.4 }', "no parameter 'tank.m'; did you mean"),
+    (
+        BOTH,
+        '[runs.fit]\n"tank.m" = { min = 1.0, max = 1.4 }',
+        "no parameter 'tank.m'; did you mean",
+    ),
 ]
 
 
 @pytest.mark.parametrize(("fit", "lines", "message"), BAD)
-def test_what_cannot_be_is_one_message_with_its_line(fit: str, lines: str, message: str, tmp_path: Path) -> None:
+def test_what_cannot_be_is_one_message_with_its_line(
+    fit: str, lines: str, message: str, tmp_path: Path
+) -> None:
     with pytest.raises(InputError, match=message) as caught:
         pam.read(write(tmp_path / "rig", fit, {"a": lines}))
     assert caught.value.line is not None
@@ -167,6 +213,8 @@ def test_holdout_run_has_nothing_of_its_own_to_fit(tmp_path: Path) -> None:
 def test_starts_are_followed_each_to_its_end() -> None:
     fit = pam.fit(vessel_data(), method="multi-start", starts=5)
     assert len(fit.convergence.descents) == 6
-    assert fit.convergence.descents.min() == pytest.approx(fit.residuals["fit"].chi2_reduced, rel=1e-6)
+    assert fit.convergence.descents.min() == pytest.approx(
+        fit.residuals["fit"].chi2_reduced, rel=1e-6
+    )
     with pytest.raises(InputError, match="starts are for the method multi-start"):
         pam.fit(vessel_data(), starts=5)

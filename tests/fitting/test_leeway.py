@@ -35,7 +35,9 @@ def fitted(bench: Callable[[str], Path]) -> Callable[[DataSet], Fit]:
     return run
 
 
-def test_an_error_within_the_uncertainty_of_the_parameters_is_none(fitted: Callable[[DataSet], Fit]) -> None:
+def test_an_error_within_the_uncertainty_of_the_parameters_is_none(
+    fitted: Callable[[DataSet], Fit],
+) -> None:
     result = fitted(_both(5.0, TRUE_C_D))
     raw, tested = result.residuals["holdout"], result.residuals_beyond_uncertainty["holdout"]
     assert abs(result.parameters["tank.n"].value - TRUE_N) > 0.002  # 5 s tell the exponent badly
@@ -44,17 +46,24 @@ def test_an_error_within_the_uncertainty_of_the_parameters_is_none(fitted: Calla
     assert result.residuals_beyond_uncertainty["fit"] == result.residuals["fit"]
 
 
-def test_an_error_that_the_fitted_run_does_not_allow_stays(fitted: Callable[[DataSet], Fit]) -> None:
+def test_an_error_that_the_fitted_run_does_not_allow_stays(
+    fitted: Callable[[DataSet], Fit],
+) -> None:
     result = fitted(_both(60.0, 0.93 * TRUE_C_D))
     raw, tested = result.residuals["holdout"], result.residuals_beyond_uncertainty["holdout"]
     assert raw.chi2_reduced > 5.0
     assert tested.chi2_reduced > 3.0
 
 
-def test_without_being_asked_or_without_held_out_runs_there_is_none(bench: Callable[[str], Path]) -> None:
+def test_without_being_asked_or_without_held_out_runs_there_is_none(
+    bench: Callable[[str], Path],
+) -> None:
     data = _both(60.0, TRUE_C_D)
     with Simulator(bench("VesselOrifice")) as simulator:
         assert fit(simulator, data).holdout_uncertainty.shifts == {}
         alone = replace(data, runs=data.runs[:1])
         result = fit(simulator, alone, options=FitOptions(holdout_uncertainty=True))
-    assert result.holdout_uncertainty.shifts == {} and result.residuals_beyond_uncertainty == result.residuals
+    assert (
+        result.holdout_uncertainty.shifts == {}
+        and result.residuals_beyond_uncertainty == result.residuals
+    )

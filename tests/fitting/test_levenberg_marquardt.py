@@ -36,14 +36,19 @@ def _its_slopes(z: Array) -> Array:
 
 
 @pytest.mark.parametrize(
-    ("low", "high"), [((-2.0, -2.0), (2.0, 2.0)), ((-2.0, -2.0), (0.5, 2.0)), ((-1.5, 1.5), (0.0, 3.0))]
+    ("low", "high"),
+    [((-2.0, -2.0), (2.0, 2.0)), ((-2.0, -2.0), (0.5, 2.0)), ((-1.5, 1.5), (0.0, 3.0))],
 )
-def test_valley_is_followed_to_the_same_end_as_by_scipy(low: tuple[float, float], high: tuple[float, float]) -> None:
+def test_valley_is_followed_to_the_same_end_as_by_scipy(
+    low: tuple[float, float], high: tuple[float, float]
+) -> None:
     bounds = np.array(low), np.array(high)
     start = np.clip([-1.2, 1.0], *bounds)
     minimum = levenberg_marquardt(_rosenbrock, _its_slopes, start, bounds, 1e-14, 200)
     inner = np.clip(start, bounds[0] + 1e-9, bounds[1] - 1e-9)
-    theirs = least_squares(_rosenbrock, inner, _its_slopes, bounds=bounds, xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    theirs = least_squares(
+        _rosenbrock, inner, _its_slopes, bounds=bounds, xtol=1e-15, ftol=1e-15, gtol=1e-15
+    )
     assert minimum.z == pytest.approx(theirs.x, abs=1e-5)
     assert minimum.cost == pytest.approx(2 * theirs.cost, abs=1e-8)
     assert np.all(minimum.z >= bounds[0]) and np.all(minimum.z <= bounds[1])
@@ -61,7 +66,9 @@ def test_corner_is_left_and_another_reached_in_a_few_steps() -> None:
         asked.append(z)
         return np.asarray(matrix @ z - wanted)
 
-    minimum = levenberg_marquardt(residuals, lambda z: matrix, np.array([0.0, 1.0, 1.0]), bounds, 1e-10, 50)
+    minimum = levenberg_marquardt(
+        residuals, lambda z: matrix, np.array([0.0, 1.0, 1.0]), bounds, 1e-10, 50
+    )
     assert minimum.z[0] == 1.0 and minimum.z[2] == 0.0
     assert matrix[:, 1] @ (matrix @ minimum.z - wanted) == pytest.approx(0.0, abs=1e-4)
     assert len(asked) < 12
@@ -72,7 +79,12 @@ def test_where_the_model_breaks_down_no_step_ends() -> None:
         return np.full(2, np.inf) if z[0] > 1 else np.array([z[0] - 1.0, 0.1 * z[0]])
 
     minimum = levenberg_marquardt(
-        residuals, lambda z: np.array([[1.0], [0.1]]), np.zeros(1), (np.zeros(1), np.full(1, 9.0)), 1e-10, 50
+        residuals,
+        lambda z: np.array([[1.0], [0.1]]),
+        np.zeros(1),
+        (np.zeros(1), np.full(1, 9.0)),
+        1e-10,
+        50,
     )
     assert minimum.z[0] == pytest.approx(1 / 1.01, abs=1e-4)
     # nor from a place whose best step leads out of what can be simulated

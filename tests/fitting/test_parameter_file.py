@@ -13,10 +13,17 @@ from fmpy.ssp.ssd import read_ssv
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Estimate, Fit, read_parameters, write_parameters
 
-VALUES = {"orifice.C_d": 0.1 + 0.2, "tank.gas.h": 7.874133972542709, "leak.G": 1.2345678901234567e-12}
+VALUES = {
+    "orifice.C_d": 0.1 + 0.2,
+    "tank.gas.h": 7.874133972542709,
+    "leak.G": 1.2345678901234567e-12,
+}
 FOUND = Fit(
     "Test.Vessel",
-    {n: Estimate(v, v / 2, v * 2, "W/(m2.K)" if n == "tank.gas.h" else "1") for n, v in VALUES.items()},
+    {
+        n: Estimate(v, v / 2, v * 2, "W/(m2.K)" if n == "tank.gas.h" else "1")
+        for n, v in VALUES.items()
+    },
     SimpleNamespace(),  # type: ignore[arg-type]
     {},
     1,
@@ -50,7 +57,11 @@ def test_ssv_is_what_the_standard_says(tmp_path: Path) -> None:
     write_parameters(tmp_path / "p.ssv", FOUND)
     root = ElementTree.parse(tmp_path / "p.ssv").getroot()
     space = "{http://ssp-standard.org/SSP1/SystemStructureParameterValues}"
-    assert root.tag == f"{space}ParameterSet" and root.attrib["version"] == "1.0" and root.attrib["name"]
+    assert (
+        root.tag == f"{space}ParameterSet"
+        and root.attrib["version"] == "1.0"
+        and root.attrib["name"]
+    )
     reals = root.findall(f"{space}Parameters/{space}Parameter/{space}Real")
     assert [float(r.attrib["value"]) for r in reals] == list(VALUES.values())
 
@@ -86,15 +97,39 @@ BAD = [
     ("p.json", "[" * 100_000, "not JSON", None),
     ("p.ssv", "", "is not an SSV file", None),
     ("p.ssv", "<a><b></a>", "is not an SSV file", None),
-    ("p.ssv", SSV.format('<s:Parameter name="a"><s:Real value="x"/></s:Parameter>'), "is not an SSV file", None),
-    ("p.ssv", SSV.format('<s:Parameter name="a"><s:Integer value="1"/></s:Parameter>'), "is not an SSV file", None),
-    ("p.ssv", SSV.format('<s:Parameter><s:Real value="1"/></s:Parameter>'), "is not an SSV file", None),
-    ("p.ssv", SSV.format('<s:Parameter name="a"><s:Real value="nan"/></s:Parameter>'), "not a finite number", None),
+    (
+        "p.ssv",
+        SSV.format('<s:Parameter name="a"><s:Real value="x"/></s:Parameter>'),
+        "is not an SSV file",
+        None,
+    ),
+    (
+        "p.ssv",
+        SSV.format('<s:Parameter name="a"><s:Integer value="1"/></s:Parameter>'),
+        "is not an SSV file",
+        None,
+    ),
+    (
+        "p.ssv",
+        SSV.format('<s:Parameter><s:Real value="1"/></s:Parameter>'),
+        "is not an SSV file",
+        None,
+    ),
+    (
+        "p.ssv",
+        SSV.format('<s:Parameter name="a"><s:Real value="nan"/></s:Parameter>'),
+        "not a finite number",
+        None,
+    ),
 ]
 
 
-@pytest.mark.parametrize(("name", "text", "words", "line"), BAD, ids=[f"{c[0]}-{c[2]}-{i}" for i, c in enumerate(BAD)])
-def test_bad_file_is_one_clear_message(tmp_path: Path, name: str, text: str, words: str, line: int | None) -> None:
+@pytest.mark.parametrize(
+    ("name", "text", "words", "line"), BAD, ids=[f"{c[0]}-{c[2]}-{i}" for i, c in enumerate(BAD)]
+)
+def test_bad_file_is_one_clear_message(
+    tmp_path: Path, name: str, text: str, words: str, line: int | None
+) -> None:
     file = tmp_path / name
     file.write_text(text)
     with pytest.raises(InputError) as caught:

@@ -33,7 +33,9 @@ def test_samples_agree_with_the_intervals_of_the_fit(fitted: Fit) -> None:
         assert free.min <= column.min() and column.max() <= free.max
         if free.min < estimate.low and estimate.high < free.max:
             order = np.argsort(column)
-            low, high = np.interp([0.025, 0.975], np.cumsum(posterior.weights[order]), column[order])
+            low, high = np.interp(
+                [0.025, 0.975], np.cumsum(posterior.weights[order]), column[order]
+            )
             width = estimate.high - estimate.low
             assert (low, high) == pytest.approx((estimate.low, estimate.high), abs=0.2 * width)
 
@@ -75,8 +77,14 @@ def test_bad_questions(fitted: Fit) -> None:
     with pytest.raises(InputError, match="two samples"):
         study.predict(fitted, samples=1)
     data = fitted.comparison.data
-    other = replace(data.runs[0], name="two", parameters={**data.runs[0].parameters, "tank.p_start": P_START / 2})
-    two = replace(fitted, comparison=replace(fitted.comparison, data=replace(data, runs=(*data.runs, other))))
+    other = replace(
+        data.runs[0],
+        name="two",
+        parameters={**data.runs[0].parameters, "tank.p_start": P_START / 2},
+    )
+    two = replace(
+        fitted, comparison=replace(fitted.comparison, data=replace(data, runs=(*data.runs, other)))
+    )
     with pytest.raises(InputError, match=r"state tank\.p_start of the run"):
         study.predict(two, stop_time=10)
     stated = study.predict(two, None, {"tank.p_start": "300 kPa"}, stop_time=10, samples=10)
@@ -87,10 +95,14 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
     saved = study.save(fitted, tmp_path / "fit.npz")
     files = [tmp_path / name for name in ("p.csv", "p.png", "p.json")]
     words = ["predict", str(saved), "--stop-time", "60 s", "--interval", "1 s", "--samples", "20"]
-    assert main([*words, "-o", str(files[0]), "--plot", str(files[1]), "--json", str(files[2])]) == 0
+    assert (
+        main([*words, "-o", str(files[0]), "--plot", str(files[1]), "--json", str(files[2])]) == 0
+    )
     assert "predicted with 20 samples of 2 parameters" in capsys.readouterr().out
     lines = files[0].read_text().splitlines()
-    assert lines[0] == "time [s],p [Pa],p.low [Pa],p.high [Pa],p.reading_low [Pa],p.reading_high [Pa]"
+    assert (
+        lines[0] == "time [s],p [Pa],p.low [Pa],p.high [Pa],p.reading_low [Pa],p.reading_high [Pa]"
+    )
     assert len(lines) == 1 + len(TIMES)
     assert len(json.loads(files[2].read_text())["signals"]["p"]["low"]) == len(TIMES)
     assert main(["predict", str(saved), "--set", "tank.V=0 kg"]) == 2

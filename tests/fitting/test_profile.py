@@ -28,17 +28,23 @@ def test_profile_of_a_well_determined_fit_ends_where_its_interval_does(tmp_path:
         assert f"{name} lies between" in str(made)
     pam.draw(made, tmp_path / "profiles.png")
     plot_fit(fit, tmp_path / "fit.png")
-    assert (tmp_path / "profiles.png").stat().st_size > 5000 and (tmp_path / "fit.png").stat().st_size > 5000
+    assert (tmp_path / "profiles.png").stat().st_size > 5000 and (
+        tmp_path / "fit.png"
+    ).stat().st_size > 5000
     again = pam.load(pam.save(made, tmp_path / "profiles.npz"))
     assert str(again) == str(made)
 
 
 @pytest.mark.parametrize(("law", "power"), [("a*b", -1), ("a/b", 1)])
-def test_what_is_not_determined_is_said_with_what_follows_it(law: str, power: int, tmp_path: Path) -> None:
+def test_what_is_not_determined_is_said_with_what_follows_it(
+    law: str, power: int, tmp_path: Path
+) -> None:
     fit = confounded(law, tmp_path)
     model = str(tmp_path / "Product.mo")
     made = pam.profile(pam.read(tmp_path, model=model), fit, model)
-    assert fit.correlation[0, 1] == pytest.approx(power, abs=1e-3) and abs(fit.correlation[0, 2]) < 0.1
+    assert (
+        fit.correlation[0, 1] == pytest.approx(power, abs=1e-3) and abs(fit.correlation[0, 2]) < 0.1
+    )
     assert not fit.confused()  # the combination says it
     a, c = made.profiles["a"], made.profiles["c"]
     assert not a.determined and c.determined
@@ -56,6 +62,8 @@ def test_correlation_matrix_by_hand() -> None:
 
 def test_fit_says_which_parameters_are_hardly_told_apart() -> None:
     fit = pam.fit(vessel_data())
-    assert fit.correlation.shape == (2, 2) and fit.correlation[0, 1] == pytest.approx(fit.correlation[1, 0])
+    assert fit.correlation.shape == (2, 2) and fit.correlation[0, 1] == pytest.approx(
+        fit.correlation[1, 0]
+    )
     close = abs(fit.correlation[0, 1]) > 0.95
     assert bool(fit.confused()) == close == ("hardly told apart" in str(fit))

@@ -119,7 +119,10 @@ def test_two_parameters_that_only_act_as_a_product_are_not_determined(vessel: Si
     """The flow knows C_d d^2 alone: two confident numbers would be a lie."""
     hole = FreeParameter("orifice.d", 2e-3, 3.4e-3, 2.6e-3, "m")
     data = vessel_data(fit=(C_D, hole))
-    free_hole = [replace(r, parameters={k: v for k, v in r.parameters.items() if k != "orifice.d"}) for r in data.runs]
+    free_hole = [
+        replace(r, parameters={k: v for k, v in r.parameters.items() if k != "orifice.d"})
+        for r in data.runs
+    ]
     result = fit(vessel, replace(data, runs=tuple(free_hole)), fixed={"tank.n": TRUE_N})
     assert not any(e.determined for e in result.parameters.values())
     area = result.values["orifice.C_d"] * result.values["orifice.d"] ** 2
@@ -136,7 +139,9 @@ def test_start_outside_the_bounds_begins_at_the_bound(vessel: Simulator, start: 
 
 
 def test_start_default_of_the_model(vessel: Simulator) -> None:
-    data = vessel_data(fit=(FreeParameter("orifice.C_d", 0.5, 1.1), FreeParameter("tank.n", 1.3, 1.4)))
+    data = vessel_data(
+        fit=(FreeParameter("orifice.C_d", 0.5, 1.1), FreeParameter("tank.n", 1.3, 1.4))
+    )
     starts = [f.start for f in base_parameters(data, vessel.interface)]
     assert starts == [vessel.interface.parameters["orifice.C_d"].start, 1.3]
 
@@ -145,7 +150,9 @@ def test_fixed_values_are_kept(vessel: Simulator) -> None:
     result = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": 1.4})
     assert list(result.parameters) == ["orifice.C_d"]
     wrong = result.comparison.chi2_reduced("fit")
-    right = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": TRUE_N}).comparison.chi2_reduced("fit")
+    right = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": TRUE_N}).comparison.chi2_reduced(
+        "fit"
+    )
     assert wrong > 3 * right
 
 

@@ -41,10 +41,18 @@ def test_it_ends_as_if_it_had_not_been_interrupted(
     before = len(runs)
     resumed = pam.fit(data, method=method, resume=file)
     assert resumed.values == whole.values
-    again_counts = method == "differential-evolution"  # it comes to some points twice, which are simulated once now
-    assert resumed.evaluations < whole.evaluations if again_counts else resumed.evaluations == whole.evaluations
+    again_counts = (
+        method == "differential-evolution"
+    )  # it comes to some points twice, which are simulated once now
+    assert (
+        resumed.evaluations < whole.evaluations
+        if again_counts
+        else resumed.evaluations == whole.evaluations
+    )
     assert resumed.convergence.chi2_reduced.tolist() == whole.convergence.chi2_reduced.tolist()
-    assert len(runs) - before <= whole.evaluations + 2  # those of combinations and the comparison; none twice
+    assert (
+        len(runs) - before <= whole.evaluations + 2
+    )  # those of combinations and the comparison; none twice
     runs.clear()
     again = pam.fit(data, method=method, resume=file)
     assert again.values == whole.values and len(runs) <= 3
@@ -67,11 +75,16 @@ def test_file_of_another_fit_is_refused(tmp_path: Path) -> None:
     data, file = vessel_data(), tmp_path / "fit.progress"
     pam.fit(data, resume=file)
     kept = file.read_bytes()
-    hotter = replace(data, runs=(replace(data.runs[0], measurements={"p": data.runs[0].measurements["p"] + 1}),))
+    hotter = replace(
+        data, runs=(replace(data.runs[0], measurements={"p": data.runs[0].measurements["p"] + 1}),)
+    )
     wider = replace(data, fit={**data.fit, "tank.n": replace(data.fit["tank.n"], max=1.39)})
     for call, message in (
         (lambda: pam.fit(data, "TankFilling", resume=file), "no parameter|another model"),
-        (lambda: pam.fit(hotter, resume=file), "keeps a fit to other data; name another file, or remove this one"),
+        (
+            lambda: pam.fit(hotter, resume=file),
+            "keeps a fit to other data; name another file, or remove this one",
+        ),
         (lambda: pam.fit(wider, resume=file), "other parameters, bounds or priors"),
         (lambda: pam.fit(data, method="multi-start", resume=file), "by another method"),
     ):
@@ -80,7 +93,9 @@ def test_file_of_another_fit_is_refused(tmp_path: Path) -> None:
     assert file.read_bytes() == kept
 
 
-@pytest.mark.parametrize("text", ["", "{}", "[1, 2]", '{"kind": "pam-cosim fit in progress", "version": 1}'])
+@pytest.mark.parametrize(
+    "text", ["", "{}", "[1, 2]", '{"kind": "pam-cosim fit in progress", "version": 1}']
+)
 def test_what_is_no_such_file_is_refused_and_left(text: str, tmp_path: Path) -> None:
     file = tmp_path / "fit.progress"
     file.write_text(text)
@@ -92,7 +107,12 @@ def test_what_is_no_such_file_is_refused_and_left(text: str, tmp_path: Path) -> 
 def test_standing_reads_as_a_person_would_say_it() -> None:
     told: list[FitProgress] = []
     result: Fit = pam.fit(vessel_data(), progress=told.append)
-    assert str(FitProgress(23, 4.2, {"p": 1234.0}, {"p": "Pa"})) == "23 simulations, p off by 1.23 kPa rms, chi2 4.2"
+    assert (
+        str(FitProgress(23, 4.2, {"p": 1234.0}, {"p": "Pa"}))
+        == "23 simulations, p off by 1.23 kPa rms, chi2 4.2"
+    )
     assert [s.evaluations for s in told] == list(range(1, len(told) + 1))
     assert told[-1].rmse["p"] == pytest.approx(result.comparison.scores["fit"]["p"].rmse, rel=1e-3)
-    assert result.convergence.chi2_reduced[-1] == pytest.approx(result.residuals["fit"].chi2_reduced, rel=1e-6)
+    assert result.convergence.chi2_reduced[-1] == pytest.approx(
+        result.residuals["fit"].chi2_reduced, rel=1e-6
+    )

@@ -33,7 +33,9 @@ def _folder(tmp_path: Path, cut: float, start: str = "") -> Path:
     write_data_set(folder, _measured(plan))
     for file in folder.glob("*.csv"):
         head, *rows = file.read_text().splitlines()
-        file.write_text("\n".join([head, *(r for r in rows if float(r.split(",")[0]) >= cut)]) + "\n")
+        file.write_text(
+            "\n".join([head, *(r for r in rows if float(r.split(",")[0]) >= cut)]) + "\n"
+        )
     text = (folder / "experiment.toml").read_text()
     (folder / "experiment.toml").write_text(f'start = "{start}"\n{text}' if start else text)
     return folder
@@ -78,17 +80,23 @@ def test_whoever_reads_may_cut_as_the_file_could_be(tmp_path: Path) -> None:
     assert read.chi2_reduced("fit") == pytest.approx(file.chi2_reduced("fit"), rel=1e-6)
 
 
-def test_a_run_begins_at_start_values_that_are_given_with_its_name(data: Callable[..., DataSet]) -> None:
+def test_a_run_begins_at_start_values_that_are_given_with_its_name(
+    data: Callable[..., DataSet],
+) -> None:
     """A fit holds them, and a comparison with them is the same."""
     free = ["muscle.mu_fb"]
     estimated = pam.fit(data(), free=free)
     held = pam.fit(data(start="rest"), free=free, start=estimated.start_values)
-    assert _chi2(held, "fit") == pytest.approx(_chi2(estimated, "fit"), rel=0.02) and not held.starts
+    assert (
+        _chi2(held, "fit") == pytest.approx(_chi2(estimated, "fit"), rel=0.02) and not held.starts
+    )
     compared = pam.compare(data(start="rest"), parameters=held.values | estimated.start_values)
     assert compared.chi2_reduced("fit") == pytest.approx(_chi2(held, "fit"), rel=1e-6)
 
 
-def test_cut_and_whole_have_the_same_parameters_and_leave_noise(data: Callable[..., DataSet]) -> None:
+def test_cut_and_whole_have_the_same_parameters_and_leave_noise(
+    data: Callable[..., DataSet],
+) -> None:
     whole, cut = pam.fit(data(cut=0.0)), pam.fit(data())
     for role in ("fit", "holdout"):
         assert 0.9 < _chi2(cut, role) < 1.1
@@ -109,14 +117,18 @@ def test_measured_is_near(data: Callable[..., DataSet]) -> None:
     assert not fit.starts
 
 
-def test_a_reading_at_the_end_of_its_range_shows_no_start(data: Callable[..., DataSet], tmp_path: Path) -> None:
+def test_a_reading_at_the_end_of_its_range_shows_no_start(
+    data: Callable[..., DataSet], tmp_path: Path
+) -> None:
     """Beyond the end a position of kilometres changes the reading no more than one of millimetres."""
     model = tmp_path / "Ceiling.mo"
     pam.add(["PositionCeiling"], to="Isotonic", output=model)
     data_set = data(start="measured")
     with Simulator(build_model(str(model))) as simulator:
         for run in data_set.runs:
-            begins = measured_initial_state(simulator, data_set, run, data_set.parameters_of(run, {}))
+            begins = measured_initial_state(
+                simulator, data_set, run, data_set.parameters_of(run, {})
+            )
             assert set(begins.values) == {"muscle.gas.p"}
             assert begins.settle == "others"
 
@@ -141,11 +153,15 @@ def test_an_unknown_start_is_refused(data: Callable[..., DataSet]) -> None:
         data(start="sitting")
 
 
-def test_slopes_with_the_start_following_are_those_of_the_whole(data: Callable[..., DataSet]) -> None:
+def test_slopes_with_the_start_following_are_those_of_the_whole(
+    data: Callable[..., DataSet],
+) -> None:
     """The eliminated slopes are the differences of what is left when the starts are estimated anew."""
     data_set = pam.read(data().folder)
     free = (Free("valve.C_A", 0.5, 0.9, 0.7, "1"), Free("muscle.mu_fb", 0.005, 0.05, 0.018, "1"))
-    path = build_model("Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True)
+    path = build_model(
+        "Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True
+    )
     with Simulator(path) as simulator:
         begun = with_starts(simulator, data_set)
         objective = Objective(simulator, begun, begun.fit_runs, free, tolerance=1e-9)
@@ -169,13 +185,21 @@ def test_slopes_with_the_start_following_are_those_of_the_whole(data: Callable[.
 def test_a_force_that_is_missing_is_no_start(tmp_path: Path) -> None:
     """It is there from the first sample on, but no pressure that the manometer allows explains it."""
     times, rng = np.linspace(0.0, 4.0, 201), np.random.default_rng(1)
-    command = {"time": times, "u_in": np.where(times < 2.0, 0.3, 0.0), "u_out": np.where(times < 2.0, 0.0, 0.3)}
+    command = {
+        "time": times,
+        "u_in": np.where(times < 2.0, 0.3, 0.0),
+        "u_out": np.where(times < 2.0, 0.0, 0.3),
+    }
     run = pam.simulate("Isometric", inputs=command, stop_time=4.0, interval=0.02)
     p = run["p"] + 500.0 * rng.standard_normal(len(times))
     force = run["F"] - 0.3 * np.ptp(run["F"]) + 1.0 * rng.standard_normal(len(times))
     rows = np.column_stack([times, command["u_in"], command["u_out"], p, force])
     np.savetxt(
-        tmp_path / "run.csv", rows, delimiter=",", comments="", header="time [s],u_in [A],u_out [A],p [Pa],F [N]"
+        tmp_path / "run.csv",
+        rows,
+        delimiter=",",
+        comments="",
+        header="time [s],u_in [A],u_out [A],p [Pa],F [N]",
     )
     (tmp_path / "experiment.toml").write_text(
         'model = "PneumaticMuscle.Benches.Isometric"\n[signals.p]\nsigma = "0.5 kPa"\n[signals.F]\nsigma = "1 N"\n'

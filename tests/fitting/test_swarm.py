@@ -11,7 +11,14 @@ from pam_cosim import study
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import FitOptions, fit
 from pam_cosim.fitting.free import Free, base_parameters
-from pam_cosim.fitting.methods.particle_swarm import COMMON_PULL, GENERATIONS, INERTIA, OWN_PULL, PARTICLES, swarm
+from pam_cosim.fitting.methods.particle_swarm import (
+    COMMON_PULL,
+    GENERATIONS,
+    INERTIA,
+    OWN_PULL,
+    PARTICLES,
+    swarm,
+)
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import TRUE_C_D, TRUE_N, vessel_data
@@ -87,14 +94,20 @@ def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
     with Simulator(study.build("VesselOrifice")) as simulator:
         free = base_parameters(data, simulator.interface)
         objective = Objective(simulator, data, data.fit_runs, free, tolerance=1e-6)
-        there = objective.cost(np.array([f.to_z(own.parameters[f.name]) for f in free])) / objective.size
+        there = (
+            objective.cost(np.array([f.to_z(own.parameters[f.name]) for f in free]))
+            / objective.size
+        )
     assert there == pytest.approx(own.chi2_reduced[-1], rel=1e-4)
     assert result.residuals["fit"].chi2_reduced <= own.chi2_reduced[-1]
     assert result.values != own.parameters
     assert result.values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
     plain = json.loads(json.dumps(result.as_dict()))
     assert plain["search"]["chi2_by_generation"] == list(own.chi2_reduced)
-    assert plain["search"]["best_particle"]["orifice.C_d"] == {"value": own.parameters["orifice.C_d"], "unit": "1"}
+    assert plain["search"]["best_particle"]["orifice.C_d"] == {
+        "value": own.parameters["orifice.C_d"],
+        "unit": "1",
+    }
     assert plain["chi2_reduced"] <= plain["search"]["chi2_reduced"]
     text = str(result)
     for part in ("by generation", "its own best particle", "the descent from there"):
@@ -104,9 +117,17 @@ def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
 
 def test_swarm_of_a_model_that_never_runs_says_why() -> None:
     data = vessel_data(fit=())
-    with Simulator(study.build("VesselOrifice")) as simulator, pytest.raises(SimulationFailure, match="no particle"):
+    with (
+        Simulator(study.build("VesselOrifice")) as simulator,
+        pytest.raises(SimulationFailure, match="no particle"),
+    ):
         simulator.run = _breaks  # type: ignore[method-assign]
-        fit(simulator, data, [Free("orifice.C_d", 0.5, 1.1, 0.7, "1")], options=FitOptions("particle-swarm"))
+        fit(
+            simulator,
+            data,
+            [Free("orifice.C_d", 0.5, 1.1, 0.7, "1")],
+            options=FitOptions("particle-swarm"),
+        )
 
 
 def _breaks(*_: object, **__: object) -> None:
@@ -143,7 +164,9 @@ def confounded(law: str, tmp_path, seed: int = 0):  # type: ignore[no-untyped-de
 
 
 @pytest.mark.parametrize(("law", "kind"), [("a*b", "product"), ("a/b", "ratio")])
-def test_only_the_product_or_ratio_is_claimed_where_only_that_is_known(law: str, kind: str, tmp_path) -> None:  # type: ignore[no-untyped-def]
+def test_only_the_product_or_ratio_is_claimed_where_only_that_is_known(
+    law: str, kind: str, tmp_path
+) -> None:  # type: ignore[no-untyped-def]
     result = confounded(law, tmp_path)
     assert not result.parameters["a"].determined and not result.parameters["b"].determined
     assert result.parameters["c"].determined

@@ -14,7 +14,9 @@ def test_one_dimension_is_the_truncated_normal() -> None:
     for mean in (0.3, -2.0, 5.0):
         bounds = np.array([0.0]), np.array([1.0])
         rng = np.random.default_rng(1)
-        drawn = truncated_normal(np.array([mean]), np.array([[4.0]]), bounds, np.array([0.0]), 2000, rng)[:, 0]
+        drawn = truncated_normal(
+            np.array([mean]), np.array([[4.0]]), bounds, np.array([0.0]), 2000, rng
+        )[:, 0]
         assert drawn.min() >= 0 and drawn.max() <= 1
         exact = truncnorm((0 - mean) / 0.5, (1 - mean) / 0.5, mean, 0.5)
         assert kstest(drawn[::2], exact.cdf).pvalue > 0.01, mean
@@ -34,5 +36,7 @@ def test_a_narrow_ridge_across_the_box_is_sampled_as_by_rejection() -> None:
 def test_what_nothing_is_known_of_is_uniform() -> None:
     bounds = np.array([2.0]), np.array([4.0])
     rng = np.random.default_rng(3)
-    drawn = truncated_normal(np.array([3.0]), np.array([[1e-2]]), bounds, np.array([2.0]), 1000, rng)[:, 0]
+    drawn = truncated_normal(
+        np.array([3.0]), np.array([[1e-2]]), bounds, np.array([2.0]), 1000, rng
+    )[:, 0]
     assert kstest(drawn[::2], "uniform", args=(2.0, 2.0)).pvalue > 0.01

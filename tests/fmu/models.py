@@ -32,7 +32,12 @@ def ode(
     delayed: Sequence[tuple[ca.SX, Delay]] = (),
 ) -> Ode:
     """States are (symbol, derivative, start), parameters (symbol, value); other variables have no unit."""
-    inputs, parameters, local, variables = inputs or {}, parameters or {}, local or {}, variables or {}
+    inputs, parameters, local, variables = (
+        inputs or {},
+        parameters or {},
+        local or {},
+        variables or {},
+    )
 
     def variable(name: str, start: float | None = None) -> Variable:
         return variables.get(name, Variable(name, start=start))
@@ -92,7 +97,12 @@ def lag() -> Ode:
 def ramp_driven() -> Ode:
     """Two states in a chain, driven by two inputs, with known solution for straight inputs."""
     x, z, u, v = (ca.SX.sym(n) for n in ("x", "z", "u", "v"))
-    return ode("Test.Ramp", {"x": (x, u - x, 0.0), "z": (z, v, 0.0)}, {"x_out": x, "z_out": z}, inputs={"u": u, "v": v})
+    return ode(
+        "Test.Ramp",
+        {"x": (x, u - x, 0.0), "z": (z, v, 0.0)},
+        {"x_out": x, "z_out": z},
+        inputs={"u": u, "v": v},
+    )
 
 
 def algebraic() -> Ode:
@@ -130,7 +140,9 @@ def oscillator() -> Ode:
         parameters={"k": (k, 0.1 + 0.2), "m": (m, 1 / 3)},
         local={"E": k * s**2 / 2 + m * v**2 / 2, "s": s, "T": ca.SX(293.15)},
         variables={
-            "s": Variable("s", "m", "deflection & <more>", nominal=0.1, display_unit="mm", quantity="Length"),
+            "s": Variable(
+                "s", "m", "deflection & <more>", nominal=0.1, display_unit="mm", quantity="Length"
+            ),
             "der(s)": Variable("der(s)", "m/s"),
             "F": Variable("F", "N"),
             "k": Variable("k", "N/m", "stiffness", start=0.1 + 0.2, min=0.0, max=1e3),

@@ -73,15 +73,22 @@ def test_an_instance_stays_where_it_could_get_to(fmi: str, folder: Path) -> None
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
 def test_a_start_that_is_not_allowed_is_an_error(kind: str, fmi: str, folder: Path) -> None:
     with pytest.raises(FMICallException) as caught:
-        fmpy.simulate_fmu(str(_built("Growing", fmi, folder)), fmi_type=kind, start_values={"k": -1.0})
-    assert caught.value.function.endswith("ExitInitializationMode") and caught.value.status == fmi2Error
+        fmpy.simulate_fmu(
+            str(_built("Growing", fmi, folder)), fmi_type=kind, start_values={"k": -1.0}
+        )
+    assert (
+        caught.value.function.endswith("ExitInitializationMode")
+        and caught.value.status == fmi2Error
+    )
     assert fmpy.simulate_fmu(
         str(_built("Growing", fmi, folder)), fmi_type=kind, start_values={"k": 0.1}, stop_time=1.0
     )["y"][-1] == pytest.approx(0.1)
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
-def test_model_exchange_ends_at_an_accepted_step(fmi: str, folder: Path, capsys: pytest.CaptureFixture[str]) -> None:
+def test_model_exchange_ends_at_an_accepted_step(
+    fmi: str, folder: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
     """What the FMU says is read where FMPy prints it: its proxy keeps a logger of ours longer than that lives."""
     arguments = {"fmi_type": "ModelExchange", "output_interval": 0.1, "debug_logging": True}
     path = str(_built("Growing", fmi, folder))
@@ -89,16 +96,24 @@ def test_model_exchange_ends_at_an_accepted_step(fmi: str, folder: Path, capsys:
     assert capsys.readouterr().out.count("above one") == 1
     with pytest.raises(FMICallException) as caught:
         fmpy.simulate_fmu(path, stop_time=5.0, **arguments)
-    assert caught.value.function.endswith("CompletedIntegratorStep") and caught.value.status == fmi2Error
+    assert (
+        caught.value.function.endswith("CompletedIntegratorStep")
+        and caught.value.status == fmi2Error
+    )
     assert "is not below 2 (k = 1)" in capsys.readouterr().out
 
 
 def test_inputs_that_break_a_condition(folder: Path) -> None:
     """At the point where they are set, and on the way of a ramp; with states and without."""
     with Simulator(_built("Growing", "2.0", folder)) as simulator:
-        for times, values, at in (([0.0, 0.5, 0.5, 1.0], [0, 0, 9, 9], 0.5), ([0.0, 1.0], [4, 6], 0.5)):
+        for times, values, at in (
+            ([0.0, 0.5, 0.5, 1.0], [0, 0, 9, 9], 0.5),
+            ([0.0, 1.0], [4, 6], 0.5),
+        ):
             with pytest.raises(RunFailure, match=f"at time {at} s: u is too large"):
-                simulator.run([0.0, 1.0], inputs=Inputs(np.array(times), {"u": np.array(values, dtype=float)}))
+                simulator.run(
+                    [0.0, 1.0], inputs=Inputs(np.array(times), {"u": np.array(values, dtype=float)})
+                )
     ramp = Inputs(np.array([0.0, 1.0]), {"u": np.array([0.0, 2.0])})
     with (
         Simulator(_built("Algebraic", "2.0", folder)) as simulator,
@@ -120,5 +135,7 @@ def test_assertions_that_hold_change_nothing(folder: Path) -> None:
     results = []
     for model in ("Growing", "Silent"):
         with Simulator(_built(model, "2.0", folder)) as simulator:
-            results.append((simulator.run(times, inputs=inputs)["y"].tolist(), simulator.statistics))
+            results.append(
+                (simulator.run(times, inputs=inputs)["y"].tolist(), simulator.statistics)
+            )
     assert results[0] == results[1]

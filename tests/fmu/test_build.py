@@ -21,7 +21,14 @@ from pam_cosim.fmu.compile import universal_binary
 from pam_cosim.model.interface import Variable
 from tests.fmu import models
 
-ALL = [models.van_der_pol, models.lag, models.ramp_driven, models.algebraic, models.forced, models.oscillator]
+ALL = [
+    models.van_der_pol,
+    models.lag,
+    models.ramp_driven,
+    models.algebraic,
+    models.forced,
+    models.oscillator,
+]
 
 
 @pytest.mark.parametrize("make", ALL, ids=lambda make: make.__name__)
@@ -67,7 +74,9 @@ def _dependencies(path: Path, part: str) -> dict[str, list[str]]:
     unknowns = tree.find(f"ModelStructure/{part}")
     assert unknowns is not None
     return {
-        names[int(u.attrib["index"]) - 1]: [names[int(i) - 1] for i in u.attrib["dependencies"].split()]
+        names[int(u.attrib["index"]) - 1]: [
+            names[int(i) - 1] for i in u.attrib["dependencies"].split()
+        ]
         for u in unknowns
     }
 
@@ -93,7 +102,9 @@ def _kinds(path: Path, part: str) -> dict[str, dict[str, str]]:
     return {
         names[int(u.attrib["index"]) - 1]: {
             names[int(i) - 1]: kind
-            for i, kind in zip(u.attrib["dependencies"].split(), u.attrib["dependenciesKind"].split(), strict=True)
+            for i, kind in zip(
+                u.attrib["dependencies"].split(), u.attrib["dependenciesKind"].split(), strict=True
+            )
         }
         for u in unknowns
     }
@@ -101,11 +112,21 @@ def _kinds(path: Path, part: str) -> dict[str, dict[str, str]]:
 
 def test_kinds_of_dependencies_are_exact(tmp_path: Path) -> None:
     path = models.fmu(models.lag)
-    assert _kinds(path, "Outputs") == {"y": {"x": "constant"}, "feed": {"x": "constant", "u": "constant"}}
+    assert _kinds(path, "Outputs") == {
+        "y": {"x": "constant"},
+        "feed": {"x": "constant", "u": "constant"},
+    }
     assert _kinds(path, "Derivatives") == {"der(x)": {"x": "fixed", "u": "fixed"}}
-    assert _kinds(path, "InitialUnknowns")["der(x)"] == {"u": "dependent", "tau": "dependent", "x_start": "dependent"}
+    assert _kinds(path, "InitialUnknowns")["der(x)"] == {
+        "u": "dependent",
+        "tau": "dependent",
+        "x_start": "dependent",
+    }
     assert _kinds(path, "InitialUnknowns")["feed"] == {"u": "constant", "x_start": "constant"}
-    assert _kinds(models.fmu(models.van_der_pol), "Derivatives")["der(v)"] == {"x": "dependent", "v": "dependent"}
+    assert _kinds(models.fmu(models.van_der_pol), "Derivatives")["der(v)"] == {
+        "x": "dependent",
+        "v": "dependent",
+    }
 
 
 def test_what_a_condition_depends_on_has_no_constant_factor(tmp_path: Path) -> None:
@@ -146,7 +167,12 @@ def test_units_in_the_description() -> None:
 
 def _with_parameter(variable: Variable) -> Ode:
     made = models.lag()
-    return replace(made, interface=replace(made.interface, parameters={**made.interface.parameters, "tau": variable}))
+    return replace(
+        made,
+        interface=replace(
+            made.interface, parameters={**made.interface.parameters, "tau": variable}
+        ),
+    )
 
 
 @pytest.mark.parametrize(
@@ -155,11 +181,16 @@ def _with_parameter(variable: Variable) -> Ode:
         (Variable("tau"), "parameter 'tau' has no value"),
         (Variable("tau", start=float("nan")), "not a finite number"),
         (Variable("tau", unit="wibble", start=1.0), "variable 'tau': unit 'wibble'"),
-        (Variable("tau", unit="s", display_unit="m", start=1.0), "variable 'tau': display unit 'm'"),
+        (
+            Variable("tau", unit="s", display_unit="m", start=1.0),
+            "variable 'tau': display unit 'm'",
+        ),
         (Variable("u", start=1.0), "'u' is the name of two variables"),
     ],
 )
-def test_faulty_models_are_named_and_nothing_is_written(tmp_path: Path, variable: Variable, message: str) -> None:
+def test_faulty_models_are_named_and_nothing_is_written(
+    tmp_path: Path, variable: Variable, message: str
+) -> None:
     with pytest.raises(ModelError, match=message):
         build_fmu(_with_parameter(variable), tmp_path / "x.fmu")
     assert list(tmp_path.iterdir()) == []
@@ -172,7 +203,9 @@ def test_symbol_without_a_value(tmp_path: Path) -> None:
 
 
 def test_unknown_platform(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="no platform 'amiga'; choose from native, all, x86_64-linux"):
+    with pytest.raises(
+        InputError, match="no platform 'amiga'; choose from native, all, x86_64-linux"
+    ):
         build_fmu(models.lag(), tmp_path / "x.fmu", platforms=["amiga"])
 
 
@@ -193,10 +226,14 @@ def test_processes_may_build_the_same_at_once(tmp_path: Path) -> None:
     """Two processes on a cold cache of binaries: both succeed with the same bytes."""
     code = "import sys; from pathlib import Path; from tests.fmu import models; from dataclasses import replace\n"
     code += "from pam_cosim.fmu import build_fmu; \n"
-    code += "m = models.lag(); m = replace(m, description=sys.argv[2]); build_fmu(m, Path(sys.argv[1]))"
+    code += (
+        "m = models.lag(); m = replace(m, description=sys.argv[2]); build_fmu(m, Path(sys.argv[1]))"
+    )
     root, secret = Path(models.__file__).parents[2], os.urandom(8).hex()
     paths = [tmp_path / f"{i}.fmu" for i in range(2)]
-    running = [subprocess.Popen([sys.executable, "-c", code, str(p), secret], cwd=root) for p in paths]
+    running = [
+        subprocess.Popen([sys.executable, "-c", code, str(p), secret], cwd=root) for p in paths
+    ]
     assert [process.wait() for process in running] == [0, 0]
     assert len({p.read_bytes() for p in paths}) == 1
 
@@ -220,9 +257,14 @@ def test_modelica_source_to_fmu() -> None:
 
 
 def test_universal_binary_keeps_its_slices() -> None:
-    slices = [bytes.fromhex("cffaedfe0700000103000000") + b"x" * 100, bytes.fromhex("cffaedfe0c00000100000000") + b"y"]
+    slices = [
+        bytes.fromhex("cffaedfe0700000103000000") + b"x" * 100,
+        bytes.fromhex("cffaedfe0c00000100000000") + b"y",
+    ]
     fat = universal_binary(slices)
     assert fat[:8] == bytes.fromhex("cafebabe00000002")
     for i, data in enumerate(slices):
-        offset, size = (int.from_bytes(fat[8 + 20 * i + k : 12 + 20 * i + k], "big") for k in (8, 12))
+        offset, size = (
+            int.from_bytes(fat[8 + 20 * i + k : 12 + 20 * i + k], "big") for k in (8, 12)
+        )
         assert fat[offset : offset + size] == data and offset % 16384 == 0

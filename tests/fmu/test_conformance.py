@@ -63,7 +63,9 @@ def test_small_models_are_valid(make, fmi: str) -> None:  # type: ignore[no-unty
 
 
 def test_both_versions_give_the_same_numbers() -> None:
-    inputs = Inputs(np.array([0.0, 0.4, 0.4, 1.0]), {"u": [0.0, 1.0, 2.0, 0.5], "v": [1.0, 1.0, -1.0, 0.0]})
+    inputs = Inputs(
+        np.array([0.0, 0.4, 0.4, 1.0]), {"u": [0.0, 1.0, 2.0, 0.5], "v": [1.0, 1.0, -1.0, 0.0]}
+    )
     times = np.linspace(0.0, 1.0, 21)
     runs = []
     for fmi in VERSIONS:
@@ -82,7 +84,9 @@ def test_fmi_3_without_our_function_for_slopes_holds_inputs(tmp_path: Path) -> N
             data = old.read(name)
             new.writestr(name, data.replace(b"pam_set_input_slopes", b"pam_xxx_input_slopes"))
     with Simulator(path) as simulator:
-        y = simulator.run([0.0, 1.0, 2.0], inputs=Inputs([0.0, 2.0], {"u": [0.0, 2.0]}), tolerance=1e-8)["y"]
+        y = simulator.run(
+            [0.0, 1.0, 2.0], inputs=Inputs([0.0, 2.0], {"u": [0.0, 2.0]}), tolerance=1e-8
+        )["y"]
         interval = simulator.interface.interval
     t = np.array([0.0, 1.0, 2.0])
     exact = t - 0.5 + 0.5 * np.exp(-t / 0.5)
@@ -93,14 +97,23 @@ def test_fmi_3_without_our_function_for_slopes_holds_inputs(tmp_path: Path) -> N
 def test_effects_and_library_version_are_annotated(fmi: str, tmp_path: Path) -> None:
     bench = "PneumaticMuscle.Benches.Isotonic"
     plain = _read(build_model(bench, fmi=fmi), "modelDescription.xml")
-    version = (modelica_root() / "PneumaticMuscle" / "package.mo").read_text().split('version="')[1].split('"')[0]
-    assert [dict(e.attrib) for e in plain.iter("Library")] == [{"name": "PneumaticMuscle", "version": version}]
+    version = (
+        (modelica_root() / "PneumaticMuscle" / "package.mo")
+        .read_text()
+        .split('version="')[1]
+        .split('"')[0]
+    )
+    assert [dict(e.attrib) for e in plain.iter("Library")] == [
+        {"name": "PneumaticMuscle", "version": version}
+    ]
     assert list(plain.iter("Effect")) == []
     add(["LinearBladder", "EnergyGas"], bench, tmp_path / "Extended.mo")
     tree = _read(build_model(str(tmp_path / "Extended.mo"), fmi=fmi), "modelDescription.xml")
     holder = "VendorAnnotations/Tool" if fmi == "2.0" else "Annotations/Annotation"
     annotation = tree.find(holder)
-    assert annotation is not None and annotation.get("name" if fmi == "2.0" else "type") == "pam-cosim"
+    assert (
+        annotation is not None and annotation.get("name" if fmi == "2.0" else "type") == "pam-cosim"
+    )
     annotated = {e.attrib["name"] for e in annotation.iter("Effect")}
     assert annotated == {
         "PneumaticMuscle.Effects.Elasticity.LinearBladder",
@@ -115,9 +128,17 @@ def test_same_model_same_bytes_and_platform_folders(fmi: str, tmp_path: Path) ->
     again = build_fmu(models.lag(), tmp_path / "b.fmu", platforms=["all"], fmi=fmi)
     assert first.read_bytes() == again.read_bytes()
     with zipfile.ZipFile(first) as archive:
-        folders = {name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")}
+        folders = {
+            name.split("/")[1] for name in archive.namelist() if name.startswith("binaries/")
+        }
     if fmi == "3.0":
-        assert folders == {"x86_64-linux", "aarch64-linux", "x86_64-windows", "x86_64-darwin", "aarch64-darwin"}
+        assert folders == {
+            "x86_64-linux",
+            "aarch64-linux",
+            "x86_64-windows",
+            "x86_64-darwin",
+            "aarch64-darwin",
+        }
     else:
         assert folders == {"linux64", "aarch64-linux", "win64", "darwin64"}
 
@@ -175,7 +196,9 @@ def test_casadi_imports_it_with_exact_derivatives(fmi: str, tmp_path: Path) -> N
     ours = np.block([[blocks[0], blocks[1]], [blocks[2], blocks[3]]])
     exact = _exact(ode, (ca.DM(x), ca.DM(u)))
     assert np.count_nonzero(exact) > 8
-    assert ours == pytest.approx(exact, rel=1e-9, abs=1e-9 * np.abs(exact).min(where=exact != 0, initial=1.0))
+    assert ours == pytest.approx(
+        exact, rel=1e-9, abs=1e-9 * np.abs(exact).min(where=exact != 0, initial=1.0)
+    )
 
 
 _SSD = """<?xml version="1.0" encoding="UTF-8"?>
@@ -211,7 +234,10 @@ def test_two_in_a_row_as_ssp(tmp_path: Path) -> None:
     """FMPy's SSP runs FMI 2.0 alone."""
     path = tmp_path / "chain.ssp"
     with zipfile.ZipFile(path, "w") as archive:
-        archive.writestr("SystemStructure.ssd", _SSD.format(components=_COMPONENT.format("a") + _COMPONENT.format("b")))
+        archive.writestr(
+            "SystemStructure.ssd",
+            _SSD.format(components=_COMPONENT.format("a") + _COMPONENT.format("b")),
+        )
         archive.write(models.fmu(models.lag), "resources/lag.fmu")
     result = simulate_ssp(str(path), stop_time=2.0, step_size=0.01, input={"u": lambda t: 1.0})
     name = next(n for n in result.dtype.names if n.endswith("b.y"))
@@ -226,7 +252,9 @@ def test_two_in_a_row_in_a_container(fmi: str, tmp_path: Path) -> None:
     by_name = {v.name: v for v in description.modelVariables}
     kind = "Real" if fmi == "2.0" else "Float64"
     u = ModelVariable(type=kind, name="u", causality="input", variability="continuous", start="0")
-    y = ModelVariable(type=kind, name="y", causality="output", variability="continuous", initial="calculated")
+    y = ModelVariable(
+        type=kind, name="y", causality="output", variability="continuous", initial="calculated"
+    )
     time = ModelVariable(type=kind, name="time", causality="independent", variability="continuous")
     outer = ModelDescription(
         fmiVersion=fmi,
@@ -238,7 +266,9 @@ def test_two_in_a_row_in_a_container(fmi: str, tmp_path: Path) -> None:
         outputs=[Unknown(variable=y)],
         initialUnknowns=[Unknown(variable=y)],
     )
-    start = evolve(by_name["y"], type="Float64")  # FMPy hands the type on to a program that knows FMI 3.0's names only
+    start = evolve(
+        by_name["y"], type="Float64"
+    )  # FMPy hands the type on to a program that knows FMI 3.0's names only
     a, b = (Component(name=n, filename=inner, modelDescription=description) for n in "ab")
     configuration = Configuration(
         parallelDoStep=False,
@@ -250,5 +280,7 @@ def test_two_in_a_row_in_a_container(fmi: str, tmp_path: Path) -> None:
     (tmp_path / "unzipped").mkdir()
     path = tmp_path / "Chain.fmu"
     create_container_fmu(configuration, tmp_path / "unzipped", path)
-    result = fmpy.simulate_fmu(str(path), start_values={"u": 1.0}, stop_time=2.0, output_interval=0.01)
+    result = fmpy.simulate_fmu(
+        str(path), start_values={"u": 1.0}, stop_time=2.0, output_interval=0.01
+    )
     assert result["y"] == pytest.approx(_chain(result["time"]), abs=0.03)

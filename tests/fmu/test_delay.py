@@ -26,7 +26,9 @@ def test_fmpy_finds_no_problem_and_simulates(make: Any) -> None:
 
 def test_fmpy_simulates_a_step() -> None:
     """FMPy stops at the step by itself."""
-    step = np.array([(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (3.0, 2.0)], dtype=[("time", float), ("u", float)])
+    step = np.array(
+        [(0.0, 0.0), (1.0, 0.0), (1.0, 2.0), (3.0, 2.0)], dtype=[("time", float), ("u", float)]
+    )
     result = fmpy.simulate_fmu(str(models.fmu(models.delayed_lag)), input=step, stop_time=3.0, output_interval=0.1,
                                relative_tolerance=1e-8)  # fmt: skip
     exact = np.where(result["time"] > 1.3, 2.0 * (1.0 - np.exp(-(result["time"] - 1.3) / 0.5)), 0.0)
@@ -50,7 +52,9 @@ def _begin(fmu: Any, vr: dict[str, int], delay: float, u: float) -> None:
     assert fmu.getReal([vr["echo"]]) == [u]
 
 
-def _zigzag(fmu: Any, vr: dict[str, int], steps: range, width: float = 0.05) -> list[tuple[float, float]]:
+def _zigzag(
+    fmu: Any, vr: dict[str, int], steps: range, width: float = 0.05
+) -> list[tuple[float, float]]:
     """Jumps and slopes at every step."""
     values = []
     for i in steps:

@@ -18,7 +18,9 @@ from tests.fmu import models
 
 
 @contextmanager
-def instance(make: Callable[[], Ode], kind: type = FMU2Slave) -> Iterator[tuple[Any, dict[str, int]]]:
+def instance(
+    make: Callable[[], Ode], kind: type = FMU2Slave
+) -> Iterator[tuple[Any, dict[str, int]]]:
     """An instance before initialization, and the value references by name."""
     path = str(models.fmu(make))
     description = fmpy.read_model_description(path)
@@ -185,7 +187,9 @@ def test_directional_derivatives_are_exact() -> None:
         _initialise(fmu)
         assert _lag_derivatives(fmu, vr, "x", 2.0) == pytest.approx([-4.0, 2.0, 4.0], rel=1e-14)
         assert _lag_derivatives(fmu, vr, "u", 1.0) == pytest.approx([2.0, 0.0, 1.0], rel=1e-14)
-        assert fmu.getDirectionalDerivative([vr["der(x)"]], [vr["x"], vr["u"]], [1.0, 3.0]) == pytest.approx([4.0])
+        assert fmu.getDirectionalDerivative(
+            [vr["der(x)"]], [vr["x"], vr["u"]], [1.0, 3.0]
+        ) == pytest.approx([4.0])
         _refused(fmu.getDirectionalDerivative, [vr["u"]], [vr["x"]], [1.0])
         _refused(fmu.getDirectionalDerivative, [vr["y"]], [vr["feed"]], [1.0])
 
@@ -194,7 +198,9 @@ def test_directional_derivative_at_initialization_goes_through_start_values() ->
     with instance(models.lag) as (fmu, vr):
         fmu.setupExperiment(startTime=0.0)
         fmu.enterInitializationMode()
-        assert _lag_derivatives(fmu, vr, "x_start", 1.0) == pytest.approx([-2.0, 1.0, 2.0], rel=1e-14)
+        assert _lag_derivatives(fmu, vr, "x_start", 1.0) == pytest.approx(
+            [-2.0, 1.0, 2.0], rel=1e-14
+        )
 
 
 def test_output_derivatives() -> None:
@@ -228,7 +234,9 @@ def test_model_exchange_functions() -> None:
 
 
 @pytest.mark.parametrize("kind", ["CoSimulation", "ModelExchange"])
-@pytest.mark.parametrize("make", [models.van_der_pol, models.oscillator, models.algebraic], ids=lambda m: m.__name__)
+@pytest.mark.parametrize(
+    "make", [models.van_der_pol, models.oscillator, models.algebraic], ids=lambda m: m.__name__
+)
 def test_fmpy_simulates_with_defaults(make: Callable[[], Ode], kind: str) -> None:
     result = fmpy.simulate_fmu(str(models.fmu(make)), fmi_type=kind)
     outputs = list(make().interface.outputs)

@@ -20,7 +20,9 @@ from tests.fmu import models
 
 
 @contextmanager
-def instance(make: Callable[[], Ode], kind: type = FMU3Slave, **options: Any) -> Iterator[tuple[Any, dict, list]]:
+def instance(
+    make: Callable[[], Ode], kind: type = FMU3Slave, **options: Any
+) -> Iterator[tuple[Any, dict, list]]:
     """An instance before initialization, the value references by name, and the log."""
     fmi = "2.0" if kind is FMU2Slave else "3.0"
     path = str(models.fmu(make, fmi))
@@ -33,7 +35,10 @@ def instance(make: Callable[[], Ode], kind: type = FMU3Slave, **options: Any) ->
     )
     log: list[str] = []
     if fmi == "3.0":
-        options = {"loggingOn": True, "logMessage": lambda e, s, c, message: log.append(message.decode())} | options
+        options = {
+            "loggingOn": True,
+            "logMessage": lambda e, s, c, message: log.append(message.decode()),
+        } | options
     made.instantiate(**options)
     try:
         yield made, {v.name: v.valueReference for v in description.modelVariables}, log
@@ -97,7 +102,10 @@ def test_bad_arguments_are_refused() -> None:
 
 
 def test_instances_that_cannot_be_made() -> None:
-    with pytest.raises(Exception, match="instantiate"), instance(models.lag, FMU3ScheduledExecution):
+    with (
+        pytest.raises(Exception, match="instantiate"),
+        instance(models.lag, FMU3ScheduledExecution),
+    ):
         pass
     with pytest.raises(Exception, match="instantiate"), instance(models.lag, eventModeUsed=True):
         pass
@@ -129,7 +137,10 @@ def test_jacobian_forwards_and_backwards() -> None:
         _initialise(fmu)
         unknowns, knowns = [vr[n] for n in ("der(x)", "y", "feed")], [vr["x"], vr["u"]]
         columns = [fmu.getDirectionalDerivative(unknowns, [known], [1.0]) for known in knowns]
-        assert pytest.approx(np.array([[-2.0, 2.0], [1.0, 0.0], [2.0, 1.0]]), rel=1e-14) == np.array(columns).T
+        assert (
+            pytest.approx(np.array([[-2.0, 2.0], [1.0, 0.0], [2.0, 1.0]]), rel=1e-14)
+            == np.array(columns).T
+        )
         seed = [0.3, -1.0, 2.0]
         adjoint = fmu.getAdjointDerivative(unknowns, knowns, seed, nSensitivity=2)
         assert adjoint == pytest.approx(list(np.array(columns) @ seed), rel=1e-14)
@@ -153,7 +164,10 @@ def _march(fmu: Any, reference: int, times: np.ndarray) -> list[float]:
 def test_state_saved_inside_a_pending_step() -> None:
     """Going back repeats every bit, also in another instance by way of the serialized state."""
     times = np.linspace(0.0, 1.5, 40)
-    with instance(models.van_der_pol) as (fmu, vr, _), instance(models.van_der_pol) as (other, _, log):
+    with (
+        instance(models.van_der_pol) as (fmu, vr, _),
+        instance(models.van_der_pol) as (other, _, log),
+    ):
         _initialise(fmu)
         _march(fmu, vr["v"], times[:21])
         state = fmu.getFMUState()
@@ -174,7 +188,10 @@ def test_state_saved_inside_a_pending_step() -> None:
 
 
 def test_state_of_the_other_kind_is_refused() -> None:
-    with instance(models.lag) as (stepped, _, _), instance(models.lag, FMU3Model) as (exchange, _, log):
+    with (
+        instance(models.lag) as (stepped, _, _),
+        instance(models.lag, FMU3Model) as (exchange, _, log),
+    ):
         _initialise(stepped)
         state = exchange.deserializeFMUState(stepped.serializeFMUState(stepped.getFMUState()))
         _refused(exchange.setFMUState, state)

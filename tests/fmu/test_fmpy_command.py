@@ -89,9 +89,17 @@ def test_every_bench(run: Callable[..., str], bench: str, fmi: str, tmp_path: Pa
     if fmpy.read_model_description(str(path)).modelExchange is None:
         assert "Co-Simulation" in said and "Model Exchange" not in said
         return
-    exchange = ["--interface-type", "ModelExchange", "--relative-tolerance", "1e-8", "--dont-record-events"]
+    exchange = [
+        "--interface-type",
+        "ModelExchange",
+        "--relative-tolerance",
+        "1e-8",
+        "--dont-record-events",
+    ]
     run("simulate", path, *exchange, "--output-file", result)
-    for name, (difference, span, greatest) in largest_difference(read_csv(str(result)), bench).items():
+    for name, (difference, span, greatest) in largest_difference(
+        read_csv(str(result)), bench
+    ).items():
         assert difference <= OTHER_SOLVER * span + SAME_SOLVER * greatest, name
 
 
@@ -107,13 +115,24 @@ def test_settings_mean_the_same_to_fmpy(run: Callable[..., str], tmp_path: Path)
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
-def test_start_values_of_states_mean_the_same_to_fmpy(run: Callable[..., str], tmp_path: Path, fmi: str) -> None:
+def test_start_values_of_states_mean_the_same_to_fmpy(
+    run: Callable[..., str], tmp_path: Path, fmi: str
+) -> None:
     """Also of a state whose usual start value follows from parameters."""
     result, path = tmp_path / "result.csv", pam.build("Isotonic", fmi=fmi)
     values = {"muscle.gas.p": 219325.0, "load.s": 0.031, "u_in": 0.0, "u_out": 0.0}
     words = [str(word) for item in values.items() for word in item]
     for kind in ("CoSimulation", "ModelExchange"):
-        run("simulate", path, "--interface-type", kind, "--start-values", *words, "--output-file", result)
+        run(
+            "simulate",
+            path,
+            "--interface-type",
+            kind,
+            "--start-values",
+            *words,
+            "--output-file",
+            result,
+        )
         theirs = read_csv(str(result))
         own = pam.simulate("Isotonic", values)
         assert theirs["p"][0] == own["p"][0] == pytest.approx(118e3)
@@ -122,7 +141,9 @@ def test_start_values_of_states_mean_the_same_to_fmpy(run: Callable[..., str], t
 
 
 README = (ROOT / "README.md").read_text()
-FETCH = "import sys, urllib.request as u; open(sys.argv[1], 'wb').write(u.urlopen(sys.argv[2]).read())"
+FETCH = (
+    "import sys, urllib.request as u; open(sys.argv[1], 'wb').write(u.urlopen(sys.argv[2]).read())"
+)
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
@@ -136,14 +157,20 @@ def test_the_line_of_the_readme_shows_its_plot(tmp_path: Path, fmi: str) -> None
     environment = {**os.environ, "BROWSER": f"{browser} %s &", "PYTHONPATH": str(ROOT)}
     environment.pop("DISPLAY", None)
     words = [sys.executable, "-m", "pam_cosim", "build", "TankFilling", "--fmi", fmi]
-    subprocess.run(words, cwd=tmp_path, env=environment, check=True, capture_output=True, timeout=300)
+    subprocess.run(
+        words, cwd=tmp_path, env=environment, check=True, capture_output=True, timeout=300
+    )
     words = [str(programs / "fmpy"), *line.split()[1:]]
-    completed = subprocess.run(words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120)
+    completed = subprocess.run(
+        words, cwd=tmp_path, env=environment, capture_output=True, text=True, timeout=120
+    )
     assert completed.returncode == 0 and "Traceback" not in completed.stderr, completed.stderr
     shown = kept(page)
     assert etree.HTML(shown).xpath("//div[contains(@class, 'plotly-graph-div')]")
     drawn = shown.rpartition("Plotly.newPlot(")[2]
-    assert all(f'"text":"{title}"' in drawn for title in ("time [s]", "p [kPa]", "T [degC]")), drawn[-2000:]
+    assert all(f'"text":"{title}"' in drawn for title in ("time [s]", "p [kPa]", "T [degC]")), (
+        drawn[-2000:]
+    )
 
 
 def kept(page: Path) -> str:

@@ -27,7 +27,9 @@ _ZIG = ["-fsanitize=undefined", "-fno-sanitize-recover=all"]
 def _compiler(sanitizer: str, folder: Path) -> list[str]:
     """The compiler's command; the test is skipped where it cannot make programs with this sanitizer."""
     if sanitizer == "undefined":
-        target = PLATFORMS[native_platform()].target  # stated, as for an FMU: else the system's C library is looked for
+        target = PLATFORMS[
+            native_platform()
+        ].target  # stated, as for an FMU: else the system's C library is looked for
         return [sys.executable, "-m", "ziglang", "cc", "-target", target, *_ZIG]
     gcc = shutil.which("gcc") or shutil.which("clang")
     if gcc is None:
@@ -35,8 +37,13 @@ def _compiler(sanitizer: str, folder: Path) -> list[str]:
     probe = folder / "probe.c"
     probe.write_text("int main(void) { return 0; }\n")
     program = folder / "probe"
-    made = subprocess.run([gcc, *_GCC, str(probe), "-o", str(program)], capture_output=True, check=False)
-    if made.returncode != 0 or subprocess.run([str(program)], capture_output=True, check=False).returncode != 0:
+    made = subprocess.run(
+        [gcc, *_GCC, str(probe), "-o", str(program)], capture_output=True, check=False
+    )
+    if (
+        made.returncode != 0
+        or subprocess.run([str(program)], capture_output=True, check=False).returncode != 0
+    ):
         pytest.skip(f"{gcc} has no working AddressSanitizer here")
     return [gcc, *_GCC]
 
@@ -63,22 +70,39 @@ def _program(path: Path, sanitizer: str, fmi: str, folder: Path) -> Path:
     return program
 
 
-@pytest.mark.parametrize("sanitizer", [pytest.param("address", marks=pytest.mark.full), "undefined"])
+@pytest.mark.parametrize(
+    "sanitizer", [pytest.param("address", marks=pytest.mark.full), "undefined"]
+)
 @pytest.mark.parametrize("fmi", ["2.0", "3.0"])
 @pytest.mark.parametrize(
     "make",
-    [models.lag, *(pytest.param(make, marks=pytest.mark.full) for make in (models.delayed_mix, models.breaks_down))],
+    [
+        models.lag,
+        *(
+            pytest.param(make, marks=pytest.mark.full)
+            for make in (models.delayed_mix, models.breaks_down)
+        ),
+    ],
     ids=lambda make: make.__name__,
 )
-def test_no_call_does_harm(make: Callable[[], Ode], fmi: str, sanitizer: str, tmp_path: Path) -> None:
+def test_no_call_does_harm(
+    make: Callable[[], Ode], fmi: str, sanitizer: str, tmp_path: Path
+) -> None:
     path = models.fmu(make, fmi)
     program = _program(path, sanitizer, fmi, tmp_path)
     description = fmpy.read_model_description(str(path))
-    arguments = [str(len(description.modelVariables)), str(int(description.modelExchange is not None))]
+    arguments = [
+        str(len(description.modelVariables)),
+        str(int(description.modelExchange is not None)),
+    ]
     first = int(os.environ.get("PAM_COSIM_FUZZ_SEED", "0"))
     for seed in range(first, first + 2):
         run = subprocess.run(
-            [str(program), str(seed), "4000", *arguments], capture_output=True, text=True, timeout=120, check=False
+            [str(program), str(seed), "4000", *arguments],
+            capture_output=True,
+            text=True,
+            timeout=120,
+            check=False,
         )
         assert run.returncode == 0, run.stderr[-4000:]
         good, _, _, refused, messages = (int(n) for n in run.stdout.split())

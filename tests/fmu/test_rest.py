@@ -37,7 +37,12 @@ def at_start(model: str, fmi: str, kind: str, **start: float) -> Any:
     values = {name.replace("__", "."): value for name, value in start.items()}
     names = ["tank.p", "tank.q[1]", "tank.q[2]"]
     return fmpy.simulate_fmu(
-        str(fmu(model, fmi)), fmi_type=kind, stop_time=1.0, output_interval=0.5, start_values=values, output=names
+        str(fmu(model, fmi)),
+        fmi_type=kind,
+        stop_time=1.0,
+        output_interval=0.5,
+        start_values=values,
+        output=names,
     )
 
 
@@ -61,10 +66,22 @@ def test_a_start_value_that_is_set_is_a_guess(kind: str, fmi: str) -> None:
 
 
 @pytest.mark.parametrize("fmi", FMI_VERSIONS)
-def test_the_command_of_fmpy_takes_it(fmi: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_the_command_of_fmpy_takes_it(
+    fmi: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     path, result = fmu("Steady", fmi), tmp_path / "result.csv"
     assert fmpy.validation.validate_fmu(str(path)) == []
-    words = ["--start-values", "u", "27", "tank.p", "2", "--stop-time", "1", "--output-file", str(result)]
+    words = [
+        "--start-values",
+        "u",
+        "27",
+        "tank.p",
+        "2",
+        "--stop-time",
+        "1",
+        "--output-file",
+        str(result),
+    ]
     monkeypatch.setattr("sys.argv", ["fmpy", "simulate", str(path), *words])
     fmpy.cli.main()
     assert np.abs(np.loadtxt(result, delimiter=",", skiprows=1)[:, 1] - 3.0).max() < 1e-6
@@ -95,7 +112,9 @@ def test_slopes_of_the_start_are_those_of_finite_differences(state: str, name: s
 
         def value(x: float) -> float:
             return float(
-                simulator.run([0.0], parameters={**values, name: x}, outputs=[state], tolerance=1e-9)[state][0]
+                simulator.run(
+                    [0.0], parameters={**values, name: x}, outputs=[state], tolerance=1e-9
+                )[state][0]
             )
 
         slope = sensitivity_name(state, name)
@@ -118,7 +137,11 @@ def test_what_follows_a_rest_acts_on_it(kind: str, fmi: str) -> None:
     def first(**start: float) -> dict[str, float]:
         names = ["tank.p", "z", "der(z)"]
         result = fmpy.simulate_fmu(
-            str(fmu("Leaning", fmi)), fmi_type=kind, stop_time=0.1, start_values={"u": 27.0, **start}, output=names
+            str(fmu("Leaning", fmi)),
+            fmi_type=kind,
+            stop_time=0.1,
+            start_values={"u": 27.0, **start},
+            output=names,
         )
         return {name: float(result[name][0]) for name in names}
 
@@ -135,7 +158,11 @@ def test_slopes_beside_what_follows(state: str, name: str) -> None:
     with Simulator(fmu("Leaning", by=("tank.k", "z"))) as simulator:
 
         def value(x: float) -> float:
-            return float(simulator.run([0.0], parameters={name: x}, outputs=[state], tolerance=1e-9)[state][0])
+            return float(
+                simulator.run([0.0], parameters={name: x}, outputs=[state], tolerance=1e-9)[state][
+                    0
+                ]
+            )
 
         slope = sensitivity_name(state, name)
         run = simulator.run([0.0], parameters={name: at}, outputs=[slope])
@@ -150,8 +177,12 @@ def test_a_model_as_data_begins_there_too() -> None:
         assert (run["tank.p"][0], run["z"][0]) == pytest.approx((leaning(27.0), leaning(27.0) ** 2))
 
 
-@pytest.mark.parametrize(("model", "wanted"), [("Steady", lambda u: u ** (1 / 3)), ("Leaning", leaning)])
-def test_slopes_along_a_seed_in_initialization_mode(model: str, wanted: Callable[[float], float]) -> None:
+@pytest.mark.parametrize(
+    ("model", "wanted"), [("Steady", lambda u: u ** (1 / 3)), ("Leaning", leaning)]
+)
+def test_slopes_along_a_seed_in_initialization_mode(
+    model: str, wanted: Callable[[float], float]
+) -> None:
     """Of the rest by an input, as FMI's directional derivatives; each input that is set there has its own rest."""
     path = fmu(model)
     description = fmpy.read_model_description(str(path))
@@ -193,9 +224,13 @@ def test_no_rest_is_an_error(kind: str, fmi: str) -> None:
 @pytest.mark.parametrize("fmi", FMI_VERSIONS)
 def test_the_error_is_a_sentence_and_another_input_may_have_a_rest(fmi: str) -> None:
     with Simulator(fmu("Nowhere", fmi)) as simulator:
-        with pytest.raises(RunFailure, match="does not begin at rest, as it shall: no equilibrium was found: 'x'"):
+        with pytest.raises(
+            RunFailure, match="does not begin at rest, as it shall: no equilibrium was found: 'x'"
+        ):
             simulator.run([0.0, 1.0])
-        run = simulator.run([0.0, 0.01], inputs=Inputs(np.array([0.0]), {"u": np.array([-4.0])}), outputs=["x"])
+        run = simulator.run(
+            [0.0, 0.01], inputs=Inputs(np.array([0.0]), {"u": np.array([-4.0])}), outputs=["x"]
+        )
         assert run["x"][0] == pytest.approx(-2.0)
 
 

@@ -63,7 +63,11 @@ def test_equal_to_careful_finite_differences() -> None:
             h = 1e-4 * value
             shifted = [
                 simulator.run(
-                    _TIMES, parameters={name: value + k * h}, inputs=_INPUTS, outputs=outputs, tolerance=1e-11
+                    _TIMES,
+                    parameters={name: value + k * h},
+                    inputs=_INPUTS,
+                    outputs=outputs,
+                    tolerance=1e-11,
                 )
                 for k in (-2, -1, 1, 2)
             ]
@@ -71,11 +75,17 @@ def test_equal_to_careful_finite_differences() -> None:
                 a, b, c, d = (s.values[output] for s in shifted)
                 difference = (a - 8 * b + 8 * c - d) / (12 * h)
                 slope = exact_values[f"sensitivity.{output}.{name}"]
-                assert np.abs(slope - difference).max() < 1e-5 * np.abs(difference).max(), (output, name)
+                assert np.abs(slope - difference).max() < 1e-5 * np.abs(difference).max(), (
+                    output,
+                    name,
+                )
 
 
 def test_the_solution_is_not_touched_by_its_sensitivities() -> None:
-    with Simulator(build_model("Isotonic")) as plain, Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as both:
+    with (
+        Simulator(build_model("Isotonic")) as plain,
+        Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as both,
+    ):
         a, b = plain.run(_TIMES, inputs=_INPUTS).values, both.run(_TIMES, inputs=_INPUTS).values
         assert plain.statistics == both.statistics
     assert all(np.array_equal(a[name], b[name]) for name in a)
@@ -102,7 +112,9 @@ def test_state_of_the_fmu_holds_the_sensitivities(tmp_path: Path) -> None:
     path = build_fmu(with_sensitivities(_decay(), ("tau",)), tmp_path / "Decay.fmu")
     description = fmpy.read_model_description(str(path))
     fmu = fmpy.instantiate_fmu(fmpy.extract(str(path)), description, "CoSimulation")
-    reference = next(v.valueReference for v in description.modelVariables if v.name == "sensitivity.y.tau")
+    reference = next(
+        v.valueReference for v in description.modelVariables if v.name == "sensitivity.y.tau"
+    )
     fmu.setupExperiment(startTime=0.0)
     fmu.enterInitializationMode()
     fmu.exitInitializationMode()
@@ -154,11 +166,16 @@ end Falling;
 def test_lean_model_simulates_as_the_whole_one_and_refuses_what_it_has_not() -> None:
     lean = build_source("Falling", _FALLING, sensitivities=["k"], lean=True)
     times = np.linspace(0.0, 2.0, 41)
-    with Simulator(lean) as small, Simulator(build_source("Falling", _FALLING, sensitivities=["k"])) as whole:
+    with (
+        Simulator(lean) as small,
+        Simulator(build_source("Falling", _FALLING, sensitivities=["k"])) as whole,
+    ):
         assert "half" in whole.interface.locals and "half" not in small.interface.locals
         assert small.interface.settable.keys() == whole.interface.settable.keys()
         one, other = (s.run(times, parameters={"k": 3.0}).values for s in (small, whole))
-        assert {n: v.tobytes() for n, v in one.items()} == {n: v.tobytes() for n, v in other.items()}
+        assert {n: v.tobytes() for n, v in one.items()} == {
+            n: v.tobytes() for n, v in other.items()
+        }
         assert one["y"] == pytest.approx(1 + np.exp(-3 * times) / 2, abs=1e-5)
         instance = small._instance
         with pytest.raises(FMICallException):
@@ -168,7 +185,9 @@ def test_lean_model_simulates_as_the_whole_one_and_refuses_what_it_has_not() -> 
         assert again.run(times).time.size == times.size
 
 
-def test_run_without_sensitivities_leaves_the_outputs_as_they_are_and_the_next_run_has_them() -> None:
+def test_run_without_sensitivities_leaves_the_outputs_as_they_are_and_the_next_run_has_them() -> (
+    None
+):
     outputs = ("p", "x")
     with Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as simulator:
         slopes = list(simulator.interface.sensitivities)

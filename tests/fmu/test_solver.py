@@ -48,10 +48,15 @@ int fixed_step(double t, const double *x, double h, double s, double *end, doubl
 def _library() -> ctypes.CDLL:
     solver = (fmu_runtime() / "pam_solver.c").read_text()
     sources = {"model.c": model_source(forced(), "guid"), "harness.c": solver + _HARNESS}
-    library = ctypes.CDLL(str(compile_library(("pam_history.c", "pam_sensitivity.c"), sources, native_platform())))
-    library.fixed_step.argtypes = [ctypes.c_double, ctypes.c_void_p, ctypes.c_double, ctypes.c_double] + [
-        ctypes.c_void_p
-    ] * 3
+    library = ctypes.CDLL(
+        str(compile_library(("pam_history.c", "pam_sensitivity.c"), sources, native_platform()))
+    )
+    library.fixed_step.argtypes = [
+        ctypes.c_double,
+        ctypes.c_void_p,
+        ctypes.c_double,
+        ctypes.c_double,
+    ] + [ctypes.c_void_p] * 3
     return library
 
 
@@ -68,7 +73,9 @@ def _exact() -> object:
     def f(t: float, x: Array) -> list[float]:
         return [x[0] * np.cos(t), -(x[1] ** 2) * x[0] * (1 + np.sin(t) ** 2)]
 
-    return solve_ivp(f, (0.0, 3.0), [1.0, 1.0], method="DOP853", rtol=3e-14, atol=1e-15, dense_output=True).sol
+    return solve_ivp(
+        f, (0.0, 3.0), [1.0, 1.0], method="DOP853", rtol=3e-14, atol=1e-15, dense_output=True
+    ).sol
 
 
 def _solve(steps: int) -> Array:

@@ -44,9 +44,14 @@ def both() -> Both:
     """A model as data and compiled."""
 
     def made(ode: Ode) -> tuple[Path, Path]:
-        taped, compiled = cached_taped_model("key", lambda: ode), cached_lean_model("key", lambda: ode)
+        taped, compiled = (
+            cached_taped_model("key", lambda: ode),
+            cached_lean_model("key", lambda: ode),
+        )
         assert is_taped(taped) and not is_taped(compiled)
-        assert cached_taped_model("key", lambda: ode) == compiled  # which is faster, once it is there
+        assert (
+            cached_taped_model("key", lambda: ode) == compiled
+        )  # which is faster, once it is there
         return taped, compiled
 
     return made
@@ -69,7 +74,9 @@ def every_operation() -> Ode:
         "copysign": ca.copysign(x, u), "fmin": ca.fmin(x, u), "fmax": ca.fmax(x, u), "atan2": ca.atan2(x, u),
         "choice": ca.if_else(x < u, x, u),
     }  # fmt: skip
-    return models.ode("Test.Operations", {"x": (x, v, 1.3), "v": (v, -9 * x, 0.0)}, y, inputs={"u": u})
+    return models.ode(
+        "Test.Operations", {"x": (x, v, 1.3), "v": (v, -9 * x, 0.0)}, y, inputs={"u": u}
+    )
 
 
 def warning_lag() -> Ode:
@@ -100,7 +107,9 @@ def test_the_numbers_are_the_same(make: Callable[[], Ode], both: Both) -> None:
 
 
 def test_sensitivities_are_the_same(both: Both) -> None:
-    paths = both(with_sensitivities(models.oscillator(), list(models.oscillator().interface.parameters)))
+    paths = both(
+        with_sensitivities(models.oscillator(), list(models.oscillator().interface.parameters))
+    )
     outcomes = []
     for path in paths:
         with Simulator(path) as simulator:
@@ -126,7 +135,9 @@ def test_two_models_at_once_do_not_meet() -> None:
         with Simulator(forced) as second, Simulator(lag) as third:
             second.run(TIMES)
             again, other = first.run(TIMES).values, third.run(TIMES).values
-    assert all(np.array_equal(before[n], again[n]) and np.array_equal(before[n], other[n]) for n in before)
+    assert all(
+        np.array_equal(before[n], again[n]) and np.array_equal(before[n], other[n]) for n in before
+    )
 
 
 @pytest.mark.parametrize("effect", ["LaminarLeak", "GeneralDryFriction", "ValveDelay"])
@@ -134,7 +145,9 @@ def test_an_effect_on_its_bench(effect: str) -> None:
     composition, outcomes = on_bench(effect), []
     for brief in (True, False):
         own = composition.parameters[effect]
-        path = build_source(composition.name, composition.text, sensitivities=own, lean=True, brief=brief)
+        path = build_source(
+            composition.name, composition.text, sensitivities=own, lean=True, brief=brief
+        )
         assert is_taped(path) == brief
         with Simulator(path) as simulator:
             inputs = Inputs([0.0, 1.0, 2.0], {"u_in": [0.35, 0.3, 0.0], "u_out": [0.0, 0.0, 0.3]})

@@ -72,7 +72,8 @@ def test_quotients_are_units_again(unit: str, by: str, text: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("first", "second", "text"), [("m", "m", "m2"), ("N.s/m", "m", "N.s"), ("1", "1", "1"), ("W/(m2.K)", "K", "W/m2")]
+    ("first", "second", "text"),
+    [("m", "m", "m2"), ("N.s/m", "m", "N.s"), ("1", "1", "1"), ("W/(m2.K)", "K", "W/m2")],
 )
 def test_products_are_units_again(first: str, second: str, text: str) -> None:
     assert product(first, second) == text

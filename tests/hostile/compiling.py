@@ -24,7 +24,12 @@ def outcome(file: Path) -> dict[str, object]:
         compile_model(str(file))
         told: dict[str, object] = {"end": "compiled"}
     except ModelError as error:
-        told = {"end": "refused", "message": error.message, "file": str(error.file), "line": error.line}
+        told = {
+            "end": "refused",
+            "message": error.message,
+            "file": str(error.file),
+            "line": error.line,
+        }
     except InputError as error:
         told = {"end": "input", "message": error.message}
     except BaseException as defect:
@@ -39,7 +44,11 @@ def outcome(file: Path) -> dict[str, object]:
 
 def main() -> None:
     """Tells every outcome as it comes."""
-    pages = int(Path("/proc/self/statm").read_text().split()[0]) if Path("/proc/self/statm").exists() else 0
+    pages = (
+        int(Path("/proc/self/statm").read_text().split()[0])
+        if Path("/proc/self/statm").exists()
+        else 0
+    )
     most = pages * resource.getpagesize() + MEMORY
     resource.setrlimit(resource.RLIMIT_AS, (most, most))
     for file in sorted(Path(sys.argv[1]).glob("*.mo")):

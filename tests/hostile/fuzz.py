@@ -33,7 +33,19 @@ ROOT = Path(__file__).parents[2]
 BATCH = 40  # inputs of a process
 PATIENCE = 600.0  # s for a batch
 STRANGE = ("(" * 50, ")", "1e999", "9" * 30, "0", "-1", "end", "{", "'", '"', "..", "/0")
-UNITS = [*"abkmgPNs°Ω%_/*^()-+. ·", "**", "99", "in", "lambda", "degC", "delta_", "__class__", "e", "1e999", "\0"]
+UNITS = [
+    *"abkmgPNs°Ω%_/*^()-+. ·",
+    "**",
+    "99",
+    "in",
+    "lambda",
+    "degC",
+    "delta_",
+    "__class__",
+    "e",
+    "1e999",
+    "\0",
+]
 Attack = Callable[[random.Random, Path], int]
 
 
@@ -66,14 +78,21 @@ def edited(text: str, chance: random.Random) -> str:
 
 def attack_compiler(chance: random.Random, folder: Path) -> int:
     """Models of the library and of the corpus, with their texts edited."""
-    library = sorted(modelica_root().rglob("Benches/*.mo")) + sorted(modelica_root().rglob("Components/*.mo"))
+    library = sorted(modelica_root().rglob("Benches/*.mo")) + sorted(
+        modelica_root().rglob("Components/*.mo")
+    )
     texts = [*models.REFUSED.values(), *models.TAKEN.values()]
     for number in range(BATCH):
         own = chance.random() < 0.5
         text = chance.choice(library).read_text() if own else chance.choice(texts)[:20_000]
-        (folder / f"{number:03}.mo").write_text(edited(text, chance).replace("within", "// within", 1))
+        (folder / f"{number:03}.mo").write_text(
+            edited(text, chance).replace("within", "// within", 1)
+        )
     for told in outcomes("compiling", folder):
-        assert told["end"] in ("compiled", "refused"), (told, (folder / f"{told['name']}.mo").read_text()[:2000])
+        assert told["end"] in ("compiled", "refused"), (
+            told,
+            (folder / f"{told['name']}.mo").read_text()[:2000],
+        )
         assert float(str(told["seconds"])) < 30, told
     return BATCH
 
@@ -81,7 +100,11 @@ def attack_compiler(chance: random.Random, folder: Path) -> int:
 def attack_data(chance: random.Random, folder: Path) -> int:
     """Data sets with bytes of their files changed, and such of the corpus together."""
     good = {data_sets.E: data_sets.experiment().encode(), data_sets.R: data_sets.GOOD.encode()}
-    small = [c for c in (*data_sets.REFUSED.values(), *data_sets.TAKEN.values()) if not any(map(callable, c.values()))]
+    small = [
+        c
+        for c in (*data_sets.REFUSED.values(), *data_sets.TAKEN.values())
+        if not any(map(callable, c.values()))
+    ]
     for number in range(BATCH):
         changes = dict(chance.choice(small)) if chance.random() < 0.3 else {}
         for name, content in good.items():
@@ -119,7 +142,9 @@ def attack_studies(chance: random.Random, folder: Path) -> int:
         with contextlib.suppress(ValueError):  # which names what is wrong; nothing else may come
             checked_content(mutated_document(content, chance), {"Isotonic"})
         with contextlib.suppress(ValueError):
-            checked_step(mutated_document({"step": chance.choice(steps["taken"])}, chance).get("step"))
+            checked_step(
+                mutated_document({"step": chance.choice(steps["taken"])}, chance).get("step")
+            )
     return BATCH * 5
 
 
@@ -153,8 +178,19 @@ def attack_page(chance: random.Random, folder: Path) -> int:
 def attack_runtime(chance: random.Random, folder: Path) -> int:
     """The C runtime under sanitisers, as the tests have it, with another seed."""
     environment = os.environ | {"PAM_COSIM_FUZZ_SEED": str(chance.randrange(2**31))}
-    command = [sys.executable, "-m", "pytest", "--full", "-q", "-p", "no:cacheprovider", "tests/fmu/test_fuzz.py"]
-    made = subprocess.run(command, capture_output=True, text=True, cwd=ROOT, env=environment, timeout=4 * PATIENCE)
+    command = [
+        sys.executable,
+        "-m",
+        "pytest",
+        "--full",
+        "-q",
+        "-p",
+        "no:cacheprovider",
+        "tests/fmu/test_fuzz.py",
+    ]
+    made = subprocess.run(
+        command, capture_output=True, text=True, cwd=ROOT, env=environment, timeout=4 * PATIENCE
+    )
     assert made.returncode in (0, 5), made.stdout[-3000:]
     return 1
 

@@ -20,7 +20,9 @@ def judged(
     ``quiet``: nothing may stand on standard error; else no traceback. ``patience`` in seconds.
     """
     command: Sequence[str] = [sys.executable, "-m", f"tests.hostile.{module}", str(folder), *words]
-    made = subprocess.run(command, capture_output=True, text=True, timeout=patience, cwd=Path(__file__).parents[2])
+    made = subprocess.run(
+        command, capture_output=True, text=True, timeout=patience, cwd=Path(__file__).parents[2]
+    )
     amiss = bool(made.stderr) if quiet else "Traceback" in made.stderr
     assert made.returncode == 0 and not amiss, made.stderr[-2000:]
     return [json.loads(line) for line in made.stdout.splitlines()]

@@ -20,7 +20,11 @@ def places(document: Any, place: Place = ()) -> Iterator[Place]:
     if place:
         yield place
     inner = (
-        document.items() if isinstance(document, dict) else enumerate(document) if isinstance(document, list) else ()
+        document.items()
+        if isinstance(document, dict)
+        else enumerate(document)
+        if isinstance(document, list)
+        else ()
     )
     for key, value in inner:
         yield from places(value, (*place, key))
@@ -49,7 +53,11 @@ def without(document: Any, place: Place) -> Any:
 def mutated_document(document: Any, chance: random.Random) -> Any:
     """A copy with something else, or nothing, in one place."""
     place = chance.choice(list(places(document)))
-    return without(document, place) if chance.random() < 0.2 else changed(document, place, chance.choice(VALUES))
+    return (
+        without(document, place)
+        if chance.random() < 0.2
+        else changed(document, place, chance.choice(VALUES))
+    )
 
 
 def mutated_bytes(content: bytes, chance: random.Random) -> bytes:
@@ -58,7 +66,11 @@ def mutated_bytes(content: bytes, chance: random.Random) -> bytes:
     for _ in range(chance.choice((1, 1, 2, 8))):
         size = len(made)
         at = chance.choice(
-            (chance.randrange(size), chance.randrange(max(0, size - 400), size), chance.randrange(60) % size)
+            (
+                chance.randrange(size),
+                chance.randrange(max(0, size - 400), size),
+                chance.randrange(60) % size,
+            )
         )
         match chance.randrange(6):
             case 0:

@@ -29,7 +29,9 @@ exit $status
 def disks_can_be_made() -> bool:
     """Whether this system lets a user have one."""
     try:
-        made = subprocess.run(["unshare", "-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"], capture_output=True)
+        made = subprocess.run(
+            ["unshare", "-rm", "mount", "-t", "tmpfs", "tmpfs", "/mnt"], capture_output=True
+        )
     except OSError:
         return False
     return made.returncode == 0
@@ -47,6 +49,19 @@ def on_disk(
         how: "full", "read-only" or "".
         content: a folder whose files are there before.
     """
-    script = ["unshare", "-rm", "sh", "-c", _SCRIPT, "sh", str(disk), str(size), str(content or ""), how]
-    made = subprocess.run([*script, sys.executable, *words], capture_output=True, text=True, cwd=ROOT, timeout=300)
+    script = [
+        "unshare",
+        "-rm",
+        "sh",
+        "-c",
+        _SCRIPT,
+        "sh",
+        str(disk),
+        str(size),
+        str(content or ""),
+        how,
+    ]
+    made = subprocess.run(
+        [*script, sys.executable, *words], capture_output=True, text=True, cwd=ROOT, timeout=300
+    )
     return made.returncode, made.stdout.splitlines(), made.stderr

@@ -84,24 +84,32 @@ DAMAGE: dict[str, Callable[[Path], object]] = {
 }
 
 
-@pytest.mark.parametrize("what", [pytest.param(w, marks=[pytest.mark.full] * (w == "a compiled model")) for w in MAKE])
+@pytest.mark.parametrize(
+    "what", [pytest.param(w, marks=[pytest.mark.full] * (w == "a compiled model")) for w in MAKE]
+)
 def test_what_is_damaged_is_made_again(cache: Path, what: str) -> None:
     """Each file in each way, with those that were made from it gone, so that it is asked for."""
     expected = _run(MAKE[what]())
     for file in _files(cache):
         for damage in DAMAGE.values():
-            for later in ("fmus", "models", "tapes") if file.parent.name in ("odes", "binaries") else ():
+            for later in (
+                ("fmus", "models", "tapes") if file.parent.name in ("odes", "binaries") else ()
+            ):
                 shutil.rmtree(cache / later, ignore_errors=True)
             if file.exists():
                 damage(file)
-                assert file.name.endswith(".sums") or not is_whole(file.with_name(file.name + ".sums"))
+                assert file.name.endswith(".sums") or not is_whole(
+                    file.with_name(file.name + ".sums")
+                )
             assert _run(MAKE[what]()) == expected
 
 
 def test_what_is_no_file_is_said(cache: Path) -> None:
     fmu = cached_fmu("key", _ode)
     _pipe(fmu)
-    with pytest.raises(InputError, match=r"is a pipe.*can be made again.*PAM_COSIM_CACHE") as caught:
+    with pytest.raises(
+        InputError, match=r"is a pipe.*can be made again.*PAM_COSIM_CACHE"
+    ) as caught:
         cached_fmu("key", _ode)
     assert caught.value.file == fmu and "\n" not in str(caught.value)
     shutil.rmtree(cache / "fmus")
@@ -124,7 +132,9 @@ except InputError as problem:
 @pytest.mark.full
 def test_eight_at_once(cache: Path) -> None:
     command = [sys.executable, "-c", BUILD, "an FMU"]
-    running = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) for _ in range(8)]
+    running = [
+        subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) for _ in range(8)
+    ]
     told = [process.communicate()[0] for process in running]
     assert {process.returncode for process in running} == {0} and len(set(told)) == 1
     left = [p.name for p in _files(cache) if p.name.startswith(".")]
@@ -133,7 +143,9 @@ def test_eight_at_once(cache: Path) -> None:
 
 @pytest.mark.skipif(not disks_can_be_made(), reason="no disk can be made here")
 @pytest.mark.parametrize("how", [pytest.param("full", marks=pytest.mark.full), "read-only"])
-def test_a_cache_that_takes_nothing(cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str) -> None:
+def test_a_cache_that_takes_nothing(
+    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str
+) -> None:
     """One that has the model serves; one that does not says so."""
     prepare_driver()
     MAKE["an FMU"]()

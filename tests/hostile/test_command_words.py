@@ -20,7 +20,15 @@ SETTINGS = (
 )  # fmt: skip
 VARIED = ("u_in=", "u_in=1:2", "u_in=1:2:0", "u_in=1:2:1.5", "u_in=nan,1", "u_in=1 K,2 K", "u_in=a:b:c", "zzz=1,2",
           "u_in=1:2:3:4", "u_in=,,", "u_in=1e308:-1e308:5", "inputs=nowhere.csv,x.csv")  # fmt: skip
-SCALARS = ("max(", "max(zzz)", "nothing(T)", "time_to(p, -5 %)", "time_to(p, 1e400 %)", "steady(x, 200 %)", "max(T);ls")
+SCALARS = (
+    "max(",
+    "max(zzz)",
+    "nothing(T)",
+    "time_to(p, -5 %)",
+    "time_to(p, 1e400 %)",
+    "steady(x, 200 %)",
+    "max(T);ls",
+)
 FORMULAS = ("u_in = time^^2", "u_in = " + "(" * 3000 + "1" + ")" * 3000, "u_in = __import__('os').system('ls')",
             "zzz = 1", "u_in = u_in", "u_in = 1/0*time")  # fmt: skip
 OPTIONS = (
@@ -66,18 +74,29 @@ def refused(words: list[str], place: Path, capfd: pytest.CaptureFixture[str]) ->
     before = sorted(place.rglob("*"))
     assert main(words) == 2, words
     said = capfd.readouterr().err
-    assert "Traceback" not in said and "Warning" not in said and 20 < len(said) < 1500 and said.count("\n") < 6, said
+    assert (
+        "Traceback" not in said
+        and "Warning" not in said
+        and 20 < len(said) < 1500
+        and said.count("\n") < 6
+    ), said
     assert sorted(place.rglob("*")) == before, words
 
 
-@pytest.mark.parametrize("words", WORDS, ids=lambda words: " ".join(words)[:60].encode("unicode_escape").decode())
-def test_what_means_nothing(words: list[str], place: Path, capfd: pytest.CaptureFixture[str]) -> None:
+@pytest.mark.parametrize(
+    "words", WORDS, ids=lambda words: " ".join(words)[:60].encode("unicode_escape").decode()
+)
+def test_what_means_nothing(
+    words: list[str], place: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
     refused(words, place, capfd)
 
 
 @pytest.mark.parametrize("suffix", ENDLESS)
 @pytest.mark.parametrize("kind", ["pipe", "endless"])
-def test_files_without_an_end(suffix: str, kind: str, place: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_files_without_an_end(
+    suffix: str, kind: str, place: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
     file = place / f"file{suffix}"
     if kind == "pipe":
         os.mkfifo(file)

@@ -13,7 +13,16 @@ from pam_cosim.counts import LONGEST, checked_time, checked_workers
 from pam_cosim.errors import InputError
 from tests.hostile.reading import make
 
-SWEEP = ["sweep", "TankFilling", "--vary", "tank.V=1e-3:2e-3", "--design", "random", "-o", "out.csv"]
+SWEEP = [
+    "sweep",
+    "TankFilling",
+    "--vary",
+    "tank.V=1e-3:2e-3",
+    "--design",
+    "random",
+    "-o",
+    "out.csv",
+]
 WORDS = {
     "a sweep with -1 workers": [*SWEEP, "--runs", "2", "--workers", "-1"],
     "a sweep with 100000 workers": [*SWEEP, "--runs", "2", "--workers", "100000"],
@@ -41,7 +50,10 @@ WORDS = {
 
 @pytest.mark.parametrize("words", WORDS.values(), ids=WORDS.keys())
 def test_what_nobody_means_is_refused(
-    words: list[str], tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capfd: pytest.CaptureFixture[str]
+    words: list[str],
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capfd: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.chdir(tmp_path)
     make(tmp_path / "data", {})

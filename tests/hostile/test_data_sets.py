@@ -32,7 +32,9 @@ def outcomes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, An
 
 
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_cannot_be_used_is_said_in_a_sentence(outcomes: dict[str, dict[str, Any]], name: str) -> None:
+def test_what_cannot_be_used_is_said_in_a_sentence(
+    outcomes: dict[str, dict[str, Any]], name: str
+) -> None:
     told = outcomes[name]
     assert told["status"] == 2 and not told["defect"] and not told["new"], told
     assert told["seconds"] < ONE and told["peak"] < MEMORY, told

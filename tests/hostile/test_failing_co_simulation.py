@@ -27,7 +27,9 @@ STEP = "pam_core *core = &c->core;"
 OMC = os.environ.get("OMC") or shutil.which("omc") or "/work/shared/tools/openmodelica/omc"
 
 
-def failing(folder: Path, how: str = 'if (now > 0.99) return pam_log(c, PAM_ERROR, "no \\x1b[31m more");') -> Path:
+def failing(
+    folder: Path, how: str = 'if (now > 0.99) return pam_log(c, PAM_ERROR, "no \\x1b[31m more");'
+) -> Path:
     """The lag, whose co-simulation fails half-way."""
     return patched(folder, "pam_cosimulation.c", STEP, f"{how} {STEP}")
 
@@ -38,7 +40,9 @@ def exchange_only(source: Path, target: Path) -> Path:
         for name in old.namelist():
             content = old.read(name)
             if name == "modelDescription.xml":
-                text, count = re.subn(rb"<CoSimulation[^>]*?(/>|>.*?</CoSimulation>)", b"", content, flags=re.DOTALL)
+                text, count = re.subn(
+                    rb"<CoSimulation[^>]*?(/>|>.*?</CoSimulation>)", b"", content, flags=re.DOTALL
+                )
                 assert count == 1
                 content = text
             new.writestr(name, content)
@@ -55,7 +59,11 @@ def test_a_solver_that_fails_is_replaced_and_that_is_said(tmp_path: Path) -> Non
                 "(simulated up to 1 s)"
             )
         early = simulator.run(TIMES[:5], parameters={"x_start": 1.0})
-        assert early.solver == "" and early.to_xarray().attrs == {} and run.to_xarray().attrs == {"solver": run.solver}
+        assert (
+            early.solver == ""
+            and early.to_xarray().attrs == {}
+            and run.to_xarray().attrs == {"solver": run.solver}
+        )
         with pytest.raises(InputError, match="no parameter or input 'taw'"):
             simulator.run(TIMES, parameters={"taw": 1.0})
 
@@ -73,9 +81,15 @@ def test_inputs_that_rise_and_jump(tmp_path: Path, interpolation: str) -> None:
 def test_where_both_fail_the_first_reason_is_said(tmp_path: Path) -> None:
     with (
         IsolatedSimulator(failing(tmp_path)) as simulator,
-        pytest.raises(RunFailure, match=r"^no  \[31m more \(simulated up to 1 s\); with x_start = 1e\+300"),
+        pytest.raises(
+            RunFailure, match=r"^no  \[31m more \(simulated up to 1 s\); with x_start = 1e\+300"
+        ),
     ):
-        simulator.run(TIMES, parameters={"x_start": 1e300}, inputs=Inputs([0.0, 1.5, 1.5], {"u": [0, 0, 1e308]}))
+        simulator.run(
+            TIMES,
+            parameters={"x_start": 1e300},
+            inputs=Inputs([0.0, 1.5, 1.5], {"u": [0, 0, 1e308]}),
+        )
 
 
 @pytest.mark.parametrize("fmi", [pytest.param("2.0", marks=pytest.mark.full), "3.0"])
@@ -87,7 +101,9 @@ def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
         expected = simulator.run(times, inputs=inputs, tolerance=1e-8)
     with IsolatedSimulator(exchange_only(fmu, tmp_path / "Only.fmu")) as simulator:
         run = simulator.run(times, inputs=inputs, tolerance=1e-8)
-        assert not simulator.settles and run.solver == "Only.fmu is for model exchange: run with CVode"
+        assert (
+            not simulator.settles and run.solver == "Only.fmu is for model exchange: run with CVode"
+        )
         with pytest.raises(InputError, match="no co-simulation interface"):
             simulator.stepper().begin({})
     for name in ("p", "x", "T"):
@@ -97,12 +113,20 @@ def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
 def test_equations_that_hang_or_never_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG", "fmi2GetDerivatives")
     only = exchange_only(hanging(tmp_path), tmp_path / "Only.fmu")
-    with IsolatedSimulator(only, 2.0) as simulator, pytest.raises(RunFailure, match="no progress for 2 s, derivatives"):
+    with (
+        IsolatedSimulator(only, 2.0) as simulator,
+        pytest.raises(RunFailure, match="no progress for 2 s, derivatives"),
+    ):
         simulator.run(TIMES)
     file = tmp_path / "Wave.mo"
-    file.write_text("model Wave output Real x(start = 0, fixed = true); equation der(x) = 1e6*cos(1e6*time); end Wave;")
+    file.write_text(
+        "model Wave output Real x(start = 0, fixed = true); equation der(x) = 1e6*cos(1e6*time); end Wave;"
+    )
     only = exchange_only(study.build(str(file)), tmp_path / "Wave.fmu")
-    with IsolatedSimulator(only, 1.0) as simulator, pytest.raises(RunFailure, match="longer than it may, 1 s"):
+    with (
+        IsolatedSimulator(only, 1.0) as simulator,
+        pytest.raises(RunFailure, match="longer than it may, 1 s"),
+    ):
         simulator.run(np.linspace(0.0, 100.0, 10001))
 
 
@@ -126,7 +150,9 @@ def test_the_commands_say_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) 
 
 @pytest.mark.full
 @pytest.mark.skipif(not Path(OMC).exists(), reason="OpenModelica is not here")
-def test_the_stiff_bench_as_openmodelica_exports_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
+def test_the_stiff_bench_as_openmodelica_exports_it(
+    tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
     """Its co-simulation is an explicit Euler, whose pressures leave the domain of the equations."""
     (tmp_path / "build.mos").write_text(
         f'loadFile("{modelica_root()}/PneumaticMuscle/package.mo"); getErrorString();\n'
@@ -134,7 +160,12 @@ def test_the_stiff_bench_as_openmodelica_exports_it(tmp_path: Path, capfd: pytes
     )
     subprocess.run([OMC, "build.mos"], cwd=tmp_path, capture_output=True, timeout=300, check=True)
     fmu = tmp_path / "Isotonic.fmu"
-    told(fmu, tmp_path, capfd, "the co-simulation of Isotonic.fmu fails, so that its model exchange was run with CVode")
+    told(
+        fmu,
+        tmp_path,
+        capfd,
+        "the co-simulation of Isotonic.fmu fails, so that its model exchange was run with CVode",
+    )
     times = np.linspace(0.0, 10.0, 201)
     with IsolatedSimulator(fmu) as theirs, Simulator(study.build("Isotonic")) as ours:
         run, expected = theirs.run(times), ours.run(times)

@@ -55,7 +55,15 @@ NUMBERS = {
     ),
     "no description": (r"(?s).*", ""),
 }
-NAMES = ("/etc/passwd", "../../escaped", "resources/../../../escaped", "C:\\x", "x" * 300, "a/" * 600 + "b", "a\x1bb")
+NAMES = (
+    "/etc/passwd",
+    "../../escaped",
+    "resources/../../../escaped",
+    "C:\\x",
+    "x" * 300,
+    "a/" * 600 + "b",
+    "a\x1bb",
+)
 
 
 @pytest.mark.parametrize("name", NUMBERS)
@@ -68,7 +76,9 @@ def test_descriptions_that_cannot_be(fmu: Path, tmp_path: Path, name: str) -> No
         assert problem.file == file and problem.message.isprintable() and len(problem.message) < 400
 
 
-@pytest.mark.parametrize("name", NAMES, ids=lambda name: name[:20].encode("unicode_escape").decode())
+@pytest.mark.parametrize(
+    "name", NAMES, ids=lambda name: name[:20].encode("unicode_escape").decode()
+)
 def test_archives_that_leave_their_folder(fmu: Path, tmp_path: Path, name: str) -> None:
     file = changed(fmu, tmp_path / "evil.fmu", extra=name)
     with pytest.raises(InputError, match="the archive has a file") as caught:
@@ -89,7 +99,11 @@ BINARIES = {
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, marks=[pytest.mark.full] * (name == "takes all memory")) for name in BINARIES]
+    "name",
+    [
+        pytest.param(name, marks=[pytest.mark.full] * (name == "takes all memory"))
+        for name in BINARIES
+    ],
 )
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="signals and limits of Linux")
 def test_binaries_that_take_what_they_find(fmu: Path, tmp_path: Path, name: str) -> None:
@@ -97,18 +111,25 @@ def test_binaries_that_take_what_they_find(fmu: Path, tmp_path: Path, name: str)
     code = (
         "#define _GNU_SOURCE\n#include <stdlib.h>\n#include <string.h>\n#include <unistd.h>\n#include <signal.h>\n"
         "static const char text[4096] = {1};\n"
-        "__attribute__((constructor)) static void harm(void) { (void)text; " + BINARIES[name] + " }\n"
+        "__attribute__((constructor)) static void harm(void) { (void)text; "
+        + BINARIES[name]
+        + " }\n"
     )
     library = compile_library((), {"harm.c": code}, native_platform()).read_bytes()
     file = tmp_path / "evil.fmu"
     with zipfile.ZipFile(fmu) as old, zipfile.ZipFile(file, "w") as new:
         for entry in old.namelist():
             new.writestr(entry, library if entry.startswith("binaries/") else old.read(entry))
-    with IsolatedSimulator(file, 10.0) as simulator, pytest.raises((InputError, SimulationFailure)) as caught:
+    with (
+        IsolatedSimulator(file, 10.0) as simulator,
+        pytest.raises((InputError, SimulationFailure)) as caught,
+    ):
         simulator.run([0.0, 1.0])
     assert str(caught.value).isprintable() and "evil.fmu" in str(caught.value)
     left = (
-        subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True).stdout if Path("/bin/ps").exists() else ""
+        subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True).stdout
+        if Path("/bin/ps").exists()
+        else ""
     )
     assert "evil.fmu" not in left
     assert MOST_MEMORY <= 2e9

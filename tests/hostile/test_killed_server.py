@@ -36,10 +36,14 @@ def alive(group: int) -> bool:
 
 
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="processes cannot be held here")
-@pytest.mark.parametrize("way", ["held", *(pytest.param(w, marks=pytest.mark.full) for w in ("resumed", "at work"))])
+@pytest.mark.parametrize(
+    "way", ["held", *(pytest.param(w, marks=pytest.mark.full) for w in ("resumed", "at work"))]
+)
 def test_jobs_end_with_the_server(way: str) -> None:
     place = Path(__file__).parents[2]
-    with subprocess.Popen([sys.executable, "-c", SERVER, way], stdout=subprocess.PIPE, text=True, cwd=place) as server:
+    with subprocess.Popen(
+        [sys.executable, "-c", SERVER, way], stdout=subprocess.PIPE, text=True, cwd=place
+    ) as server:
         assert server.stdout is not None
         job = int(server.stdout.readline())
         assert alive(job)

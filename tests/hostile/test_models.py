@@ -18,11 +18,18 @@ MEMORY = 1000.0  # MB
 pytestmark = pytest.mark.xdist_group("hostile models")  # they are compiled once
 
 
-LONG = ("a function that calls itself twice", "nested sums", "loops in loops", "2^40 empty instances")  # seconds each
+LONG = (
+    "a function that calls itself twice",
+    "nested sums",
+    "loops in loops",
+    "2^40 empty instances",
+)  # seconds each
 
 
 @pytest.fixture(scope="module")
-def outcomes(tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest) -> dict[str, dict[str, Any]]:
+def outcomes(
+    tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
+) -> dict[str, dict[str, Any]]:
     """What compiling came to, in one process with limits."""
     folder, every = tmp_path_factory.mktemp("models"), REFUSED | TAKEN
     names = [name for name in every if name not in LONG or request.config.getoption("--full")]
@@ -31,8 +38,12 @@ def outcomes(tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRe
     return dict(zip(names, judged("compiling", folder), strict=True))
 
 
-@pytest.mark.parametrize("name", [pytest.param(n, marks=[pytest.mark.full] * (n in LONG)) for n in REFUSED])
-def test_what_asks_for_too_much_is_refused_with_its_place(outcomes: dict[str, dict[str, Any]], name: str) -> None:
+@pytest.mark.parametrize(
+    "name", [pytest.param(n, marks=[pytest.mark.full] * (n in LONG)) for n in REFUSED]
+)
+def test_what_asks_for_too_much_is_refused_with_its_place(
+    outcomes: dict[str, dict[str, Any]], name: str
+) -> None:
     told = outcomes[name]
     assert told["end"] in ("refused", "compiled"), told
     assert told["seconds"] < ONE and told["peak"] < MEMORY, told
@@ -43,7 +54,9 @@ def test_what_asks_for_too_much_is_refused_with_its_place(outcomes: dict[str, di
 
 def test_few_of_them_can_be_compiled_after_all(outcomes: dict[str, dict[str, Any]]) -> None:
     """What is legal and small once it is understood."""
-    compiled = {name for name in REFUSED if name in outcomes and outcomes[name]["end"] == "compiled"}
+    compiled = {
+        name for name in REFUSED if name in outcomes and outcomes[name]["end"] == "compiled"
+    }
     assert compiled <= {"annotation 5000 deep", "String of an array", "redeclared by itself"}
 
 
@@ -53,7 +66,8 @@ def test_what_is_large_and_can_be_taken_is(outcomes: dict[str, dict[str, Any]], 
 
 
 @pytest.mark.parametrize(
-    "text", ["(" * 5000 + "x" + ")" * 5000, "-(" * 300 + "x" + ")" * 300, "9" * 5000, "x" + "+x" * 20000]
+    "text",
+    ["(" * 5000 + "x" + ")" * 5000, "-(" * 300 + "x" + ")" * 300, "9" * 5000, "x" + "+x" * 20000],
 )
 def test_formulas_of_data_have_limits_too(text: str) -> None:
     try:

@@ -48,7 +48,11 @@ def environment(**more: str) -> dict[str, str]:
 def test_every_module_loads_and_works_without_what_windows_lacks() -> None:
     script = IMPORT_ALL.replace("", "").replace("WORK", WORK)
     done = subprocess.run(
-        [sys.executable, "-c", script], env=environment(), capture_output=True, text=True, timeout=300
+        [sys.executable, "-c", script],
+        env=environment(),
+        capture_output=True,
+        text=True,
+        timeout=300,
     )
     assert done.returncode == 0, done.stderr[-2000:]
     assert int(done.stdout.split()[0]) > 400
@@ -57,12 +61,15 @@ def test_every_module_loads_and_works_without_what_windows_lacks() -> None:
 @pytest.mark.parametrize("encoding", ["cp1252", "ascii"])
 def test_letters_that_a_terminal_lacks_end_nothing(encoding: str) -> None:
     """Arrows and Greek letters are in what is printed; Windows' usual encoding has none."""
-    script = "import sys; sys.argv = ['pam-cosim', '--version']; from pam_cosim.cli import process\n"
-    script += (
-        "try:\n    process.run()\nfinally:\n    print('24.1 \\u2192 0.986, \\u03c7'); print('\\u2192', file=sys.stderr)"
+    script = (
+        "import sys; sys.argv = ['pam-cosim', '--version']; from pam_cosim.cli import process\n"
     )
+    script += "try:\n    process.run()\nfinally:\n    print('24.1 \\u2192 0.986, \\u03c7')\n"
+    script += "    print('\\u2192', file=sys.stderr)"
     done = subprocess.run(
-        [sys.executable, "-c", script], env=environment(PYTHONIOENCODING=f"{encoding}:strict"), capture_output=True
+        [sys.executable, "-c", script],
+        env=environment(PYTHONIOENCODING=f"{encoding}:strict"),
+        capture_output=True,
     )
     assert done.returncode == 0, done.stderr
     assert b"24.1 ? 0.986, ?" in done.stdout

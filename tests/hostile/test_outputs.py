@@ -13,7 +13,17 @@ from tests.hostile.reading import make
 from tests.hostile.small_disk import disks_can_be_made, on_disk
 
 RUN = ["simulate", "TankFilling", "--stop-time", "1"]
-SWEEP = ["sweep", "TankFilling", "--stop-time", "1", "--vary", "u_in=0.1,0.2", "--workers", "1", "-o"]
+SWEEP = [
+    "sweep",
+    "TankFilling",
+    "--stop-time",
+    "1",
+    "--vary",
+    "u_in=0.1,0.2",
+    "--workers",
+    "1",
+    "-o",
+]
 COMMANDS = {
     "a trajectory": [*RUN, "-o"],
     "a picture": [*RUN, "--plot"],
@@ -29,7 +39,10 @@ COMMANDS = {
 MORE = {"a data set": ["data/run-01.csv"]}
 PLACES = ("/dev/null", "/dev/full", "link to a device", "link to nowhere", "link to itself", "pipe", "/proc/version",
           "/dev/stdout", "file/x.csv", "x" * 300, "nowhere/x.csv", "", "..")  # fmt: skip
-TAKEN = {"an FMU": ("", "..", "nowhere/x.csv"), "a data set": ("nowhere/x.csv",)}  # folders, which are made for them
+TAKEN = {
+    "an FMU": ("", "..", "nowhere/x.csv"),
+    "a data set": ("nowhere/x.csv",),
+}  # folders, which are made for them
 NAMES = ("$(touch MADE)", "`touch MADE`", "-x", "[red]x <b>", "a'b\"c;touch MADE", "%s%n{0}", "ü ß")
 
 
@@ -39,28 +52,41 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     make(tmp_path / "data", {})
     (tmp_path / "file").write_text("x")
     os.mkfifo("pipe")
-    for name, target in (("a device", "/dev/full"), ("nowhere", "nowhere/x"), ("itself", "link to itself")):
+    for name, target in (
+        ("a device", "/dev/full"),
+        ("nowhere", "nowhere/x"),
+        ("itself", "link to itself"),
+    ):
         os.symlink(target, f"link to {name}")
     return tmp_path
 
 
 @pytest.mark.parametrize("what", COMMANDS)
-def test_places_that_hold_no_file(place: Path, capfd: pytest.CaptureFixture[str], what: str) -> None:
+def test_places_that_hold_no_file(
+    place: Path, capfd: pytest.CaptureFixture[str], what: str
+) -> None:
     before = sorted(place.rglob("*"))
     for name in PLACES:
         if name in TAKEN.get(what, ()):
             continue
         assert main([*COMMANDS[what], name, *MORE.get(what, [])]) == 2, name
         said = capfd.readouterr().err
-        assert said.startswith("pam-cosim: ") and said.count("\n") == 1 and "Traceback" not in said, (name, said)
+        assert (
+            said.startswith("pam-cosim: ") and said.count("\n") == 1 and "Traceback" not in said
+        ), (name, said)
         assert sorted(place.rglob("*")) == before, name
 
 
-@pytest.mark.parametrize("name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.full) for name in NAMES[2:])])
+@pytest.mark.parametrize(
+    "name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.full) for name in NAMES[2:])]
+)
 def test_names_are_names(place: Path, capfd: pytest.CaptureFixture[str], name: str) -> None:
     """Nothing in them is run, looked up or set in colours; runs and files are told by them as they are."""
     assert main([*RUN, f"-o{name}.csv"]) == 0
-    assert f"written: {name}.csv" in capfd.readouterr().err and (place / f"{name}.csv").stat().st_size > 100
+    assert (
+        f"written: {name}.csv" in capfd.readouterr().err
+        and (place / f"{name}.csv").stat().st_size > 100
+    )
     run = place / "data" / "run-01.csv"
     run.rename(run.with_name(f"{name}.csv"))
     experiment = place / "data" / "experiment.toml"
@@ -99,7 +125,10 @@ def test_a_disk_that_takes_nothing(tmp_path: Path, how: str) -> None:
     disk, data = tmp_path / "disk", make(tmp_path / "data", {})
     disk.mkdir()
     exact = {"DISK": str(disk), "DATA": str(data)}
-    words = [[w.replace("DISK", exact["DISK"]).replace("DATA", exact["DATA"]) for w in ws] for ws in ON_DISK.values()]
+    words = [
+        [w.replace("DISK", exact["DISK"]).replace("DATA", exact["DATA"]) for w in ws]
+        for ws in ON_DISK.values()
+    ]
     status, lines, said = on_disk(disk, ["-c", MAIN, json.dumps(words)], how=how)
     assert status == 0, said
     assert [line for line in lines if line.startswith("status")] == ["status 2"] * len(words), said

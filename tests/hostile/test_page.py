@@ -27,7 +27,11 @@ BROKEN: dict[str, bytes] = {
     "head.csv": b"time [s],p [kPa]",
     "commas.csv": b"," * 1_000_000,
     "quotes.csv": b'time [s],p [kPa]\n"' + b"1,2\n" * 1000,
-    "wide.csv": b"time [s]," + b",".join(b"p%d [kPa]" % i for i in range(3000)) + b"\n" + b"1," * 3000 + b"1\n",
+    "wide.csv": b"time [s],"
+    + b",".join(b"p%d [kPa]" % i for i in range(3000))
+    + b"\n"
+    + b"1," * 3000
+    + b"1\n",
     "cut.txt": "time [s];p [kPa]\n0,0;1\n".encode("utf-16")[:-1],
     "lone.csv": b"time [s],p [kPa]\n0,\xff\xfe\xfd\n1,2\n",
     "not.mat": b"MATLAB 5.0 MAT-file" + b"x" * 200,
@@ -49,7 +53,9 @@ def workbench(tmp_path: Path) -> Iterator[Workbench]:
 
 @pytest.fixture
 def client(workbench: Workbench) -> Iterator[TestClient]:
-    with TestClient(application(workbench, TOKEN), base_url=HOME, headers={"Origin": HOME}) as client:
+    with TestClient(
+        application(workbench, TOKEN), base_url=HOME, headers={"Origin": HOME}
+    ) as client:
         assert client.get(f"/?token={TOKEN}").status_code == 200
         yield client
 
@@ -101,7 +107,9 @@ def test_frames_that_are_no_text(client: TestClient) -> None:
         assert told["failed"]["text"] == "a command is a JSON object"
 
 
-def test_files_that_are_too_large(client: TestClient, workbench: Workbench, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_files_that_are_too_large(
+    client: TestClient, workbench: Workbench, monkeypatch: pytest.MonkeyPatch
+) -> None:
     answer = client.post("/drop?name=a.csv", content=b"x", headers={"Content-Length": str(10**18)})
     assert answer.status_code == 409 and "200 MB" in answer.json()["failed"]["text"]
     monkeypatch.setattr(server, "MOST_BYTES", 100_000)
@@ -122,7 +130,10 @@ def test_files_that_are_too_large(client: TestClient, workbench: Workbench, monk
 
 def test_a_file_of_which_only_a_part_comes(workbench: Workbench, client: TestClient) -> None:
     """Whoever sends it goes away."""
-    parts = [{"type": "http.request", "body": b"time", "more_body": True}, {"type": "http.disconnect"}]
+    parts = [
+        {"type": "http.request", "body": b"time", "more_body": True},
+        {"type": "http.disconnect"},
+    ]
     cookies = "; ".join(f"{name}={value}" for name, value in client.cookies.items())
     heads = {"host": "127.0.0.1:8123", "origin": HOME, "cookie": cookies}
     scope = {
@@ -153,6 +164,8 @@ def test_broken_files_are_answered_in_words(workbench: Workbench) -> None:
         drafts = [m for m in map(json.loads, told) if m["event"] == "draft"]
         assert len(drafts) == 1 and drafts[0]["failed"]["text"], name
         assert "should not" not in drafts[0]["failed"]["text"], drafts[0]["failed"]
-        workbench.do({"do": "remove", "names": [p.name for p in workbench.drop.recordings]}).result(PATIENCE)  # type: ignore[union-attr]
+        workbench.do({"do": "remove", "names": [p.name for p in workbench.drop.recordings]}).result(
+            PATIENCE
+        )  # type: ignore[union-attr]
     end()
     assert not workbench.folder.exists() and not list(workbench.folder.parent.rglob("MADE"))

@@ -18,7 +18,18 @@ from tests.hostile.reading import make
 
 TRIED = 300
 PATIENCE = 120.0  # s for an answer
-NAMES = ("valve.C_A", "run-01", "Isotonic", "LinearBladder", "fit", "holdout", "least-squares", "../x.mo", "x.mo", "")
+NAMES = (
+    "valve.C_A",
+    "run-01",
+    "Isotonic",
+    "LinearBladder",
+    "fit",
+    "holdout",
+    "least-squares",
+    "../x.mo",
+    "x.mo",
+    "",
+)
 KEYS = ("values", "effects", "model", "roles", "method", "free", "time_limit", "exclude", "expect", "file", "names",
         "candidate", "learned", "rule", "do", "id", "self", "session", "__class__")  # fmt: skip
 LONG = ("fit", "diagnose", "check")  # are tried with arguments that are refused, and elsewhere
@@ -40,7 +51,9 @@ def value(chance: random.Random, depth: int = 0) -> Any:
     if kind == 3:
         return [value(chance, depth + 1) for _ in range(chance.randrange(4))]
     if kind == 4:
-        return {str(chance.choice(NAMES)): value(chance, depth + 1) for _ in range(chance.randrange(3))}
+        return {
+            str(chance.choice(NAMES)): value(chance, depth + 1) for _ in range(chance.randrange(3))
+        }
     return chance.uniform(-1, 1) * 10 ** chance.randrange(-300, 300)
 
 

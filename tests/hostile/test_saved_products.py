@@ -31,7 +31,10 @@ def parts(path: Path) -> tuple[Any, dict[str, Any]]:
 
 def packed(document: Any, arrays: dict[str, Any]) -> bytes:
     file = io.BytesIO()
-    named: dict[str, Any] = {"product": np.frombuffer(json.dumps(document).encode(), np.uint8), **arrays}
+    named: dict[str, Any] = {
+        "product": np.frombuffer(json.dumps(document).encode(), np.uint8),
+        **arrays,
+    }
     np.savez(file, **named)
     return file.getvalue()
 
@@ -85,19 +88,29 @@ def attack(name: str, seed: object, tries: int, folder: Path) -> tuple[int, int]
 @pytest.mark.filterwarnings("ignore::RuntimeWarning")
 def test_mutations(name: str, tmp_path: Path, request: pytest.FixtureRequest) -> None:
     """All of them with ``--full``, and a third otherwise."""
-    tried, loaded = attack(name, 0, TRIED if request.config.getoption("--full") else TRIED // 3, tmp_path)
+    tried, loaded = attack(
+        name, 0, TRIED if request.config.getoption("--full") else TRIED // 3, tmp_path
+    )
     assert loaded < tried
 
 
 ARCHIVES = {
     "an unknown compression": lambda whole: _patched(whole, 10, b"\x63\x00"),
     "an encrypted member": lambda whole: _patched(whole, 8, b"\x01\x00"),
-    "a header that is no dictionary": lambda _: _archive({"product.npy": b"\x93NUMPY\x01\x00\x10\x00(((((((((((((((("}),
-    "a header that does not end": lambda _: _archive({"product.npy": b"\x93NUMPY\x01\x00\x10\x00'''''''''''''''"}),
-    "a header of 64 kB of brackets": lambda _: _archive({"product.npy": b"\x93NUMPY\x01\x00\xff\xff" + b"(" * 65535}),
+    "a header that is no dictionary": lambda _: _archive(
+        {"product.npy": b"\x93NUMPY\x01\x00\x10\x00(((((((((((((((("}
+    ),
+    "a header that does not end": lambda _: _archive(
+        {"product.npy": b"\x93NUMPY\x01\x00\x10\x00'''''''''''''''"}
+    ),
+    "a header of 64 kB of brackets": lambda _: _archive(
+        {"product.npy": b"\x93NUMPY\x01\x00\xff\xff" + b"(" * 65535}
+    ),
     "an array of 8 TB": lambda _: _archive({"product.npy": _header("(1000000000000,)")}),
     "an array of negative length": lambda _: _archive({"product.npy": _header("(-1,)")}),
-    "objects": lambda _: _archive({"product.npy": _header("(1,)", "|O") + b"cos\nsystem\n(S'touch MADE'\ntR."}),
+    "objects": lambda _: _archive(
+        {"product.npy": _header("(1,)", "|O") + b"cos\nsystem\n(S'touch MADE'\ntR."}
+    ),
     "JSON of 100000 brackets": lambda _: _text("[" * 100_000),
     "JSON that is no product": lambda _: _text('{"kind": "Fit", "content": {"parameters": 1}}'),
     "a number of 5000 digits": lambda _: _text('{"kind": "Fit", "content": ' + "9" * 5000 + "}"),

@@ -30,7 +30,9 @@ CALLED = {"read", "compare", "fit", "diagnose", "add"}  # of pam_cosim
 
 @pytest.fixture(scope="module")
 def study(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
-    folder = write_light_data(tmp_path_factory.mktemp("rig") / "my-rig", [effect_of("elasticity:linear")], 1)
+    folder = write_light_data(
+        tmp_path_factory.mktemp("rig") / "my-rig", [effect_of("elasticity:linear")], 1
+    )
     with Session(folder) as session:
         yield session
 
@@ -45,7 +47,9 @@ def written(study: Session, folder: Path, **changes: Any) -> Path:
 
 
 @pytest.mark.parametrize("step", CORPUS["refused"], ids=lambda step: json.dumps(step)[:60])
-def test_a_step_that_no_study_has_is_refused_with_its_place(study: Session, tmp_path: Path, step: Any) -> None:
+def test_a_step_that_no_study_has_is_refused_with_its_place(
+    study: Session, tmp_path: Path, step: Any
+) -> None:
     good = {"do": "set", "values": {"valve.C_A": 0.7}}
     with pytest.raises(InputError, match=r"damaged: steps\.2") as caught:
         load_state(written(study, tmp_path / "s", steps=[good, step]), study.first)
@@ -53,7 +57,9 @@ def test_a_step_that_no_study_has_is_refused_with_its_place(study: Session, tmp_
 
 
 @pytest.mark.parametrize("table", CORPUS["tables"])
-def test_what_stands_beside_the_steps_is_checked(study: Session, tmp_path: Path, table: str) -> None:
+def test_what_stands_beside_the_steps_is_checked(
+    study: Session, tmp_path: Path, table: str
+) -> None:
     for value in CORPUS["tables"][table]:
         with pytest.raises(InputError) as caught:
             load_state(written(study, tmp_path / "s", **{table: value}), study.first)
@@ -69,7 +75,9 @@ def test_what_stands_beside_the_steps_is_checked(study: Session, tmp_path: Path,
 def only_calls_of_the_library(script: str) -> None:
     """A script that does what a study can do, whatever its texts are."""
     for node in ast.walk(ast.parse(script)):
-        assert not isinstance(node, (ast.Lambda, ast.FunctionDef, ast.ImportFrom, ast.JoinedStr)), ast.unparse(node)
+        assert not isinstance(node, (ast.Lambda, ast.FunctionDef, ast.ImportFrom, ast.JoinedStr)), (
+            ast.unparse(node)
+        )
         if isinstance(node, ast.Import):
             assert ast.unparse(node) == "import pam_cosim as pam"
         if isinstance(node, ast.Call):
@@ -93,7 +101,9 @@ def run_as_a_person_would(commands: str, place: Path) -> None:
     room = place / "room"
     room.mkdir()
     environment = {"PATH": f"{program.parent}:{os.environ['PATH']}", "HOME": str(room)}
-    made = subprocess.run([shell, "-c", commands], cwd=room, env=environment, capture_output=True, text=True)
+    made = subprocess.run(
+        [shell, "-c", commands], cwd=room, env=environment, capture_output=True, text=True
+    )
     assert made.returncode == 0 and not made.stdout and not made.stderr, made
     assert not list(room.iterdir())
 
@@ -109,7 +119,9 @@ def test_what_loads_is_printed_as_text(
     study: Session, tmp_path: Path, step: dict[str, Any], monkeypatch: pytest.MonkeyPatch
 ) -> None:
     composed = type("Composition", (), {"name": "'x; touch MADE'"})()
-    monkeypatch.setattr(study.catalogue, "composed", lambda *_: composed)  # there are no effects of these names
+    monkeypatch.setattr(
+        study.catalogue, "composed", lambda *_: composed
+    )  # there are no effects of these names
     state = load_state(written(study, tmp_path / "s", steps=[step]), study.first)
     printed(study, state, tmp_path)
     message = json.loads(steps_event(state, True).message())
@@ -126,7 +138,9 @@ def test_what_was_never_checked_is_printed_as_text_too(
     for number, step in enumerate(CORPUS["refused"]):
         if not isinstance(step, dict) or not isinstance(step.get("do"), str):
             continue
-        state = replace(study.first, steps=(Step(step["do"], {k: v for k, v in step.items() if k != "do"}),))
+        state = replace(
+            study.first, steps=(Step(step["do"], {k: v for k, v in step.items() if k != "do"}),)
+        )
         try:
             printed(study, state, tmp_path / str(number))
         except (KeyError, TypeError, ValueError, AttributeError):

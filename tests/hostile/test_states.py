@@ -67,12 +67,29 @@ def test_a_history_that_cannot_be(path: Path) -> None:
         state = taken(simulator)
         assert hashed(state) == state and used(simulator, state) == ""
         lines = 4 * 8  # bytes of a segment; a count stands before them
-        counts = [k for k in range(HASHED, len(state) - 8, 8) if len(state) - k - 8 == lines * _count(state, k)]
+        counts = [
+            k
+            for k in range(HASHED, len(state) - 8, 8)
+            if len(state) - k - 8 == lines * _count(state, k)
+        ]
         assert counts
-        for wrong in (0.0, -1.0, 0.5, 1e6, 1e300, float("nan"), float("inf"), _count(state, counts[0]) + 1):
-            assert REFUSED in used(simulator, changed(state, counts[0], struct.pack("<d", wrong))), wrong
+        for wrong in (
+            0.0,
+            -1.0,
+            0.5,
+            1e6,
+            1e300,
+            float("nan"),
+            float("inf"),
+            _count(state, counts[0]) + 1,
+        ):
+            assert REFUSED in used(
+                simulator, changed(state, counts[0], struct.pack("<d", wrong))
+            ), wrong
         for time in (float("nan"), 1e300):
-            assert REFUSED in used(simulator, changed(state, counts[0] + 8, struct.pack("<d", time))), time
+            assert REFUSED in used(
+                simulator, changed(state, counts[0] + 8, struct.pack("<d", time))
+            ), time
         for cut in (state[:-8], state[:200], b"", state + b"\0" * 8, state[:HASHED]):
             assert REFUSED in used(simulator, hashed(cut) if len(cut) > HASHED else cut)
         assert used(simulator, state) == ""

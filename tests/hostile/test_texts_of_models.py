@@ -86,12 +86,18 @@ def _write(folder: Path, name: str, text: str = "") -> Path:
 @pytest.fixture
 def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     monkeypatch.chdir(tmp_path)
-    monkeypatch.setenv("MADE", str(tmp_path / "made"))  # absolute: FMPy loads libraries in a folder of its own
+    monkeypatch.setenv(
+        "MADE", str(tmp_path / "made")
+    )  # absolute: FMPy loads libraries in a folder of its own
     return tmp_path
 
 
 @pytest.mark.parametrize(
-    "name", [pytest.param(name, id=key, marks=[pytest.mark.full] * (key == "long")) for key, name in NAMES.items()]
+    "name",
+    [
+        pytest.param(name, id=key, marks=[pytest.mark.full] * (key == "long"))
+        for key, name in NAMES.items()
+    ],
 )
 @pytest.mark.parametrize("fmi", ["2.0", pytest.param("3.0", marks=pytest.mark.full)])
 def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
@@ -100,7 +106,10 @@ def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
     path = study.build(str(file), place / "made.fmu", fmi=fmi)
     with zipfile.ZipFile(path) as archive:
         etree.fromstring(archive.read("modelDescription.xml"))
-        assert all(len(entry) < 255 and ".." not in entry and entry.isascii() for entry in archive.namelist())
+        assert all(
+            len(entry) < 255 and ".." not in entry and entry.isascii()
+            for entry in archive.namelist()
+        )
     description = fmpy.read_model_description(str(path))
     assert description.modelName == f"'model {name}'"
     known = {v.name for v in description.modelVariables}
@@ -145,9 +154,14 @@ def test_comments_and_messages_are_text(text: str, place: Path) -> None:
     path = study.build(str(file))
     description = fmpy.read_model_description(str(path))
     state = next(v for v in description.modelVariables if v.name == "'x n'")
-    allowed = "".join(c if c in "\t\n\r" or (c >= " " and c != "\ufffe") else "\ufffd" for c in ode.description)
+    allowed = "".join(
+        c if c in "\t\n\r" or (c >= " " and c != "\ufffe") else "\ufffd" for c in ode.description
+    )
     assert description.description == state.description == allowed
-    with Simulator(path) as simulator, pytest.raises(RunFailure, match="an assertion of the model fails at time"):
+    with (
+        Simulator(path) as simulator,
+        pytest.raises(RunFailure, match="an assertion of the model fails at time"),
+    ):
         simulator.run([0.0, 9.0])
 
 
@@ -160,7 +174,9 @@ def test_a_message_comes_back_whole(place: Path) -> None:
 
 
 @pytest.mark.parametrize("character", ["\n", "\t", "\0", "\x1b", "\u202e", "\u200b", "\u2028"])
-def test_names_that_cannot_be_seen_are_refused_with_their_place(character: str, place: Path) -> None:
+def test_names_that_cannot_be_seen_are_refused_with_their_place(
+    character: str, place: Path
+) -> None:
     file = place / "M.mo"
     file.write_bytes(f"model M\n  Real 'a{character}b' = 1;\nend M;\n".encode())
     with pytest.raises(ModelError, match="a name must not hold the character") as caught:
@@ -181,7 +197,9 @@ def test_every_byte_survives_the_way_into_c(tmp_path: Path) -> None:
 
 
 def test_source_of_a_hostile_model_holds_no_text_of_it(place: Path) -> None:
-    source = model_source(compile_model(str(_write(place, NAMES["trigraph"], "*/ int x; /*"))), "{1}")
+    source = model_source(
+        compile_model(str(_write(place, NAMES["trigraph"], "*/ int x; /*"))), "{1}"
+    )
     outside = re.sub(r'"[^"]*"', "", source)
     assert "??" not in source and "system" not in outside and "int x" not in outside
 
@@ -189,10 +207,16 @@ def test_source_of_a_hostile_model_holds_no_text_of_it(place: Path) -> None:
 def test_files_of_a_folder_keep_to_the_folder(place: Path) -> None:
     """The command builds it under a name of its own; what a class calls itself is no path."""
     file = place / "Lib.mo"
-    file.write_text("package Lib\n model '../../escaped'\n  output Real y = 1;\n end '../../escaped';\nend Lib;\n")
+    file.write_text(
+        "package Lib\n model '../../escaped'\n  output Real y = 1;\n end '../../escaped';\nend Lib;\n"
+    )
     words = ["build", "Lib.'../../escaped'", "--file", "Lib.mo", "-o", "deep/er"]
     run = subprocess.run(
-        [sys.executable, "-m", "pam_cosim", *words], capture_output=True, text=True, cwd=place, check=False
+        [sys.executable, "-m", "pam_cosim", *words],
+        capture_output=True,
+        text=True,
+        cwd=place,
+        check=False,
     )
     assert run.returncode == 0, run.stderr
     made = [p.relative_to(place).as_posix() for p in place.rglob("*.fmu")]
@@ -203,8 +227,15 @@ def test_names_are_taken_apart_at_their_dots_only() -> None:
     assert parts("A.'b.c'.d[1].e") == ["A", "'b.c'", "d[1]", "e"]
     assert (last("A.'b.c'"), parent("A.'b.c'")) == ("'b.c'", "A")
     assert parts("A..b") == ["A..b"] and parts("it's") == ["it's"]
-    assert identifier("Plain") == "Plain" and identifier("end") == "'end'" and identifier("a b") == "'a b'"
-    assert identifier("x; end x; model y") == "'x; end x; model y'" and identifier("a'b\\c\n") == "'a_b_c_'"
+    assert (
+        identifier("Plain") == "Plain"
+        and identifier("end") == "'end'"
+        and identifier("a b") == "'a b'"
+    )
+    assert (
+        identifier("x; end x; model y") == "'x; end x; model y'"
+        and identifier("a'b\\c\n") == "'a_b_c_'"
+    )
 
 
 def test_effects_with_hostile_texts_are_composed(place: Path) -> None:
@@ -237,7 +268,11 @@ def test_names_with_slashes_are_written(ending: str, place: Path) -> None:
     run = study.simulate(str(file))
     run.save(place / f"run.{ending}")
     study.sweep(str(file), {"'p a/../b'": [1.0, 2.0]}, output=place / f"sweep.{ending}")
-    assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", f"run.{ending}", f"sweep.{ending}"]
+    assert sorted(p.name for p in place.iterdir()) == [
+        "Hostile.mo",
+        f"run.{ending}",
+        f"sweep.{ending}",
+    ]
     if ending == "nc":
         with xarray.open_dataset(place / "run.nc", engine="h5netcdf") as data:
             (name,) = data.data_vars

@@ -55,5 +55,8 @@ def test_a_sweep_goes_on(model: str, capfd: pytest.CaptureFixture[str]) -> None:
 def test_every_run_has_a_limit(model: str) -> None:
     with opened(model) as simulator:
         assert simulator.limit == CRITERIA.run.longest
-    with pytest.raises(InputError, match="a time limit must be larger than zero"), opened(model, timeout=-1.0):
+    with (
+        pytest.raises(InputError, match="a time limit must be larger than zero"),
+        opened(model, timeout=-1.0),
+    ):
         pass

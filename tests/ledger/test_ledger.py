@@ -95,18 +95,26 @@ def test_a_record_that_is_shifted_is_read_by_the_clock_of_the_model(shift: float
     data = study.read(folder)
     values = {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "recorder.shift": shift}
     assert keep_ledger(data, values, effects=["ClockOffset"]).failing == ()
-    assert keep_ledger(data, values | {"recorder.shift": 0.0}, effects=["ClockOffset"]).failing != ()
+    assert (
+        keep_ledger(data, values | {"recorder.shift": 0.0}, effects=["ClockOffset"]).failing != ()
+    )
 
 
-@pytest.mark.parametrize("hidden", ["elasticity:linear", "dry_friction:coulomb", "rate_friction:viscous"])
+@pytest.mark.parametrize(
+    "hidden", ["elasticity:linear", "dry_friction:coulomb", "rate_friction:viscous"]
+)
 def test_missing_force_is_the_hidden_force(hidden: str) -> None:
     entry = _ledger(hidden).entry("force")
     assert entry is not None and entry.unit == "N"
     effect = effect_of(hidden)
     true = []
     for course, run in zip(entry.courses, PLAN, strict=True):
-        rig = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, course.time, [effect])
-        true.append([effect.force((), x, v, p) for x, v, p in zip(rig.x, rig.v, rig.p, strict=True)])
+        rig = simulate_muscle(
+            replace(TRUTH, load=run.load), run.p_supply, run.schedule, course.time, [effect]
+        )
+        true.append(
+            [effect.force((), x, v, p) for x, v, p in zip(rig.x, rig.v, rig.p, strict=True)]
+        )
     _check(entry, np.concatenate(true), "x", 2e-3, 0.1)
 
 
@@ -116,14 +124,22 @@ def test_missing_mass_flow_is_the_leak() -> None:
     effect = effect_of("leak:orifice")
     true = []
     for course, run in zip(entry.courses, PLAN, strict=True):
-        rig = simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, course.time, [effect])
-        true.append([-effect.leak(p + P_ATM, t) for p, t in zip(rig.p, rig.temperature, strict=True)])
+        rig = simulate_muscle(
+            replace(TRUTH, load=run.load), run.p_supply, run.schedule, course.time, [effect]
+        )
+        true.append(
+            [-effect.leak(p + P_ATM, t) for p, t in zip(rig.p, rig.temperature, strict=True)]
+        )
     _check(entry, np.concatenate(true), "p_gauge", 1e4, 0.15)
 
 
-def _check(entry: BalanceEntry, true: np.ndarray, sized: str, least: float, accuracy: float) -> None:
+def _check(
+    entry: BalanceEntry, true: np.ndarray, sized: str, least: float, accuracy: float
+) -> None:
     """Where the muscle works, the term is the truth but for a multiple of what a free parameter imitates."""
-    value, deviation = (np.concatenate([getattr(c, n) for c in entry.courses]) for n in ("value", "deviation"))
+    value, deviation = (
+        np.concatenate([getattr(c, n) for c in entry.courses]) for n in ("value", "deviation")
+    )
     imitated = np.concatenate([np.column_stack(list(c.imitated.values())) for c in entry.courses])
     z = np.concatenate([c.against[sized] for c in entry.courses])
     kept = (z > least) & (deviation < np.quantile(deviation[z > least], 0.9))
@@ -138,7 +154,11 @@ def test_instrument_fault_has_its_size() -> None:
     lag = _ledger("thermocouple_lag:first_order").readings[0]
     assert lag.signal == "T" and lag.lag == pytest.approx(0.15, rel=0.35)
     offset = _ledger("pressure_offset:constant").readings[0]
-    assert offset.signal == "p" and abs(offset.offset - 5e3) < 3 * offset.offset_deviation and offset.lag == 0
+    assert (
+        offset.signal == "p"
+        and abs(offset.offset - 5e3) < 3 * offset.offset_deviation
+        and offset.lag == 0
+    )
     gain = _ledger("pressure_offset:gain").readings[0]
     assert gain.signal == "p" and abs(gain.gain - 0.05) < 3 * gain.gain_deviation
 
@@ -176,7 +196,9 @@ def test_missing_samples_are_no_obstacle() -> None:
 
 def test_unknown_terms_are_no_hypotheses() -> None:
     tree = read_library()
-    assert unknown_terms(tree) and not {e.name for e in unknown_terms(tree)} & {e.name for e in effect_classes(tree)}
+    assert unknown_terms(tree) and not {e.name for e in unknown_terms(tree)} & {
+        e.name for e in effect_classes(tree)
+    }
 
 
 def test_bad_input() -> None:
@@ -188,7 +210,9 @@ def test_bad_input() -> None:
 
 
 @pytest.mark.full
-@pytest.mark.parametrize(("effect", "failing"), [(None, ()), ("LinearBladder", ("force",)), ("OrificeLeak", ("mass",))])
+@pytest.mark.parametrize(
+    ("effect", "failing"), [(None, ()), ("LinearBladder", ("force",)), ("OrificeLeak", ("mass",))]
+)
 def test_other_bench_with_faster_dynamics(effect: str | None, failing: tuple[str, ...]) -> None:
     """The drive of the isometric bench is ten times faster than the samples: the grid must be refined by itself."""
     ledger = keep_ledger(_isometric(effect))
@@ -200,10 +224,22 @@ def _isometric(effect: str | None) -> DataSet:
     filling, venting = ((time >= a) & (time < b) for a, b in ((0, 3), (5, 10)))
     inputs = {"u_in": 0.35 * filling, "u_out": 0.3 * venting, "s": 0.02 + 0.01 * np.sin(time)}
     text = study.add([effect], "Isometric") if effect else ""
-    fmu = build_source(text.split()[1], text) if effect else build_model("PneumaticMuscle.Benches.Isometric")
-    signals = {"p": Signal("p", "Pa", 500.0), "F": Signal("F", "N", 1.0), "T": Signal("T", "K", 0.3)}
+    fmu = (
+        build_source(text.split()[1], text)
+        if effect
+        else build_model("PneumaticMuscle.Benches.Isometric")
+    )
+    signals = {
+        "p": Signal("p", "Pa", 500.0),
+        "F": Signal("F", "N", 1.0),
+        "T": Signal("T", "K", 0.3),
+    }
     with Simulator(fmu) as simulator:
         clean = simulator.run(time, inputs=Inputs(time, inputs)).values
-    noisy = {n: clean[n] + (s.sigma or 0) * rng.standard_normal(len(time)) for n, s in signals.items()}
+    noisy = {
+        n: clean[n] + (s.sigma or 0) * rng.standard_normal(len(time)) for n, s in signals.items()
+    }
     run = recording(time, noisy, "fit", inputs)
-    return DataSet(Path("rig"), "a rig", "PneumaticMuscle.Benches.Isometric", signals, {}, {}, (run,))
+    return DataSet(
+        Path("rig"), "a rig", "PneumaticMuscle.Benches.Isometric", signals, {}, {}, (run,)
+    )

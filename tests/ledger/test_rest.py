@@ -36,13 +36,20 @@ def test_runs_begin_at_rest_and_where_they_are_told(tmp_path: Path) -> None:
     inputs[first, :2] = [0.3, 0.2]
     starts = np.full_like(grid.starts, np.nan)
     starts[1, states.index("muscle.gas.p")] = told
-    begins = Model(ode, (), (), ("p", "x")).initial(grid.parameters, replace(grid, node_inputs=inputs, starts=starts))
+    begins = Model(ode, (), (), ("p", "x")).initial(
+        grid.parameters, replace(grid, node_inputs=inputs, starts=starts)
+    )
     with Simulator(build_source("Begun", TEXT, lean=True, brief=True)) as simulator:
         for run, set_values in ((0, {}), (1, {"muscle.gas.p": told})):
-            held = {n: np.array([v]) for n, v in zip(ode.interface.inputs, inputs[first[run]], strict=True)}
+            held = {
+                n: np.array([v])
+                for n, v in zip(ode.interface.inputs, inputs[first[run]], strict=True)
+            }
             stated = dict(zip(ode.interface.parameters, grid.parameters[run].tolist(), strict=True))
             stated |= set_values
-            theirs = simulator.run([0.0], parameters=stated, inputs=Inputs(np.array([0.0]), held), outputs=states)
+            theirs = simulator.run(
+                [0.0], parameters=stated, inputs=Inputs(np.array([0.0]), held), outputs=states
+            )
             for i, name in enumerate(states):
                 assert begins[run, i] == pytest.approx(theirs[name][0], rel=1e-6, abs=1e-9), name
 

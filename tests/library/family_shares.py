@@ -101,7 +101,9 @@ THOROUGH = FitOptions(screened_starts=8, descents=3, precision=1e-3)
 def fitted_with(effect: str, data: DataSet, options: FitOptions = QUICK) -> Fit:
     """The base model with an effect, all parameters fitted, from several starts."""
     with Simulator(model_with(effect)) as simulator:
-        own = [_free(simulator.interface, name) for name in on_bench(effect, BENCH).parameters[effect]]
+        own = [
+            _free(simulator.interface, name) for name in on_bench(effect, BENCH).parameters[effect]
+        ]
         free = (*base_parameters(data, simulator.interface), *own)
         starts = [start for one in own for start in _off(one)]
         return fit(simulator, data, free, starts=starts, options=options)
@@ -119,10 +121,16 @@ def _off(one: Free) -> list[dict[str, float]]:
         values = [one.start * factor for factor in (0.1, 10.0)]
     else:
         values = [one.start + part * (one.high - one.low) for part in (-0.25, 0.25)]
-    return [{one.name: min(max(v, one.low), one.high)} for v in values if one.low < v < one.high or one.logarithmic]
+    return [
+        {one.name: min(max(v, one.low), one.high)}
+        for v in values
+        if one.low < v < one.high or one.logarithmic
+    ]
 
 
-def shares(family: str, number: int, names: Sequence[str] = (), plan: Plan = (), thorough: bool = False) -> list[Share]:
+def shares(
+    family: str, number: int, names: Sequence[str] = (), plan: Plan = (), thorough: bool = False
+) -> list[Share]:
     """What effects of the catalogue leave of a random member: by default the general member of its family.
 
     ``thorough``: where more than ``ENOUGH`` is left, the fit is tried again from more starts.
@@ -157,7 +165,9 @@ def table(every: Sequence[Share]) -> str:
         own = [s for s in every if s.family == family and s.size >= LEAST_SIZE]
         if own:
             lines.append(_row(f"`{family}`", "all", own, others=False))
-            lines += [_row("", place, [s for s in own if s.place == place]) for place in PLACES[family]]
+            lines += [
+                _row("", place, [s for s in own if s.place == place]) for place in PLACES[family]
+            ]
     return "\n".join(line for line in lines if line)
 
 
@@ -171,7 +181,15 @@ def _row(family: str, place: str, own: Sequence[Share], others: bool = True) -> 
     rest = sorted((s.left, s.effect) for s in own if s.effect not in general) if others else []
     other = f"{rest[0][1]} {_percent(rest[0][0])}" if rest else ""
     median = float(np.median(left))
-    cells = [family, place, str(len(whole)), f"{size:.1f}", _percent(median), _percent(max(left)), other]
+    cells = [
+        family,
+        place,
+        str(len(whole)),
+        f"{size:.1f}",
+        _percent(median),
+        _percent(max(left)),
+        other,
+    ]
     return f"| {' | '.join(cells)} |"
 
 
@@ -198,10 +216,19 @@ def main() -> None:
     """Command line."""
     parser = argparse.ArgumentParser(prog="python -m tests.library.family_shares")
     parser.add_argument("--family", action="append", choices=FAMILIES)
-    parser.add_argument("--members", type=int, default=0, help="numbers up to this; default: one for each place")
+    parser.add_argument(
+        "--members", type=int, default=0, help="numbers up to this; default: one for each place"
+    )
     parser.add_argument("--number", type=int, action="append", help="this member alone")
-    parser.add_argument("--effect", action="append", default=[], help="of the catalogue; 'listed': all but the general")
-    parser.add_argument("--thorough", action="store_true", help="try again from more starts where much is left")
+    parser.add_argument(
+        "--effect",
+        action="append",
+        default=[],
+        help="of the catalogue; 'listed': all but the general",
+    )
+    parser.add_argument(
+        "--thorough", action="store_true", help="try again from more starts where much is left"
+    )
     parser.add_argument("--write", action="store_true")
     options = parser.parse_args()
     for family in options.family or FAMILIES:
@@ -209,7 +236,10 @@ def main() -> None:
         for number in options.number or range(options.members or len(PLACES[family])):
             told = shares(family, number, names, thorough=options.thorough)
             for s in told:
-                print(f"{s.family:17} {s.place:34} {s.number:3} size {s.size:6.2f}  {s.effect:22}", end=" ")
+                print(
+                    f"{s.family:17} {s.place:34} {s.number:3} size {s.size:6.2f}  {s.effect:22}",
+                    end=" ",
+                )
                 print(f"left {100 * s.left:8.3f} %  {s.seconds:5.1f} s", flush=True)
             if options.write:
                 write_results(told)

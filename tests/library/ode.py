@@ -55,17 +55,30 @@ class Model:
 
     def initial(self, p: np.ndarray) -> np.ndarray:
         u = self.inputs()
-        return ca.Function("initial", [self.ode.p, self.ode.u], [self.ode.initial])(p, u).full().ravel()
+        return (
+            ca.Function("initial", [self.ode.p, self.ode.u], [self.ode.initial])(p, u)
+            .full()
+            .ravel()
+        )
 
     def at(self, x: np.ndarray, u: np.ndarray, p: np.ndarray) -> Values:
         """States, their derivatives as ``der(name)``, outputs and locals."""
         states = [state.name for state in self.ode.states]
-        names = [*(f"der({name})" for name in states), *self.interface.outputs, *self.interface.locals]
+        names = [
+            *(f"der({name})" for name in states),
+            *self.interface.outputs,
+            *self.interface.locals,
+        ]
         values = self.everything(0, x, u, p).full().ravel().tolist()
         return dict(zip(states, x.tolist(), strict=True)) | dict(zip(names, values, strict=True))
 
     def ledger(
-        self, end: float, entry: Callable[[Values], float], u: np.ndarray, p: np.ndarray, rtol: float = 1e-11
+        self,
+        end: float,
+        entry: Callable[[Values], float],
+        u: np.ndarray,
+        p: np.ndarray,
+        rtol: float = 1e-11,
     ) -> tuple[Values, Values, float, float]:
         """Integrates a flow along a run, as one more state.
 

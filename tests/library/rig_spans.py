@@ -21,7 +21,9 @@ RUNS = (default_plan()[0], default_plan()[2])  # filled, held, vented; in parts 
 SIGMA = Noise().as_dict()
 
 
-def left_of(law: Effect, effect: str, start: Mapping[str, float] | None = None) -> tuple[float, float]:
+def left_of(
+    law: Effect, effect: str, start: Mapping[str, float] | None = None
+) -> tuple[float, float]:
     """What a model with ``effect`` leaves of a law, and what the base model does, in noise standard deviations.
 
     Root mean square over pressure, contraction and temperature of two runs without noise. The base parameters are
@@ -45,13 +47,28 @@ def left_of(law: Effect, effect: str, start: Mapping[str, float] | None = None) 
 
 
 def _measured(effects: Sequence[Effect]) -> Array:
-    runs = [simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, TIMES, effects) for run in RUNS]
-    return np.concatenate([y / s for f in runs for y, s in zip((f.p, f.x, f.temperature), SIGMA.values(), strict=True)])
+    runs = [
+        simulate_muscle(replace(TRUTH, load=run.load), run.p_supply, run.schedule, TIMES, effects)
+        for run in RUNS
+    ]
+    return np.concatenate(
+        [
+            y / s
+            for f in runs
+            for y, s in zip((f.p, f.x, f.temperature), SIGMA.values(), strict=True)
+        ]
+    )
 
 
 def _simulated(simulator: Simulator, run: Run, own: dict[str, float]) -> Array:
     true = {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": run.load}
     starts, currents = np.array(run.schedule.starts), np.array(run.schedule.currents)
-    courses = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(starts), run.p_supply)}
-    simulated = simulator.run(TIMES, parameters=true | own, inputs=Inputs(starts, courses, "previous"), tolerance=1e-7)
+    courses = {
+        "u_in": currents[:, 0],
+        "u_out": currents[:, 1],
+        "p_supply": np.full(len(starts), run.p_supply),
+    }
+    simulated = simulator.run(
+        TIMES, parameters=true | own, inputs=Inputs(starts, courses, "previous"), tolerance=1e-7
+    )
     return np.concatenate([simulated.values[name] / sigma for name, sigma in SIGMA.items()])

@@ -20,7 +20,9 @@ def choices(role: str) -> tuple[str, ...]:
 
 
 @cache
-def rig(pneumatics: str, mechanics: str, muscle: str | None = None, measure: str | None = None) -> ComposedBench:
+def rig(
+    pneumatics: str, mechanics: str, muscle: str | None = None, measure: str | None = None
+) -> ComposedBench:
     return compose_bench(tree(), pneumatics, mechanics, muscle, measure)
 
 
@@ -43,9 +45,18 @@ def run(
     with Simulator(build_source(of.name, of.text)) as simulator:
         kept = [*simulator.interface.outputs, *(outputs or [])]
         options = {} if tolerance is None else {"tolerance": tolerance}
-        return simulator.run(times, parameters=parameters or {}, inputs=inputs, outputs=kept, max_seconds=30, **options)
+        return simulator.run(
+            times,
+            parameters=parameters or {},
+            inputs=inputs,
+            outputs=kept,
+            max_seconds=30,
+            **options,
+        )
 
 
 def held(end: float, **values: float) -> Inputs:
     """Inputs that do not change."""
-    return Inputs(np.array([0.0, end]), {name: np.full(2, value) for name, value in values.items()}, "linear")
+    return Inputs(
+        np.array([0.0, end]), {name: np.full(2, value) for name, value in values.items()}, "linear"
+    )

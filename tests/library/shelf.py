@@ -55,7 +55,11 @@ def effects() -> tuple[EffectClass, ...]:
 @cache
 def benches() -> tuple[str, ...]:
     package = "PneumaticMuscle.Benches."
-    return tuple(n for n, c in tree().classes.items() if n.rpartition(".")[0] + "." == package and c.kind == "model")
+    return tuple(
+        n
+        for n, c in tree().classes.items()
+        if n.rpartition(".")[0] + "." == package and c.kind == "model"
+    )
 
 
 def qualified(effect: str) -> str:
@@ -110,14 +114,23 @@ def _equations(composition: Composition) -> Ode | None:
     try:
         return source_ode(composition.name, composition.text)
     except ModelError as problem:
-        if any(text in problem.message for text in ("needs the derivative of its input", "depends on the input")):
+        if any(
+            text in problem.message
+            for text in ("needs the derivative of its input", "depends on the input")
+        ):
             return None
         raise
 
 
-def values(effect: EffectClass, composition: Composition, own: dict[str, float]) -> dict[str, float]:
+def values(
+    effect: EffectClass, composition: Composition, own: dict[str, float]
+) -> dict[str, float]:
     """Values of an effect's parameters by their full names in a composed model, at every place that it has there."""
-    return {full: own[n] for full in composition.parameters[effect.name] if (n := full.rpartition(".")[2]) in own}
+    return {
+        full: own[n]
+        for full in composition.parameters[effect.name]
+        if (n := full.rpartition(".")[2]) in own
+    }
 
 
 @cache
@@ -131,7 +144,9 @@ def built(bench: str, effect: str) -> Path:
     return build_source(composition.name, composition.text)
 
 
-def run(fmu: Path, parameters: dict[str, float], tolerance: float | None = None) -> tuple[Values, Interface]:
+def run(
+    fmu: Path, parameters: dict[str, float], tolerance: float | None = None
+) -> tuple[Values, Interface]:
     """Outputs of a run in which both valves are opened and shut, where there are valves."""
     with Simulator(fmu) as simulator:
         known = simulator.interface.inputs
@@ -141,7 +156,9 @@ def run(fmu: Path, parameters: dict[str, float], tolerance: float | None = None)
             if name in known
         }
         inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
-        courses = simulator.run(TIMES, parameters=parameters, inputs=inputs, tolerance=tolerance).values
+        courses = simulator.run(
+            TIMES, parameters=parameters, inputs=inputs, tolerance=tolerance
+        ).values
         return {name: courses[name] for name in simulator.interface.outputs}, simulator.interface
 
 

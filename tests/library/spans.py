@@ -29,7 +29,9 @@ class Law:
         weight: factors (n,) on all values.
     """
 
-    def __init__(self, effect: str, local: str, at: Mapping[str, Array | float], weight: Array | float = 1.0) -> None:
+    def __init__(
+        self, effect: str, local: str, at: Mapping[str, Array | float], weight: Array | float = 1.0
+    ) -> None:
         self._weight = weight
         composition = on_bench(effect, BENCH)
         with TemporaryDirectory() as folder:
@@ -78,7 +80,9 @@ class Law:
 
 def _columns(names: Sequence[str], start: Array, at: Mapping[str, Array | float]) -> Array:
     size = max(np.size(v) for v in at.values())
-    return np.array([np.broadcast_to(at.get(name, v), size) for name, v in zip(names, start, strict=True)])
+    return np.array(
+        [np.broadcast_to(at.get(name, v), size) for name, v in zip(names, start, strict=True)]
+    )
 
 
 Coefficients = dict[str, tuple[float, float, float, float]]
@@ -128,12 +132,18 @@ def misses(
     zs = [to_z(v) for v in (low, high, start)]
     reach = zs[1] - zs[0]
     starts = [
-        np.clip(zs[2] + np.where(log, 0.0, 0.1) * reach * d, zs[0], zs[1]) for d in ((0, -1, 1) if slopes else (0,))
+        np.clip(zs[2] + np.where(log, 0.0, 0.1) * reach * d, zs[0], zs[1])
+        for d in ((0, -1, 1) if slopes else (0,))
     ]
     for z in starts:
         z = np.clip(z, zs[0] + 1e-6 * reach, zs[1] - 1e-6 * reach)
         solution = least_squares(
-            residuals, z, jacobian if slopes else "2-point", bounds=(zs[0], zs[1]), ftol=1e-10, diff_step=1e-3
+            residuals,
+            z,
+            jacobian if slopes else "2-point",
+            bounds=(zs[0], zs[1]),
+            ftol=1e-10,
+            diff_step=1e-3,
         )
         best = min(best, float(np.sqrt(2 * solution.cost)))
     return best
@@ -172,7 +182,9 @@ def course_misses(
     """As ``Law.misses``, for the course of a harness's only output under ``inputs``, each (times,)."""
     with Simulator(build_source("Harness", text.format(effect=qualified(effect)))) as simulator:
         names = [n for n in simulator.interface.parameters if n.rpartition(".")[0] == part]
-        own = coefficients(simulator.interface, [n for n in names if n.rpartition(".")[2] not in _GEOMETRY])
+        own = coefficients(
+            simulator.interface, [n for n in names if n.rpartition(".")[2] not in _GEOMETRY]
+        )
         output = next(iter(simulator.interface.outputs))
         drive = Inputs(times, inputs, "linear")
 

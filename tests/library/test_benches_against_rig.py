@@ -30,11 +30,21 @@ TOLERANCE = {"p": 5.0, "p_1": 5.0, "p_2": 5.0, "x": 1e-7, "F": 0.01, "T": 2e-3}
 SURFACES = 2.5 / (1.5 * 4 ** (1 / 3))
 """The library's tank is twice as long as wide, the rig's as long as wide: one inner surface over the other."""
 
-MUSCLE = {"L0": 0.3, "D0": 0.022, "turns": turns_of(0.3, 0.022, radians(26)), "fibres": 200.0, "t_wall": 4e-4}
+MUSCLE = {
+    "L0": 0.3,
+    "D0": 0.022,
+    "turns": turns_of(0.3, 0.022, radians(26)),
+    "fibres": 200.0,
+    "t_wall": 4e-4,
+}
 OWN = {"n_g": 1.25, "mu_fb": 0.012, "mu_d": 0.7, "h_film": 25.0}
 WAVE = Course(tuple(0.025 * (1 - np.cos(2 * np.pi * 0.4 * k / 100)) for k in range(701)))
-STEPS = Schedule.of([Phase(1.2, u_in=0.35), Phase(0.8), Phase(0.7, u_out=0.3), Phase(0.8, u_in=0.28), Phase(9)])
-OTHER = Schedule.of([Phase(0.6, u_in=0.3), Phase(1.4), Phase(1.2, u_in=0.33), Phase(0.9, u_out=0.35), Phase(9)])
+STEPS = Schedule.of(
+    [Phase(1.2, u_in=0.35), Phase(0.8), Phase(0.7, u_out=0.3), Phase(0.8, u_in=0.28), Phase(9)]
+)
+OTHER = Schedule.of(
+    [Phase(0.6, u_in=0.3), Phase(1.4), Phase(1.2, u_in=0.33), Phase(0.9, u_out=0.35), Phase(9)]
+)
 RAMPS = SampledSchedule.joined([(0.145 + 0.001 * min(k, 200), 0.0) for k in range(601)], 0.01)
 
 
@@ -87,11 +97,21 @@ HIDDEN: dict[str, tuple[str, Effect, str, dict[str, float]]] = {
     "held spring": ("isometric", LinearSpring(300.0), "LinearBladder", {"k": 300}),
     "held friction": ("isometric", Viscous(200.0), "ViscousFriction", {"c": 200}),
     "held leak": ("isometric", LaminarLeak(3e-11), "LaminarLeak", {"G": 3e-11}),
-    "line before switched muscle": ("switched", LongTube(5e-6, 1e-6), "LongLine", {"A": 1e-6, "V": 5e-6}),
+    "line before switched muscle": (
+        "switched",
+        LongTube(5e-6, 1e-6),
+        "LongLine",
+        {"A": 1e-6, "V": 5e-6},
+    ),
     "volume at switched muscle": ("switched", DeadVolume(1e-5), "DeadVolume", {"V_d": 1e-5}),
     "creep of two": ("antagonistic", Creep(300.0, 0.8), "MaxwellCreep", {"k": 300, "tau": 0.8}),
     "valves of two": ("antagonistic", ValveLag(0.05), "ValveLag", {"tau": 0.05}),
-    "load and frequency": ("vertical", LoadFrequency(0.15, 0.34), "LoadFrequencyFriction", {"ab": 0.15}),
+    "load and frequency": (
+        "vertical",
+        LoadFrequency(0.15, 0.34),
+        "LoadFrequencyFriction",
+        {"ab": 0.15},
+    ),
     "spring and load": ("vertical", LinearSpring(400.0), "LinearBladder", {"k": 400}),
     "line to tank": ("filling", LongTube(1e-5, 4e-7), "LongLine", {"A": 4e-7, "V": 1e-5}),
     "area at tank": ("filling", BackPressure(0.2), "BackPressureArea", {"beta": 0.2}),
@@ -110,7 +130,11 @@ def told(name: str, trial: Trial, stated: dict[str, float]) -> Inputs | None:
     grid = {k / 100 for k in range(round(end * 100) + 1)} if not trial.held else {0.0, end}
     if trial.course is not None:
         grid |= {k * trial.course.step for k in range(len(trial.course.values))}
-    rows = sorted({(t, t) for t in grid if t <= end} | {(t, t - 1e-7) for t in switches} | {(t, t) for t in switches})
+    rows = sorted(
+        {(t, t) for t in grid if t <= end}
+        | {(t, t - 1e-7) for t in switches}
+        | {(t, t) for t in switches}
+    )
     rows = sorted(rows, key=lambda row: row[1])
     columns: dict[str, list[float]] = {}
     for k, input_name in enumerate(bench.inputs):
@@ -119,10 +143,14 @@ def told(name: str, trial: Trial, stated: dict[str, float]) -> Inputs | None:
         elif input_name == "p_supply":
             columns[input_name] = [stated["p_supply"]] * len(rows)
         else:
-            columns[input_name] = [trial.schedules[k // 2].at(at - 5e-8 if at < t else t)[k % 2] for t, at in rows]
+            columns[input_name] = [
+                trial.schedules[k // 2].at(at - 5e-8 if at < t else t)[k % 2] for t, at in rows
+            ]
     if not columns:
         return None
-    return Inputs(np.array([t for t, _ in rows]), {n: np.array(y) for n, y in columns.items()}, "linear")
+    return Inputs(
+        np.array([t for t, _ in rows]), {n: np.array(y) for n, y in columns.items()}, "linear"
+    )
 
 
 def differences(
@@ -140,7 +168,9 @@ def differences(
     else:
         fmu = build_model(bench.model)
     with Simulator(fmu) as simulator:
-        run = simulator.run(trial.times, parameters=parameters, inputs=told(name, trial, stated), tolerance=1e-8)
+        run = simulator.run(
+            trial.times, parameters=parameters, inputs=told(name, trial, stated), tolerance=1e-8
+        )
     assert all(np.ptp(expected[signal]) > 100 * TOLERANCE[signal] for signal in bench.outputs)
     return {signal: np.abs(run.values[signal] - expected[signal]) for signal in bench.outputs}
 

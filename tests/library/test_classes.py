@@ -44,9 +44,11 @@ def _is_described(name: str) -> None:
     info = tree().classes[name]
     assert info.description and not info.description.endswith("."), info.description
     if info.kind != "type":  # a type's description says all
-        assert "<p>" in info.documentation or "<ol>" in info.documentation or "<ul>" in info.documentation, (
-            "documentation"
-        )
+        assert (
+            "<p>" in info.documentation
+            or "<ol>" in info.documentation
+            or "<ul>" in info.documentation
+        ), "documentation"
     for component in info.components:
         assert component.description, component.name
 
@@ -57,7 +59,9 @@ def test_order_names_what_is_there() -> None:
 
 def _has_order(folder: str) -> None:
     package = Path(folder)
-    there = {f.stem for f in package.glob("*.mo")} - {"package"} | {d.name for d in package.iterdir() if d.is_dir()}
+    there = {f.stem for f in package.glob("*.mo")} - {"package"} | {
+        d.name for d in package.iterdir() if d.is_dir()
+    }
     order = package / "package.order"
     named = order.read_text().split() if order.exists() else []
     assert sorted(named) == sorted(there) and len(set(named)) == len(named), named
@@ -89,13 +93,18 @@ def test_bench_shows_only_inputs_outputs_and_parameters(model: str) -> None:
 def test_law_that_must_be_chosen_refuses_with_what_to_do(tmp_path: Path) -> None:
     file = tmp_path / "Open.mo"
     file.write_text("model Open extends PneumaticMuscle.Examples.ReviewedBench; end Open;")
-    with pytest.raises(ModelError, match="redeclare model Force = PneumaticMuscle.Laws.Forces.Gaylord"):
+    with pytest.raises(
+        ModelError, match="redeclare model Force = PneumaticMuscle.Laws.Forces.Gaylord"
+    ):
         compile_model(str(file))
 
 
 def test_piece_of_a_coupled_system_is_translated_alone() -> None:
     interface = compile_model("PneumaticMuscle.CoSimulation.RatedGas").interface
-    assert {name: interface.parameters[name].start for name in ("n", "h_film")} == {"n": 1.2, "h_film": 20}
+    assert {name: interface.parameters[name].start for name in ("n", "h_film")} == {
+        "n": 1.2,
+        "h_film": 20,
+    }
 
 
 @pytest.mark.parametrize("every", [7, pytest.param(1, marks=pytest.mark.full)])

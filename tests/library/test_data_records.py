@@ -21,7 +21,12 @@ PRINTED: dict[str, dict[str, float]] = {
     "AirMuscle": {"L0": 0.3, "D0": 0.01, "alpha_0": 23.0},  # AM, theoretical force equation 1
     "EmpiricalMuscle300": {"L0": 0.3},  # DY section 2
     "EmpiricalMuscle530": {"L0": 0.53},
-    "DMSP10": {"L0": 0.25, "D0": 0.0136, "alpha_0": 28.6 - 0.1, "t_wall": 1.8e-3},  # Martens and Boblan 2017
+    "DMSP10": {
+        "L0": 0.25,
+        "D0": 0.0136,
+        "alpha_0": 28.6 - 0.1,
+        "t_wall": 1.8e-3,
+    },  # Martens and Boblan 2017
     "DMSP20": {"L0": 0.296, "D0": 0.0236, "alpha_0": 28.6 - 0.073, "t_wall": 1.8e-3},
     "DMSP40": {"L0": 0.4, "D0": 0.0472, "alpha_0": 28.6, "t_wall": 3.6e-3},
 }
@@ -32,7 +37,9 @@ BASES = {"MuscleData", "SleeveData", "EmpiricalMuscleData"}
 def values(declared: str, names: list[str]) -> dict[str, float]:
     """What a component of some class has for its parameters."""
     outputs = " ".join(f"output Real y{i} = it.{name};" for i, name in enumerate(names))
-    with Simulator(build_source("Pinned", f"model Pinned {declared} {outputs} end Pinned;")) as simulator:
+    with Simulator(
+        build_source("Pinned", f"model Pinned {declared} {outputs} end Pinned;")
+    ) as simulator:
         run = simulator.run(np.array([0.0, 1.0]))
     return {n: float(run.values[f"y{i}"][0]) for i, n in enumerate(names)}
 
@@ -42,7 +49,10 @@ def in_degrees(own: dict[str, float]) -> dict[str, float]:
 
 
 def test_every_record_is_pinned() -> None:
-    records = {file.stem for file in (modelica_root() / "PneumaticMuscle" / "Muscles" / "Data").glob("*.mo")}
+    records = {
+        file.stem
+        for file in (modelica_root() / "PneumaticMuscle" / "Muscles" / "Data").glob("*.mo")
+    }
     assert records - BASES - {"package"} == set(PRINTED)
 
 
@@ -54,7 +64,9 @@ def test_record_holds_what_is_printed(record: str) -> None:
 
 def test_empirical_muscle_has_the_angle_of_the_slides() -> None:
     """DY print no angle; the default is that of AM, with whose factor q it comes."""
-    with Simulator(build_source("Hung", "model Hung extends PneumaticMuscle.Benches.VerticalLoad; end Hung;")) as bench:
+    with Simulator(
+        build_source("Hung", "model Hung extends PneumaticMuscle.Benches.VerticalLoad; end Hung;")
+    ) as bench:
         parameters = bench.interface.parameters
     assert degrees(parameters["muscle.alpha_0"].start or 0.0) == pytest.approx(23.0, rel=1e-12)
     assert parameters["muscle.D0"].start == 0.02 and parameters["muscle.L0"].start == 0.3

@@ -33,7 +33,10 @@ PARAMETERS = [(node, c) for node in CLASSES for c in node.components.values() if
 
 
 def test_every_parameter_has_its_group() -> None:
-    groups = {f"{n.qualified_name}.{c.name}": value(c.annotation, "Dialog", "group") for n, c in PARAMETERS}
+    groups = {
+        f"{n.qualified_name}.{c.name}": value(c.annotation, "Dialog", "group")
+        for n, c in PARAMETERS
+    }
     assert len(groups) > 400
     assert {name: group for name, group in groups.items() if group not in GROUPS} == {}
 
@@ -41,13 +44,22 @@ def test_every_parameter_has_its_group() -> None:
 def test_every_replaceable_model_offers_what_fits() -> None:
     replaceable = [n for n in CLASSES if "replaceable" in n.prefixes]
     assert len(replaceable) > 30
-    silent = [n.qualified_name for n in replaceable if value(n.annotation, "choicesAllMatching") is not True]
+    silent = [
+        n.qualified_name
+        for n in replaceable
+        if value(n.annotation, "choicesAllMatching") is not True
+    ]
     assert silent == []
 
 
 def test_what_is_looked_for_around_a_model_is_put_there_by_a_tool() -> None:
     """One that drags it into a model, or misses it there."""
-    outer = {(c.name, c.type.names[-1]) for n in CLASSES for c in n.components.values() if "outer" in c.prefixes}
+    outer = {
+        (c.name, c.type.names[-1])
+        for n in CLASSES
+        for c in n.components.values()
+        if "outer" in c.prefixes
+    }
     assert ("ambient", "Ambient") in outer
     for name, of in outer:
         definition = LIBRARY.find(f"PneumaticMuscle.{of}")
@@ -59,4 +71,9 @@ def test_what_is_looked_for_around_a_model_is_put_there_by_a_tool() -> None:
 
 def test_no_name_hides_a_built_in_function() -> None:
     assert "size" in BUILTINS
-    assert [f"{n.qualified_name}.{b}" for n in CLASSES for b in BUILTINS if b in n.components or b in n.classes] == []
+    assert [
+        f"{n.qualified_name}.{b}"
+        for n in CLASSES
+        for b in BUILTINS
+        if b in n.components or b in n.classes
+    ] == []

@@ -18,12 +18,17 @@ CHANGELOG = modelica_root().parent / "CHANGELOG.md"
 
 @cache
 def documented() -> tuple[str, ...]:
-    return tuple(n for n, c in tree().classes.items() if n.startswith("PneumaticMuscle") and c.documentation)
+    return tuple(
+        n for n, c in tree().classes.items() if n.startswith("PneumaticMuscle") and c.documentation
+    )
 
 
 def links(name: str) -> list[tuple[str, str]]:
     """Targets and texts of the links in a class's documentation."""
-    return [(target, " ".join(text.split())) for target, text in LINK.findall(tree().classes[name].documentation)]
+    return [
+        (target, " ".join(text.split()))
+        for target, text in LINK.findall(tree().classes[name].documentation)
+    ]
 
 
 def test_every_link_leads_to_a_class_that_it_names() -> None:

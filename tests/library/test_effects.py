@@ -50,7 +50,9 @@ def test_declaration_is_complete(effect: EffectClass) -> None:
     own = {c.name: c for c in tree().components(effect.qualified_name)}
     for word in ("Source:", "Fingerprint:"):
         assert word in effect.documentation, f"{effect.name} does not state its {word}"
-    assert "typical" in effect.documentation.lower(), f"{effect.name} does not state what is typical"
+    assert "typical" in effect.documentation.lower(), (
+        f"{effect.name} does not state what is typical"
+    )
     assert effect.description and effect.parameters
     for name in effect.parameters:
         assert own[name].description
@@ -111,13 +113,18 @@ def _change(effect: EffectClass, bench: str) -> float:
     """The largest change of an output, in what an instrument can show."""
     outputs, interface = run(built(bench, effect.name), {})
     without, _ = base(bench)
-    return max(float(np.abs(y - without[n]).max()) / noise(interface.outputs[n]) for n, y in outputs.items())
+    return max(
+        float(np.abs(y - without[n]).max()) / noise(interface.outputs[n])
+        for n, y in outputs.items()
+    )
 
 
 @every_effect
 def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
     if not effect.absent:
-        assert "gives the base law back" in " ".join(effect.documentation.split()), "does not say when it is absent"
+        assert "gives the base law back" in " ".join(effect.documentation.split()), (
+            "does not say when it is absent"
+        )
         return
     _vanish(effect, law_bench(effect.name))
 
@@ -135,7 +142,9 @@ def _vanish(effect: EffectClass, bench: str) -> None:
     own = effect.absent
     exactly = set(own.values()) <= {0.0, 1.0}
     share, first = (1e-3, 0) if exactly else (1.0, AT_ONCE)  # exactly, or in the limit
-    outputs, interface = run(built(bench, effect.name), values(effect, on_bench(effect.name, bench), own), FINE)
+    outputs, interface = run(
+        built(bench, effect.name), values(effect, on_bench(effect.name, bench), own), FINE
+    )
     without, _ = base(bench, FINE)
     for name, y in outputs.items():
         known = interface.outputs[name]
@@ -152,7 +161,10 @@ def test_derivatives_are_finite_at_rest_and_at_the_bounds(effect: EffectClass) -
     rates = ca.Function("rates", [ode.t, ode.x, ode.u, ode.d, ode.p], [ode.derivatives])
     slopes = rates.jacobian()
     initial = ca.Function("initial", [ode.p, ode.u], [ode.initial])
-    inputs = [[v.start or 0.0 for v in ode.interface.inputs.values()], [0.0] * len(ode.interface.inputs)]
+    inputs = [
+        [v.start or 0.0 for v in ode.interface.inputs.values()],
+        [0.0] * len(ode.interface.inputs),
+    ]
     for name in composition.parameters[effect.name]:
         v = variables[name]
         for value in (v.min, v.start, v.max):

@@ -55,8 +55,14 @@ def test_same_physics_same_curve(form: str) -> None:
     muscle = replace(TRUTH, load=RUN.load)
     expected = simulate_muscle(muscle, RUN.p_supply, RUN.schedule, TIMES, [effect_of(form)])
     with Simulator(built(BENCH, name)) as simulator:
-        simulated = simulator.run(TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7).values
-    for signal, course, unit in (("p", expected.p, "Pa"), ("x", expected.x, "m"), ("T", expected.temperature, "K")):
+        simulated = simulator.run(
+            TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7
+        ).values
+    for signal, course, unit in (
+        ("p", expected.p, "Pa"),
+        ("x", expected.x, "m"),
+        ("T", expected.temperature, "K"),
+    ):
         # regularisation at equal pressures and the position at rest on the stop differ a little
         assert np.abs(simulated[signal] - course).max() < 0.3 * NOISE[unit], signal
 
@@ -67,5 +73,8 @@ def _drive() -> Inputs:
         times.append(times[-1] + phase.duration)
     starts = np.array(times[:-1])
     currents = [RUN.schedule.at(t + 1e-6) for t in starts]
-    values = {"u_in": np.array([c[0] for c in currents]), "u_out": np.array([c[1] for c in currents])}
+    values = {
+        "u_in": np.array([c[0] for c in currents]),
+        "u_out": np.array([c[1] for c in currents]),
+    }
     return Inputs(starts, values | {"p_supply": np.full(len(starts), RUN.p_supply)}, "previous")

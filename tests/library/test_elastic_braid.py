@@ -27,14 +27,18 @@ def energy(length: float, p: float, fibre: float, strain: float) -> float:
 def least_energy(length: float, p: float, strain: float) -> float:
     """Of the fibre length that the braid takes."""
     bounds = (FIBRE, 2 * FIBRE)
-    found = minimize_scalar(lambda b: energy(length, p, b, strain), bounds=bounds, options={"xatol": 1e-12})
+    found = minimize_scalar(
+        lambda b: energy(length, p, b, strain), bounds=bounds, options={"xatol": 1e-12}
+    )
     return float(found.fun)
 
 
 def pull(length: float, p: float, strain: float = STRAIN) -> float:
     """Derivative of the least energy by the length: what must be held [N]."""
     step = 1e-5
-    return (least_energy(length + step, p, strain) - least_energy(length - step, p, strain)) / (2 * step)
+    return (least_energy(length + step, p, strain) - least_energy(length - step, p, strain)) / (
+        2 * step
+    )
 
 
 def modelled(p: np.ndarray, eps: np.ndarray, strain: float) -> np.ndarray:
@@ -44,7 +48,9 @@ def modelled(p: np.ndarray, eps: np.ndarray, strain: float) -> np.ndarray:
     end Bench;"""
     times = np.arange(float(len(p)))
     with Simulator(build_source("Bench", text)) as simulator:
-        values: np.ndarray = simulator.run(times, inputs=Inputs(times, {"p": p, "eps": eps}, "linear")).values["F"]
+        values: np.ndarray = simulator.run(
+            times, inputs=Inputs(times, {"p": p, "eps": eps}, "linear")
+        ).values["F"]
     return values
 
 
@@ -89,4 +95,6 @@ hold_out = {{ p = ["180 kPa", "450 kPa"] }}
     assert [c.effect for c in verdict.path] == ["ElasticBraid"]
     found = verdict.final.parameters["muscle.braid.e_f"]
     assert found.low < STRAIN < found.high and found.high < 1.5 * STRAIN
-    assert verdict.final.comparison.scores["holdout"]["F"].rmse < 1.5  # N, at a pressure above the fitted ones too
+    assert (
+        verdict.final.comparison.scores["holdout"]["F"].rmse < 1.5
+    )  # N, at a pressure above the fitted ones too

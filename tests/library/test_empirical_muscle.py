@@ -25,7 +25,9 @@ WEIGHT = 10 * 9.80665  # N, of the default load
 
 @cache
 def rig() -> ModuleType:
-    spec = importlib.util.spec_from_file_location("dzahir_yamamoto_rig", EXAMPLE / "vertical_rig.py")
+    spec = importlib.util.spec_from_file_location(
+        "dzahir_yamamoto_rig", EXAMPLE / "vertical_rig.py"
+    )
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
@@ -48,7 +50,10 @@ def test_muscle_agrees_with_an_independent_integration(load: float, frequency: f
     own |= {"muscle.friction.c_c": 6.0, "muscle.friction.c_v": 0.0}
     with Simulator(proposed()) as simulator:
         run = simulator.run(
-            truth.time, parameters=own, inputs=Inputs(truth.time, {"p": truth.p}, "linear"), tolerance=1e-8
+            truth.time,
+            parameters=own,
+            inputs=Inputs(truth.time, {"p": truth.p}, "linear"),
+            tolerance=1e-8,
         )
     assert np.ptp(truth.x) > 0.02
     assert np.abs(run.values["x"] - truth.x).max() < 3e-6
@@ -60,7 +65,9 @@ def test_constant_coefficient_and_effect_together_are_the_proposed_model() -> No
     course = Inputs(times, {"p": 2e5 * (1 - np.cos(2 * np.pi * times))}, "linear")
     own = {"load.m": 20.0, "frequency": 1.0}
     with Simulator(proposed()) as simulator:
-        lone = simulator.run(times, parameters=own | {"damper.ab": 0.15, "muscle.friction.c_v": 0.0}, inputs=course)
+        lone = simulator.run(
+            times, parameters=own | {"damper.ab": 0.15, "muscle.friction.c_v": 0.0}, inputs=course
+        )
     with Simulator(build_model("VerticalLoad")) as simulator:
         whole = simulator.run(times, parameters=own, inputs=course)
     assert np.abs(lone.values["x"] - whole.values["x"]).max() < 2e-6
@@ -77,7 +84,9 @@ def at_rest(model: str, **parameters: float) -> Trajectory:
     times = np.linspace(0, 3, 31)
     changed = {name.replace("__", "."): value for name, value in parameters.items()}
     with Simulator(build_model(model)) as simulator:
-        return simulator.run(times, parameters=changed, inputs=Inputs(times, {"p": 0 * times}, "linear"))
+        return simulator.run(
+            times, parameters=changed, inputs=Inputs(times, {"p": 0 * times}, "linear")
+        )
 
 
 @pytest.mark.parametrize("length", [0.0, 0.3, 0.302, 0.295])
@@ -106,7 +115,9 @@ def test_printed_sleeve_begins_without_a_jump_only_where_both_lengths_are_one() 
     for l_o in (0.28, 0.31):
         begin = (0.3 - l_o) / 0.3
         assert force(begin, l_o) == pytest.approx(l_o * (1 - (l_o / 0.3) ** 2))
-        assert (force(begin, l_o) > 0) == (l_o < 0.3)  # it pushes the load down where L_o is below L
+        assert (force(begin, l_o) > 0) == (
+            l_o < 0.3
+        )  # it pushes the load down where L_o is below L
     assert force(1 - (0.28 / 0.3) ** (1 / 3), 0.28) == pytest.approx(0.0, abs=1e-15)
 
 
@@ -121,7 +132,9 @@ def test_forces_of_figure_5_balance() -> None:
         assert v[f"F_dyn[{i}]"] == pytest.approx(left, abs=1e-6)
         acceleration = 0.3 * np.gradient(np.gradient(v[f"eps[{i}]"], run.time), run.time)
         swinging = binary_erosion((v[f"F_elastic[{i}]"] == 0) & (run.time > 2), iterations=10)
-        assert (load * acceleration)[swinging] == pytest.approx(v[f"F_dyn[{i}]"][swinging], abs=0.05 * load)
+        assert (load * acceleration)[swinging] == pytest.approx(
+            v[f"F_dyn[{i}]"][swinging], abs=0.05 * load
+        )
         assert np.abs(v[f"F_dyn[{i}]"][swinging]).max() < 0.2 * load * 9.80665
 
 
@@ -146,9 +159,16 @@ TABLE_3 = {
 
 @pytest.mark.parametrize(
     ("frequency", "printed_mean", "printed_deviation", "mean"),
-    [(0.5, 0.944, 0.009, 0.944), (1.0, 0.897, 0.007, 0.896), (1.5, 0.843, 0.016, 0.840), (2.0, 0.752, 0.027, 0.762)],
+    [
+        (0.5, 0.944, 0.009, 0.944),
+        (1.0, 0.897, 0.007, 0.896),
+        (1.5, 0.843, 0.016, 0.840),
+        (2.0, 0.752, 0.027, 0.762),
+    ],
 )
-def test_means_of_table_3(frequency: float, printed_mean: float, printed_deviation: float, mean: float) -> None:
+def test_means_of_table_3(
+    frequency: float, printed_mean: float, printed_deviation: float, mean: float
+) -> None:
     """The last line's deviations follow from the entries above it; of the means only the one at 0.5 Hz does."""
     entries = np.array(TABLE_3[frequency])
     assert round(float(entries.std()), 3) == printed_deviation

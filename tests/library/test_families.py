@@ -13,23 +13,35 @@ from pam_cosim.resources import modelica_root
 from tests.library.shelf import effects, tree
 
 EFFECTS = "PneumaticMuscle.Effects"
-PACKAGES = sorted(p.parent.name for p in (modelica_root() / "PneumaticMuscle" / "Effects").glob("*/package.mo"))
+PACKAGES = sorted(
+    p.parent.name for p in (modelica_root() / "PneumaticMuscle" / "Effects").glob("*/package.mo")
+)
 
 
 def test_a_package_holds_a_family() -> None:
     places = {
-        effect.family: {e.qualified_name.split(".")[2] for e in effects() if e.family == effect.family}
+        effect.family: {
+            e.qualified_name.split(".")[2] for e in effects() if e.family == effect.family
+        }
         for effect in effects()
     }
-    assert places == {family: {"".join(map(str.capitalize, family.split("_")))} for family in places}
+    assert places == {
+        family: {"".join(map(str.capitalize, family.split("_")))} for family in places
+    }
     assert sorted(p for (p,) in places.values()) == PACKAGES and len(PACKAGES) == 22
 
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_family_and_balance_are_said_once(package: str) -> None:
     folder = modelica_root() / "PneumaticMuscle" / "Effects" / package
-    assert [f.name for f in folder.glob("*.mo") if "family=" in f.read_text()] == ["FamilyMember.mo"]
-    assert not [f.name for f in folder.glob("*.mo") if "balance=" in f.read_text() and f.name != "FamilyMember.mo"]
+    assert [f.name for f in folder.glob("*.mo") if "family=" in f.read_text()] == [
+        "FamilyMember.mo"
+    ]
+    assert not [
+        f.name
+        for f in folder.glob("*.mo")
+        if "balance=" in f.read_text() and f.name != "FamilyMember.mo"
+    ]
     assert "Fingerprint:" in tree().classes[f"{EFFECTS}.{package}"].documentation
 
 
@@ -53,7 +65,9 @@ end Drag;
 
 def test_an_effect_says_what_is_typical_of_its_parameters(tmp_path: Path) -> None:
     file = tmp_path / "Drag.mo"
-    file.write_text(TYPICAL.replace("{family}", f"{EFFECTS}.RateFriction").replace("{range}", "{-0.5, 2}"))
+    file.write_text(
+        TYPICAL.replace("{family}", f"{EFFECTS}.RateFriction").replace("{range}", "{-0.5, 2}")
+    )
     (own,) = (e for e in effect_classes(read_library(files=[file])) if e.name == "Drag")
     assert own.typical == {"c": (-0.5, 2.0)}
 
@@ -70,7 +84,9 @@ def test_what_is_no_typical_range_is_named_with_its_place(text: str, tmp_path: P
 def test_a_class_that_has_moved_is_named_with_its_place(tmp_path: Path) -> None:
     file = tmp_path / "Mine.mo"
     file.write_text(f"model Mine\n  extends {EFFECTS}.LinearBladder;\nend Mine;")
-    with pytest.raises(ModelError, match=rf"did you mean {EFFECTS}\.Elasticity\.LinearBladder\?") as caught:
+    with pytest.raises(
+        ModelError, match=rf"did you mean {EFFECTS}\.Elasticity\.LinearBladder\?"
+    ) as caught:
         read_library(files=[file])
     assert (caught.value.file, caught.value.line, caught.value.column) == (file, 2, 11)
 
@@ -80,5 +96,7 @@ def test_a_law_that_has_moved_is_named_where_it_is_redeclared(tmp_path: Path) ->
     file.write_text("""model Mine
   extends PneumaticMuscle.Benches.Isotonic(muscle(redeclare model Wall = PneumaticMuscle.Components.PrintedWall));
 end Mine;""")
-    with pytest.raises(ModelError, match=r"did you mean PneumaticMuscle\.Laws\.Heat\.PrintedWall\?"):
+    with pytest.raises(
+        ModelError, match=r"did you mean PneumaticMuscle\.Laws\.Heat\.PrintedWall\?"
+    ):
         compile_model(str(file))

@@ -27,7 +27,14 @@ from tests.library.family_shares import (
 )
 from tests.library.shelf import effects
 
-PHASES = (Phase(0.4, 0.35), Phase(0.3), Phase(0.4, 0.25), Phase(0.5), Phase(0.4, 0.0, 0.3), Phase(0.4))
+PHASES = (
+    Phase(0.4, 0.35),
+    Phase(0.3),
+    Phase(0.4, 0.25),
+    Phase(0.5),
+    Phase(0.4, 0.0, 0.3),
+    Phase(0.4),
+)
 SHORT = (Run(2.27, 207e3, PHASES),)
 EVERY = [(family, number) for family in FAMILIES for number in range(len(PLACES[family]))]
 
@@ -37,7 +44,10 @@ ONE_DESCENT = FitOptions(descents=1, precision=1e-3)
 
 def left(effect: str, member: Effect) -> float:
     data = data_of(member, SHORT)
-    return fitted_with(effect, data, ONE_DESCENT).residuals["fit"].chi2 / fitted_base(data).residuals["fit"].chi2
+    return (
+        fitted_with(effect, data, ONE_DESCENT).residuals["fit"].chi2
+        / fitted_base(data).residuals["fit"].chi2
+    )
 
 
 def opening_that_lags() -> Effect:
@@ -45,11 +55,19 @@ def opening_that_lags() -> Effect:
 
 
 def test_every_family_of_physics_is_drawn() -> None:
-    assert {e.family for e in effects() if e.balance != "sensor"} <= set(FAMILIES) <= {e.family for e in effects()}
+    assert (
+        {e.family for e in effects() if e.balance != "sensor"}
+        <= set(FAMILIES)
+        <= {e.family for e in effects()}
+    )
     for family in FAMILIES:
         for number, place in enumerate(PLACES[family]):
             assert draw(family, number)[0] == place
-            assert draw(family, number) == draw(family, number) != draw(family, number + len(PLACES[family]))
+            assert (
+                draw(family, number)
+                == draw(family, number)
+                != draw(family, number + len(PLACES[family]))
+            )
 
 
 def test_an_opening_that_lags_is_met_behind_the_law_of_its_area() -> None:
@@ -78,7 +96,9 @@ def test_a_table_tells_the_median_and_the_worst() -> None:
     one = Share("leak", "gauge pressure", 0, 3.0, "GeneralLeak", 0.01, 1.0)
     other = replace(one, number=5, left=0.03)
     listed = replace(one, effect="LaminarLeak", left=0.5)
-    assert "| gauge pressure | 2 | 3.0 | 2 % | 3 % | LaminarLeak 50 % |" in table([one, other, listed])
+    assert "| gauge pressure | 2 | 3.0 | 2 % | 3 % | LaminarLeak 50 % |" in table(
+        [one, other, listed]
+    )
 
 
 @pytest.mark.full

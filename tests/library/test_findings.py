@@ -31,7 +31,9 @@ def static_force(p: float, eps: float) -> float:
 
 def test_exponent_matters_for_the_steady_state_only_with_the_printed_wall() -> None:
     trajectory = run("Examples.Validation.PolytropicExponent", 10)
-    x, printed = ([at(trajectory, f"{name}[{i}]", 4.9) for i in (1, 2, 3)] for name in ("x", "x_printed"))
+    x, printed = (
+        [at(trajectory, f"{name}[{i}]", 4.9) for i in (1, 2, 3)] for name in ("x", "x_printed")
+    )
     assert x == pytest.approx([67.88e-3] * 3, rel=1e-3)
     assert printed[0] > 1.25 * printed[1] > 1.25 * printed[2]
 
@@ -84,8 +86,12 @@ def test_loops_of_the_empirical_muscle_widen_with_load_and_rate() -> None:
 
 def test_butyl_pressure_hardly_depends_on_the_exponent_and_the_length_matters() -> None:
     trajectory = run("Examples.Validation.ButylPressure", 10)
-    assert [at(trajectory, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx([96.64e3, 95.00e3, 93.78e3], rel=2e-3)
-    assert [at(trajectory, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx([62.86e-3] * 3, rel=1e-3)
+    assert [at(trajectory, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx(
+        [96.64e3, 95.00e3, 93.78e3], rel=2e-3
+    )
+    assert [at(trajectory, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx(
+        [62.86e-3] * 3, rel=1e-3
+    )
     assert at(trajectory, "x_long", 4.9) == pytest.approx(67.88e-3, rel=1e-3)
 
 

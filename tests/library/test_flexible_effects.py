@@ -63,7 +63,9 @@ def _corners(interface: Interface, names: Sequence[str]) -> Iterator[dict[str, f
 
     Where an effect has several places, the second takes the same corner as the first, and the opposite one.
     """
-    places = [list(own) for _, own in itertools.groupby(names, lambda name: name.rpartition(".")[0])]
+    places = [
+        list(own) for _, own in itertools.groupby(names, lambda name: name.rpartition(".")[0])
+    ]
     corners: Sequence[tuple[int, ...]] = list(itertools.product((0, 1), repeat=len(places[0])))
     if len(corners) > MOST_CORNERS:
         drawn = np.random.default_rng(1).choice(len(corners), MOST_CORNERS // 2, replace=False)
@@ -137,7 +139,10 @@ FRICTIONS: dict[str, tuple[float, Form]] = {
     "saturating at 50 mm/s": (0.02, lambda v: np.tanh(v / 0.05)),
     "saturating at 20 mm/s": (0.04, lambda v: np.tanh(v / 0.02)),
     "exponential": (0.05, lambda v: np.expm1(v / 0.1)),
-    "Stribeck": (0.07, lambda v: np.tanh(v / 0.002) * (3 + 3 * np.exp(-((v / 0.02) ** 2))) + 30 * v),
+    "Stribeck": (
+        0.07,
+        lambda v: np.tanh(v / 0.002) * (3 + 3 * np.exp(-((v / 0.02) ** 2))) + 30 * v,
+    ),
 }
 
 
@@ -240,7 +245,10 @@ def test_ends_span(name: str) -> None:
 
 
 # Valves: inlet, three supplies, four currents.
-PM, PS, U = (a.ravel() for a in np.meshgrid(np.linspace(0.05, 0.99, 20), [1e5, 1.5e5, 2e5], np.linspace(0.2, 0.35, 4)))
+PM, PS, U = (
+    a.ravel()
+    for a in np.meshgrid(np.linspace(0.05, 0.99, 20), [1e5, 1.5e5, 2e5], np.linspace(0.2, 0.35, 4))
+)
 PM = PM * PS
 R = (PM + P_ATM) / (PS + P_ATM)
 NOMINAL = 0.699 * (1.8e-6 * U - 2.61e-7)
@@ -270,7 +278,9 @@ def test_area_spans(name: str) -> None:
 
 
 # Lines: from the valve at p_a to the muscle at p_b.
-PA, PB = (a.ravel() for a in np.meshgrid(np.linspace(1.2e5, 3.1e5, 25), np.linspace(1.05e5, 3.0e5, 25)))
+PA, PB = (
+    a.ravel() for a in np.meshgrid(np.linspace(1.2e5, 3.1e5, 25), np.linspace(1.05e5, 3.0e5, 25))
+)
 PA, PB = PA[PA > PB + 500], PB[PA > PB + 500]
 
 
@@ -289,7 +299,10 @@ LINES: dict[str, tuple[float, Array]] = {
     "laminar": (0.01, PA**2 - PB**2),
     "elliptic": (0.01, np.sqrt(PA**2 - PB**2)),
     "isentropic": (0.09, isentropic(PA, PB)),
-    "laminar and isentropic in series": (0.07, 1 / (1 / isentropic(PA, PB) + 3e4 / (PA**2 - PB**2))),
+    "laminar and isentropic in series": (
+        0.07,
+        1 / (1 / isentropic(PA, PB) + 3e4 / (PA**2 - PB**2)),
+    ),
     "Blasius": (0.04, (PA**2 - PB**2) ** (4 / 7)),
 }
 
@@ -302,7 +315,9 @@ def test_line_spans(name: str) -> None:
 
 # General members: laws that the flexible member of the family does not say.
 
-GAUGE, STRETCH = (a.ravel() for a in np.meshgrid(np.linspace(500, 2.5e5, 25), np.linspace(0, 0.07, 15)))
+GAUGE, STRETCH = (
+    a.ravel() for a in np.meshgrid(np.linspace(500, 2.5e5, 25), np.linspace(0, 0.07, 15))
+)
 
 
 def choked_below(b: float) -> Array:
@@ -317,12 +332,22 @@ def general(family: str) -> Law:
     both = {"line.gas.p": EACH, "line.gas.m": EACH * 2e-6 / (287.05 * T_ATM), "muscle.gas.p": OTHER}
     return {
         "bladder": lambda: Law("GeneralBladder", "bladder.f", {"load.s": X}),
-        "leak": lambda: Law("GeneralLeak", "leak.port.m_flow", {"muscle.gas.p": P_ATM + GAUGE, "load.s": STRETCH}),
-        "ends": lambda: Law("GeneralEnds", "muscle.braid.F", {"load.s": 0.24 * E, "muscle.gas.p": P_ATM + P}),
-        "area": lambda: Law("GeneralArea", "valve.area.A[1]", {"muscle.gas.p": P_ATM + PM, "p_supply": PS, "u_in": U}),
+        "leak": lambda: Law(
+            "GeneralLeak", "leak.port.m_flow", {"muscle.gas.p": P_ATM + GAUGE, "load.s": STRETCH}
+        ),
+        "ends": lambda: Law(
+            "GeneralEnds", "muscle.braid.F", {"load.s": 0.24 * E, "muscle.gas.p": P_ATM + P}
+        ),
+        "area": lambda: Law(
+            "GeneralArea",
+            "valve.area.A[1]",
+            {"muscle.gas.p": P_ATM + PM, "p_supply": PS, "u_in": U},
+        ),
         "line": lambda: Law("GeneralLine", "line.resistance.m_flow", pressures),
         "line both ways": lambda: Law("GeneralLine", "line.resistance.m_flow", both),
-        "friction": lambda: Law("GeneralRateFriction", "damper.f", {"load.v": V2, "muscle.gas.p": P_ATM + P2}),
+        "friction": lambda: Law(
+            "GeneralRateFriction", "damper.f", {"load.v": V2, "muscle.gas.p": P_ATM + P2}
+        ),
     }[family]()
 
 
@@ -384,12 +409,18 @@ def test_general_member_contains_the_others(pair: tuple[str, str]) -> None:
     for name in pair:
         composition = on_bench(name, BENCH)
         chosen = own | rest
-        named = {n: chosen[k] for n in composition.parameters[name] if (k := n.rpartition(".")[2]) in chosen}
+        named = {
+            n: chosen[k]
+            for n in composition.parameters[name]
+            if (k := n.rpartition(".")[2]) in chosen
+        }
         both.append(run(built(BENCH, name), named))
     (one, interface), (other, _) = both
     without, _ = base(BENCH)
     for name in one:
-        assert one[name] == pytest.approx(other[name], abs=0.1 * noise(interface.outputs[name])), name
+        assert one[name] == pytest.approx(other[name], abs=0.1 * noise(interface.outputs[name])), (
+            name
+        )
     assert any(np.max(np.abs(one[n] - without[n])) > noise(interface.outputs[n]) for n in one)
 
 
@@ -411,7 +442,10 @@ def test_creep_spans(name: str) -> None:
     bound, form = RELAXATIONS[name]
     inputs = {"x_wanted": np.where(AFTER > 0, 0.01, 0.0), "p_wanted": np.full(len(AFTER), 1e5)}
     seen = np.where(AFTER >= 0.02, 1.0, 0.0)
-    assert course_misses(HARNESS, "FlexibleCreep", "effect", AFTER, inputs, 4 * form(AFTER), seen) < bound
+    assert (
+        course_misses(HARNESS, "FlexibleCreep", "effect", AFTER, inputs, 4 * form(AFTER), seen)
+        < bound
+    )
 
 
 # Dry friction: large and small loops of contraction while the pressure rises from 50 to 150 kPa.
@@ -498,7 +532,11 @@ UNLISTED: dict[str, tuple[str, float, Effect]] = {
     "arm": ("FlexibleMass", 0.1, Arm()),
     "falling friction": ("FlexibleDryFriction", 0.5, FallingFriction()),
     "friction that grows with contraction": ("UnevenFriction", 0.1, GrowingDamper()),
-    "friction mainly in contraction": ("UnevenFriction", 0.05, GrowingDamper(c=300, x_0=1e3, back=0.3)),
+    "friction mainly in contraction": (
+        "UnevenFriction",
+        0.05,
+        GrowingDamper(c=300, x_0=1e3, back=0.3),
+    ),
     "thinning creep": ("FlexibleCreep", 0.1, EyringCreep()),
     "throttled chamber": ("SideVolume", 0.3, Chamber()),
     "throttled chamber that cools": ("SideVolume", 0.4, Chamber(ua=0.1)),
@@ -515,7 +553,11 @@ UNLISTED: dict[str, tuple[str, float, Effect]] = {
     "attraction": ("RealGas", 0.05, FilmGas(h_1=0, b=-3e-3)),
     "volume of the molecules": ("RealGas", 0.05, FilmGas(h_1=0, b=3e-3)),
     "two layers": ("FlexibleWall", 0.03, LayeredWall()),
-    "one layer, laminar free convection": ("FlexibleWall", 0.03, LayeredWall(ratio=1e-3, between=100)),
+    "one layer, laminar free convection": (
+        "FlexibleWall",
+        0.03,
+        LayeredWall(ratio=1e-3, between=100),
+    ),
     "heat in contraction alone": ("FlexibleFrictionHeat", 0.02, RisingHeat()),
     "heat both ways": ("FlexibleFrictionHeat", 0.02, DissipatedHeat()),
     "late heat": ("FlexibleFrictionHeat", 0.02, LateHeat()),

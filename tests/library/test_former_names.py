@@ -24,7 +24,11 @@ HOMES = {
         "Supply", "Atmosphere", "Orifice", "PlainOrifice", "Droop", "Regulator", "ValvePair", "ReviewedValves", "Tank",
     ),
 }  # fmt: skip
-MOVED = {f"Components.{name}": f"{home}.Components.{name}" for home, names in HOMES.items() for name in names} | {
+MOVED = {
+    f"Components.{name}": f"{home}.Components.{name}"
+    for home, names in HOMES.items()
+    for name in names
+} | {
     "Sensors.GaugePressure": "Instruments.Sensors.GaugePressure",
     "Sources.Step": "Examples.Sources.Step",
     "Data.Butyl": "Muscles.Data.Butyl",
@@ -64,7 +68,9 @@ def test_a_model_is_found_by_its_former_short_name() -> None:
 def test_a_bench_of_former_names_has_the_equations_of_one_of_present_names(tmp_path: Path) -> None:
     moved = {name.partition(".")[2]: (name, now) for name, now in MOVED.items()}
     moved["Ambient"] = ("Components.Ambient", "Ambient")
-    former, present = (_compiled({name: both[i] for name, both in moved.items()}, tmp_path) for i in (0, 1))
+    former, present = (
+        _compiled({name: both[i] for name, both in moved.items()}, tmp_path) for i in (0, 1)
+    )
     assert str(former.derivatives) == str(present.derivatives) and len(former.states) == 1
     assert former.interface.parameters.keys() == present.interface.parameters.keys()
 
@@ -97,7 +103,9 @@ def _says_present_names(name: str) -> None:
 
 def _written_names(node: ClassDefinition) -> list[TypeName]:
     clauses = [*node.extends, *([] if node.alias is None else [node.alias])]
-    return [clause.type for clause in clauses] + [component.type for component in node.components.values()]
+    return [clause.type for clause in clauses] + [
+        component.type for component in node.components.values()
+    ]
 
 
 def _is_declared_around(node: ClassDefinition, first: str) -> bool:

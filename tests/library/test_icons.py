@@ -20,7 +20,11 @@ def _kind(name: str) -> str:
     return "" if info is None else info.kind
 
 
-CLASSES = [n for n, c in tree().classes.items() if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")]
+CLASSES = [
+    n
+    for n, c in tree().classes.items()
+    if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")
+]
 FAMILIES = [n for n in CLASSES if n.startswith("PneumaticMuscle.Effects.") and n.count(".") == 2]
 MODELS = [name for name, info in tree().classes.items() if info.kind in ("model", "block")]
 SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
@@ -48,13 +52,19 @@ def test_every_family_has_a_picture_of_its_own() -> None:
 
 
 def test_connectors_stand_on_the_edge_of_the_icon() -> None:
-    check_each(_has_connectors_on_the_edge, (n for n in CLASSES if tree().classes[n].kind == "model"))
+    check_each(
+        _has_connectors_on_the_edge, (n for n in CLASSES if tree().classes[n].kind == "model")
+    )
 
 
 def _has_connectors_on_the_edge(name: str) -> None:
     of = PICTURES.of(name)
     unplaced: list[str] = []
-    places = [part for part in PICTURES.parts(of, unplaced, "Icon") if part.of.definition.kind == "connector"]
+    places = [
+        part
+        for part in PICTURES.parts(of, unplaced, "Icon")
+        if part.of.definition.kind == "connector"
+    ]
     for part in places:
         assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
     connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
@@ -70,7 +80,9 @@ def test_components_have_places_of_their_own() -> None:
 def _has_everything_in_a_place_of_its_own(name: str) -> None:
     of = PICTURES.of(name)
     unplaced: list[str] = []
-    parts = [part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind != "connector"]
+    parts = [
+        part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind != "connector"
+    ]
     assert not unplaced, unplaced
     low, high = PICTURES.extent(of)
     for part in parts:

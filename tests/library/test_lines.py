@@ -26,8 +26,16 @@ def turbulent(p_a: float, p_b: float) -> float:
 ISOTHERMAL = "FrictionLine"
 
 LINES = {
-    "OrificeLine": ({"A": 2e-7}, 2e-7, lambda p_a, t_a, p_b, t_b: mass_flow(2e-7, p_a, t_a, p_b, t_b)),
-    "LongLine": ({"A": 2e-7, "V": 5e-5}, 5e-5, lambda p_a, t_a, p_b, t_b: mass_flow(2e-7, p_a, t_a, p_b, t_b)),
+    "OrificeLine": (
+        {"A": 2e-7},
+        2e-7,
+        lambda p_a, t_a, p_b, t_b: mass_flow(2e-7, p_a, t_a, p_b, t_b),
+    ),
+    "LongLine": (
+        {"A": 2e-7, "V": 5e-5},
+        5e-5,
+        lambda p_a, t_a, p_b, t_b: mass_flow(2e-7, p_a, t_a, p_b, t_b),
+    ),
     "LaminarLine": ({"G": 3e-9}, 2e-7, lambda p_a, t_a, p_b, t_b: laminar(p_a, p_b)),
     "FrictionLine": ({"A": 2e-7, "V": 5e-5}, 5e-5, lambda p_a, t_a, p_b, t_b: turbulent(p_a, p_b)),
 }

@@ -61,9 +61,13 @@ def test_a_fluidic_muscle_pulls_as_was_measured(name: str, of: str, left: float)
     ("name", "pull", "pressure", "within"),
     [("DMSP10", 630, 8e5, 0.05), ("DMSP20", 1500, 6e5, 0.06), ("DMSP40", 6000, 6e5, 0.06)],
 )
-def test_a_fluidic_muscle_pulls_what_its_maker_says(name: str, pull: float, pressure: float, within: float) -> None:
+def test_a_fluidic_muscle_pulls_what_its_maker_says(
+    name: str, pull: float, pressure: float, within: float
+) -> None:
     made = run(
-        rig("imposed-pressure", "imposed-length", name, "F"), np.linspace(0, 1, 11), inputs=held(1.0, p=pressure, s=0.0)
+        rig("imposed-pressure", "imposed-length", name, "F"),
+        np.linspace(0, 1, 11),
+        inputs=held(1.0, p=pressure, s=0.0),
     )
     assert made.values["F"][-1] == pytest.approx(pull, rel=within)
 
@@ -71,9 +75,13 @@ def test_a_fluidic_muscle_pulls_what_its_maker_says(name: str, pull: float, pres
 def test_a_short_fluidic_muscle_pulls_as_its_makers_tool_says_and_not_as_it_was_measured() -> None:
     """112 mm at 620 kPa: 499 N by the tool, 351 N measured, 335 N by the law of those who did."""
     muscle = rig("imposed-pressure", "imposed-length", "DMSP10", "F")
-    made = run(muscle, np.linspace(0, 1, 11), {"muscle.sleeve.L0": 0.112}, held(1.0, p=620e3, s=0.0))
+    made = run(
+        muscle, np.linspace(0, 1, 11), {"muscle.sleeve.L0": 0.112}, held(1.0, p=620e3, s=0.0)
+    )
     assert made.values["F"][-1] == pytest.approx(503, abs=2)
-    assert pull(f"{LAWS}.Bolen", np.full(2, 620e3), np.zeros(2), 0.112)[0] == pytest.approx(335.3, abs=0.3)
+    assert pull(f"{LAWS}.Bolen", np.full(2, 620e3), np.zeros(2), 0.112)[0] == pytest.approx(
+        335.3, abs=0.3
+    )
 
 
 def test_a_muscle_is_meant_however_its_words_are_separated() -> None:
@@ -88,7 +96,10 @@ def test_a_muscle_is_meant_however_its_words_are_separated() -> None:
 @pytest.mark.parametrize("muscle", choices("muscle"))
 def test_each_muscle_lifts_a_load_of_its_size(muscle: str) -> None:
     lifted = run(
-        rig("regulator", "hanging-load", muscle, "p,x"), np.linspace(0, 10, 201), {"load.m": 2.0}, held(10.0, p_set=3e5)
+        rig("regulator", "hanging-load", muscle, "p,x"),
+        np.linspace(0, 10, 201),
+        {"load.m": 2.0},
+        held(10.0, p_set=3e5),
     )
     assert 0.005 < lifted.values["x"][-1] < 0.25
 
@@ -131,7 +142,8 @@ def sleeve(**measures: float) -> dict[str, float]:
     with Simulator(any_geometry()) as simulator:
         made = simulator.run(
             np.linspace(0, 0.5, 6),
-            parameters=FRICTIONLESS | {f"muscle.sleeve.{name}": value for name, value in (unstated | measures).items()},
+            parameters=FRICTIONLESS
+            | {f"muscle.sleeve.{name}": value for name, value in (unstated | measures).items()},
             inputs=held(0.5, p=1e5, s=0.0),
             outputs=shown,
             max_seconds=30,
@@ -161,13 +173,18 @@ def test_a_sleeve_is_determined_by(stated: tuple[str, ...]) -> None:
         ({"L0": 0.2, "D0": 0.015, "turns": 1.0, "fittings": 0.2}, "fittings shorter than that"),
     ],
 )
-def test_measures_that_contradict_each_other_or_do_not_suffice(measures: dict[str, float], said: str) -> None:
+def test_measures_that_contradict_each_other_or_do_not_suffice(
+    measures: dict[str, float], said: str
+) -> None:
     with pytest.raises((InputError, SimulationFailure), match=said):
         sleeve(**measures)
 
 
 def test_fittings_do_not_contract() -> None:
-    bare, with_ends = SLEEVE | {"b": 0.0, "turns": 0.0}, SLEEVE | {"b": 0.0, "turns": 0.0, "L0": 0.25, "fittings": 0.05}
+    bare, with_ends = (
+        SLEEVE | {"b": 0.0, "turns": 0.0},
+        SLEEVE | {"b": 0.0, "turns": 0.0, "L0": 0.25, "fittings": 0.05},
+    )
     assert sleeve(**with_ends) == pytest.approx(sleeve(**bare), rel=1e-9)
 
 
@@ -175,7 +192,10 @@ def test_tondu_finds_fittings() -> None:
     """A factor of 1.25 on the strain is a fifth of the length that does not contract."""
     p, eps = np.full(5, 3e5), np.linspace(0, 0.2, 5)
     with_ends = pull("PneumaticMuscle.Effects.EndShape.TonduEnds", p, eps, 0.25, k=1.25)
-    assert with_ends == pytest.approx(pull(f"{LAWS}.Gaylord", p, 1.25 * eps, 0.2), rel=1e-9) and with_ends[-1] > 10
+    assert (
+        with_ends == pytest.approx(pull(f"{LAWS}.Gaylord", p, 1.25 * eps, 0.2), rel=1e-9)
+        and with_ends[-1] > 10
+    )
 
 
 # ---- laws of fluidic muscles -----------------------------------------------------------------------------------------
@@ -189,7 +209,11 @@ def pull(law: str, p: np.ndarray, eps: np.ndarray, L0: float, **geometry: float)
     own = {"D0": geometry.pop("D0", 0.02), "alpha_0": geometry.pop("alpha_0", 0.5), "L0": L0}
     stated = ", ".join(f"{n}={v!r}" for n, v in own.items())
     coefficients = ", ".join(f"{n}={v!r}" for n, v in geometry.items())
-    change = f"redeclare model Braid = {law}({coefficients})" if coefficients else f"redeclare model Braid = {law}"
+    change = (
+        f"redeclare model Braid = {law}({coefficients})"
+        if coefficients
+        else f"redeclare model Braid = {law}"
+    )
     text = f"""model Bench "A law"
       extends PneumaticMuscle.Benches.StaticForce(muscle({stated}, {change}));
     end Bench;"""
@@ -212,7 +236,9 @@ def test_sarosi_in_the_units_that_he_takes() -> None:
     a = (-4.35573, 281.22370, -0.32866, -9.27035, 302.20107, -263.69185)
     p, eps, _ = grid(A1)
     bar, percent = p / 1e5, eps * 100
-    printed = (a[0] * bar + a[1]) * np.exp(a[2] * percent) + a[3] * bar * percent + a[4] * bar + a[5]
+    printed = (
+        (a[0] * bar + a[1]) * np.exp(a[2] * percent) + a[3] * bar * percent + a[4] * bar + a[5]
+    )
     made = pull(f"{LAWS}.Sarosi", p, eps, 0.4)
     assert made == pytest.approx(np.maximum(printed, 0), abs=0.06) and (printed < -50).any()
 
@@ -222,7 +248,9 @@ def test_sarosi_in_the_units_that_he_takes() -> None:
 )
 def test_bolen_as_the_equations_have_it(L0: float, p: float, expected: float) -> None:
     """335.3 N is printed. For the shorter muscle the paper works out 230 and 112 N, which its equations do not give."""
-    assert pull(f"{LAWS}.Bolen", np.array([p, p]), np.zeros(2), L0)[0] == pytest.approx(expected, abs=0.06)
+    assert pull(f"{LAWS}.Bolen", np.array([p, p]), np.zeros(2), L0)[0] == pytest.approx(
+        expected, abs=0.06
+    )
 
 
 def test_bolen_ends_where_the_muscle_is_short() -> None:
@@ -242,8 +270,18 @@ def test_a_law_leaves_of_the_table_what_its_documentation_says(law: str, left: f
 @pytest.mark.parametrize(
     ("of", "geometry", "coefficients", "left"),
     [
-        (A1, {"L0": 0.296, "D0": 0.0236, "alpha_0": 28.527}, (1.0158, 3.4083, 0.0227, 0.4459, 0.7831, 0.0179), 4.5),
-        (A2, {"L0": 0.25, "D0": 0.0136, "alpha_0": 28.5}, (1.0878, 3.4597, -0.0288, 0.4261, 1.9619, 0.0234), 1.5),
+        (
+            A1,
+            {"L0": 0.296, "D0": 0.0236, "alpha_0": 28.527},
+            (1.0158, 3.4083, 0.0227, 0.4459, 0.7831, 0.0179),
+            4.5,
+        ),
+        (
+            A2,
+            {"L0": 0.25, "D0": 0.0136, "alpha_0": 28.5},
+            (1.0878, 3.4597, -0.0288, 0.4261, 1.9619, 0.0234),
+            1.5,
+        ),
     ],
 )
 def test_sarosi_as_an_effect_meets_a_measured_table(
@@ -252,8 +290,23 @@ def test_sarosi_as_an_effect_meets_a_measured_table(
     """With coefficients that SciPy fitted to the table; they are inside the bounds and near the effect's own values."""
     p, eps, pulls = grid(of)
     a_5, a_4, a_1, p_0, p_w, eps_w = coefficients
-    own = {"a_5": a_5 + a_1, "a_4": a_4, "a_1": a_1, "p_0": p_0 * 1e5, "p_w": p_w * 1e5, "eps_w": eps_w}
-    made = pull(ENDS, p, eps, geometry["L0"], D0=geometry["D0"], alpha_0=np.radians(geometry["alpha_0"]).item(), **own)
+    own = {
+        "a_5": a_5 + a_1,
+        "a_4": a_4,
+        "a_1": a_1,
+        "p_0": p_0 * 1e5,
+        "p_w": p_w * 1e5,
+        "eps_w": eps_w,
+    }
+    made = pull(
+        ENDS,
+        p,
+        eps,
+        geometry["L0"],
+        D0=geometry["D0"],
+        alpha_0=np.radians(geometry["alpha_0"]).item(),
+        **own,
+    )
     assert rms(made - pulls) < left and made.min() > -0.01
 
 
@@ -262,7 +315,9 @@ def test_the_wall_as_an_effect_holds_until_its_threshold_and_does_not_push() -> 
     bench = rig("imposed-pressure", "imposed-length", None, "F")
     file = written(bench)
     with_wall = compose_on(
-        read_library(files=[file]), read_structure(str(file)), ["PneumaticMuscle.Effects.Elasticity.StiffWall"]
+        read_library(files=[file]),
+        read_structure(str(file)),
+        ["PneumaticMuscle.Effects.Elasticity.StiffWall"],
     )
     assert with_wall is not None
     source = f"{bench.text}\n{with_wall.text}"
@@ -272,9 +327,9 @@ def test_the_wall_as_an_effect_holds_until_its_threshold_and_does_not_push() -> 
         inputs = Inputs(times, {"p": np.array([2e4, 2e4, 4e4, 2e5]), "s": np.zeros(4)}, "linear")
         made = simulator.run(times, parameters=values, inputs=inputs, max_seconds=30).values["F"]
         far = Inputs(times, {"p": np.full(4, 2e5), "s": np.full(4, 0.12)}, "linear")
-        pushed = simulator.run(times, parameters=values | {"drive.s_start": 0.12}, inputs=far, max_seconds=30).values[
-            "F"
-        ]
+        pushed = simulator.run(
+            times, parameters=values | {"drive.s_start": 0.12}, inputs=far, max_seconds=30
+        ).values["F"]
     area = (2 * 0.24**2 - (2 * np.pi * 0.02) ** 2) / (16 * np.pi)
     assert made[1:] == pytest.approx([0, 0, 1.6e5 * area], abs=0.1)
     assert np.abs(pushed).max() < 0.1
@@ -286,7 +341,11 @@ def test_fibres_in_rubber_do_not_rub_unless_asked_for(tmp_path: Path, muscle: st
     file = tmp_path / "Rig.mo"
     pam.bench("imposed-pressure", "imposed-length", muscle, None, file, static=True)
     with Simulator(build_model(str(file), [file])) as simulator:
-        inputs = {"p": np.full(6, 2e5), "s": np.repeat([0.005, 0.05], 3), "branch": np.tile([1.0, 0.0, -1.0], 2)}
+        inputs = {
+            "p": np.full(6, 2e5),
+            "s": np.repeat([0.005, 0.05], 3),
+            "branch": np.tile([1.0, 0.0, -1.0], 2),
+        }
         pull = simulator.equilibria(inputs)["F"].reshape(2, 3)
         assert simulator.interface.parameters["muscle.mu_fb"].start == 0.0
     np.testing.assert_allclose(pull, np.repeat(pull[:, 1:2], 3, axis=1), rtol=1e-9)

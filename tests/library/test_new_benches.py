@@ -16,8 +16,12 @@ SWITCHED = "PneumaticMuscle.Benches.SwitchedMuscle"
 def switched(times: np.ndarray, **inputs: float) -> dict[str, np.ndarray]:
     drive = {"u_in": 0.0, "u_out": 0.0, "p_supply": 500e3, "s": 0.0} | inputs
     with Simulator(study.build(SWITCHED)) as simulator:
-        held = Inputs(np.array([0.0, times[-1]]), {n: np.full(2, v) for n, v in drive.items()}, "linear")
-        return simulator.run(times, parameters={"valve.C_A": 0.2}, inputs=held, tolerance=1e-8).values
+        held = Inputs(
+            np.array([0.0, times[-1]]), {n: np.full(2, v) for n, v in drive.items()}, "linear"
+        )
+        return simulator.run(
+            times, parameters={"valve.C_A": 0.2}, inputs=held, tolerance=1e-8
+        ).values
 
 
 def test_open_valve_has_ten_times_its_calibration_in_square_millimetres() -> None:

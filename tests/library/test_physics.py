@@ -14,8 +14,12 @@ from tests.library.ode import Model, Values
 from tests.library.shelf import benches, tree
 
 R, GAMMA = 287.05, 1.4
-MASS_OFF = -0.0374  # of the gas that passed: what DP (59) with (60) loses in filling a muscle to 207 kPa
-ENERGY_OFF = -0.0543  # of the enthalpy that flowed in: heat that n = 1.2 takes out of a vessel without a wall
+MASS_OFF = (
+    -0.0374
+)  # of the gas that passed: what DP (59) with (60) loses in filling a muscle to 207 kPa
+ENERGY_OFF = (
+    -0.0543
+)  # of the enthalpy that flowed in: heat that n = 1.2 takes out of a vessel without a wall
 LIBRARY = "PneumaticMuscle"
 ENERGY_TANK = f"""model Tank extends {LIBRARY}.Benches.TankFilling(
   tank(redeclare model Gas = {LIBRARY}.Effects.GasEnergy.EnergyGas)); end Tank;"""
@@ -49,23 +53,31 @@ def volume_rate(model: Model, v: Values) -> float:
 def test_polytropic_vessel_keeps_the_mass_that_flowed_in(n: float) -> None:
     model = Model(f"{LIBRARY}.Benches.TankFilling")
     p = model.parameters({"tank.n": n})
-    before, after, flowed, passed = model.ledger(20.0, lambda v: v["tank.port.m_flow"], model.inputs(), p)
+    before, after, flowed, passed = model.ledger(
+        20.0, lambda v: v["tank.port.m_flow"], model.inputs(), p
+    )
     assert passed > 1e-3
     assert mass(after, "tank") - mass(before, "tank") == pytest.approx(flowed, abs=1e-8 * passed)
 
 
 @pytest.mark.parametrize(("owner", "text"), (("tank", ENERGY_TANK), ("muscle", ENERGY_MUSCLE)))
-def test_gas_with_energy_balance_keeps_the_mass_that_flowed_in(owner: str, text: str, tmp_path: Path) -> None:
+def test_gas_with_energy_balance_keeps_the_mass_that_flowed_in(
+    owner: str, text: str, tmp_path: Path
+) -> None:
     model = Model(owner.capitalize(), text, tmp_path)
     port = f"{owner}.port.m_flow"
-    before, after, flowed, passed = model.ledger(2.0, lambda v: v[port], model.inputs(), model.parameters())
+    before, after, flowed, passed = model.ledger(
+        2.0, lambda v: v[port], model.inputs(), model.parameters()
+    )
     assert passed > 1e-4
     assert mass(after, owner) - mass(before, owner) == pytest.approx(flowed, abs=1e-8 * passed)
 
 
 def test_polytropic_muscle_gas_makes_up_mass_by_so_much() -> None:
     model = Model(f"{LIBRARY}.Benches.Isotonic")
-    run = model.ledger(3.0, lambda v: v["muscle.port.m_flow"], model.inputs(), model.parameters(), rtol=1e-9)
+    run = model.ledger(
+        3.0, lambda v: v["muscle.port.m_flow"], model.inputs(), model.parameters(), rtol=1e-9
+    )
     before, after, flowed, passed = run
     error = (mass(after, "muscle") - mass(before, "muscle") - flowed) / passed
     assert error == pytest.approx(MASS_OFF, abs=2e-3)
@@ -77,9 +89,14 @@ def test_polytropic_muscle_gas_makes_up_mass_by_so_much() -> None:
 def test_energy_of_a_vessel_balances(tmp_path: Path) -> None:
     model = Model("Tank", ENERGY_TANK, tmp_path)
     before, after, flowed, passed = model.ledger(
-        20.0, lambda v: v["tank.port.H_flow"] + v["tank.gas.heatPort.Q_flow"], model.inputs(), model.parameters()
+        20.0,
+        lambda v: v["tank.port.H_flow"] + v["tank.gas.heatPort.Q_flow"],
+        model.inputs(),
+        model.parameters(),
     )
-    assert energy(after, "tank") - energy(before, "tank") == pytest.approx(flowed, abs=1e-8 * passed)
+    assert energy(after, "tank") - energy(before, "tank") == pytest.approx(
+        flowed, abs=1e-8 * passed
+    )
     assert after["tank.gas.heatPort.Q_flow"] < -0.1  # heat takes part
 
 
@@ -92,12 +109,16 @@ def test_energy_of_a_muscle_balances(text: str, tmp_path: Path) -> None:
         return v["muscle.port.H_flow"] + v["muscle.gas.heatPort.Q_flow"] - work
 
     before, after, flowed, passed = model.ledger(2.0, entry, model.inputs(), model.parameters())
-    assert energy(after, "muscle") - energy(before, "muscle") == pytest.approx(flowed, abs=1e-8 * passed)
+    assert energy(after, "muscle") - energy(before, "muscle") == pytest.approx(
+        flowed, abs=1e-8 * passed
+    )
 
 
 def test_polytropic_vessel_needs_heat_that_nothing_gives() -> None:
     model = Model(f"{LIBRARY}.Benches.TankFilling")
-    before, after, flowed, _ = model.ledger(20.0, lambda v: v["tank.port.H_flow"], model.inputs(), model.parameters())
+    before, after, flowed, _ = model.ledger(
+        20.0, lambda v: v["tank.port.H_flow"], model.inputs(), model.parameters()
+    )
     missing = (energy(after, "tank") - energy(before, "tank") - flowed) / flowed
     assert missing == pytest.approx(ENERGY_OFF, abs=2e-3)
 
@@ -133,7 +154,9 @@ BY_ENERGY = ("Effects.EndShape.ElasticBraid",)
 
 def test_laws_of_the_pull_alone_are_known() -> None:
     """A new sleeve is either in the lists above or a law of the pull alone, which keeps the cylinder's volume."""
-    sleeves = {n for n in tree().subtypes(f"{LIBRARY}.Interfaces.Braid") if not tree().classes[n].partial}
+    sleeves = {
+        n for n in tree().subtypes(f"{LIBRARY}.Interfaces.Braid") if not tree().classes[n].partial
+    }
     cylinder = {n for n in sleeves if tree().is_subtype(n, f"{LIBRARY}.Interfaces.Cylinder")}
     assert sleeves - cylinder <= {f"{LIBRARY}.{name}" for name in (*BY_WORK, *BY_ENERGY)}
 
@@ -149,7 +172,13 @@ _RANGES = {
     "rad": (-1.5, 1.5),
     "rad/s": (-30, 30),
 }
-_INPUTS = {"A": (0.0, 0.6), "Pa": (0.0, 6e5), "m": (0.0, 0.07), "1": (0.0, 0.3), "N": (-100.0, 2000.0)}
+_INPUTS = {
+    "A": (0.0, 0.6),
+    "Pa": (0.0, 6e5),
+    "m": (0.0, 0.07),
+    "1": (0.0, 0.3),
+    "N": (-100.0, 2000.0),
+}
 _model = cache(Model)
 
 
@@ -158,7 +187,11 @@ def _state(name: str, unit: str) -> st.SearchStrategy[float]:
     if unit == "Pa" and name.endswith("gas.p"):
         low, high = 9e4, 7e5  # absolute
     corners = [c for c in (0.0, 101325.0, 101325.0 + 207e3, 293.15) if low <= c <= high]
-    return st.one_of(st.sampled_from(corners), st.floats(low, high)) if corners else st.floats(low, high)
+    return (
+        st.one_of(st.sampled_from(corners), st.floats(low, high))
+        if corners
+        else st.floats(low, high)
+    )
 
 
 @pytest.mark.parametrize("bench", benches())
@@ -167,10 +200,16 @@ def _state(name: str, unit: str) -> st.SearchStrategy[float]:
 def test_rates_and_slopes_are_finite(bench: str, data: st.DataObject) -> None:
     model = _model(bench)
     x = np.array([data.draw(_state(s.name, s.unit), label=s.name) for s in model.ode.states])
-    u = np.array([data.draw(st.floats(*_INPUTS[v.unit]), label=n) for n, v in model.interface.inputs.items()])
+    u = np.array(
+        [data.draw(st.floats(*_INPUTS[v.unit]), label=n) for n, v in model.interface.inputs.items()]
+    )
     changed = {}
     for name, v in model.interface.parameters.items():
-        if v.min is not None and v.max is not None and data.draw(st.booleans(), label=f"change {name}"):
+        if (
+            v.min is not None
+            and v.max is not None
+            and data.draw(st.booleans(), label=f"change {name}")
+        ):
             near = (max(v.min, 0.7 * (v.start or 0.0)), min(v.max, 1.4 * (v.start or 0.0)))
             changed[name] = data.draw(st.floats(min(near), max(near)), label=name)
     p = model.parameters(changed)

@@ -17,7 +17,16 @@ N, MASS = 1.3, 3.1
 TIMES = np.linspace(0, 6, 1201)
 BLEND = 0.13 / 0.35  # of the inlet, by the one command of Itto and Kogiso's valve while it fills
 
-_STATES = ["p", "x", "load.v", "der(load.v)", "muscle.force.F", "muscle.force.V", "muscle.gas.T", "muscle.port.m_flow"]
+_STATES = [
+    "p",
+    "x",
+    "load.v",
+    "der(load.v)",
+    "muscle.force.F",
+    "muscle.force.V",
+    "muscle.gas.T",
+    "muscle.port.m_flow",
+]
 _FLOWS = ["valve.inlet.m_flow", "valve.outlet.m_flow"]
 
 
@@ -32,16 +41,22 @@ def run(example: str, **force: float) -> Trajectory:
     }
     if example == "BlendedValveMuscle":
         drive["u_in"] = [0.13] * 6 + [0.05] * 2
-    parameters = {"muscle.n": N, "load.m": MASS} | {f"muscle.force.{n}": v for n, v in force.items()}
+    parameters = {"muscle.n": N, "load.m": MASS} | {
+        f"muscle.force.{n}": v for n, v in force.items()
+    }
     with Simulator(build_model(f"PneumaticMuscle.Examples.{example}")) as simulator:
         inputs = Inputs(knots, {n: np.array(v) for n, v in drive.items()})
-        return simulator.run(TIMES, parameters=parameters, inputs=inputs, outputs=[*_STATES, *_FLOWS], tolerance=1e-9)
+        return simulator.run(
+            TIMES, parameters=parameters, inputs=inputs, outputs=[*_STATES, *_FLOWS], tolerance=1e-9
+        )
 
 
 def lifted(trajectory: Trajectory) -> np.ndarray:
     """Where the load hangs on the muscle alone, and moves fast enough for a sign that is rounded over 0.1 mm/s."""
     chosen = (trajectory["x"] > 1e-4) & (np.abs(trajectory["load.v"]) > 1e-3)
-    assert (chosen & (trajectory["load.v"] > 0)).sum() > 50 and (chosen & (trajectory["load.v"] < 0)).sum() > 50
+    assert (chosen & (trajectory["load.v"] > 0)).sum() > 50 and (
+        chosen & (trajectory["load.v"] < 0)
+    ).sum() > 50
     return chosen
 
 
@@ -82,7 +97,11 @@ def test_cao_piecewise() -> None:
         return np.where(p[at] < 200e3, base + low * p[at], beyond)
 
     for at in (below, above):
-        pull = force(at, 3, 5e-4, 2e-4) - force(at, 450, 3e-3, 1e-3) * x[at] - force(at, 60, 1e-4, 3e-4) * v[at]
+        pull = (
+            force(at, 3, 5e-4, 2e-4)
+            - force(at, 450, 3e-3, 1e-3) * x[at]
+            - force(at, 60, 1e-4, 3e-4) * v[at]
+        )
         # 1 kPa^2/(4 * 20 kPa) = 12.5 Pa times the change of a slope is what the rounded corner leaves at most
         rounded = 12.5 * (3e-4 + 2e-3 * x[at] + 2e-4 * np.abs(v[at]))
         assert (np.abs(pull - MASS * (G + a[at])) < rounded + 1e-6 * MASS * G).all()
@@ -94,12 +113,17 @@ def test_bernoulli() -> None:
     inside, supply = trajectory["p"] + P_ATM, np.where(TIMES < 4, 280e3, 10e3) + P_ATM
     area = 0.699 * np.where(TIMES < 2, 1.80e-6 * 0.35 - 2.61e-7, 1.80e-6 * 0.30 - 2.61e-7)
     rho = np.where(supply > inside, supply / (R * T_ATM), inside / (R * trajectory["muscle.gas.T"]))
-    flow = np.sign(supply - inside) * rho * area * np.sqrt(2 / rho) * np.sqrt(np.abs(supply - inside))
+    flow = (
+        np.sign(supply - inside) * rho * area * np.sqrt(2 / rho) * np.sqrt(np.abs(supply - inside))
+    )
     apart = np.abs(supply - inside) > 2e4
     filling, backwards = apart & (TIMES < 2), apart & (TIMES > 4)
     assert filling.sum() > 100 and backwards.sum() > 100
     assert (flow[filling] > 0).all() and (flow[backwards] < 0).all()
-    for at in (filling, backwards):  # the temperature upstream and the laminar flow below 20 Pa are rounded near zero
+    for at in (
+        filling,
+        backwards,
+    ):  # the temperature upstream and the laminar flow below 20 Pa are rounded near zero
         assert trajectory["valve.inlet.m_flow"][at] == pytest.approx(flow[at], rel=1e-5)
 
 
@@ -131,4 +155,6 @@ def test_sorge(example: str) -> None:
     t, g = TIMES[smooth], flow[smooth]
     inward = np.concatenate([[0.0], np.cumsum((g[1:] + g[:-1]) / 2 * np.diff(t))])
     assert mass[smooth] - mass[smooth][0] == pytest.approx(inward, abs=2e-4 * inward.max())
-    assert np.ptp(volume[smooth]) > 0.1 * volume.max() or example != "GaylordMuscle"  # the wall does move
+    assert (
+        np.ptp(volume[smooth]) > 0.1 * volume.max() or example != "GaylordMuscle"
+    )  # the wall does move

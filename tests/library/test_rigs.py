@@ -22,13 +22,26 @@ from tests.library.shelf import effects, tree
 
 G = 9.80665
 ALL = [*product(choices("pneumatics"), choices("mechanics"), ("physical", "empirical"))]
-NAMED = [("regulator", "spring", muscle) for muscle in choices("muscle") if muscle not in ("physical", "empirical")]
+NAMED = [
+    ("regulator", "spring", muscle)
+    for muscle in choices("muscle")
+    if muscle not in ("physical", "empirical")
+]
 FEW = [c for c in ALL if c[2] == "physical" and (c[0] == "regulator" or c[1] == "spring")]
-FEW += [c for c in ALL if c[2] == "empirical" and c[:2] in {("valves", "lever"), ("imposed-pressure", "imposed-force")}]
+FEW += [
+    c
+    for c in ALL
+    if c[2] == "empirical" and c[:2] in {("valves", "lever"), ("imposed-pressure", "imposed-force")}
+]
 OF_VALVES = {"valve_area", "valve_dynamics"}
 OF_GAS = {"gas_energy", "leak", "dead_volume"}
 OF_FORCES = {"elasticity", "dry_friction", "rate_friction", "creep", "end_shape", "moving_mass"}
-SENSORS = {"p": "pressure_offset", "x": "position_sensor", "F": "force_sensor", "T": "thermocouple_lag"}
+SENSORS = {
+    "p": "pressure_offset",
+    "x": "position_sensor",
+    "F": "force_sensor",
+    "T": "thermocouple_lag",
+}
 
 
 def drive(end: float) -> Inputs:
@@ -48,7 +61,9 @@ def test_there_are_the_parts_of_common_rigs() -> None:
         "hanging-load", "spring", "lever", "imposed-length", "imposed-force", "antagonistic-pair", "platform",
     }  # fmt: skip
     assert [p.name for p in rig_parts(tree()) if p.usual] == ["physical"]
-    assert all(part.parameters for part in rig_parts(tree()) if part.role in ("mechanics", "muscle"))
+    assert all(
+        part.parameters for part in rig_parts(tree()) if part.role in ("mechanics", "muscle")
+    )
 
 
 @pytest.mark.parametrize("combination", FEW, ids="+".join)
@@ -66,7 +81,9 @@ def test_every_combination_runs_its_default_experiment(combination: tuple[str, s
     for name in made.outputs:
         assert np.isfinite(courses.values[name]).all() and courses.values[name].any(), name
         late = courses.values[name][-20:]
-        assert np.ptp(late) <= 0.02 * np.ptp(courses.values[name]) + 1e-9, f"{name} has not come to rest"
+        assert np.ptp(late) <= 0.02 * np.ptp(courses.values[name]) + 1e-9, (
+            f"{name} has not come to rest"
+        )
 
 
 # ---- what exists already ---------------------------------------------------------------------------------------------
@@ -74,7 +91,11 @@ def test_every_combination_runs_its_default_experiment(combination: tuple[str, s
 SAME = [
     ("Isotonic", ("valves", "hanging-load", "physical", "p,x,T"), {}),
     ("Isometric", ("valves", "imposed-length", "physical", "p,F,T"), {}),
-    ("SwitchedMuscle", ("switched-valves", "imposed-length", "physical", "p,T"), {"drive.tau": 1e-3}),
+    (
+        "SwitchedMuscle",
+        ("switched-valves", "imposed-length", "physical", "p,T"),
+        {"drive.tau": 1e-3},
+    ),
 ]
 STOP = 0.0026
 """[N] What the rounded stop of full extension carries at no contraction; Isometric has no stop."""
@@ -82,9 +103,14 @@ STOP = 0.0026
 
 @pytest.mark.parametrize(
     ("bench", "of", "parameters"),
-    [pytest.param(*same, id=same[0], marks=[pytest.mark.full] * (same[0] == "SwitchedMuscle")) for same in SAME],
+    [
+        pytest.param(*same, id=same[0], marks=[pytest.mark.full] * (same[0] == "SwitchedMuscle"))
+        for same in SAME
+    ],
 )
-def test_the_rig_of_a_bench_has_its_trajectory(bench: str, of: tuple[str, ...], parameters: dict[str, float]) -> None:
+def test_the_rig_of_a_bench_has_its_trajectory(
+    bench: str, of: tuple[str, ...], parameters: dict[str, float]
+) -> None:
     times = np.linspace(0, 6, 301)
     inputs = drive(6.0) if bench != "SwitchedMuscle" else None
     made = run(rig(*of), times, parameters, inputs)
@@ -92,7 +118,9 @@ def test_the_rig_of_a_bench_has_its_trajectory(bench: str, of: tuple[str, ...], 
         there = simulator.run(times, inputs=inputs)
     for name in rig(*of).outputs:
         expected = there.values[name]
-        assert made.values[name][1:] == pytest.approx(expected[1:], rel=1e-9, abs=1e-9 * np.ptp(expected))
+        assert made.values[name][1:] == pytest.approx(
+            expected[1:], rel=1e-9, abs=1e-9 * np.ptp(expected)
+        )
         assert made.values[name][0] == pytest.approx(expected[0], abs=STOP)
 
 
@@ -112,7 +140,10 @@ def test_the_empirical_muscle_moves_as_on_its_bench() -> None:
 
 @pytest.mark.full
 def test_the_antagonistic_pair_swings_as_on_its_bench() -> None:
-    times, per_muscle = np.linspace(0, 8, 401), {"u_in_1": 0.35, "u_out_1": 0.0, "u_in_2": 0.25, "u_out_2": 0.25}
+    times, per_muscle = (
+        np.linspace(0, 8, 401),
+        {"u_in_1": 0.35, "u_out_1": 0.0, "u_in_2": 0.25, "u_out_2": 0.25},
+    )
     ours = held(8.0, **per_muscle, p_supply_1=207e3, p_supply_2=207e3)
     made = run(rig("valves", "antagonistic-pair", None, "p,x_1"), times, inputs=ours)
     with Simulator(build_model("PneumaticMuscle.Benches.Antagonistic")) as simulator:
@@ -128,7 +159,11 @@ TIMES = np.linspace(0, 10, 501)
 
 
 def test_a_spring_carries_what_the_muscle_pulls() -> None:
-    made = run(rig("imposed-pressure", "spring", None, "x,F"), TIMES, {"spring.k": 3000.0, "spring.F_0": 8.0})
+    made = run(
+        rig("imposed-pressure", "spring", None, "x,F"),
+        TIMES,
+        {"spring.k": 3000.0, "spring.F_0": 8.0},
+    )
     x, force = made.values["x"], made.values["F"]
     assert force[-1] == pytest.approx(8 + 3000 * (x[-1] - x[0]), rel=1e-4)
     assert 0.02 < x[-1] < 0.07
@@ -147,7 +182,9 @@ def test_a_directional_valve_fills_a_muscle_of_constant_length_as_its_opening_sa
     """Choked, the mass flow does not depend on the pressure behind; within the overlap there is none."""
     of = rig("proportional-directional-valve", "imposed-length", None, "p")
     own = {"valve.A_open": 1e-7, "valve.overlap": 0.1, "drive.tau": 1e-3, "muscle.n_g": 1.0}
-    made = run(of, TIMES, own, held(10.0, u=8.0, p_supply=6e5, s=0.0), outputs=["muscle.port.m_flow"])
+    made = run(
+        of, TIMES, own, held(10.0, u=8.0, p_supply=6e5, s=0.0), outputs=["muscle.port.m_flow"]
+    )
     choked = (TIMES > 0.1) & (made.values["p"] < 0.9 * (0.528 * 7.01e5 - 1.01e5))
     area = 1e-7 * (0.6 - 0.1) / 0.9
     expected = 0.0404184 * (6e5 + 101325.0) * area / np.sqrt(293.15)
@@ -165,7 +202,11 @@ def test_a_lever_multiplies_its_mass_by_its_arms() -> None:
 
 
 def test_an_imposed_force_is_what_the_load_cell_reads() -> None:
-    made = run(rig("imposed-pressure", "imposed-force", None, "F"), TIMES, inputs=held(10.0, p=200e3, F_load=45.0))
+    made = run(
+        rig("imposed-pressure", "imposed-force", None, "F"),
+        TIMES,
+        inputs=held(10.0, p=200e3, F_load=45.0),
+    )
     assert made.values["F"][-1] == pytest.approx(45, rel=1e-4)
 
 
@@ -173,7 +214,12 @@ def test_an_imposed_force_is_what_the_load_cell_reads() -> None:
 def test_a_platform_is_level_under_equal_pressures_and_tilts_towards_the_stronger_muscle() -> None:
     of = rig("imposed-pressure", "platform", None, "x,F")
     level = run(of, TIMES, inputs=held(10.0, p_1=150e3, p_2=150e3, p_3=150e3))
-    tilted = run(of, TIMES, inputs=held(10.0, p_1=200e3, p_2=150e3, p_3=150e3), outputs=["platform.a", "platform.b"])
+    tilted = run(
+        of,
+        TIMES,
+        inputs=held(10.0, p_1=200e3, p_2=150e3, p_3=150e3),
+        outputs=["platform.a", "platform.b"],
+    )
     end = {name: values[-1] for name, values in tilted.values.items()}
     assert np.ptp([level.values[f"x_{i}"][-1] for i in (1, 2, 3)]) < 1e-9
     assert sum(level.values[f"F_{i}"][-1] for i in (1, 2, 3)) == pytest.approx(6 * G, rel=1e-4)
@@ -192,10 +238,18 @@ def pull(p: float, x: float, v: float) -> float:
     return float(p * (3 * (0.24 - x) ** 2 - fibre) / (4 * np.pi * 2**2)) + stop
 
 
-def swing(acceleration: Callable[[float, float], float], start: float, times: np.ndarray) -> np.ndarray:
+def swing(
+    acceleration: Callable[[float, float], float], start: float, times: np.ndarray
+) -> np.ndarray:
     """Position over time [times], solved for apart from the library."""
     solved = solve_ivp(
-        lambda t, y: [y[1], acceleration(*y)], times[[0, -1]], [start, 0.0], "Radau", times, rtol=1e-8, atol=1e-10
+        lambda t, y: [y[1], acceleration(*y)],
+        times[[0, -1]],
+        [start, 0.0],
+        "Radau",
+        times,
+        rtol=1e-8,
+        atol=1e-10,
     )
     position: np.ndarray = solved.y[0]
     return position
@@ -203,7 +257,9 @@ def swing(acceleration: Callable[[float, float], float], start: float, times: np
 
 def test_a_spring_swings_as_newton_has_it() -> None:
     times, p, x_0 = np.linspace(0, 1, 201), 150e3, -5.0 / 2e5
-    made = run(rig("imposed-pressure", "spring", None, "x"), times, FRICTIONLESS, held(1.0, p=p)).values["x"]
+    made = run(
+        rig("imposed-pressure", "spring", None, "x"), times, FRICTIONLESS, held(1.0, p=p)
+    ).values["x"]
     expected = swing(lambda x, v: (pull(p, x, v) - 5 - 2000 * (x - x_0) - 5 * v) / 0.5, x_0, times)
     assert np.ptp(expected) > 0.04 and (np.diff(np.sign(np.diff(expected))) != 0).sum() > 4
     assert made == pytest.approx(expected, abs=2e-4)
@@ -212,12 +268,17 @@ def test_a_spring_swings_as_newton_has_it() -> None:
 def test_a_lever_swings_as_newton_has_it() -> None:
     times, p = np.linspace(0, 1, 201), 80e3
     made = run(
-        rig("imposed-pressure", "lever", None, "x"), times, FRICTIONLESS | {"lever.m": 3.0}, held(1.0, p=p)
+        rig("imposed-pressure", "lever", None, "x"),
+        times,
+        FRICTIONLESS | {"lever.m": 3.0},
+        held(1.0, p=p),
     ).values["x"]
 
     def acceleration(angle: float, rate: float) -> float:
         force = pull(p, 0.15 * np.sin(angle), 0.15 * np.cos(angle) * rate)
-        return float(((0.15 * force - 0.3 * 3 * G) * np.cos(angle) - 0.1 * rate) / (1e-3 + 3 * 0.3**2))
+        return float(
+            ((0.15 * force - 0.3 * 3 * G) * np.cos(angle) - 0.1 * rate) / (1e-3 + 3 * 0.3**2)
+        )
 
     expected = 0.15 * np.sin(swing(acceleration, np.arcsin(-6 * G / 2e5 / 0.15), times))
     assert np.ptp(expected) > 0.03
@@ -232,16 +293,26 @@ def test_a_regulator_lags_and_droops() -> None:
     quick = run(of, times, {"regulator.droop": 1e4, "regulator.tau": 0.1}, inputs).values["p"]
     assert quick == pytest.approx(100e3 * (1 - np.exp(-times / 0.1)), abs=100)
     slow = run(
-        of, times, {"regulator.droop": 1e8, "regulator.tau": 0.1}, inputs, ["regulator.p_still", "muscle.port.m_flow"]
+        of,
+        times,
+        {"regulator.droop": 1e8, "regulator.tau": 0.1},
+        inputs,
+        ["regulator.p_still", "muscle.port.m_flow"],
     )
     lost = slow.values["regulator.p_still"] - slow.values["p"]
-    assert lost == pytest.approx(1e8 * slow.values["muscle.port.m_flow"], abs=1.0) and lost.max() > 5e3
+    assert (
+        lost == pytest.approx(1e8 * slow.values["muscle.port.m_flow"], abs=1.0) and lost.max() > 5e3
+    )
 
 
 def test_a_tank_that_nothing_refills_droops_to_the_pressure_of_the_muscle() -> None:
     of = rig("tank", "imposed-length", None, "p")
     made = run(
-        of, TIMES, {"valve.d": 1e-6}, held(10.0, u_in=0.35, u_out=0.0, p_supply=207e3, s=0.0), ["valve.tank.gas.p"]
+        of,
+        TIMES,
+        {"valve.d": 1e-6},
+        held(10.0, u_in=0.35, u_out=0.0, p_supply=207e3, s=0.0),
+        ["valve.tank.gas.p"],
     )
     tank, p = made.values["valve.tank.gas.p"] - 101325, made.values["p"]
     assert tank[0] == pytest.approx(207e3) and (np.diff(tank) < 1e-3).all()
@@ -250,7 +321,12 @@ def test_a_tank_that_nothing_refills_droops_to_the_pressure_of_the_muscle() -> N
 
 @pytest.mark.parametrize("p", [120e3, 250e3])
 def test_imposed_pressure_arrives(p: float) -> None:
-    made = run(rig("imposed-pressure", "hanging-load"), TIMES, inputs=held(10.0, p=p), outputs=["muscle.port.p"])
+    made = run(
+        rig("imposed-pressure", "hanging-load"),
+        TIMES,
+        inputs=held(10.0, p=p),
+        outputs=["muscle.port.p"],
+    )
     late = made.values["muscle.port.p"][5:]
     assert late == pytest.approx(p + 101325, abs=10)  # what a gram a second loses
 
@@ -262,7 +338,11 @@ def families(combination: tuple[str, str, str], measure: str) -> dict[str, int]:
     """How many effects of each family find a place."""
     file = written(rig(*combination, measure))
     with_rig, structure = read_library(files=[file]), read_structure(str(file))
-    placed = [e.family for e in effects() if compose_on(with_rig, structure, [e.qualified_name]) is not None]
+    placed = [
+        e.family
+        for e in effects()
+        if compose_on(with_rig, structure, [e.qualified_name]) is not None
+    ]
     return {family: placed.count(family) for family in dict.fromkeys(placed)}
 
 
@@ -278,7 +358,9 @@ def check_places(combination: tuple[str, str, str]) -> None:
 
 
 @pytest.mark.parametrize(
-    "combination", [FEW[0], ("valves", "lever", "physical"), ("imposed-pressure", "spring", "empirical")], ids="+".join
+    "combination",
+    [FEW[0], ("valves", "lever", "physical"), ("imposed-pressure", "spring", "empirical")],
+    ids="+".join,
 )
 def test_effects_find_their_places(combination: tuple[str, str, str]) -> None:
     check_places(combination)
@@ -293,7 +375,9 @@ def test_effects_find_their_places_in_every_combination(combination: tuple[str, 
 def test_a_fault_of_an_instrument_finds_no_place_where_it_is_not_read() -> None:
     there = families(("regulator", "spring", "physical"), "x")
     assert "position_sensor" in there
-    assert there.keys().isdisjoint({"pressure_offset", "force_sensor", "thermocouple_lag", "temperature_sensor"})
+    assert there.keys().isdisjoint(
+        {"pressure_offset", "force_sensor", "thermocouple_lag", "temperature_sensor"}
+    )
 
 
 @pytest.mark.full
@@ -323,7 +407,11 @@ def test_every_effect_compiles_in_its_place(
 def test_an_effect_lies_beside_each_muscle_of_a_pair() -> None:
     file = written(rig("regulator", "antagonistic-pair"))
     composed = compose_on(read_library(files=[file]), read_structure(str(file)), ["LinearBladder"])
-    assert composed is not None and "muscle_1.flange_a" in composed.text and "muscle_2.flange_a" in composed.text
+    assert (
+        composed is not None
+        and "muscle_1.flange_a" in composed.text
+        and "muscle_2.flange_a" in composed.text
+    )
 
 
 # ---- what is asked for -----------------------------------------------------------------------------------------------
@@ -357,11 +445,18 @@ def test_parts_are_chosen_by_class_too() -> None:
     assert rig("PneumaticMuscle.Pneumatics.Regulator", "HangingLoad").text == by_name
 
 
-@pytest.mark.parametrize("of", [("valves", "spring", None, "p,x,F,T"), ("regulator", "platform", None, "p,x,F")])
-def test_the_diagram_has_everything_in_its_place_and_lines_that_meet_connectors(of: tuple[str, ...]) -> None:
+@pytest.mark.parametrize(
+    "of", [("valves", "spring", None, "p,x,F,T"), ("regulator", "platform", None, "p,x,F")]
+)
+def test_the_diagram_has_everything_in_its_place_and_lines_that_meet_connectors(
+    of: tuple[str, ...],
+) -> None:
     made = rig(*of)
     declared = r"^  (PneumaticMuscle\.\S+) (\w+)(?:\(.*\))? \".*\"\n.*extent=\{\{(-?\d+),(-?\d+)\}"
-    placed = {name: (kind, (float(x), float(y))) for kind, name, x, y in re.findall(declared, made.text, re.MULTILINE)}
+    placed = {
+        name: (kind, (float(x), float(y)))
+        for kind, name, x, y in re.findall(declared, made.text, re.MULTILINE)
+    }
     signals = {name: at for name, (kind, at) in placed.items() if is_signal(tree(), kind)}
     parts = {name: placed[name] for name in placed.keys() - signals}
     assert signals.keys() == {*made.inputs, *made.outputs} and len(parts) > 6
@@ -372,7 +467,9 @@ def test_the_diagram_has_everything_in_its_place_and_lines_that_meet_connectors(
     lines = re.findall(r"connect\((\w+)\.(\w+), (\w+)\.(\w+)\)\n.*points=\{(.*)\}\)\);", made.text)
     assert len(lines) == made.text.count("connect(") > 4
     for one, at_one, other, at_other, text in lines:
-        points = np.array([[float(v) for v in p.split(",")] for p in re.findall(r"\{(.*?)\}", text)])
+        points = np.array(
+            [[float(v) for v in p.split(",")] for p in re.findall(r"\{(.*?)\}", text)]
+        )
         ends = [place(*parts[one], at_one), place(*parts[other], at_other)]
         assert points[[0, -1]] == pytest.approx(np.array(ends))
         assert (np.diff(points, axis=0) == 0).any(axis=1).all()  # level or upright

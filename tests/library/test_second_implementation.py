@@ -21,8 +21,27 @@ def run(model: str, times: np.ndarray, course: Inputs, parameters: dict[str, flo
 
 def test_linear_model_is_the_exponential_of_its_matrix() -> None:
     """AM, dynamic model: d/dt [P, L, L_dot] = A [P, L, L_dot] + B P_in about (p_0, 0), F = F_0 + C_1 dP + C_2 dL."""
-    tau, c_1, c_2, k, b, m, p_0, f_0, p_in = 0.03, 4.28e-4, 5706.0, 900.0, 25.0, 1.3, 3e5, 40.0, 4.1e5
-    parameters = {"tau": tau, "C_1": c_1, "C_2": c_2, "k": k, "b": b, "m": m, "p_0": p_0, "F_0": f_0}
+    tau, c_1, c_2, k, b, m, p_0, f_0, p_in = (
+        0.03,
+        4.28e-4,
+        5706.0,
+        900.0,
+        25.0,
+        1.3,
+        3e5,
+        40.0,
+        4.1e5,
+    )
+    parameters = {
+        "tau": tau,
+        "C_1": c_1,
+        "C_2": c_2,
+        "k": k,
+        "b": b,
+        "m": m,
+        "p_0": p_0,
+        "F_0": f_0,
+    }
     # about the place that a constant P_in leads to, what is left is exp(A t) of what there was
     matrix = np.array([[-1 / tau, 0, 0], [0, 0, 1], [-c_1 / m, -(c_2 + k) / m, -b / m]])
     end = np.array([p_in - p_0, -c_1 * (p_in - p_0) / (c_2 + k), 0.0])
@@ -54,9 +73,17 @@ def slope(t: float, state: np.ndarray, frequency: float) -> list[float]:
     """DY (13)-(16) in pressure, strain and rate of strain; the regulator follows its command with a lag."""
     p, eps, rate = state
     wanted = 150e3 * (1 - np.cos(2 * np.pi * t))
-    friction = COULOMB * np.tanh(rate / ROUND) + A * MASS * G * B * frequency * rate  # DY (10)-(11), sign rounded
-    elastic = STIFFNESS * max(0.0, -LENGTH * eps) ** 3  # DY (12), L_o = L, the bracket where the force is continuous
-    return [(wanted - p) / TAU, rate, (static_force(p, eps) + elastic - friction - MASS * G) / (MASS * LENGTH)]
+    friction = (
+        COULOMB * np.tanh(rate / ROUND) + A * MASS * G * B * frequency * rate
+    )  # DY (10)-(11), sign rounded
+    elastic = (
+        STIFFNESS * max(0.0, -LENGTH * eps) ** 3
+    )  # DY (12), L_o = L, the bracket where the force is continuous
+    return [
+        (wanted - p) / TAU,
+        rate,
+        (static_force(p, eps) + elastic - friction - MASS * G) / (MASS * LENGTH),
+    ]
 
 
 @pytest.mark.parametrize("frequency", [0.5, 1.6])
@@ -65,7 +92,14 @@ def test_vertical_load_in_strain_and_angles(frequency: float) -> None:
     times = np.linspace(0, 2.0, 101)
     start = [0.0, -((MASS * G / STIFFNESS) ** (1 / 3)) / LENGTH, 0.0]
     exact = solve_ivp(
-        slope, (0, 2.0), start, method="LSODA", t_eval=times, args=(frequency,), rtol=1e-10, atol=[1e-3, 1e-12, 1e-10]
+        slope,
+        (0, 2.0),
+        start,
+        method="LSODA",
+        t_eval=times,
+        args=(frequency,),
+        rtol=1e-10,
+        atol=[1e-3, 1e-12, 1e-10],
     )
     fine = np.linspace(0, 2.0, 8001)
     course = Inputs(fine, {"p": 150e3 * (1 - np.cos(2 * np.pi * fine))})

@@ -14,7 +14,11 @@ from tests.library.shelf import BENCH, benches, check_each, tree
 
 SIGNALS = "PneumaticMuscle.Interfaces.Signals"
 ROLES = ("PneumaticMuscle.Pneumatics", "PneumaticMuscle.Mechanics", "PneumaticMuscle.Instruments")
-PARTS = [name for name, info in tree().classes.items() if name.rpartition(".")[0] in ROLES and info.kind == "model"]
+PARTS = [
+    name
+    for name, info in tree().classes.items()
+    if name.rpartition(".")[0] in ROLES and info.kind == "model"
+]
 
 WIRED = """
 model Wired "A bench wired to blocks"

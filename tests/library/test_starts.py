@@ -18,8 +18,13 @@ from pam_cosim.simulation import Inputs, Settle, Simulator, Trajectory
 from tests.library.rigs import choices, rig
 from tests.library.shelf import BENCH, check_each, effects, on_bench
 
-CLASSES = sorted(p for p in (modelica_root() / "PneumaticMuscle").rglob("*.mo") if p.name != "package.mo")
-STEADY, GUESS = ("PneumaticMuscle.Types.Dynamics." + name for name in ("SteadyStateInitial", "DynamicFreeInitial"))
+CLASSES = sorted(
+    p for p in (modelica_root() / "PneumaticMuscle").rglob("*.mo") if p.name != "package.mo"
+)
+STEADY, GUESS = (
+    "PneumaticMuscle.Types.Dynamics." + name
+    for name in ("SteadyStateInitial", "DynamicFreeInitial")
+)
 OPEN = {"u_in": 0.3, "u_out": 0.2}
 # At rest the valves of these are as they were told before: a run of their default that settles begins with them shut.
 LATE = {"ValveDelay", "FlexibleDrive", "FlexibleOpening", "GeneralDrive"}
@@ -52,10 +57,17 @@ def begun(text: str, name: str, how: str) -> str:
 def ran(text: str, name: str, settle: Settle = "none") -> tuple[Simulator, Trajectory]:
     """Under open valves, where there are some."""
     with Simulator(build_source(name, text, lean=True, brief=True)) as simulator:
-        inputs = {n: np.array([OPEN.get(n, v.start or 0.0)]) for n, v in simulator.interface.inputs.items()}
+        inputs = {
+            n: np.array([OPEN.get(n, v.start or 0.0)])
+            for n, v in simulator.interface.inputs.items()
+        }
         names = [*simulator.interface.states, *simulator.interface.outputs]
         return simulator, simulator.run(
-            [0.0, 0.5], inputs=Inputs(np.array([0.0]), inputs), outputs=names, settle=settle, tolerance=1e-9
+            [0.0, 0.5],
+            inputs=Inputs(np.array([0.0]), inputs),
+            outputs=names,
+            settle=settle,
+            tolerance=1e-9,
         )
 
 
@@ -68,7 +80,9 @@ def check_effect(effect: str) -> None:
     for name in simulator.interface.outputs:
         assert run[name][1] == pytest.approx(run[name][0], rel=AS_EQUAL), name
         if effect not in LATE:
-            assert run[name][0] == pytest.approx(settled[name][0], rel=1e-6 if effect in ANYWHERE else AS_EQUAL), name
+            assert run[name][0] == pytest.approx(
+                settled[name][0], rel=1e-6 if effect in ANYWHERE else AS_EQUAL
+            ), name
 
 
 def check_marks(effect: str) -> None:
@@ -119,7 +133,8 @@ def test_all_of_them_are_marked() -> None:
 
 @pytest.mark.parametrize(
     ("pneumatics", "mechanics"),
-    [(p, "spring") for p in choices("pneumatics")] + [("regulator", m) for m in choices("mechanics")],
+    [(p, "spring") for p in choices("pneumatics")]
+    + [("regulator", m) for m in choices("mechanics")],
 )
 def test_the_parts_of_rigs_begin_at_rest(pneumatics: str, mechanics: str) -> None:
     made = rig(pneumatics, mechanics)
@@ -136,11 +151,15 @@ def test_slopes_of_a_bench_at_rest_are_those_of_finite_differences(by: str) -> N
     text = f"model Begun = {BENCH}(ambient(dynamics={STEADY}), load(s_start=0.05));"
     slopes = {name: sensitivity_name(name, by) for name in ("p", "x", "T")}
     held = Inputs(np.array([0.0]), {name: np.array([value]) for name, value in OPEN.items()})
-    with Simulator(build_source("Begun", text, sensitivities=[by], lean=True, brief=True)) as simulator:
+    with Simulator(
+        build_source("Begun", text, sensitivities=[by], lean=True, brief=True)
+    ) as simulator:
         usual = simulator.interface.parameters[by].start or 0.0
         step = 1e-5 * usual
         runs = [
-            simulator.run([0.0], parameters={by: usual + s}, inputs=held, outputs=[*slopes, *slopes.values()])
+            simulator.run(
+                [0.0], parameters={by: usual + s}, inputs=held, outputs=[*slopes, *slopes.values()]
+            )
             for s in (-step, 0.0, step)
         ]
         for name, slope in slopes.items():

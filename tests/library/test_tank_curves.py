@@ -39,7 +39,11 @@ def simulated_times(vessel: Vessel, supply: float, filling: bool, end: float) ->
     times = np.linspace(0.0, end, 2001)
     held = {"u_in": CURRENT * filling, "u_out": CURRENT * (not filling), "p_supply": supply}
     inputs = Inputs(np.array([0.0, end]), {name: np.full(2, value) for name, value in held.items()})
-    parameters = {"tank.V": vessel.volume, "tank.n": vessel.n, "tank.p_start": 0.0 if filling else supply}
+    parameters = {
+        "tank.V": vessel.volume,
+        "tank.n": vessel.n,
+        "tank.p_start": 0.0 if filling else supply,
+    }
     p = simulator().run(times, parameters=parameters, inputs=inputs).values["p"]
     if filling:
         return np.interp(PARTS * supply, p, times)

@@ -15,7 +15,9 @@ def variables(*items: Variable) -> dict[str, Variable]:
 BENCH = Interface(
     model=MODEL,
     inputs=variables(Variable("u_in", "A"), Variable("u_out", "A"), Variable("p_supply", "Pa")),
-    outputs=variables(Variable("p", "Pa"), Variable("x", "m"), Variable("T", "K"), Variable("eps", "1")),
+    outputs=variables(
+        Variable("p", "Pa"), Variable("x", "m"), Variable("T", "K"), Variable("eps", "1")
+    ),
     parameters=variables(
         Variable("valve.C_A", "1", start=0.7, min=0.1, max=2.0),
         Variable("load.m", "kg", start=2.0, min=0.0),

@@ -26,7 +26,9 @@ MATRIX = np.column_stack([TIME, P, X])
 
 
 def matlab(file: Path) -> Layout:
-    scipy.io.savemat(file, {"time": TIME, "p": P[:, None], "x": X[None, :], "rate": 10.0, "who": "me"})
+    scipy.io.savemat(
+        file, {"time": TIME, "p": P[:, None], "x": X[None, :], "rate": 10.0, "who": "me"}
+    )
     return Layout()
 
 
@@ -49,7 +51,9 @@ def matlab_73(file: Path) -> Layout:
 
 def hdf5(file: Path) -> Layout:
     with h5py.File(file, "w") as out:
-        for name, values, unit in zip(("time", "p", "x"), (TIME, P, X), ("s", b"kPa", "mm"), strict=True):
+        for name, values, unit in zip(
+            ("time", "p", "x"), (TIME, P, X), ("s", b"kPa", "mm"), strict=True
+        ):
             out[f"rig/run 1/{name}"] = values
             out[f"rig/run 1/{name}"].attrs["unit"] = unit
         out["rig/about"] = "text"
@@ -92,8 +96,15 @@ def parquet_headings(file: Path) -> Layout:
 
 def parquet_times(file: Path) -> Layout:
     stamps = pyarrow.array(np.datetime64("2024-02-01T10:00") + (TIME * 1000).astype("m8[ms]"))
-    fields = [pyarrow.field("time", stamps.type), pyarrow.field("p", pyarrow.float32(), metadata={"unit": "kPa"})]
-    columns = [stamps, pyarrow.array([1.5, None, -32.5], pyarrow.float32()), pyarrow.array([1, 2, 4])]
+    fields = [
+        pyarrow.field("time", stamps.type),
+        pyarrow.field("p", pyarrow.float32(), metadata={"unit": "kPa"}),
+    ]
+    columns = [
+        stamps,
+        pyarrow.array([1.5, None, -32.5], pyarrow.float32()),
+        pyarrow.array([1, 2, 4]),
+    ]
     schema = pyarrow.schema([*fields, pyarrow.field("x [mm]", pyarrow.int64())])
     parquet.write_table(pyarrow.table(columns, schema=schema), file)
     return Layout()
@@ -115,7 +126,9 @@ def test_the_same_table(tmp_path, name, write):
         np.testing.assert_allclose(columns[one].values, values, atol=1e-12)
 
 
-@pytest.mark.parametrize("write", [hdf5, tdms, tdms_groups, parquet_times, hdf5_matrix, matlab_matrix])
+@pytest.mark.parametrize(
+    "write", [hdf5, tdms, tdms_groups, parquet_times, hdf5_matrix, matlab_matrix]
+)
 def test_units_come_along(tmp_path, write):
     name = next(name for name, one in FILES if one is write)
     columns = read_table(tmp_path / name, write(tmp_path / name)).columns
@@ -140,11 +153,16 @@ def refusal(file: Path, stated: Layout | None = None) -> InputError:
     return caught.value
 
 
-@pytest.mark.parametrize("content", [b"", b"time,p\n0,1\n", b"\x89HDF\r\n\x1a\n" + bytes(40), b"TDSm" + b"\xff" * 60])
+@pytest.mark.parametrize(
+    "content", [b"", b"time,p\n0,1\n", b"\x89HDF\r\n\x1a\n" + bytes(40), b"TDSm" + b"\xff" * 60]
+)
 @pytest.mark.parametrize("name", ["run.mat", "run.h5", "run.tdms", "run.parquet"])
 def test_what_is_no_such_file(tmp_path, name, content):
     (tmp_path / name).write_bytes(content)
-    assert "cannot be read as" in refusal(tmp_path / name).message or "state one of" in refusal(tmp_path / name).message
+    assert (
+        "cannot be read as" in refusal(tmp_path / name).message
+        or "state one of" in refusal(tmp_path / name).message
+    )
 
 
 def test_a_missing_library_names_the_extra(tmp_path, monkeypatch):
@@ -182,7 +200,9 @@ def test_what_must_be_stated_is_named(tmp_path):
 
 def test_rows_are_named_where_there_are_no_lines(tmp_path):
     pandas.DataFrame({"time [s]": TIME[::-1], "p [kPa]": P}).to_parquet(tmp_path / "run.parquet")
-    (tmp_path / "experiment.toml").write_text(f'model = "{MODEL}"\n[[runs]]\nfile = "run.parquet"\n')
+    (tmp_path / "experiment.toml").write_text(
+        f'model = "{MODEL}"\n[[runs]]\nfile = "run.parquet"\n'
+    )
     with pytest.raises(InputError) as caught:
         read_data_set(tmp_path, describe)
     assert caught.value.column == "time" and "row 2: time goes back" in caught.value.message

@@ -40,7 +40,11 @@ def test_the_offset_is_met_within_its_spread():
 def test_what_cannot_be_known(what):
     rng = np.random.default_rng(3)
     t = np.arange(0, 20, 0.01)
-    y = {"constant": np.full(len(t), 3.0), "periodic": np.sin(2 * np.pi * t), "unlike": rng.normal(0, 1, len(t))}[what]
+    y = {
+        "constant": np.full(len(t), 3.0),
+        "periodic": np.sin(2 * np.pi * t),
+        "unlike": rng.normal(0, 1, len(t)),
+    }[what]
     z = y if what != "unlike" else rng.normal(0, 1, len(t))
     with pytest.raises(ClockError):
         estimate_offset((t, y + (what != "constant") * rng.normal(0, 0.1, len(t))), (t, z))
@@ -53,7 +57,9 @@ def rig(tmp_path):
         u = np.where(t < 3.0, 0.0, 0.35)
         rows = "".join(f"{a:.4f},{b:g},{c:.4f}\n" for a, b, c in zip(t, u, y, strict=True))
         (tmp_path / "rig.csv").write_text("time [s],u_in [A],p [kPa]\n" + rows)
-        rows = "".join(f"{a:.4f};{b:.4f};{a:.4f}\n".replace(".", ",") for a, b in zip(s, z, strict=True))
+        rows = "".join(
+            f"{a:.4f};{b:.4f};{a:.4f}\n".replace(".", ",") for a, b in zip(s, z, strict=True)
+        )
         (tmp_path / "camera.csv").write_text("t [s];Druck [kPa];Weg [mm]\n" + rows)
         (tmp_path / "experiment.toml").write_text(
             f'model = "{MODEL}"\n[[runs]]\nfile = "rig.csv"\n[[runs.loggers]]\nfile = "camera.csv"\n{logger}\n'
@@ -64,17 +70,25 @@ def rig(tmp_path):
     return write
 
 
-@pytest.mark.parametrize(("logger", "tolerance"), [('offset = "500 ms"', 1e-12), ('match = "p"', 0.01)])
+@pytest.mark.parametrize(
+    ("logger", "tolerance"), [('offset = "500 ms"', 1e-12), ('match = "p"', 0.01)]
+)
 def test_a_run_of_two_loggers(rig, logger, tolerance):
     folder = rig(logger)
     data = read_data_set(folder, describe)
     run = data.runs[0]
     assert list(run.measurements) == ["p", "x"]
-    assert run.sample_count("p") == 1000 and run.sample_count("x") == len(np.arange(1.0, 9.0, 0.033))
+    assert run.sample_count("p") == 1000 and run.sample_count("x") == len(
+        np.arange(1.0, 9.0, 0.033)
+    )
     there = np.isfinite(run.measurements["x"])
-    np.testing.assert_allclose(run.time[there] - 1e3 * run.measurements["x"][there], 0.5, atol=tolerance + 1e-9)
+    np.testing.assert_allclose(
+        run.time[there] - 1e3 * run.measurements["x"][there], 0.5, atol=tolerance + 1e-9
+    )
     np.testing.assert_allclose(run.inputs["u_in"][run.time >= 3.0], 0.35)
-    assert set(data.files) == {folder / name for name in ("experiment.toml", "rig.csv", "camera.csv")}
+    assert set(data.files) == {
+        folder / name for name in ("experiment.toml", "rig.csv", "camera.csv")
+    }
     assert any("the clock of camera.csv" in note for note in data.notes()) == ("match" in logger)
 
 

@@ -57,19 +57,27 @@ def test_a_lab_s_file_becomes_a_run(lab):
 
 
 def test_a_run_may_state_its_own(lab):
-    own = COLUMNS + RUN + "[runs.columns]\nx = { column = 3, unit = 'cm' }\n[runs.recording]\nignore = ['Be*']\n"
+    own = (
+        COLUMNS
+        + RUN
+        + "[runs.columns]\nx = { column = 3, unit = 'cm' }\n[runs.recording]\nignore = ['Be*']\n"
+    )
     run = read_data_set(lab(HEAD + own), describe).runs[0]
     np.testing.assert_allclose(run.measurements["x"], [0.30, 0.31, 0.29, 0.28])
 
 
 def test_a_formula_may_use_the_entries_above_it_and_signs(lab):
-    text = COLUMNS + "eps = { formula = \"-x / '32 mm'\" }\n".replace("'32 mm'", '\\"32 mm\\"') + RUN
+    text = (
+        COLUMNS + "eps = { formula = \"-x / '32 mm'\" }\n".replace("'32 mm'", '\\"32 mm\\"') + RUN
+    )
     run = read_data_set(lab(HEAD + text), describe).runs[0]
     np.testing.assert_allclose(run.measurements["eps"], -run.measurements["x"] / 0.032)
 
 
 def test_numbers_count_the_columns_of_the_file(lab):
-    text = COLUMNS.replace('["Bemerkung"]', '["Bemerkung", "Druck 1"]').replace('"Druck 1", unit', "4, unit")
+    text = COLUMNS.replace('["Bemerkung"]', '["Bemerkung", "Druck 1"]').replace(
+        '"Druck 1", unit', "4, unit"
+    )
     run = read_data_set(lab(HEAD + text + RUN), describe).runs[0]
     np.testing.assert_allclose(run.measurements["p"], [0, 0, 1e5, 2e5])
 
@@ -84,7 +92,9 @@ def test_a_column_may_correct_itself(lab):
 
 def test_a_file_without_time_has_an_interval(lab):
     text = "p [kPa];x [mm]\n0,5;1\n1,5;3\n"
-    run = read_data_set(lab(HEAD + '[recording]\ninterval = "20 ms"\n' + RUN, text), describe).runs[0]
+    run = read_data_set(lab(HEAD + '[recording]\ninterval = "20 ms"\n' + RUN, text), describe).runs[
+        0
+    ]
     np.testing.assert_allclose(run.time, [0, 0.02])
 
 
@@ -128,7 +138,10 @@ def test_faults(lab, case):
         assert (error.file, error.line, error.column) == (folder / "lab.csv", 1, "p")
     else:
         text = (folder / "experiment.toml").read_text()
-        assert (error.file, error.line) == (folder / "experiment.toml", text[: text.index(place)].count("\n") + 1)
+        assert (error.file, error.line) == (
+            folder / "experiment.toml",
+            text[: text.index(place)].count("\n") + 1,
+        )
     for word in words:
         assert word in error.message
 
@@ -136,7 +149,9 @@ def test_faults(lab, case):
 def test_a_column_that_nobody_knows_says_what_to_do(lab):
     columns = COLUMNS.replace('"Bemerkung"', '"Spannung"').replace("T =", "#")
     with pytest.raises(InputError) as caught:
-        read_data_set(lab(HEAD + columns + RUN, LAB.replace("Anfang", "1").replace("Ende", "2")), describe)
+        read_data_set(
+            lab(HEAD + columns + RUN, LAB.replace("Anfang", "1").replace("Ende", "2")), describe
+        )
     assert (caught.value.line, caught.value.column) == (1, "Bemerkung")
     assert "ignore = [...]" in caught.value.message and "[columns]" in caught.value.message
 
@@ -147,9 +162,15 @@ def test_the_documents_examples_are_valid(tmp_path):
     assert len(blocks) == 6
     for block in blocks:
         file = tmp_path / "experiment.toml"
-        file.write_text(block if "[[runs]]" in block else block + '[[runs]]\nfile = "a.csv"\n', encoding="utf-8")
+        file.write_text(
+            block if "[[runs]]" in block else block + '[[runs]]\nfile = "a.csv"\n', encoding="utf-8"
+        )
         assert read_experiment(file).content.runs
     text = next(block for block in re.findall(r"```\n(Mea.*?)```", page, re.DOTALL))
     (tmp_path / "run.csv").write_text(text)
     columns = read_table(tmp_path / "run.csv").columns
-    assert {name: column.unit for name, column in columns.items()} == {"time": "s", "p": "kPa", "x": "mm"}
+    assert {name: column.unit for name, column in columns.items()} == {
+        "time": "s",
+        "p": "kPa",
+        "x": "mm",
+    }

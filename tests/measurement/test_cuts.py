@@ -31,7 +31,9 @@ def read(tmp_path: Path) -> Callable[..., DataSet]:
 def test_a_run_is_what_lies_between_its_ends(read: Callable[..., DataSet]) -> None:
     run = read('from = "500 ms"\nto = "1.2 s"').runs[0]
     assert run.time.tolist() == pytest.approx([0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.1, 1.2])
-    assert run.inputs["u"][0] == pytest.approx(0.05) and run.measurements["p"][-1] == pytest.approx(101.2)
+    assert run.inputs["u"][0] == pytest.approx(0.05) and run.measurements["p"][-1] == pytest.approx(
+        101.2
+    )
     assert run.recorded == (0.0, 1.9) and "0.5 to 1.2 s of 0 to 1.9 s" in run.describe()
     assert read().runs[0].recorded is None
     assert read('from = "-5 s"\nto = "9 s"').runs[0].recorded is None  # nothing was cut
@@ -39,7 +41,9 @@ def test_a_run_is_what_lies_between_its_ends(read: Callable[..., DataSet]) -> No
 
 def test_whoever_reads_may_cut_elsewhere_or_not_at_all(read: Callable[..., DataSet]) -> None:
     stated = 'from = "0.5 s"\nto = "1.2 s"'
-    assert read(stated, cuts={"run": ("0.9 s", None)}).runs[0].time[[0, -1]].tolist() == pytest.approx([0.9, 1.9])
+    assert read(stated, cuts={"run": ("0.9 s", None)}).runs[0].time[
+        [0, -1]
+    ].tolist() == pytest.approx([0.9, 1.9])
     assert read(stated, cuts={"run": (None, None)}).runs[0].recorded is None
 
 
@@ -49,7 +53,9 @@ def test_both_rows_of_a_step_are_kept(read: Callable[..., DataSet]) -> None:
     assert read(rows=rows, cuts={"run": (None, 1)}).runs[0].inputs["u"].tolist() == [0.0, 0.0, 1.0]
 
 
-def test_a_start_is_of_the_first_sample_that_it_was_stated_for(read: Callable[..., DataSet]) -> None:
+def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
+    read: Callable[..., DataSet],
+) -> None:
     stated = 'start = "rest"\nlead = "0.3 s"'
     assert read(stated).runs[0].start.mode == "rest"
     assert read('from = "0.5 s"\n' + stated).runs[0].start.mode == "rest"  # both are stated
@@ -66,7 +72,9 @@ def test_a_period_that_is_cut_is_none(read: Callable[..., DataSet]) -> None:
 
 def test_whoever_reads_may_say_how_a_run_begins(read: Callable[..., DataSet]) -> None:
     assert read('start = "rest"', starts={"run": "measured"}).runs[0].start.mode == "measured"
-    run = read('before = { u = "1 A", for = "2 s" }\nlead = "0.3 s"', starts={"run": "estimated"}).runs[0]
+    run = read(
+        'before = { u = "1 A", for = "2 s" }\nlead = "0.3 s"', starts={"run": "estimated"}
+    ).runs[0]
     assert (run.start.mode, run.start.seconds, run.start.lead) == ("estimated", 0.0, 0.3)
     assert read("periodic = true", starts={"run": "rest"}).runs[0].start.periodic is False
 
@@ -111,5 +119,7 @@ def test_a_run_without_samples_is_none(read: Callable[..., DataSet]) -> None:
 def test_a_star_stands_for_all_runs_that_are_not_named(read: Callable[..., DataSet]) -> None:
     run = read(cuts={"*": ("0.5 s", None)}, starts={"*": "steady"}).runs[0]
     assert run.time[0] == 0.5 and run.start.mode == "steady"
-    run = read(cuts={"*": ("0.5 s", None), "run": ("0.7 s", None)}, starts={"*": "steady", "run": "rest"}).runs[0]
+    run = read(
+        cuts={"*": ("0.5 s", None), "run": ("0.7 s", None)}, starts={"*": "steady", "run": "rest"}
+    ).runs[0]
     assert run.time[0] == 0.7 and run.start.mode == "rest"

@@ -17,10 +17,41 @@ from tests.measurement.test_columns import COLUMNS
 from tests.measurement.test_columns import LAB as LINES
 
 FILES = {"experiment.toml": EXPERIMENT, "run-01.csv": RUN_01, "run-02.csv": RUN_02}
-TOKENS = [b"", b"\n", b",", b";", b'"', b"'", b"[", b"]]", b"=", b"{", b"}", b"\x00", b"\xff", b"\r", b"#", b"nan"]
-TOKENS += [b"1e999", b"-", b"..", b"/", b"\xef\xbb\xbf", b"[s]", b"degC", b"9**9**9", b"\xc2\xb5", b"runs", b"0x"]
+TOKENS = [
+    b"",
+    b"\n",
+    b",",
+    b";",
+    b'"',
+    b"'",
+    b"[",
+    b"]]",
+    b"=",
+    b"{",
+    b"}",
+    b"\x00",
+    b"\xff",
+    b"\r",
+    b"#",
+    b"nan",
+]
+TOKENS += [
+    b"1e999",
+    b"-",
+    b"..",
+    b"/",
+    b"\xef\xbb\xbf",
+    b"[s]",
+    b"degC",
+    b"9**9**9",
+    b"\xc2\xb5",
+    b"runs",
+    b"0x",
+]
 EDITS = st.lists(
-    st.tuples(st.integers(0, 2000), st.integers(0, 12), st.sampled_from(TOKENS) | st.binary(max_size=6)),
+    st.tuples(
+        st.integers(0, 2000), st.integers(0, 12), st.sampled_from(TOKENS) | st.binary(max_size=6)
+    ),
     min_size=1,
     max_size=4,
 )
@@ -81,7 +112,13 @@ def test_any_text_as_unit(text):
 
 
 @settings(max_examples=100, deadline=None, derandomize=True)
-@given(st.lists(st.sampled_from(["# c", "", "k{} = 1", "k{} = [\n 1, # [\n 2]", 'k{} = """\nx = 1\n"""', "[t{}]"])))
+@given(
+    st.lists(
+        st.sampled_from(
+            ["# c", "", "k{} = 1", "k{} = [\n 1, # [\n 2]", 'k{} = """\nx = 1\n"""', "[t{}]"]
+        )
+    )
+)
 def test_lines_of_keys(parts):
     """Every key is found on the line on which it was written, past comments and values of several lines."""
     text, places = "", {}

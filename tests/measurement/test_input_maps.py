@@ -25,7 +25,9 @@ GAIN, OFFSET = 0.045, 0.02
 KNOWN = f'"valve.C_A" = {TRUTH.calibration}\n"muscle.mu_fb" = {TRUTH.mu_fb}\n'
 
 
-def recorded_in_volts(folder: Path, columns: str, effects: Sequence[Effect] = (), **without: str) -> Path:
+def recorded_in_volts(
+    folder: Path, columns: str, effects: Sequence[Effect] = (), **without: str
+) -> Path:
     """Data of the rig whose current of the inlet valve was recorded as volts before its amplifier.
 
     Args:
@@ -63,7 +65,9 @@ def _with_runs(runs: str, without: Mapping[str, str]) -> str:
 
 def test_a_stated_map_is_applied_to_the_record(tmp_path: Path) -> None:
     volts = study.read(
-        recorded_in_volts(tmp_path / "a", '[columns]\nu_in = { column = "u", gain = "45 mA/V", offset = "20 mA" }')
+        recorded_in_volts(
+            tmp_path / "a", '[columns]\nu_in = { column = "u", gain = "45 mA/V", offset = "20 mA" }'
+        )
     )
     amperes = study.read(write_light_data(tmp_path / "b", seed=3))
     assert volts.model == amperes.model
@@ -72,11 +76,15 @@ def test_a_stated_map_is_applied_to_the_record(tmp_path: Path) -> None:
 
 
 def test_a_fitted_map_is_part_of_the_model(tmp_path: Path) -> None:
-    columns = '[columns]\nu_in = { column = "u", gain = "0.06 A/V", offset = "20 mA", fit = "gain" }'
+    columns = (
+        '[columns]\nu_in = { column = "u", gain = "0.06 A/V", offset = "20 mA", fit = "gain" }'
+    )
     data = study.read(recorded_in_volts(tmp_path / "data", columns))
     assert list(data.fit) == ["u_in_gain"] and "u_in_raw" in data.runs[0].inputs
     with Simulator(build_model(data.model, sensitivities=data.free_names)) as simulator:
-        assert {sensitivity_name(s, "u_in_gain") for s in "pxT"} <= set(simulator.interface.sensitivities)
+        assert {sensitivity_name(s, "u_in_gain") for s in "pxT"} <= set(
+            simulator.interface.sensitivities
+        )
     fit = study.fit(data)
     gain = fit.parameters["u_in_gain"]
     assert gain.low <= GAIN <= gain.high and gain.high - gain.low < 0.03 * GAIN
@@ -84,7 +92,9 @@ def test_a_fitted_map_is_part_of_the_model(tmp_path: Path) -> None:
     written = study.add(fit, to=data.model, output=tmp_path / "Written.mo")
     assert "u_in_gain*u_in_raw + u_in_offset" in written
     again = study.compare(study.read(tmp_path / "data", model=str(tmp_path / "Written.mo")))
-    assert again.chi2_reduced("holdout") == pytest.approx(fit.comparison.chi2_reduced("holdout"), rel=1e-4)
+    assert again.chi2_reduced("holdout") == pytest.approx(
+        fit.comparison.chi2_reduced("holdout"), rel=1e-4
+    )
 
 
 def test_a_supply_that_nobody_recorded_is_a_free_constant(tmp_path: Path) -> None:
@@ -92,7 +102,10 @@ def test_a_supply_that_nobody_recorded_is_a_free_constant(tmp_path: Path) -> Non
     free = '[runs.fit]\np_supply = { min = "150 kPa", max = "4 bar" }\n'
     data = study.read(recorded_in_volts(tmp_path / "data", columns, p_supply=free))
     (name,) = data.fit
-    assert name.startswith("p_supply_constant@") and data.runs[1].parameters["p_supply_constant"] == 240e3
+    assert (
+        name.startswith("p_supply_constant@")
+        and data.runs[1].parameters["p_supply_constant"] == 240e3
+    )
     fit = study.fit(data)
     supply = fit.parameters[name]
     assert supply.low <= 207e3 <= supply.high and supply.high - supply.low < 10e3

@@ -7,7 +7,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.measurement import DataSet, Run, Signal, StatedSignal, complete_noise, estimate_noise, record_step
+from pam_cosim.measurement import (
+    DataSet,
+    Run,
+    Signal,
+    StatedSignal,
+    complete_noise,
+    estimate_noise,
+    record_step,
+)
 
 N = 2000
 TIME = np.linspace(0.0, 4.0, N)
@@ -28,14 +36,18 @@ def white(seed: int, size: int = N) -> np.ndarray:
 @pytest.mark.parametrize("sigma", [0.03, 0.001])
 def test_white_noise_on_smooth_signals_and_steps(curve, sigma):
     for seed in range(5):
-        assert estimate_noise(TIME, CURVES[curve] + sigma * white(seed)) == pytest.approx(sigma, rel=0.1)
+        assert estimate_noise(TIME, CURVES[curve] + sigma * white(seed)) == pytest.approx(
+            sigma, rel=0.1
+        )
 
 
 @pytest.mark.parametrize("quantum", [0.1, 1.0, 2.0])
 def test_quantised_readings_have_noise_and_rounding(quantum):
     raw = 20 * CURVES["slow exponential"] + white(1)
     expected = np.sqrt(1 + quantum**2 / 12)
-    assert estimate_noise(TIME, quantum * np.round(raw / quantum)) == pytest.approx(expected, rel=0.1)
+    assert estimate_noise(TIME, quantum * np.round(raw / quantum)) == pytest.approx(
+        expected, rel=0.1
+    )
 
 
 def test_a_staircase_has_at_least_the_error_of_rounding():
@@ -45,7 +57,9 @@ def test_a_staircase_has_at_least_the_error_of_rounding():
 
 def test_the_scale_of_the_unit_does_not_matter():
     values = 0.1 * np.round(10 * (20 * CURVES["slow exponential"] + white(3)))
-    assert estimate_noise(TIME, 1e3 * values) == pytest.approx(1e3 * estimate_noise(TIME, values), rel=1e-6)
+    assert estimate_noise(TIME, 1e3 * values) == pytest.approx(
+        1e3 * estimate_noise(TIME, values), rel=1e-6
+    )
 
 
 def test_missing_samples_uneven_times_and_double_rows():
@@ -61,9 +75,9 @@ def test_missing_samples_uneven_times_and_double_rows():
     assert double[1000] == pytest.approx(double[999])
     assert estimate_noise(TIME, holes) == pytest.approx(0.01, rel=0.15)
     assert estimate_noise(TIME, slow) == pytest.approx(0.01, rel=0.15)
-    assert estimate_noise(np.sort(uneven), 1 - np.exp(-np.sort(uneven)) + 0.01 * white(2)) == pytest.approx(
-        0.01, rel=0.1
-    )
+    assert estimate_noise(
+        np.sort(uneven), 1 - np.exp(-np.sort(uneven)) + 0.01 * white(2)
+    ) == pytest.approx(0.01, rel=0.1)
     assert estimate_noise(double, values) == pytest.approx(0.01, rel=0.1)
 
 
@@ -88,7 +102,9 @@ def completed(stated: StatedSignal, values: np.ndarray) -> Signal:
 
 def test_only_unknown_noise_is_filled_in():
     shaking = CURVES["constant"] + 30 * white(9)
-    runs = [run(f"r{seed}", p=2.0 * white(seed), x=white(seed)) for seed in range(4)] + [run("shaking", p=shaking)]
+    runs = [run(f"r{seed}", p=2.0 * white(seed), x=white(seed)) for seed in range(4)] + [
+        run("shaking", p=shaking)
+    ]
     runs.append(run("few", T=np.where(np.arange(len(TIME)) < 4, TIME, np.nan)))
     signals = [StatedSignal("p", "Pa"), StatedSignal("x", "m", 0.5), StatedSignal("T", "K")]
     filled = complete_noise({one.name: one for one in signals}, runs)
@@ -122,12 +138,18 @@ def test_steps_of_a_record_come_on_top_of_a_stated_noise(step: float):
 def test_fine_steps_and_none_leave_the_stated_noise():
     smooth = 20 * np.sin(TIME) + 0.1 * white(3)
     few = np.linspace(0.0, 7.0, 12)
-    for values in (smooth, 0.01 * np.round(smooth / 0.01), np.append(few, np.full(len(TIME) - 12, np.nan))):
+    for values in (
+        smooth,
+        0.01 * np.round(smooth / 0.01),
+        np.append(few, np.full(len(TIME) - 12, np.nan)),
+    ):
         known = completed(StatedSignal("x", "m", 0.1), values)
         assert (known.sigma, known.step, known.estimated) == (0.1, 0.0, False)
 
 
-@pytest.mark.parametrize(("step", "digits"), [(0.02, 9), (0.0244140625, 3), (0.0244140625, 5), (0.3, 2)])
+@pytest.mark.parametrize(
+    ("step", "digits"), [(0.02, 9), (0.0244140625, 3), (0.0244140625, 5), (0.3, 2)]
+)
 def test_steps_of_a_converter_are_seen_through_the_digits_of_the_file(step: float, digits: int):
     steps = step * np.round((20 * np.sin(TIME) + 0.01 * white(3)) / step)
     assert record_step(np.round(steps, digits)) == pytest.approx(step, rel=1e-3)

@@ -18,7 +18,9 @@ BENCH = Interface(
     model="Rig.Benches.Isotonic",
     inputs=variables(Variable("branch", "1", start=0.0), Variable("p", "Pa"), Variable("F", "N")),
     outputs=variables(Variable("x", "m")),
-    parameters=variables(Variable("muscle.D0", "m", start=0.02, min=0.0), Variable("muscle.k", "N/m", start=1.0)),
+    parameters=variables(
+        Variable("muscle.D0", "m", start=0.02, min=0.0), Variable("muscle.k", "N/m", start=1.0)
+    ),
 )
 EXPERIMENT = """\
 title = "loops"
@@ -50,7 +52,12 @@ def table(rows: list[str], header: str = "p [kPa],F [N],x [mm],branch") -> str:
 
 @pytest.fixture
 def read(tmp_path: Path) -> Read:
-    def call(text: str, experiment: str = EXPERIMENT, interface: Interface = BENCH, name: str = "loops.csv") -> DataSet:
+    def call(
+        text: str,
+        experiment: str = EXPERIMENT,
+        interface: Interface = BENCH,
+        name: str = "loops.csv",
+    ) -> DataSet:
         (tmp_path / "experiment.toml").write_text(experiment)
         (tmp_path / name).write_text(text)
         return read_data_set(tmp_path, lambda _: interface)
@@ -67,7 +74,9 @@ def test_branches_and_loads_are_curves(read: Read) -> None:
     assert up.is_static and up.along is not None and (up.along.name, up.along.unit) == ("p", "Pa")
     np.testing.assert_allclose(up.time, np.array(PRESSURES) * 1e3)
     np.testing.assert_allclose(up.inputs["branch"], 1.0)
-    np.testing.assert_allclose(data.runs[3].measurements["x"], (np.array(PRESSURES) / 10 - 3 + 1) * 1e-3)
+    np.testing.assert_allclose(
+        data.runs[3].measurements["x"], (np.array(PRESSURES) / 10 - 3 + 1) * 1e-3
+    )
 
 
 def test_the_order_of_the_rows_does_not_matter(read: Read) -> None:
@@ -91,12 +100,16 @@ def test_a_set_pressure_is_one_though_it_is_read_with_noise(read: Read) -> None:
     ]
     data = read(table(rows, "p [kPa],F [N],x [mm]"))
     assert [run.name for run in data.runs] == [f"loops p = {p} kPa" for p in (100, 200, 300)]
-    assert all(run.along is not None and run.along.name == "F" and len(run.time) == 10 for run in data.runs)
+    assert all(
+        run.along is not None and run.along.name == "F" and len(run.time) == 10 for run in data.runs
+    )
 
 
 def test_scattered_points_are_one_curve(read: Read) -> None:
     rng = np.random.default_rng(3)
-    rows = [f"{p:.4f},{f:.4f},{p / 10 - f / 20:.4f}" for p, f in rng.uniform([0, 0], [400, 90], (40, 2))]
+    rows = [
+        f"{p:.4f},{f:.4f},{p / 10 - f / 20:.4f}" for p, f in rng.uniform([0, 0], [400, 90], (40, 2))
+    ]
     (run,) = read(table(rows, "p [kPa],F [N],x [mm]")).runs
     assert run.along is not None and run.along.name == "p" and run.name == "loops"
 
@@ -172,24 +185,68 @@ NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n !=
 @pytest.mark.parametrize(
     ("text", "experiment", "words"),
     [
-        (table([*ROWS[:3], "3,2,9,left"]), "", [f"{CSV}:5: column 'branch': 'left' is none of up, down, none"]),
+        (
+            table([*ROWS[:3], "3,2,9,left"]),
+            "",
+            [f"{CSV}:5: column 'branch': 'left' is none of up, down, none"],
+        ),
         (table([*ROWS[:3], "3,2,9,0.5"]), "", [f"{CSV}:5: column 'branch'", "0.5 is no direction"]),
-        (table([f"0,{r}" for r in ROWS], TIMED), "", [f"{CSV}:1: column 'time'", "have no time", "ignore"]),
-        (table(["0,20,1,up", ",20,5,up"]), "", [f"{CSV}:3: column 'p'", "the cell is empty; a row must say"]),
-        (table(["0,1", "100,5"], IMPOSED), "", [f"{CSV}:1", "no column 'F', nor a value", "a row imposes p, F"]),
-        (table(["0,1", "100,5"], "q [kPa],x [mm]"), "", [f"{CSV}:1: column 'q'", "no input or output 'q'"]),
+        (
+            table([f"0,{r}" for r in ROWS], TIMED),
+            "",
+            [f"{CSV}:1: column 'time'", "have no time", "ignore"],
+        ),
+        (
+            table(["0,20,1,up", ",20,5,up"]),
+            "",
+            [f"{CSV}:3: column 'p'", "the cell is empty; a row must say"],
+        ),
+        (
+            table(["0,1", "100,5"], IMPOSED),
+            "",
+            [f"{CSV}:1", "no column 'F', nor a value", "a row imposes p, F"],
+        ),
+        (
+            table(["0,1", "100,5"], "q [kPa],x [mm]"),
+            "",
+            [f"{CSV}:1: column 'q'", "no input or output 'q'"],
+        ),
         (table(["0,20,1,3"], "p [kPa],F [N],x [mm],muscle.k"), "", ["'muscle.k' is a parameter"]),
-        (table(ROWS), 'branch = "up"', [f"{TOML}:10", f"branch is stated here and a column of {CSV}"]),
+        (
+            table(ROWS),
+            'branch = "up"',
+            [f"{TOML}:10", f"branch is stated here and a column of {CSV}"],
+        ),
         (table(ROWS), 'branch = "left"', [f"{TOML}:10", "'left' is not possible", "'order'"]),
         (table(ROWS), AT_REST, [f"{TOML}:3", "'rest' is not possible"]),
-        (table(ROWS), 'hold_out = { p = ["250 kPa"] }', [f"{TOML}:10", "no row has p = '250 kPa'", "nearest"]),
-        (table(ROWS), 'hold_out = { x = ["2 mm"] }', [f"'x' is no column of {CSV} that is imposed; those are p, F"]),
+        (
+            table(ROWS),
+            'hold_out = { p = ["250 kPa"] }',
+            [f"{TOML}:10", "no row has p = '250 kPa'", "nearest"],
+        ),
+        (
+            table(ROWS),
+            'hold_out = { x = ["2 mm"] }',
+            [f"'x' is no column of {CSV} that is imposed; those are p, F"],
+        ),
         (table(ROWS), 'hold_out = { F = ["2 kPa"] }', [f"{TOML}:10", "F:", "kPa"]),
         (table(ROWS), 'hold_out = { F = ["20 N", "60 N"] }', [f"no row of {CSV} is left to fit"]),
         (table(ROWS), NOT_STATIC + 'branch = "up"\n', ["branch is for points at rest"]),
-        (table(ROWS), '[runs.recording]\nresample = "1 s"', [f"{TOML}:11", "resample is for recordings over time"]),
-        (table(ROWS), '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0', ["other loggers", "have none"]),
-        (table(ROWS), '[runs.fit]\n"muscle.k" = { min = "0 N/m", max = "9 N/m" }', [f"{CSV}' holds 4 curves"]),
+        (
+            table(ROWS),
+            '[runs.recording]\nresample = "1 s"',
+            [f"{TOML}:11", "resample is for recordings over time"],
+        ),
+        (
+            table(ROWS),
+            '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0',
+            ["other loggers", "have none"],
+        ),
+        (
+            table(ROWS),
+            '[runs.fit]\n"muscle.k" = { min = "0 N/m", max = "9 N/m" }',
+            [f"{CSV}' holds 4 curves"],
+        ),
         (
             table(["20,1", "20,2"], "F [N],x [mm]"),
             'branch = "order"\n[runs.parameters]\np = "1 bar"',
@@ -197,7 +254,9 @@ NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n !=
         ),
     ],
 )
-def test_what_is_wrong_is_said_once(read: Read, text: str, experiment: str, words: list[str]) -> None:
+def test_what_is_wrong_is_said_once(
+    read: Read, text: str, experiment: str, words: list[str]
+) -> None:
     whole = experiment if experiment.startswith("title") else f"{EXPERIMENT}{experiment}\n"
     with pytest.raises(InputError) as error:
         read(text, whole)
@@ -206,13 +265,24 @@ def test_what_is_wrong_is_said_once(read: Read, text: str, experiment: str, word
 
 
 def test_a_bench_without_a_direction_says_what_to_take(read: Read) -> None:
-    with pytest.raises(InputError, match=r"experiment.toml:10.*no input 'branch'.*pam-cosim bench --static"):
-        read(table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"), EXPERIMENT + 'branch = "up"\n', NO_BRANCH)
+    with pytest.raises(
+        InputError, match=r"experiment.toml:10.*no input 'branch'.*pam-cosim bench --static"
+    ):
+        read(
+            table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"),
+            EXPERIMENT + 'branch = "up"\n',
+            NO_BRANCH,
+        )
 
 
 def test_one_file_with_a_direction_asks_it_of_all(read: Read, tmp_path: Path) -> None:
     (tmp_path / "other.csv").write_text(table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"))
     both = EXPERIMENT + '[[runs]]\nfile = "other.csv"\n'
-    with pytest.raises(InputError, match=r"experiment.toml:10.*'other.csv' has no column 'branch'.*\"none\""):
+    with pytest.raises(
+        InputError, match=r"experiment.toml:10.*'other.csv' has no column 'branch'.*\"none\""
+    ):
         read(table(ROWS), both)
-    assert read(table(ROWS), both + 'branch = "none"\n').runs[-1].inputs["branch"].tolist() == [0.0, 0.0]
+    assert read(table(ROWS), both + 'branch = "none"\n').runs[-1].inputs["branch"].tolist() == [
+        0.0,
+        0.0,
+    ]

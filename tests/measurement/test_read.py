@@ -117,7 +117,9 @@ def test_harmless_variants(make, rewrite):
 def test_dimensionless_headings(make, heading):
     folder = make()
     (folder / TWO).write_text(f"time [s],{heading}\n0,0\n1,0.5\n")
-    np.testing.assert_allclose(read_data_set(folder, describe).runs[1].measurements["eps"], [0, 0.5])
+    np.testing.assert_allclose(
+        read_data_set(folder, describe).runs[1].measurements["eps"], [0, 0.5]
+    )
 
 
 def test_one_recording_alone(make):

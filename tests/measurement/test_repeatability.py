@@ -13,7 +13,9 @@ from pam_cosim.measurement.data_set import Along
 NOISE, SCATTER = 0.3, 1.5
 
 
-def runs_of(offsets: list[float], *, static: bool = False, load: list[float] | None = None) -> tuple[Run, ...]:
+def runs_of(
+    offsets: list[float], *, static: bool = False, load: list[float] | None = None
+) -> tuple[Run, ...]:
     """Runs of one test; the force of each is off by an amount of its own, and follows small errors of the pressure."""
     rng = np.random.default_rng(1)
     runs = []
@@ -27,7 +29,17 @@ def runs_of(offsets: list[float], *, static: bool = False, load: list[float] | N
         inputs = {"p": pressure if not static else at}
         forces = force if not static else 1e-3 * at + offset + rng.normal(0, NOISE, len(time))
         runs.append(
-            Run(f"r{number}", Path(f"r{number}.csv"), "fit", "linear", known, at, inputs, {"F": forces}, along=along)
+            Run(
+                f"r{number}",
+                Path(f"r{number}.csv"),
+                "fit",
+                "linear",
+                known,
+                at,
+                inputs,
+                {"F": forces},
+                along=along,
+            )
         )
     return tuple(runs)
 
@@ -40,8 +52,14 @@ def completed(runs: tuple[Run, ...], signal: StatedSignal) -> Signal:
 def test_runs_that_repeat_one_another_show_it(static: bool) -> None:
     offsets = np.random.default_rng(2).normal(0, SCATTER, 12).tolist()
     signal = completed(runs_of(offsets, static=static), StatedSignal("F", "N", NOISE))
-    assert signal.repeatability == pytest.approx(np.hypot(np.std(offsets, ddof=1), NOISE), rel=0.05)  # twelve runs
-    assert (signal.sigma, signal.scatter, signal.source) == (signal.repeatability, "repeatability", "of repeated runs")
+    assert signal.repeatability == pytest.approx(
+        np.hypot(np.std(offsets, ddof=1), NOISE), rel=0.05
+    )  # twelve runs
+    assert (signal.sigma, signal.scatter, signal.source) == (
+        signal.repeatability,
+        "repeatability",
+        "of repeated runs",
+    )
 
 
 def test_noise_alone_stays_noise() -> None:
@@ -79,7 +97,9 @@ def test_an_input_that_rests_in_both_and_is_recorded_with_noise_does_not_part_th
         feed = (10.0 if number == 3 else 0.0) + rng.normal(0, 0.05, len(time))
         force = offset + 200.0 * np.sin(time) + rng.normal(0, NOISE, len(time))
         inputs = {"p": 2e5 * np.sin(time), "feed": feed}
-        runs.append(Run(f"r{number}", Path("r.csv"), "fit", "linear", {}, time, inputs, {"F": force}))
+        runs.append(
+            Run(f"r{number}", Path("r.csv"), "fit", "linear", {}, time, inputs, {"F": force})
+        )
     assert completed(tuple(runs), StatedSignal("F", "N", NOISE)).scatter == "repeatability"
 
 

@@ -64,7 +64,9 @@ def test_rounding_averages_out_only_where_noise_covers_it():
     level = rng.uniform(0, 10, (4000, 1))
     for sigma in (1.0, 0.02):
         means = np.round(level + rng.normal(0, sigma, (4000, 100))).mean(axis=1)
-        assert np.std(means - level[:, 0]) == pytest.approx(noise_of_mean(sigma, Averaged(100, 1.0)), rel=0.08)
+        assert np.std(means - level[:, 0]) == pytest.approx(
+            noise_of_mean(sigma, Averaged(100, 1.0)), rel=0.08
+        )
 
 
 def test_a_quick_switching_input_becomes_its_mean():
@@ -94,7 +96,13 @@ def test_in_a_data_set(tmp_path):
     rows = recording()
     body = "\n".join(
         f"{t:.4f};{u:g};{p / 1e3:.4f};{x * 1e3:.5f}".replace(".", ",")
-        for t, u, p, x in zip(rows.time, rows.inputs["u"], rows.inputs["p_supply"], rows.measurements["x"], strict=True)
+        for t, u, p, x in zip(
+            rows.time,
+            rows.inputs["u"],
+            rows.inputs["p_supply"],
+            rows.measurements["x"],
+            strict=True,
+        )
     )
     (tmp_path / "run.csv").write_text(f"time [s];u_in [A];p_supply [kPa];x [mm]\n{body}\n")
     head = f'model = "{MODEL}"\n[recording]\nresample = "20 ms"\n'
@@ -102,10 +110,16 @@ def test_in_a_data_set(tmp_path):
     file.write_text(f'{head}[signals.x]\nsigma = "0.1 mm"\n[[runs]]\nfile = "run.csv"\n')
     data = read_data_set(tmp_path, describe)
     assert data.signals["x"].sigma == pytest.approx(1e-4 / np.sqrt(20))
-    assert any("10000 rows are" in note and "2 steps of inputs kept" in note for note in data.notes())
+    assert any(
+        "10000 rows are" in note and "2 steps of inputs kept" in note for note in data.notes()
+    )
     file.write_text(f'{head}[[runs]]\nfile = "run.csv"\n')
-    assert read_data_set(tmp_path, describe).signals["x"].sigma == pytest.approx(1e-4 / np.sqrt(20), rel=0.15)
-    file.write_text(f'model = "{MODEL}"\n[[runs]]\nfile = "run.csv"\n[runs.recording]\nresample = "20 mm"\n')
+    assert read_data_set(tmp_path, describe).signals["x"].sigma == pytest.approx(
+        1e-4 / np.sqrt(20), rel=0.15
+    )
+    file.write_text(
+        f'model = "{MODEL}"\n[[runs]]\nfile = "run.csv"\n[runs.recording]\nresample = "20 mm"\n'
+    )
     with pytest.raises(InputError) as caught:
         read_data_set(tmp_path, describe)
     assert (caught.value.line, caught.value.file) == (5, file)
@@ -114,15 +128,21 @@ def test_in_a_data_set(tmp_path):
 def long_data(tmp_path, u: np.ndarray, sigma: str = "") -> DataSet:
     time = np.arange(len(u)) / 1000
     x = 5e-3 * np.sin(time) + np.random.default_rng(3).normal(0, 1e-4, len(time))
-    rows = pd.DataFrame({"time [s]": time, "u_in [A]": u, "p_supply [kPa]": 200.0, "x [mm]": 1e3 * x})
+    rows = pd.DataFrame(
+        {"time [s]": time, "u_in [A]": u, "p_supply [kPa]": 200.0, "x [mm]": 1e3 * x}
+    )
     rows.to_csv(tmp_path / "run.csv", index=False)
-    (tmp_path / "experiment.toml").write_text(f'model = "{MODEL}"\n{sigma}[[runs]]\nfile = "run.csv"\n')
+    (tmp_path / "experiment.toml").write_text(
+        f'model = "{MODEL}"\n{sigma}[[runs]]\nfile = "run.csv"\n'
+    )
     return read_data_set(tmp_path, describe)
 
 
 def test_a_search_takes_means_of_very_many_rows(tmp_path):
     time = np.arange(0.0, 120.0, 1e-3)
-    data = long_data(tmp_path, np.where(time % 20 < 10, 0.35, 0.0), '[signals.x]\nsigma = "0.1 mm"\n')
+    data = long_data(
+        tmp_path, np.where(time % 20 < 10, 0.35, 0.0), '[signals.x]\nsigma = "0.1 mm"\n'
+    )
     means, said = condensed(data)
     assert said.startswith("120000 rows are more than a search needs: it takes means over 0.004 s")
     assert 0.9 * MOST_ROWS < len(means.runs[0].time) < 1.1 * MOST_ROWS

@@ -40,7 +40,11 @@ def test_what_was_before_is_held_before_the_first_row(read: Callable[..., DataSe
     assert (run.start.mode, run.start.seconds, dict(run.start.before)) == ("rest", 5.0, {"u": 0.2})
     inputs = inputs_of_run(run)
     assert inputs is not None and start_time(run) == -5.0
-    assert inputs.time[:3].tolist() == [-5.0, 0.0, 0.0] and inputs.values["u"][:3].tolist() == [0.2, 0.2, 0.0]
+    assert inputs.time[:3].tolist() == [-5.0, 0.0, 0.0] and inputs.values["u"][:3].tolist() == [
+        0.2,
+        0.2,
+        0.0,
+    ]
 
 
 def test_a_lead_is_not_scored_and_shows_where_the_run_begins(read: Callable[..., DataSet]) -> None:
@@ -57,7 +61,11 @@ def test_a_periodic_run_is_repeated(read: Callable[..., DataSet]) -> None:
     run = replace(run, start=replace(run.start, periods=3))
     inputs = inputs_of_run(run)
     assert inputs is not None and start_time(run) == pytest.approx(-6.0)
-    assert inputs.time[0] == pytest.approx(-6.0) and len(inputs.time) == 80 and (np.diff(inputs.time) > 0).all()
+    assert (
+        inputs.time[0] == pytest.approx(-6.0)
+        and len(inputs.time) == 80
+        and (np.diff(inputs.time) > 0).all()
+    )
 
 
 @pytest.mark.parametrize(
@@ -67,7 +75,11 @@ def test_a_periodic_run_is_repeated(read: Callable[..., DataSet]) -> None:
         ("", 'before = { q = "200 mA", for = "5 s" }', "'q' is no input of Bench"),
         ("", 'before = { u = "2 mm", for = "5 s" }', "u"),
         ("", 'before = { u = "200 mA", for = "-5 s" }', "for must be greater than zero"),
-        ("", 'start = "measured"\nbefore = { u = "200 mA", for = "5 s" }', "begins with the first samples"),
+        (
+            "",
+            'start = "measured"\nbefore = { u = "200 mA", for = "5 s" }',
+            "begins with the first samples",
+        ),
         ("", 'lead = "20 s"', "nothing would be scored"),
         ("", 'periodic = true\nstart = "rest"', "keep one of them"),
         ("", 'start = "asleep"', "'asleep' is not possible"),
@@ -98,7 +110,9 @@ def test_pieces_are_runs(read: Callable[..., DataSet]) -> None:
 
 
 def test_time_that_goes_back(read: Callable[..., DataSet]) -> None:
-    with pytest.raises(InputError, match='time goes back, from 1.9 s to 0 s; state what that means: gaps = "split"'):
+    with pytest.raises(
+        InputError, match='time goes back, from 1.9 s to 0 s; state what that means: gaps = "split"'
+    ):
         read(rows=ROWS + AGAIN)
     first, second = read('gaps = "split"', rows=ROWS + AGAIN).runs
     assert (len(first.time), len(second.time)) == (20, 10)

@@ -47,7 +47,9 @@ VARIANTS = {
     "UTF-16, big-endian": b"\xfe\xff" + PLAIN.encode("utf-16-be"),
     "Latin-1": PLAIN.encode("latin-1"),
     "units in their own row": units_below(PLAIN).encode(),
-    "units in brackets in their own row": units_below(PLAIN).replace("s,kPa,°C", "[s],[kPa],[°C]").encode(),
+    "units in brackets in their own row": units_below(PLAIN)
+    .replace("s,kPa,°C", "[s],[kPa],[°C]")
+    .encode(),
     "units in round brackets": PLAIN.replace("[", "(").replace("]", ")").encode(),
     "units after a stroke": b"time / s,p in kPa,T / degC\n0.0,1.5,20\n0.1,,20.5\n0.2,-3.25e1,21\n",
     "lines above": f"Test 12\nDate: 2024-02-01, 10:30\n\nRate,1000\n{PLAIN}".encode(),
@@ -76,12 +78,20 @@ def test_variants_hold_the_same_numbers(tmp_path, content):
 def written(tmp_path, text: str | bytes, **stated) -> dict[str, list[float]]:
     file = tmp_path / "run.txt"
     file.write_bytes(text if isinstance(text, bytes) else text.encode())
-    return {name: list(column.values) for name, column in read_table(file, Layout(**stated)).columns.items()}
+    return {
+        name: list(column.values)
+        for name, column in read_table(file, Layout(**stated)).columns.items()
+    }
 
 
-@pytest.mark.parametrize("head", ["time [s]   p [kPa]", "time  p", "# time p", "%  time [s] p [kPa]", "time (s) p"])
+@pytest.mark.parametrize(
+    "head", ["time [s]   p [kPa]", "time  p", "# time p", "%  time [s] p [kPa]", "time (s) p"]
+)
 def test_blanks(tmp_path, head):
-    assert written(tmp_path, f"{head}\n  0.0   1.5\n 10.1  2\n") == {"time": [0, 10.1], "p": [1.5, 2]}
+    assert written(tmp_path, f"{head}\n  0.0   1.5\n 10.1  2\n") == {
+        "time": [0, 10.1],
+        "p": [1.5, 2],
+    }
 
 
 @pytest.mark.parametrize(
@@ -105,7 +115,10 @@ def test_what_is_stated_is_not_guessed(tmp_path):
     assert written(tmp_path, "0;1\n1;2\n", names=("t [s]", "p")) == {"t": [0, 1], "p": [1, 2]}
     text = "t;p\nZeit;Druck\ncounts;counts\n0;1\n1;2\n"
     assert written(tmp_path, text, header_line=2, units_line=3) == {"Zeit": [0, 1], "Druck": [1, 2]}
-    assert written(tmp_path, "t [µs],p\n0,1\n1,2\n".encode("cp437"), encoding="cp437") == {"t": [0, 1], "p": [1, 2]}
+    assert written(tmp_path, "t [µs],p\n0,1\n1,2\n".encode("cp437"), encoding="cp437") == {
+        "t": [0, 1],
+        "p": [1, 2],
+    }
 
 
 def test_ignored_columns_may_hold_text(tmp_path):
@@ -124,7 +137,14 @@ def test_dates_before_the_numbers(tmp_path):
 
 # (name, text, stated, line, column, words)
 FAULTS = [
-    ("ambiguous comma", "a;b\n1,234;2,345\n", {}, 2, None, ["'1,234'", "thousands", 'decimal = ","']),
+    (
+        "ambiguous comma",
+        "a;b\n1,234;2,345\n",
+        {},
+        2,
+        None,
+        ["'1,234'", "thousands", 'decimal = ","'],
+    ),
     ("ambiguous point", "a;b\n1.234;2.345\n", {}, 2, None, ["'1.234'", 'decimal = "."']),
     ("two signs", "a;b\n0,5;1\n1,5;2.5\n", {}, 3, "b", ["'2.5'", "decimal point"]),
     ("thousands", "a;b\n0,5;1\n1,5;1.002,5\n", {}, 3, "b", ["thousands"]),
@@ -173,11 +193,15 @@ def test_words_for_missing_samples_and_separators_at_the_ends(tmp_path: Path) ->
 
 
 def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) -> None:
-    (tmp_path / "a.csv").write_text("p [kPa],x [mm],F [N]\n100,0,90\nnan,1,80\n100,2,nan\n200,0,200\n200,2,160\n")
+    (tmp_path / "a.csv").write_text(
+        "p [kPa],x [mm],F [N]\n100,0,90\nnan,1,80\n100,2,nan\n200,0,200\n200,2,160\n"
+    )
     (tmp_path / "experiment.toml").write_text(
         'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[recording]\nmissing = ["nan"]\n'
         '[[runs]]\nfile = "a.csv"\n'
     )
     runs = pam.read(tmp_path).runs
-    assert sum(len(run.time) for run in runs) == 4 and sum(run.sample_count("F") for run in runs) == 3
+    assert (
+        sum(len(run.time) for run in runs) == 4 and sum(run.sample_count("F") for run in runs) == 3
+    )
     assert "left out: 1 of 5 rows" in runs[0].notes[0]

@@ -20,7 +20,9 @@ from pam_cosim.units import UnitError, convert, parse_quantity
     ],
 )  # fmt: skip
 def test_factors(unit, target, factor):
-    np.testing.assert_allclose(convert([0.0, 2.0, np.nan], unit, target), [0.0, 2.0 * factor, np.nan], rtol=1e-9)
+    np.testing.assert_allclose(
+        convert([0.0, 2.0, np.nan], unit, target), [0.0, 2.0 * factor, np.nan], rtol=1e-9
+    )
 
 
 def test_temperatures_have_an_origin_and_differences_none():
@@ -38,7 +40,9 @@ def test_numbers():
     assert parse_quantity(0.7, "1") == parse_quantity("0.7", "") == 0.7
 
 
-@pytest.mark.parametrize("unit", ["kg", "KPa", "(((", "m^", "m/", "9**9**9", "x" * 100, "Pa;", "delta"])
+@pytest.mark.parametrize(
+    "unit", ["kg", "KPa", "(((", "m^", "m/", "9**9**9", "x" * 100, "Pa;", "delta"]
+)
 def test_units_that_do_not_fit_a_pressure(unit):
     with pytest.raises(UnitError):
         convert(1.0, unit, "Pa")

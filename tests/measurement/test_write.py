@@ -11,7 +11,15 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set, write_data_set
 from tests.measurement.bench import BENCH, describe
 
-UNITS = {"time": "ms", "p": "kPa", "p_supply": "bar", "x": "mm", "T": "degC", "load.m": "g", "tank.T_start": "degF"}
+UNITS = {
+    "time": "ms",
+    "p": "kPa",
+    "p_supply": "bar",
+    "x": "mm",
+    "T": "degC",
+    "load.m": "g",
+    "tank.T_start": "degF",
+}
 
 
 @pytest.mark.parametrize("units", [None, UNITS], ids=["bench units", "chosen units"])
@@ -32,7 +40,10 @@ def test_round_trip(make, tmp_path, units):
         assert (one.name, one.role, one.interpolation) == (two.name, two.role, two.interpolation)
         assert two.parameters == pytest.approx(one.parameters)
         np.testing.assert_allclose(two.time, one.time, rtol=1e-8)
-        assert (list(two.inputs), list(two.measurements)) == (list(one.inputs), list(one.measurements))
+        assert (list(two.inputs), list(two.measurements)) == (
+            list(one.inputs),
+            list(one.measurements),
+        )
         for name, values in {**one.inputs, **one.measurements}.items():
             np.testing.assert_allclose({**two.inputs, **two.measurements}[name], values, rtol=1e-7)
     header = (folder / "run-01.csv").read_text().splitlines()[0]

@@ -16,7 +16,14 @@ from tests.library.shelf import BENCH, benches, composed, effects, tree
 OMC = shutil.which("omc")
 pytestmark = pytest.mark.skipif(OMC is None, reason="OpenModelica's omc is not on the path")
 
-KINDS = ("model", "block", "class", "connector", "record", "function")  # it refuses packages and types
+KINDS = (
+    "model",
+    "block",
+    "class",
+    "connector",
+    "record",
+    "function",
+)  # it refuses packages and types
 PASSED = "completed successfully"
 EXPECTED = (  # of a component that is meant to stand in a bench
     "An inner declaration for outer component",
@@ -43,10 +50,17 @@ def checked(names: Sequence[str], files: Iterable[Path], folder: Path) -> dict[s
     assert OMC is not None
     loaded = [modelica_root() / "PneumaticMuscle" / "package.mo", *files]
     script = ['setCommandLineOptions("--std=3.6 --unitChecking");']
-    script += [f'if not loadFile("{file.as_posix()}") then print(getErrorString()); end if;' for file in loaded]
-    script += [f'print("@@ {name}\\n" + checkModel({name}) + getErrorString() + "\\n");' for name in names]
+    script += [
+        f'if not loadFile("{file.as_posix()}") then print(getErrorString()); end if;'
+        for file in loaded
+    ]
+    script += [
+        f'print("@@ {name}\\n" + checkModel({name}) + getErrorString() + "\\n");' for name in names
+    ]
     (folder / "check.mos").write_text("\n".join(script))
-    run = subprocess.run([OMC, "check.mos"], cwd=folder, capture_output=True, text=True, timeout=900, check=True)
+    run = subprocess.run(
+        [OMC, "check.mos"], cwd=folder, capture_output=True, text=True, timeout=900, check=True
+    )
     answers = re.split(r"^@@ (\S+)$", run.stdout, flags=re.MULTILINE)
     assert "Error" not in answers[0], answers[0]
     return dict(zip(answers[1::2], answers[2::2], strict=True))
@@ -74,7 +88,9 @@ def test_every_composition(everywhere: bool, tmp_path: Path) -> None:
     """Of each effect with the first bench that has a place for it, or with all of them."""
     texts: dict[str, str] = {}
     for effect in effects():
-        places = [c for bench in (BENCH, *benches()) if (c := composed(bench, effect.name)) is not None]
+        places = [
+            c for bench in (BENCH, *benches()) if (c := composed(bench, effect.name)) is not None
+        ]
         assert places, effect.name
         for one in places if everywhere else places[:1]:
             name = f"{one.base.rpartition('.')[2]}With{effect.name}"
@@ -91,5 +107,7 @@ def test_former_names(tmp_path: Path) -> None:
 
 
 def test_a_class_that_is_wrong_is_refused(tmp_path: Path) -> None:
-    (tmp_path / "Wrong.mo").write_text(FORMER.replace("Components.Tank", "Components.Tonk").replace("Former", "Wrong"))
+    (tmp_path / "Wrong.mo").write_text(
+        FORMER.replace("Components.Tank", "Components.Tonk").replace("Former", "Wrong")
+    )
     assert refused(checked(["Wrong"], [tmp_path / "Wrong.mo"], tmp_path)).keys() == {"Wrong"}

@@ -25,7 +25,9 @@ OURS = 1e-9
 LATER = {"GeneralLeak": {"leak.p_open": 0.0}, "GeneralLine": {"line.UA": 0.0}}
 
 
-def differences(fmu: Path, file: Path, parameters: Mapping[str, float] | None = None) -> dict[str, float]:
+def differences(
+    fmu: Path, file: Path, parameters: Mapping[str, float] | None = None
+) -> dict[str, float]:
     """The largest difference of each output, of its range over the run."""
     names = file.read_text().split("\n", 1)[0].split(",")
     time, *columns = np.loadtxt(file, delimiter=",", skiprows=1).T
@@ -50,7 +52,9 @@ def test_class(name: str) -> None:
 
 @pytest.mark.parametrize("effect", EFFECTS)
 def test_effect(effect: str) -> None:
-    apart = differences(built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv", LATER.get(effect))
+    apart = differences(
+        built(BENCH, effect), HERE / "isotonic-with-effect" / f"{effect}.csv", LATER.get(effect)
+    )
     assert max(apart.values()) < ADDED_UP * 1e-8, apart
 
 

@@ -48,7 +48,9 @@ def checked(html):
     for tag, name, value in page.attributes:
         if name in ("src", "href", "srcset", "poster", "data"):
             anchored = value.startswith("#") and f'id="{value[1:]}"' in html
-            assert anchored or value.startswith("data:"), f"<{tag} {name}={value[:60]}> is not inside the page"
+            assert anchored or value.startswith("data:"), (
+                f"<{tag} {name}={value[:60]}> is not inside the page"
+            )
         assert not name.startswith("on"), f"<{tag} {name}>"
     css = html[html.index("<style>") : html.index("</style>")]
     assert "url(" not in css and "@import" not in css

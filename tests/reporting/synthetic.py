@@ -7,12 +7,31 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.comparison import Comparison, Rule, RunComparison, residual_statistics, score, series_of
-from pam_cosim.diagnosis import Candidate, Diagnosis, FailedTrial, LeftInSignal, MissingTerm, NextExperiment, Verdict
+from pam_cosim.comparison import (
+    Comparison,
+    Rule,
+    RunComparison,
+    residual_statistics,
+    score,
+    series_of,
+)
+from pam_cosim.diagnosis import (
+    Candidate,
+    Diagnosis,
+    FailedTrial,
+    LeftInSignal,
+    MissingTerm,
+    NextExperiment,
+    Verdict,
+)
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, Run, Signal
 
-SIGNALS = {"p": Signal("p", "Pa", 500.0), "x": Signal("x", "m", 0.2e-3), "T": Signal("T", "K", 0.3, estimated=True)}
+SIGNALS = {
+    "p": Signal("p", "Pa", 500.0),
+    "x": Signal("x", "m", 0.2e-3),
+    "T": Signal("T", "K", 0.3, estimated=True),
+}
 RULES = (
     Rule("x", "filling, 40 kPa < p < 120 kPa", 0.71, 0.22),
     Rule("p", "run run-1, early", 0.43, 0.11),
@@ -29,8 +48,14 @@ def make_run(i, role, samples=200, leave_out=(), seed=0):
     rng = np.random.default_rng([seed, i])
     time = np.linspace(0, 10, samples)
     values = truth(time, i)
-    measured = {n: v + SIGNALS[n].sigma * rng.standard_normal(samples) for n, v in values.items() if n not in leave_out}
-    return Run(f"run-{i}", Path(f"run-{i}.csv"), role, "linear", {"load.m": 2.0}, time, {}, measured)
+    measured = {
+        n: v + SIGNALS[n].sigma * rng.standard_normal(samples)
+        for n, v in values.items()
+        if n not in leave_out
+    }
+    return Run(
+        f"run-{i}", Path(f"run-{i}.csv"), role, "linear", {"load.m": 2.0}, time, {}, measured
+    )
 
 
 def make_data(roles=("fit", "fit", "holdout"), samples=200, title="a rig", **options):
@@ -45,8 +70,15 @@ def make_comparison(data, error, model="PneumaticMuscle.Benches.Isotonic"):
     runs = []
     for i, run in enumerate(data.runs):
         wave = error * np.cos(run.time)
-        runs.append(RunComparison(run, {n: v + wave * SIGNALS[n].sigma for n, v in truth(run.time, i + 1).items()}))
-    scores = {role: score([r for r in runs if r.run.role == role], data.signals) for role in ("fit", "holdout")}
+        runs.append(
+            RunComparison(
+                run, {n: v + wave * SIGNALS[n].sigma for n, v in truth(run.time, i + 1).items()}
+            )
+        )
+    scores = {
+        role: score([r for r in runs if r.run.role == role], data.signals)
+        for role in ("fit", "holdout")
+    }
     scores["all"] = score(runs, data.signals)
     return Comparison(model, data, {"valve.C_A": 0.7}, tuple(runs), scores, RULES if error else ())
 
@@ -54,17 +86,23 @@ def make_comparison(data, error, model="PneumaticMuscle.Benches.Isotonic"):
 def make_fit(data, error, parameters=None):
     comparison = make_comparison(data, error)
     by_role = {
-        role: residual_statistics(series_of([r for r in comparison.runs if r.run.role == role], data.signals))
+        role: residual_statistics(
+            series_of([r for r in comparison.runs if r.run.role == role], data.signals)
+        )
         for role in ("fit", "holdout")
     }
-    estimates = {"valve.C_A": Estimate(0.712, 0.701, 0.723, "1")} if parameters is None else parameters
+    estimates = (
+        {"valve.C_A": Estimate(0.712, 0.701, 0.723, "1")} if parameters is None else parameters
+    )
     return Fit("M", estimates, comparison, by_role, 12, ("step size too small at t = 3 s",))
 
 
 def make_candidate(data, effect, family, balance, error, own=None, before=(), **fields):
     own = own or {}
     fit = make_fit(data, error, {"valve.C_A": Estimate(0.699, 0.695, 0.703, "1"), **own})
-    return Candidate(effect, family, balance, (*before, effect), tuple(own), fit, equations=EQUATIONS, **fields)
+    return Candidate(
+        effect, family, balance, (*before, effect), tuple(own), fit, equations=EQUATIONS, **fields
+    )
 
 
 def make_diagnosis(kind="identified", data=None, **changes):
@@ -76,10 +114,16 @@ def make_diagnosis(kind="identified", data=None, **changes):
         "film.h": Estimate(7.6, 7.1, 8.1, "W/(m2.K)"),
         "film.d": Estimate(0.5, 0.5, 0.5, "m", at_bound=True),
     }
-    best = make_candidate(data, "StiffWall", "elasticity", "force", 0.0, stiff, delta_bic=-5200.4, probability=0.98)
-    rival = make_candidate(data, "RoundEnds", "end_shape", "force", 0.1, delta_bic=-5199.0, probability=0.02)
+    best = make_candidate(
+        data, "StiffWall", "elasticity", "force", 0.0, stiff, delta_bic=-5200.4, probability=0.98
+    )
+    rival = make_candidate(
+        data, "RoundEnds", "end_shape", "force", 0.1, delta_bic=-5199.0, probability=0.02
+    )
     poor = make_candidate(data, "SmallHole", "leak", "mass", 8.0, delta_bic=float("nan"))
-    failed = FailedTrial("HotWall", "wall_heat", "energy", ("HotWall",), "no start value <can> be simulated")
+    failed = FailedTrial(
+        "HotWall", "wall_heat", "energy", ("HotWall",), "no start value <can> be simulated"
+    )
     base = make_fit(data, 10.0)
     candidates = (best, rival, poor)
     balance = {"energy": 0.0, "force": 0.93, "mass": 0.07}

@@ -50,8 +50,13 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
 def test_a_fault_of_an_instrument_is_not_called_physics():
     diagnosis = make_diagnosis("identified")
     families = {
-        ("position_sensor",): "An instrument is at fault: the reading of the position is off, or comes late",
-        ("elasticity", "clock_offset"): "The model lacks elasticity, and an instrument is at fault: the record of all",
+        (
+            "position_sensor",
+        ): "An instrument is at fault: the reading of the position is off, or comes late",
+        (
+            "elasticity",
+            "clock_offset",
+        ): "The model lacks elasticity, and an instrument is at fault: the record of all",
         ("elasticity",): "The model lacks elasticity (StiffWall).",
     }
     data = replace(diagnosis.data, domain=DOMAIN)
@@ -62,29 +67,53 @@ def test_a_fault_of_an_instrument_is_not_called_physics():
         assert said in page
         assert ("This is said of an instrument" in page) is instrument
         assert ("n instrument, not physics: " in printed) is instrument
-        assert ("Among these an instrument, not physics: " in printed) is (instrument and "elasticity" in named)
+        assert ("Among these an instrument, not physics: " in printed) is (
+            instrument and "elasticity" in named
+        )
 
 
 def test_the_error_before_and_after_stands_first_in_readable_units():
     diagnosis = make_diagnosis("identified")
     text = checked(report("identified")).text
-    before, after = (f.comparison.scores["holdout"]["p"].rmse for f in (diagnosis.base, diagnosis.final))
+    before, after = (
+        f.comparison.scores["holdout"]["p"].rmse for f in (diagnosis.base, diagnosis.final)
+    )
     assert before == pytest.approx(3.6e3, rel=0.1) and after == pytest.approx(500, rel=0.1)
     assert f"{before / 1e3:.2f} kPa" in text and f"{after / 1e3:.3f} kPa" in text
     assert "On runs that were never fitted the rms error of" in text
-    assert text.index("The model lacks") < text.index("The error ladder") < text.index("Measured against model")
-    assert text.index("Where the error") < text.index("Which effects") < text.index("What this verdict means")
+    assert (
+        text.index("The model lacks")
+        < text.index("The error ladder")
+        < text.index("Measured against model")
+    )
+    assert (
+        text.index("Where the error")
+        < text.index("Which effects")
+        < text.index("What this verdict means")
+    )
 
 
 def test_what_may_be_missing_is_a_bar_with_its_numbers():
     diagnosis = make_diagnosis("identified")
-    assert "Probability of what may be missing" not in report("identified")  # one that was saved before there was any
-    sets = (Explanation(("elasticity",), 0.0, 0.6), Explanation((), 9.0, 0.2), Explanation(("leak",), 30.0, 0.004))
+    assert "Probability of what may be missing" not in report(
+        "identified"
+    )  # one that was saved before there was any
+    sets = (
+        Explanation(("elasticity",), 0.0, 0.6),
+        Explanation((), 9.0, 0.2),
+        Explanation(("leak",), 30.0, 0.004),
+    )
     known = Posterior(sets, 0.196, ("unchecked",))
-    stated = replace(diagnosis, verdict=replace(diagnosis.verdict, posterior=known, probability=0.6))
+    stated = replace(
+        diagnosis, verdict=replace(diagnosis.verdict, posterior=known, probability=0.6)
+    )
     html = diagnosis_report(stated)
     checked(html)
-    bar = ((0.6, "elasticity"), (0.2, "nothing is missing"), (0.196, "something no effect describes"))
+    bar = (
+        (0.6, "elasticity"),
+        (0.2, "nothing is missing"),
+        (0.196, "something no effect describes"),
+    )
     assert f"missing: {'; '.join(f'{percent(share)}  {what}' for share, what in bar)}" in html
     assert "Otherwise: nothing 20 %, something else 20 %" in diagnosis_text(stated)
     assert diagnosis_report(stated) == html
@@ -103,7 +132,9 @@ def test_ranking_gives_the_evidence_and_marks_what_was_added():
     html = report("identified")
     text = checked(html).text
     assert "−5200" in text
-    assert "98 %" not in text  # a candidate's weight by that criterion is not the verdict's probability
+    assert (
+        "98 %" not in text
+    )  # a candidate's weight by that criterion is not the verdict's probability
     assert html.count('<tr class="added">') == 1
     assert "Could not be fitted" in text
 
@@ -115,7 +146,11 @@ def test_where_the_error_sits_is_a_table_too():
 
 def test_the_next_experiment_and_the_missing_term_are_told():
     text = checked(report("ambiguous")).text
-    assert "run-2" in text and "p_supply times 1.5" in text and "12.3 noise standard deviations" in text
+    assert (
+        "run-2" in text
+        and "p_supply times 1.5" in text
+        and "12.3 noise standard deviations" in text
+    )
     text = checked(report("unknown")).text
     assert "those of the force balance come closest" in text
     assert "p 5.00 kPa 7.07 p −0.61" in text
@@ -170,18 +205,27 @@ def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
     data = make_data()
     short = make_data(leave_out=("x",)).runs[1]
     unknown = Signal("T", "K", 0.3, estimated=True, fitted=False, assumed=True)
-    data = replace(data, runs=(data.runs[0], short, data.runs[2]), signals={**SIGNALS, "T": unknown})
+    data = replace(
+        data, runs=(data.runs[0], short, data.runs[2]), signals={**SIGNALS, "T": unknown}
+    )
     diagnosis = make_diagnosis("identified", data)
     text = checked(diagnosis_report(diagnosis)).text
     assert "the noise of T is not known" in text
-    assert "decides only between explanations that are as good without it: T, with an rms error of" in text
+    assert (
+        "decides only between explanations that are as good without it: T, with an rms error of"
+        in text
+    )
     assert "x 0.200 mm stated fitted 200 200" in text
 
 
 @pytest.mark.full
 def test_many_runs_go_to_further_figures():
-    few = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 25))))
-    many = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 25))))
+    few = checked(
+        diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 25)))
+    )
+    many = checked(
+        diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 25)))
+    )
     assert many.tags.count("img") == few.tags.count("img") + 2
 
 
@@ -209,13 +253,19 @@ def test_nothing_tried_and_nothing_free():
 def test_a_family_whose_form_is_open_is_said_to_be_so() -> None:
     plain = make_diagnosis("identified")
     assert "in a form that is open" not in checked(diagnosis_report(plain)).text
-    text = checked(diagnosis_report(replace(plain, verdict=replace(plain.verdict, remainder=True)))).text
+    text = checked(
+        diagnosis_report(replace(plain, verdict=replace(plain.verdict, remainder=True)))
+    ).text
     assert "in a form that is open" in text
 
 
 @pytest.mark.usefixtures("without_pictures")
 def test_families_that_were_not_looked_for_are_named():
-    known = {"creep": "excluded", "leak": "excluded", "force_sensor": "the model has no place for them"}
+    known = {
+        "creep": "excluded",
+        "leak": "excluded",
+        "force_sensor": "the model has no place for them",
+    }
     text = checked(diagnosis_report(replace(make_diagnosis("identified"), not_tried=known))).text
     assert (
         "Not looked for, and perhaps missing all the same: creep and leak (excluded); force sensor (the model has"

@@ -21,7 +21,10 @@ def _ledger(places: bool = True) -> Ledger:
     force = BalanceEntry(
         "force", 100.0, 0.9, 0.75, "N", "Missing force", "f", (course,), {"x": "m", "v": "m/s", "p_gauge": "Pa"}
     )  # fmt: skip
-    entries = (force if places else BalanceEntry("force", 100.0, 0.9, 0.75), BalanceEntry("sensor", 10.0, 0.1, 0.25))
+    entries = (
+        force if places else BalanceEntry("force", 100.0, 0.9, 0.75),
+        BalanceEntry("sensor", 10.0, 0.1, 0.25),
+    )
     return Ledger("Isotonic", entries, (), ("force", "sensor"), True, 9.0, 1.0, {}, domain=DOMAIN)
 
 
@@ -70,7 +73,9 @@ def test_each_balance_has_its_colour_in_the_order_of_the_field() -> None:
 def test_the_field_says_what_a_term_is_drawn_against() -> None:
     with drawing():
         axes = ledger_figure(_ledger()).axes
-        plain = ledger_figure(replace(_ledger(), domain=replace(DOMAIN, axes=("v",), planes=()))).axes
+        plain = ledger_figure(
+            replace(_ledger(), domain=replace(DOMAIN, axes=("v",), planes=()))
+        ).axes
     assert [a.get_xlabel() for a in axes[1:4]] == ["time [s]", "x [mm]", "p_gauge [kPa]"]
     assert [a.get_xlabel() for a in plain[1:4]] == ["time [s]", "v [m/s]", "x [mm]"]
     assert "one variable only: no plane" in [t.get_text() for a in plain for t in a.texts]

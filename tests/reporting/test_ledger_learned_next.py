@@ -16,7 +16,13 @@ from pam_cosim.reporting.figures.layer import Layer
 from pam_cosim.reporting.figures.residual_map import binned_residual, residual_map
 from pam_cosim.study.tables import write_next_run
 from tests.reporting.html_checks import checked
-from tests.reporting.synthetic import SIGNALS, make_candidate, make_comparison, make_data, make_diagnosis
+from tests.reporting.synthetic import (
+    SIGNALS,
+    make_candidate,
+    make_comparison,
+    make_data,
+    make_diagnosis,
+)
 
 PLAN = NextExperiment(
     run="run-2",
@@ -31,7 +37,9 @@ PLAN = NextExperiment(
 )
 
 
-def make_ledger(failing=("force", "sensor"), closed=True, notes=("mass and heat cannot be told apart <here>",)):
+def make_ledger(
+    failing=("force", "sensor"), closed=True, notes=("mass and heat cannot be told apart <here>",)
+):
     t = np.linspace(0, 10, 101)
     x = 0.03 + 0.02 * np.sin(t)
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
@@ -39,7 +47,11 @@ def make_ledger(failing=("force", "sensor"), closed=True, notes=("mass and heat 
     units = {"x": "m", "v": "m/s", "p_gauge": "Pa"}
     force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
                   note="known but for friction", same_as=("mass",))  # fmt: skip
-    entries = (force, BalanceEntry("sensor", 10.0, 0.1, 0.25), BalanceEntry("energy", -3.0, 0.0, 0.0))
+    entries = (
+        force,
+        BalanceEntry("sensor", 10.0, 0.1, 0.25),
+        BalanceEntry("energy", -3.0, 0.0, 0.0),
+    )
     readings = (SensorReading("p", "Pa", 5000.0, 120.0, 0.012, 0.003, 0.0, 40.0, 0.1),)
     return Ledger("Isotonic", entries, readings, failing, closed, 50.0, 1.02, {}, notes)
 
@@ -57,7 +69,10 @@ def test_which_balance_fails_is_said_drawn_and_tabled():
     text = checked(html).text
     assert "The base model fails in the force balance and the reading of p." in text
     assert "meets the samples to the noise (mean square error 50.0 → 1.02 noise variances)" in text
-    assert "force 75 % 90 % 4.00 N 100 % known but for friction; the balance of mass may be meant as well" in text
+    assert (
+        "force 75 % 90 % 4.00 N 100 % known but for friction; the balance of mass may be meant as well"
+        in text
+    )
     assert "p 5.00 kPa ± 0.12 kPa 1.012 ± 0.0030 none 10 %" in text
     assert "Force: what pulls the load down." in text
     assert "cannot be told apart <here>" in text
@@ -71,11 +86,15 @@ def test_which_balance_fails_is_said_drawn_and_tabled():
 @pytest.mark.usefixtures("without_pictures")
 def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
     def text(**changes):
-        return checked(diagnosis_report(make_diagnosis("unknown", ledger=make_ledger(**changes)))).text
+        return checked(
+            diagnosis_report(make_diagnosis("unknown", ledger=make_ledger(**changes)))
+        ).text
 
     assert "something is missing elsewhere too" in text(closed=False)
     assert "No balance fails for certain" in text(failing=())
-    assert "may" not in diagnosis_text(make_diagnosis("unknown", ledger=make_ledger(failing=(), notes=())))
+    assert "may" not in diagnosis_text(
+        make_diagnosis("unknown", ledger=make_ledger(failing=(), notes=()))
+    )
 
 
 @pytest.mark.full
@@ -83,7 +102,10 @@ def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
 def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
     text = checked(diagnosis_report(diagnosis)).text
-    assert "The effects that were added act in the force balance; a free term in the mass balance explains" in text
+    assert (
+        "The effects that were added act in the force balance; a free term in the mass balance explains"
+        in text
+    )
     agreed = checked(diagnosis_report(make_diagnosis("identified", ledger=make_ledger()))).text
     assert "act in the force balance" not in agreed
 
@@ -101,10 +123,15 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
     after = diagnosis.learned.model.fit.comparison.scores["holdout"]["p"].rmse / 1e3
     assert f"p holdout {before:.2f} kPa {after:.3f} kPa 0.500 kPa" in page.text
     assert "stands beside" not in page.text
-    assert "What is missing, described" not in checked(diagnosis_report(make_diagnosis("unknown"))).text
+    assert (
+        "What is missing, described"
+        not in checked(diagnosis_report(make_diagnosis("unknown"))).text
+    )
     model = replace(diagnosis.learned.model, effects=("Leak", "LearnedForce"))
     beside = replace(diagnosis, learned=replace(diagnosis.learned, model=model))
-    assert "It stands beside Leak: with these in the model" in checked(diagnosis_report(beside)).text
+    assert (
+        "It stands beside Leak: with these in the model" in checked(diagnosis_report(beside)).text
+    )
 
 
 @pytest.mark.full
@@ -140,7 +167,9 @@ def test_an_experiment_that_decides_nothing_is_not_praised():
 
 
 def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
-    lines = diagnosis_text(make_diagnosis("ambiguous", ledger=make_ledger(), next_experiment=PLAN)).splitlines()
+    lines = diagnosis_text(
+        make_diagnosis("ambiguous", ledger=make_ledger(), next_experiment=PLAN)
+    ).splitlines()
     assert lines[0] == "Verdict: ambiguous: elasticity and end_shape (StiffWall, RoundEnds)"
 
     def line(start):
@@ -149,9 +178,14 @@ def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
 
     assert line("The way there: base model ").endswith("(reduced chi-square, holdout runs)")
     assert "→ + StiffWall" in line("The way there")
-    assert "Where the base model is wrong: x, filling, 40 kPa < p < 120 kPa: 71 % of its error in 22 %" in str(lines)
+    assert (
+        "Where the base model is wrong: x, filling, 40 kPa < p < 120 kPa: 71 % of its error in 22 %"
+        in str(lines)
+    )
     assert "the force balance 75 %, the reading of p 25 %" in line("Ledger of the base model:")
-    assert line("Next experiment:").startswith("Next experiment: run run-2, load.m times 1.5; with load.m = 3.000 kg; ")
+    assert line("Next experiment:").startswith(
+        "Next experiment: run run-2, load.m times 1.5; with load.m = 3.000 kg; "
+    )
     quiet = diagnosis_text(make_diagnosis("none_missing"))
     assert "Where the base model" not in quiet and "The way there" not in quiet
 
@@ -160,7 +194,11 @@ def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
 def test_the_file_of_the_next_run_has_steps_where_inputs_are_held(tmp_path, interpolation):
     write_next_run(tmp_path / "n.csv", replace(PLAN, interpolation=interpolation))
     lines = (tmp_path / "n.csv").read_text().splitlines()
-    assert lines[:3] == ["# run run-2, load.m times 1.5", "# set load.m = 3 kg", "time [s],u_in [A],p_supply [kPa]"]
+    assert lines[:3] == [
+        "# run run-2, load.m times 1.5",
+        "# set load.m = 3 kg",
+        "time [s],u_in [A],p_supply [kPa]",
+    ]
     step = ["0.5,0.35,200"] if interpolation == "previous" else []
     assert lines[3:] == ["0,0.35,200", *step, "0.5,0,200", "10,0,200"]
 
@@ -190,7 +228,9 @@ def test_few_samples_make_no_map():
 def test_a_long_ranking_is_folded_but_never_what_was_added():
     diagnosis = make_diagnosis("identified")
     best, rival = diagnosis.candidates[:2]
-    many = tuple(replace(rival, effect=f"Other{i:02}", effects=(f"Other{i:02}",)) for i in range(15))
+    many = tuple(
+        replace(rival, effect=f"Other{i:02}", effects=(f"Other{i:02}",)) for i in range(15)
+    )
     html = diagnosis_report(replace(diagnosis, candidates=(*many, best)))
     before, _, folded = html.partition("3 more, with less evidence")
     assert folded and 'class="name">StiffWall' in before and 'class="name">StiffWall' not in folded

@@ -32,7 +32,11 @@ def size(path):
 
 def trajectory():
     time = np.linspace(0, 5, 50)
-    return Trajectory(time, {"p": 1e5 * time, "x": 0.01 * time, "eps": 0.1 * time}, {"p": "Pa", "x": "m", "eps": "1"})
+    return Trajectory(
+        time,
+        {"p": 1e5 * time, "x": 0.01 * time, "eps": 0.1 * time},
+        {"p": "Pa", "x": "m", "eps": "1"},
+    )
 
 
 def test_a_trajectory_has_one_panel_each_in_readable_units(tmp_path):

@@ -30,7 +30,13 @@ def test_numbers(value, text):
 
 @pytest.mark.parametrize(
     ("value", "unit", "text"),
-    [(84e3, "Pa", "84.0 kPa"), (2e-4, "m", "0.200 mm"), (0.3, "K", "0.300 K"), (0.7, "1", "0.700"), (3.0, "", "3.00")],
+    [
+        (84e3, "Pa", "84.0 kPa"),
+        (2e-4, "m", "0.200 mm"),
+        (0.3, "K", "0.300 K"),
+        (0.7, "1", "0.700"),
+        (3.0, "", "3.00"),
+    ],
 )
 def test_quantities(value, unit, text):
     assert quantity_text(value, unit).replace("\u00a0", " ") == text
@@ -43,19 +49,31 @@ def test_units_have_superscripts():
 
 
 def test_the_interval_decides_the_digits():
-    assert estimate_texts(Estimate(0.71234567, 0.7119, 0.7127, "1")) == ("0.7123", "0.7119 to 0.7127")
+    assert estimate_texts(Estimate(0.71234567, 0.7119, 0.7127, "1")) == (
+        "0.7123",
+        "0.7119 to 0.7127",
+    )
     assert estimate_texts(Estimate(0.71234567, 0.7021, 0.7225, "1")) == ("0.712", "0.702 to 0.723")
     assert estimate_texts(Estimate(812.3, 804.1, 820.5, "N/m")) == ("812", "804 to 820")
     assert estimate_texts(Estimate(0.7, 0.1, 1.3, "1")) == ("0.70", "0.10 to 1.30")
     assert estimate_texts(Estimate(2e-7, 1e-7, 3e-7, "m2")) == ("0.20", "0.10 to 0.30")
     assert estimate_texts(Estimate(2e-9, 1e-9, 3e-9, "s")) == ("2.0×10⁻⁹", "1.0×10⁻⁹ to 3.0×10⁻⁹")
-    assert estimate_texts(Estimate(0.7, 0.7, 0.7, "1", at_bound=True)) == ("0.700", "0.700 to 0.700")
+    assert estimate_texts(Estimate(0.7, 0.7, 0.7, "1", at_bound=True)) == (
+        "0.700",
+        "0.700 to 0.700",
+    )
     assert estimate_texts(Estimate(0.7, 0.0, 1.0, "1", determined=False)) == ("0.700", "–")
     assert estimate_texts(Estimate(0.0, -1.0, 1.0, "Pa"))[0] == "0"
 
 
 def test_fixed_decimals_have_no_negative_zero():
-    assert [fixed(v) for v in (-4e-4, -5200.44, 12.0, float("nan"), None)] == ["0.0", "−5200.4", "12.0", "–", "–"]
+    assert [fixed(v) for v in (-4e-4, -5200.44, 12.0, float("nan"), None)] == [
+        "0.0",
+        "−5200.4",
+        "12.0",
+        "–",
+        "–",
+    ]
 
 
 def test_remarks():

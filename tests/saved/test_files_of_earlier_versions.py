@@ -21,7 +21,9 @@ PRODUCTS = [file for folder in VERSIONS for file in sorted(folder.glob("*.npz"))
 
 
 def test_this_version_has_its_files_and_they_stay(capsys: pytest.CaptureFixture[str]) -> None:
-    assert version("pam-cosim") in [folder.name for folder in VERSIONS], "run python -m tests.saved.write"
+    assert version("pam-cosim") in [folder.name for folder in VERSIONS], (
+        "run python -m tests.saved.write"
+    )
     assert main() == 2 and "stays as it is" in capsys.readouterr().err
 
 

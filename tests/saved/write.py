@@ -47,9 +47,14 @@ def main() -> int:
             write_json(folder / f"{name}.json", product.as_dict())
     write_parameters(folder / "fitted.json", fit)
     write_parameters(folder / "fitted.ssv", fit)
-    write_json(folder / "compared.json", pam.compare(pam.read(ROOT / "examples" / "tank-discharge")).as_dict())
+    write_json(
+        folder / "compared.json",
+        pam.compare(pam.read(ROOT / "examples" / "tank-discharge")).as_dict(),
+    )
     shutil.copytree(
-        ROOT / "examples" / "tank-discharge", folder / "data-set", ignore=shutil.ignore_patterns("carried-on", "*.py")
+        ROOT / "examples" / "tank-discharge",
+        folder / "data-set",
+        ignore=shutil.ignore_patterns("carried-on", "*.py"),
     )
     return 0
 

@@ -41,7 +41,9 @@ __attribute__((constructor)) static void load(void) { hang("load"); }
 """
 
 
-def repacked(source: Path, target: Path, change: dict[str, str] | None = None, binary: bytes | None = None) -> Path:
+def repacked(
+    source: Path, target: Path, change: dict[str, str] | None = None, binary: bytes | None = None
+) -> Path:
     """A copy with texts of the model description replaced, or with another binary."""
     with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
         for name in old.namelist():
@@ -80,7 +82,10 @@ def _hanging_binary(always: str) -> bytes:
     text = (fmu_runtime() / name).read_text()
     entry = re.compile(r"^(fmi2\w+ (fmi2\w+)\([^)]*\) \{)", re.MULTILINE)
     assert {"fmi2Instantiate", "fmi2DoStep", "fmi2SetReal"} <= {m[2] for m in entry.finditer(text)}
-    text = entry.sub(lambda m: f'{m[1]} hang("{m[2]}");' + " compare_all(value, n);" * (m[2] == "fmi2SetReal"), text)
+    text = entry.sub(
+        lambda m: f'{m[1]} hang("{m[2]}");' + " compare_all(value, n);" * (m[2] == "fmi2SetReal"),
+        text,
+    )
     return _binary({name: _HANG.replace("{always}", always) + text})
 
 

@@ -44,7 +44,9 @@ def _van_der_pol_reference(mu: float, end: float, count: int) -> Array:
 def _errors(end: float, count: int, tolerances: Array) -> Array:
     exact, times = _van_der_pol_reference(1000.0, end, count)[0], np.linspace(0.0, end, count)
     with Simulator(models.fmu(models.van_der_pol)) as simulator:
-        return np.array([np.abs(simulator.run(times, tolerance=t)["y"] - exact).max() for t in tolerances])
+        return np.array(
+            [np.abs(simulator.run(times, tolerance=t)["y"] - exact).max() for t in tolerances]
+        )
 
 
 def test_stiff_branch_meets_the_tolerance() -> None:
@@ -67,7 +69,9 @@ def test_reaction_over_nine_decades() -> None:
         return [slow, -slow - fast, fast]
 
     times = np.concatenate(([0.0], np.logspace(-4, 2, 60)))
-    exact = solve_ivp(f, (0.0, 100.0), [1.0, 0, 0], method="Radau", rtol=1e-11, atol=1e-15, t_eval=times).y
+    exact = solve_ivp(
+        f, (0.0, 100.0), [1.0, 0, 0], method="Radau", rtol=1e-11, atol=1e-15, t_eval=times
+    ).y
     with Simulator(models.fmu(_robertson_like)) as simulator:
         run = simulator.run(times, outputs=["a", "b", "c"], tolerance=1e-7)
     for name, reference, scale in zip("abc", exact, (1.0, 1e-5, 1.0), strict=True):

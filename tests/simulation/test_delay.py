@@ -37,7 +37,9 @@ def _exact_lag(inputs: Inputs, delay: float, times: Array, tau: float = 0.5) -> 
         value, slope = (float(v) for v in lines.at(np.array(begin)))
         steady = value - slope * tau
 
-        def at(t: Array, b: float = begin, s: float = steady, k: float = slope, x0: float = x) -> Array:
+        def at(
+            t: Array, b: float = begin, s: float = steady, k: float = slope, x0: float = x
+        ) -> Array:
             return s + k * (t - b) + (x0 - s) * np.exp(-(t - b) / tau)
 
         inside = (times >= begin) & (times <= end)
@@ -72,7 +74,10 @@ def test_valves_that_open_late() -> None:
     delay, times = 0.05, np.linspace(0.0, 4.0, 81)
     inputs = Inputs(
         np.array([0.0, 1.5, 1.5, 2.0, 2.0]),
-        {"u_in": np.array([0.35, 0.35, 0.0, 0.0, 0.0]), "u_out": np.array([0.0, 0.0, 0.0, 0.0, 0.35])},
+        {
+            "u_in": np.array([0.35, 0.35, 0.0, 0.0, 0.0]),
+            "u_out": np.array([0.0, 0.0, 0.0, 0.0, 0.35]),
+        },
     )
     model = "model Late extends PneumaticMuscle.Benches.Isotonic(valve(redeclare model Drive = "
     model += "PneumaticMuscle.Effects.ValveDynamics.ValveDelay)); end Late;"
@@ -81,22 +86,32 @@ def test_valves_that_open_late() -> None:
         with Simulator(path) as simulator:
             held = {} if shift == 0.0 else {"valve.drive.dead_time": delay}
             wanted = np.concatenate(([0.0], times + shift))
-            runs.append(simulator.run(wanted, inputs=inputs, parameters=held, outputs=["p", "x"], tolerance=1e-9))
+            runs.append(
+                simulator.run(
+                    wanted, inputs=inputs, parameters=held, outputs=["p", "x"], tolerance=1e-9
+                )
+            )
     for name, scale in (("p", 2e5), ("x", 0.05)):
         assert runs[0][name][0] == runs[1][name][0]
         assert runs[1][name][1:] == pytest.approx(runs[0][name][1:], abs=1e-5 * scale)
     assert runs[0]["x"].max() > 0.02
 
 
-@pytest.mark.parametrize("make", [models.delayed_lag, models.delayed_gain], ids=lambda make: make.__name__)
-@pytest.mark.parametrize("spacing", [[0.0, 1.0], [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]])
+@pytest.mark.parametrize(
+    "make", [models.delayed_lag, models.delayed_gain], ids=lambda make: make.__name__
+)
+@pytest.mark.parametrize(
+    "spacing", [[0.0, 1.0], [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0]]
+)
 def test_a_jump_comes_out_at_its_time_plus_the_delay(make: object, spacing: list[float]) -> None:
     """To rounding: not at a communication point before or after."""
     jump, delay = 0.31234, 0.29876
     out = jump + delay
     inputs = Inputs(np.array([0.0, jump, jump]), {"u": np.array([2.0, 2.0, 7.0])})
     times = np.sort(np.concatenate((spacing, [out - 1e-11, out + 1e-11, 2.0])))
-    name, early, late = ("echo", 2.0, 7.0) if make is models.delayed_lag else ("y", 7.0 + 20.0, 7.0 + 70.0)
+    name, early, late = (
+        ("echo", 2.0, 7.0) if make is models.delayed_lag else ("y", 7.0 + 20.0, 7.0 + 70.0)
+    )
     with Simulator(models.fmu(make)) as simulator:  # type: ignore[arg-type]
         values = simulator.run(times, inputs=inputs, parameters={"T": delay})[name]
     assert values[times > out] == pytest.approx(late, abs=0.0)
@@ -122,7 +137,12 @@ def test_delay_costs_no_more_than_the_same_jumps_at_once() -> None:
     with Simulator(models.fmu(models.delayed_lag)) as simulator:
         steps = []
         for delay in (0.0, 0.3):
-            simulator.run(np.linspace(0.0, 3.0, 301), inputs=RAMP_AND_STEPS, parameters={"T": delay}, tolerance=1e-7)
+            simulator.run(
+                np.linspace(0.0, 3.0, 301),
+                inputs=RAMP_AND_STEPS,
+                parameters={"T": delay},
+                tolerance=1e-7,
+            )
             assert simulator.statistics is not None
             steps.append(simulator.statistics.steps)
     assert steps[1] <= 1.1 * steps[0]
@@ -133,7 +153,9 @@ def test_runs_with_other_delays_do_not_disturb_each_other() -> None:
     with Simulator(models.fmu(models.delayed_lag)) as simulator:
         by_turn = {}
         for turn, delay in enumerate((0.3, 0.01, 1.2, 0.3)):
-            run = simulator.run(times, inputs=RAMP_AND_STEPS, parameters={"T": delay}, tolerance=1e-9)
+            run = simulator.run(
+                times, inputs=RAMP_AND_STEPS, parameters={"T": delay}, tolerance=1e-9
+            )
             by_turn[turn] = run["y"]
             assert run["y"] == pytest.approx(_exact_lag(RAMP_AND_STEPS, delay, times), abs=2e-8)
     assert np.array_equal(by_turn[0], by_turn[3])
@@ -154,11 +176,15 @@ def test_result_is_smooth_in_the_delay() -> None:
     with Simulator(models.fmu(models.delayed_lag)) as simulator:
         for delay in (0.0501, 0.2, 0.2503):
             sides = [
-                simulator.run(times, inputs=RAMP_AND_STEPS, parameters={"T": delay + s * h}, tolerance=1e-8)["y"]
+                simulator.run(
+                    times, inputs=RAMP_AND_STEPS, parameters={"T": delay + s * h}, tolerance=1e-8
+                )["y"]
                 for s in (-1, 1)
             ]
             exact = [_exact_lag(RAMP_AND_STEPS, delay + s * h, times) for s in (-1, 1)]
-            assert (sides[1] - sides[0]) / (2 * h) == pytest.approx((exact[1] - exact[0]) / (2 * h), abs=2e-3)
+            assert (sides[1] - sides[0]) / (2 * h) == pytest.approx(
+                (exact[1] - exact[0]) / (2 * h), abs=2e-3
+            )
 
 
 def test_negative_delay_is_refused() -> None:
@@ -184,7 +210,9 @@ def _random_inputs(chance: np.random.Generator) -> Inputs:
 def _reference_mix(inputs: Inputs, delay: float, times: Array) -> Array:
     """``delayed_mix`` by an explicit method of order 8, begun again at every change of every input."""
     u = _delayed(inputs, "u", 0.0)
-    d, e, g = (_delayed(inputs, n, t) for n, t in (("u", delay), ("v", 0.1 + delay / 2), ("u", 2 * delay)))
+    d, e, g = (
+        _delayed(inputs, n, t) for n, t in (("u", delay), ("v", 0.1 + delay / 2), ("u", 2 * delay))
+    )
     changes = np.unique(np.concatenate([line.time for line in (u, d, e, g)]))
     ends = np.concatenate((changes[(changes > 0.0) & (changes < times[-1])], [times[-1]]))
     state, begin, columns = np.array([0.2, 1.0]), 0.0, []
@@ -192,7 +220,9 @@ def _reference_mix(inputs: Inputs, delay: float, times: Array) -> Array:
         middle = np.array((begin + end) / 2)
         straight = [(line.at(middle), middle) for line in (u, d, e, g)]
 
-        def rate(t: float, y: Array, straight: list[tuple[tuple[Array, Array], Array]] = straight) -> list[float]:
+        def rate(
+            t: float, y: Array, straight: list[tuple[tuple[Array, Array], Array]] = straight
+        ) -> list[float]:
             now, du, ev, gu = (float(v + s * (t - m)) for (v, s), m in straight)
             return [du - y[0] ** 3 + np.sin(ev), now * gu - y[1] * abs(y[0])]
 

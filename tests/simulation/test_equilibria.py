@@ -30,7 +30,9 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Make:
     """A bench with some effects, ready to run."""
     kept: dict[object, Simulator] = {}
 
-    def make(model: str, effects: Sequence[str] = (), sensitivities: Sequence[str] = (), fmi: str = "2.0") -> Simulator:
+    def make(
+        model: str, effects: Sequence[str] = (), sensitivities: Sequence[str] = (), fmi: str = "2.0"
+    ) -> Simulator:
         key = (model, *effects, *sensitivities, fmi)
         if key not in kept:
             files: list[Path] = []
@@ -40,7 +42,9 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Make:
                 files = [tmp_path_factory.mktemp("models") / "Tested.mo"]
                 files[0].write_text(composition.text)
                 model = str(files[0])
-            kept[key] = Simulator(build_model(model, files, sensitivities=tuple(sensitivities), fmi=fmi))
+            kept[key] = Simulator(
+                build_model(model, files, sensitivities=tuple(sensitivities), fmi=fmi)
+            )
         return kept[key]
 
     return make
@@ -63,7 +67,10 @@ def test_the_pull_is_the_sleeves(made: Make, fmi: str) -> None:
 def test_the_contraction_is_where_the_pull_carries_the_load(made: Make) -> None:
     load = np.array([10.0, 40.0, 80.0, 20.0])
     run = made("QuasiStaticIsotonic").equilibria({"p": P, "F": load}, parameters=GENTLE)
-    wanted = [brentq(lambda x, p=p, f=f: float(pull(p, x)) - f, 0, 0.1) for p, f in zip(P, load, strict=True)]
+    wanted = [
+        brentq(lambda x, p=p, f=f: float(pull(p, x)) - f, 0, 0.1)
+        for p, f in zip(P, load, strict=True)
+    ]
     np.testing.assert_allclose(run["x"], wanted, rtol=1e-6)
 
 
@@ -79,7 +86,9 @@ def test_waiting_long_enough_leads_there(made: Make) -> None:
     simulator = made("QuasiStaticIsotonic")
     found = simulator.equilibria({"p": [200e3], "F": [50.0]})["x"][0]
     held = Inputs(np.array([0.0]), {"p": np.array([200e3]), "F": np.array([50.0])})
-    assert simulator.run([0.0, 60.0], inputs=held, tolerance=1e-9)["x"][-1] == pytest.approx(found, rel=1e-6)
+    assert simulator.run([0.0, 60.0], inputs=held, tolerance=1e-9)["x"][-1] == pytest.approx(
+        found, rel=1e-6
+    )
 
 
 def test_sensitivities_are_those_of_the_equilibrium(made: Make) -> None:
@@ -90,7 +99,9 @@ def test_sensitivities_are_those_of_the_equilibrium(made: Make) -> None:
     for name, step in zip(names, (1e-6, 1.0), strict=True):
         at = simulator.interface.parameters[name].start
         assert at is not None
-        up, down = (simulator.equilibria(inputs, parameters={name: at + s})["x"] for s in (step, -step))
+        up, down = (
+            simulator.equilibria(inputs, parameters={name: at + s})["x"] for s in (step, -step)
+        )
         slope = (up - down) / (2 * step)
         np.testing.assert_allclose(
             exact[f"sensitivity.x.{name}"], slope, rtol=1e-4, atol=1e-5 * float(np.abs(slope).max())
@@ -100,8 +111,14 @@ def test_sensitivities_are_those_of_the_equilibrium(made: Make) -> None:
 @pytest.mark.parametrize("effect", ["CoulombFriction", "DahlFriction", "MaxwellSlipFriction"])
 def test_branches_differ_by_twice_the_dry_friction(made: Make, effect: str) -> None:
     simulator = made("QuasiStaticIsometric", [effect])
-    inputs = {"p": np.repeat(P[:3], 3), "x": np.full(9, 0.02), "branch": np.tile([1.0, 0.0, -1.0], 3)}
-    up, rest, down = simulator.equilibria(inputs, parameters={"dryFriction.F_c": 7.0})["F"].reshape(3, 3).T
+    inputs = {
+        "p": np.repeat(P[:3], 3),
+        "x": np.full(9, 0.02),
+        "branch": np.tile([1.0, 0.0, -1.0], 3),
+    }
+    up, rest, down = (
+        simulator.equilibria(inputs, parameters={"dryFriction.F_c": 7.0})["F"].reshape(3, 3).T
+    )
     np.testing.assert_allclose(down - up, 14.0, rtol=1e-6)
     np.testing.assert_allclose(rest, (up + down) / 2, rtol=1e-6)
 
@@ -110,7 +127,9 @@ def test_what_goes_with_the_speed_is_not_there(made: Make) -> None:
     inputs = {"p": P, "x": np.full(4, 0.02), "branch": np.array([1.0, -1.0, 1.0, -1.0])}
     plain = made("QuasiStaticIsometric").equilibria(inputs)["F"]
     for effect in ("ViscousFriction", "MaxwellCreep"):
-        np.testing.assert_allclose(made("QuasiStaticIsometric", [effect]).equilibria(inputs)["F"], plain, rtol=1e-12)
+        np.testing.assert_allclose(
+            made("QuasiStaticIsometric", [effect]).equilibria(inputs)["F"], plain, rtol=1e-12
+        )
 
 
 def test_no_equilibrium_is_one_failure_that_says_why(tmp_path: Path) -> None:
@@ -121,7 +140,9 @@ def test_no_equilibrium_is_one_failure_that_says_why(tmp_path: Path) -> None:
     )
     with Simulator(build_model(str(file), [file])) as simulator:
         assert simulator.equilibria({"u": [0.0]})["y"][0] == 0.0
-        with pytest.raises(RunFailure, match=r"no equilibrium was found: 'x'.*still changes by 2 .*under u = 2"):
+        with pytest.raises(
+            RunFailure, match=r"no equilibrium was found: 'x'.*still changes by 2 .*under u = 2"
+        ):
             simulator.equilibria({"u": [0.0, 2.0]})
         assert simulator.equilibria({"u": [0.0]})["y"][0] == 0.0
 

@@ -17,12 +17,20 @@ def test_constant_is_one_piece_and_its_ends() -> None:
     time = np.linspace(0.0, 10.0, 1001)
     course = pieces(time, np.full(1001, 0.35), "linear")
     assert course.slope.tolist() == [0.0, 0.0, 0.0]
-    assert plan(np.array([0.0, 10.0]), 0.0, Inputs(time, {"u": np.full(1001, 0.35)})).times.tolist() == [0.0, 10.0]
+    assert plan(
+        np.array([0.0, 10.0]), 0.0, Inputs(time, {"u": np.full(1001, 0.35)})
+    ).times.tolist() == [0.0, 10.0]
 
 
 def test_step_is_applied_at_its_second_row() -> None:
     course = pieces(np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0]), "linear")
-    assert course.at(np.array([0.5, 1.0 - 1e-9, 1.0, 1.5, 9.0]))[0].tolist() == [0.0, 0.0, 5.0, 5.0, 5.0]
+    assert course.at(np.array([0.5, 1.0 - 1e-9, 1.0, 1.5, 9.0]))[0].tolist() == [
+        0.0,
+        0.0,
+        5.0,
+        5.0,
+        5.0,
+    ]
 
 
 def test_previous_holds_until_the_next_sample() -> None:
@@ -82,7 +90,12 @@ def test_change_beside_an_output_by_rounding_happens_there() -> None:
 def test_outputs_before_and_after_a_step() -> None:
     points = plan(np.array([1.0, 2.0, 2.0, 3.0, 3.0, 3.0]), 0.0, None)
     assert points.times.tolist() == [0.0, 1.0, 2.0, 3.0]
-    assert points.rows_after.tolist() == [-1, 0, 1, 2] and points.rows_before.tolist() == [-1, -1, 3, 4]
+    assert points.rows_after.tolist() == [-1, 0, 1, 2] and points.rows_before.tolist() == [
+        -1,
+        -1,
+        3,
+        4,
+    ]
     assert points.rows.tolist() == [0, 3, 1, 4, 2, 2]
 
 
@@ -108,7 +121,11 @@ def test_unusable_inputs(time: list[float], values: list[float], message: str) -
 
 @pytest.mark.parametrize(
     ("times", "start", "message"),
-    [([], 0.0, "non-empty"), ([0.0, -1.0], -1.0, "must not decrease"), ([0.0, 1.0], 0.5, "cannot start at 0.5 s")],
+    [
+        ([], 0.0, "non-empty"),
+        ([0.0, -1.0], -1.0, "must not decrease"),
+        ([0.0, 1.0], 0.5, "cannot start at 0.5 s"),
+    ],
 )
 def test_unusable_times(times: list[float], start: float, message: str) -> None:
     with pytest.raises(InputError, match=message):

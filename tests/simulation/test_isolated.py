@@ -52,19 +52,32 @@ def test_crash_ends_one_run_only(tmp_path: Path) -> None:
         good = simulator.run(TIMES[:5], parameters={"x_start": 1.0})
         with pytest.raises(RunFailure, match="crashed its process \\(signal SIGABRT\\)"):
             simulator.run(TIMES)
-        assert simulator.run(TIMES[:5], parameters={"x_start": 1.0})["y"].tolist() == good["y"].tolist()
+        assert (
+            simulator.run(TIMES[:5], parameters={"x_start": 1.0})["y"].tolist()
+            == good["y"].tolist()
+        )
         with pytest.raises(InputError, match="no parameter or input 'taw'"):
             simulator.run(TIMES, parameters={"taw": 1.0})
 
 
-_EVERY = ("fmi2SetupExperiment", "fmi2EnterInitializationMode", "fmi2ExitInitializationMode", "fmi2SetReal")
+_EVERY = (
+    "fmi2SetupExperiment",
+    "fmi2EnterInitializationMode",
+    "fmi2ExitInitializationMode",
+    "fmi2SetReal",
+)
 _LATER = ("fmi2GetReal", "fmi2SetRealInputDerivatives", "fmi2Terminate")
 
 
 @needs_proc
 @pytest.mark.parametrize(
     "function",
-    ["load", "fmi2Instantiate", "fmi2DoStep", *(pytest.param(f, marks=pytest.mark.full) for f in _EVERY + _LATER)],
+    [
+        "load",
+        "fmi2Instantiate",
+        "fmi2DoStep",
+        *(pytest.param(f, marks=pytest.mark.full) for f in _EVERY + _LATER),
+    ],
 )
 def test_call_that_never_returns(
     tmp_path: Path, temporary: Path, monkeypatch: pytest.MonkeyPatch, function: str
@@ -74,14 +87,20 @@ def test_call_that_never_returns(
     with IsolatedSimulator(path, LIMIT) as simulator, pytest.raises(RunFailure) as caught:
         simulator.run(TIMES, parameters={"tau": 0.7}, inputs=Inputs([0.0, 2.0], {"u": [0.0, 1.0]}))
     loading = function in ("load", "fmi2Instantiate")
-    assert f"no progress for {LIMIT:g} s, {'while it was loaded' if loading else function}" in str(caught.value)
+    assert f"no progress for {LIMIT:g} s, {'while it was loaded' if loading else function}" in str(
+        caught.value
+    )
     assert "--timeout" in str(caught.value) and caught.value.parameters == {"tau": 0.7}
-    assert caught.value.time == (None if loading else pytest.approx(2.0 if function == "fmi2Terminate" else 0.0))
+    assert caught.value.time == (
+        None if loading else pytest.approx(2.0 if function == "fmi2Terminate" else 0.0)
+    )
     assert processes_of(path) == [] and os.listdir(temporary) == []
 
 
 @needs_proc
-def test_fmu_that_is_never_freed(tmp_path: Path, temporary: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_fmu_that_is_never_freed(
+    tmp_path: Path, temporary: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("HANG", "fmi2FreeInstance")
     path = hanging(tmp_path)
     with IsolatedSimulator(path) as simulator:
@@ -94,10 +113,14 @@ def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path) -
     path = hanging(tmp_path, "load")
     assert study.describe(str(path)).parameters["tau"].start == 0.5  # read without loading it
     points = study.sweep(str(path), {"tau": np.linspace(0.1, 1.0, 200)}, timeout=LIMIT)
-    assert [p for p in points if "while it was loaded" not in str(p.failure)] == [] and len(points) == 200
+    assert [p for p in points if "while it was loaded" not in str(p.failure)] == [] and len(
+        points
+    ) == 200
 
 
-def test_slow_run_that_goes_on_is_not_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_slow_run_that_goes_on_is_not_ended(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("DAWDLE", "yes")
     begin = time.monotonic()
     with IsolatedSimulator(hanging(tmp_path), DAWDLING) as simulator:
@@ -114,11 +137,19 @@ def test_there_is_a_limit_by_default() -> None:
 
 
 @pytest.mark.full
-def test_fit_goes_on_beside_values_that_hang(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_fit_goes_on_beside_values_that_hang(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setenv("HANG_ABOVE", "1")
     y = np.exp(-TIMES / 0.6) + 0.01 * np.random.default_rng(0).standard_normal(len(TIMES))
     known = {"x_start": 1.0}
-    data = data_set("Lag", [recording(TIMES, {"y": y})], {"y": 0.01}, [FreeParameter("tau", 0.1, 5.0, 1.2, "s")], known)
+    data = data_set(
+        "Lag",
+        [recording(TIMES, {"y": y})],
+        {"y": 0.01},
+        [FreeParameter("tau", 0.1, 5.0, 1.2, "s")],
+        known,
+    )
     with IsolatedSimulator(hanging(tmp_path), LIMIT) as simulator:
         result = fit(simulator, data)
     estimate = result.parameters["tau"]

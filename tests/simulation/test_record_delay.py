@@ -22,7 +22,13 @@ TIMES = np.linspace(0.0, 2.0, 81)
 def lag():
     """x' = (u - x)/0.2 from x = 0, with a clock."""
     x, u, late = ca.SX.sym("x"), ca.SX.sym("u"), ca.SX.sym("late")
-    ode = models.ode("Lag", {"x": (x, (u - x) / 0.2, 0.0)}, {"y": x}, inputs={"u": u}, parameters={"late": (late, 0.0)})
+    ode = models.ode(
+        "Lag",
+        {"x": (x, (u - x) / 0.2, 0.0)},
+        {"y": x},
+        inputs={"u": u},
+        parameters={"late": (late, 0.0)},
+    )
     clock = Variable("late", "s", start=0.0, quantity=RECORD_DELAY)
     return replace(ode, interface=replace(ode.interface, parameters={"late": clock}))
 

@@ -23,7 +23,12 @@ TIMES = np.linspace(0.0, 2.0, 21)
 
 def test_parameters_outputs_and_units() -> None:
     with Simulator(models.fmu(models.oscillator)) as simulator:
-        run = simulator.run(TIMES, parameters={"k": 4.0, "m": 1.0, "s": 0.2}, outputs=["s", "F", "E"], tolerance=1e-9)
+        run = simulator.run(
+            TIMES,
+            parameters={"k": 4.0, "m": 1.0, "s": 0.2},
+            outputs=["s", "F", "E"],
+            tolerance=1e-9,
+        )
     assert run["s"] == pytest.approx(0.2 * np.cos(2.0 * TIMES), abs=1e-8)
     assert run["E"] == pytest.approx(np.full(21, 0.08), rel=1e-7)
     assert run.units == {"s": "m", "F": "N", "E": "J"}
@@ -42,7 +47,9 @@ def test_runs_are_independent_and_repeat_every_bit() -> None:
 def test_start_time() -> None:
     with Simulator(models.fmu(models.lag)) as simulator:
         late = simulator.run([1.0, 2.0], parameters={"x_start": 1.0}, tolerance=1e-9)
-        early = simulator.run([1.0, 2.0], parameters={"x_start": 1.0}, start_time=0.0, tolerance=1e-9)
+        early = simulator.run(
+            [1.0, 2.0], parameters={"x_start": 1.0}, start_time=0.0, tolerance=1e-9
+        )
     assert late["y"] == pytest.approx([1.0, np.exp(-2.0)], rel=1e-7)
     assert early["y"] == pytest.approx([np.exp(-2.0), np.exp(-4.0)], rel=1e-7)
 
@@ -83,14 +90,20 @@ def test_breakdown_says_where_and_with_what() -> None:
         assert failure.time is not None and 0.1 <= failure.time <= 0.2
         assert "floor = 0.75" in str(failure)
         copy = pickle.loads(pickle.dumps(failure))
-        assert (str(copy), copy.time, copy.parameters) == (str(failure), failure.time, failure.parameters)
+        assert (str(copy), copy.time, copy.parameters) == (
+            str(failure),
+            failure.time,
+            failure.parameters,
+        )
         good = simulator.run(np.linspace(0, 0.1, 5), parameters={"floor": -9.0})
     assert np.isfinite(good["y"]).all()
 
 
 def test_not_a_number_from_the_start() -> None:
     with Simulator(models.fmu(models.breaks_down)) as simulator:
-        with pytest.raises(RunFailure, match="derivative of 'tank.x' is not a finite number at time 0 s"):
+        with pytest.raises(
+            RunFailure, match="derivative of 'tank.x' is not a finite number at time 0 s"
+        ):
             simulator.run(TIMES, parameters={"floor": 2.0})
         with pytest.raises(RunFailure, match="slope of der\\('tank.x'\\) with respect to 'tank.x'"):
             simulator.run(TIMES, parameters={"floor": 1.0})
@@ -175,12 +188,16 @@ def test_fmu_without_slopes_gets_steps_of_the_default_interval(tmp_path: Path) -
         run = simulator.run(TIMES, inputs=Inputs([0.0, 2.0], {"u": [0.0, 2.0]}), tolerance=1e-8)
     exact = TIMES - 0.5 + 0.5 * np.exp(-TIMES / 0.5)
     error = np.abs(run["y"] - exact).max()
-    assert 1e-3 < error < 0.5 * simulator.interface.interval * 1.05  # held inputs lag by half a step
+    assert (
+        1e-3 < error < 0.5 * simulator.interface.interval * 1.05
+    )  # held inputs lag by half a step
 
 
 def test_fmu_that_cannot_be_reset_is_made_anew(tmp_path: Path) -> None:
     reset = "ASK(ANY_KIND, ANY, pam_reset(c))"
-    with Simulator(patched(tmp_path, "pam_fmi2.c", reset, "(void)component; return fmi2Error")) as simulator:
+    with Simulator(
+        patched(tmp_path, "pam_fmi2.c", reset, "(void)component; return fmi2Error")
+    ) as simulator:
         runs = [simulator.run(TIMES, parameters={"x_start": 1.0})["y"].tolist() for _ in range(3)]
     assert runs[0] == runs[1] == runs[2]
 

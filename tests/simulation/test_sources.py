@@ -93,18 +93,29 @@ def test_what_is_no_source_is_refused(source: Any, words: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "inputs", [None, EXPECTED, pam.Inputs(TIME, EXPECTED.values, "previous")], ids=["none", "linear", "held"]
+    "inputs",
+    [None, EXPECTED, pam.Inputs(TIME, EXPECTED.values, "previous")],
+    ids=["none", "linear", "held"],
 )
 def test_fmpy_makes_the_same_run(inputs: pam.Inputs | None) -> None:
     settings = {} if inputs else {"p_supply": "150 kPa"}
     kept = {"outputs": ["valve.inlet.m_flow"], "stop_time": 3.0, "interval": "10 ms"}
-    own, other = (pam.simulate(BENCH, settings, inputs, engine=engine, **kept) for engine in ("own", "fmpy"))  # type: ignore[arg-type]
+    own, other = (
+        pam.simulate(BENCH, settings, inputs, engine=engine, **kept) for engine in ("own", "fmpy")
+    )  # type: ignore[arg-type]
     assert list(own.values) == list(other.values) and own.units == other.units
     # at a time where an input jumps FMPy may give the value before: these rows aside
-    away = (np.abs(own.time - 1.0) > 0.02) & (own.time < 2.99) if inputs else np.ones(own.time.shape, bool)
+    away = (
+        (np.abs(own.time - 1.0) > 0.02) & (own.time < 2.99)
+        if inputs
+        else np.ones(own.time.shape, bool)
+    )
     for name in own.values:
         scale = np.abs(own[name]).max()
-        assert np.abs(own[name] - np.interp(own.time, other.time, other[name]))[away].max() < 2e-3 * scale
+        assert (
+            np.abs(own[name] - np.interp(own.time, other.time, other[name]))[away].max()
+            < 2e-3 * scale
+        )
 
 
 def test_no_such_engine() -> None:
@@ -118,12 +129,20 @@ def test_a_run_goes_elsewhere(reference: pam.Trajectory, tmp_path: Path) -> None
     assert np.array_equal(data["T"], reference["T"]) and data["T"].attrs["units"] == "K"
     with xarray.open_dataset(reference.save(tmp_path / "r.nc")) as read:
         assert np.array_equal(read["p"], reference["p"])
-    assert np.array_equal(pandas.read_parquet(reference.save(tmp_path / "r.parquet"))["p [Pa]"], reference["p"])
-    assert np.array_equal(pam.Trajectory.from_csv(reference.save(tmp_path / "r.csv"))["p"], reference["p"])
+    assert np.array_equal(
+        pandas.read_parquet(reference.save(tmp_path / "r.parquet"))["p [Pa]"], reference["p"]
+    )
+    assert np.array_equal(
+        pam.Trajectory.from_csv(reference.save(tmp_path / "r.csv"))["p"], reference["p"]
+    )
     pam.draw(reference, tmp_path / "r.png")
-    assert repr(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()
+    assert (
+        repr(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()
+    )
 
 
 def test_a_name_that_no_variable_has() -> None:
-    with pytest.raises(pam.InputError, match="no variable 'valve.inlet.mflow'; did you mean 'valve.inlet.m_flow'"):
+    with pytest.raises(
+        pam.InputError, match="no variable 'valve.inlet.mflow'; did you mean 'valve.inlet.m_flow'"
+    ):
         pam.simulate(BENCH, outputs=["valve.inlet.mflow"])

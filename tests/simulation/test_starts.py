@@ -14,7 +14,9 @@ from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Inputs, Settle, Simulator
 
 TIMES = np.linspace(0.0, 2.0, 41)
-INPUTS = Inputs(np.array([0.0, 2.0]), {"u_in": np.array([0.35, 0.35]), "u_out": np.array([0.05, 0.05])})
+INPUTS = Inputs(
+    np.array([0.0, 2.0]), {"u_in": np.array([0.35, 0.35]), "u_out": np.array([0.05, 0.05])}
+)
 GAS, POSITION, SPEED = "muscle.gas.p", "load.s", "load.v"
 
 
@@ -36,7 +38,9 @@ def test_a_run_goes_on_from_where_another_was_cut(isotonic: Simulator) -> None:
     states = list(isotonic.interface.states)
     whole = isotonic.run(TIMES, inputs=INPUTS, outputs=["p", "x", *states], tolerance=1e-9)
     begins = {name: float(whole[name][20]) for name in states}
-    rest = isotonic.run(TIMES[20:], parameters=begins, inputs=INPUTS, outputs=["p", "x"], tolerance=1e-9)
+    rest = isotonic.run(
+        TIMES[20:], parameters=begins, inputs=INPUTS, outputs=["p", "x"], tolerance=1e-9
+    )
     for name in ("p", "x"):
         assert np.abs(rest[name] - whole[name][20:]).max() < 1e-6 * np.ptp(whole[name])
 
@@ -53,17 +57,29 @@ def test_slopes_by_start_values_are_exact(isotonic: Simulator, by: str, settle: 
 
     def course(value: float) -> np.ndarray:
         run = isotonic.run(
-            TIMES, parameters={**held, by: value}, inputs=INPUTS, outputs=["x"], settle=settle, tolerance=1e-9
+            TIMES,
+            parameters={**held, by: value},
+            inputs=INPUTS,
+            outputs=["x"],
+            settle=settle,
+            tolerance=1e-9,
         )
         return run["x"]
 
     slope = sensitivity_name("x", by)
     run = isotonic.run(
-        TIMES, parameters={**held, by: at}, inputs=INPUTS, outputs=[slope], settle=settle, tolerance=1e-9
+        TIMES,
+        parameters={**held, by: at},
+        inputs=INPUTS,
+        outputs=[slope],
+        settle=settle,
+        tolerance=1e-9,
     )
     step = 1e-4 * abs(at)
     difference = (course(at + step) - course(at - step)) / (2 * step)
-    rounding = 1e-6 * float(np.abs(course(at)).max()) / abs(at)  # where a start value does not matter
+    rounding = (
+        1e-6 * float(np.abs(course(at)).max()) / abs(at)
+    )  # where a start value does not matter
     size = max(float(np.abs(difference).max()), rounding)
     assert np.abs(run[slope] - difference).max() < 1e-3 * size
 
@@ -78,7 +94,9 @@ def test_all_settles_under_the_first_inputs(isotonic: Simulator) -> None:
 def test_what_is_given_stays_where_others_settle(isotonic: Simulator) -> None:
     states = list(isotonic.interface.states)
     rates = list(isotonic.interface.rates)
-    run = isotonic.run(TIMES[:1], parameters={GAS: 2e5}, inputs=INPUTS, outputs=[*states, *rates], settle="others")
+    run = isotonic.run(
+        TIMES[:1], parameters={GAS: 2e5}, inputs=INPUTS, outputs=[*states, *rates], settle="others"
+    )
     assert run[GAS][0] == 2e5
     assert abs(run["der(muscle.gas.p)"][0]) > 1e3  # gas flows
     assert abs(run["der(load.v)"][0]) < 1e-6 and abs(run[SPEED][0]) < 1e-12

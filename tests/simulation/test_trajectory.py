@@ -12,7 +12,11 @@ from pam_cosim.simulation import Trajectory
 
 TRAJECTORY = Trajectory(
     np.array([0.0, 0.1, 1 / 3]),
-    {"p": np.array([1e5, 1e-300, -0.1 - 0.2]), "a[1,2]": np.array([0.0, 1.0, 2.0]), "eps": np.ones(3)},
+    {
+        "p": np.array([1e5, 1e-300, -0.1 - 0.2]),
+        "a[1,2]": np.array([0.0, 1.0, 2.0]),
+        "eps": np.ones(3),
+    },
     {"p": "Pa", "a[1,2]": "W/(m2.K)", "eps": ""},
 )
 
@@ -22,7 +26,9 @@ def test_csv_reads_back_exactly(tmp_path: Path) -> None:
     assert path.read_text().splitlines()[0] == 'time [s],p [Pa],"a[1,2] [W/(m2.K)]",eps'
     back = Trajectory.from_csv(path)
     assert back.time.tolist() == TRAJECTORY.time.tolist() and back.units == TRAJECTORY.units
-    assert {k: v.tolist() for k, v in back.values.items()} == {k: v.tolist() for k, v in TRAJECTORY.values.items()}
+    assert {k: v.tolist() for k, v in back.values.items()} == {
+        k: v.tolist() for k, v in TRAJECTORY.values.items()
+    }
 
 
 @pytest.mark.parametrize(

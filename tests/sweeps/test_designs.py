@@ -24,7 +24,11 @@ def test_a_grid_is_every_combination_the_last_name_fastest() -> None:
 
 
 def test_a_span_is_written_as_on_the_command_line() -> None:
-    assert design_of({"p": "1 bar:3 bar:3", "m": [1]}, FACE).points[:, 0].tolist() == [1e5, 2e5, 3e5]
+    assert design_of({"p": "1 bar:3 bar:3", "m": [1]}, FACE).points[:, 0].tolist() == [
+        1e5,
+        2e5,
+        3e5,
+    ]
     drawn = design_of({"p": "1 bar:3 bar"}, FACE, "random", 9).points
     assert np.array_equal(drawn, design_of({"p": (1e5, 3e5)}, FACE, "random", 9).points)
 

@@ -35,7 +35,12 @@ def test_each_run_is_what_simulate_makes_of_its_inputs(step: Path) -> None:
     sources: list[Any] = [step, {"u_in": rising}, arrays]
     supplies = [138e3, 207e3]
     swept = pam.sweep(
-        MODEL, {"inputs": sources, "p_supply": supplies}, scalars=SCALARS, stop_time=4, trajectories=True, workers=1
+        MODEL,
+        {"inputs": sources, "p_supply": supplies},
+        scalars=SCALARS,
+        stop_time=4,
+        trajectories=True,
+        workers=1,
     )
     assert len(swept) == 6 and not swept.failed
     for k, point in enumerate(swept):
@@ -43,7 +48,9 @@ def test_each_run_is_what_simulate_makes_of_its_inputs(step: Path) -> None:
         assert point.trajectory is not None and np.array_equal(point.trajectory["p"], alone["p"])
     lasts = swept.column("last").reshape(3, 2)
     assert len({round(v) for v in lasts.ravel().tolist()}) == 6
-    assert (swept.column("highest").reshape(3, 2)[2] > 1.1 * lasts[2]).all()  # what was let out again
+    assert (
+        swept.column("highest").reshape(3, 2)[2] > 1.1 * lasts[2]
+    ).all()  # what was let out again
     assert "inputs of 3 patterns" in repr(swept)
 
 
@@ -51,9 +58,13 @@ def test_formulas_are_inputs_over_time() -> None:
     """As text, on the command line too; without times they are evaluated at those of the output."""
     text = "u_in = 0.25 + 0.1*sin(6.28*time); u_out = 0"
     told = pam.simulate(MODEL, inputs=text, stop_time=2)
-    alone = pam.simulate(MODEL, inputs={"u_in": lambda t: 0.25 + 0.1 * np.sin(6.28 * t), "u_out": 0.0}, stop_time=2)
+    alone = pam.simulate(
+        MODEL, inputs={"u_in": lambda t: 0.25 + 0.1 * np.sin(6.28 * t), "u_out": 0.0}, stop_time=2
+    )
     assert np.array_equal(told["p"], alone["p"])
-    swept = pam.sweep(MODEL, {"inputs": [text, "u_in=0.3"]}, scalars=SCALARS, stop_time=2, workers=1)
+    swept = pam.sweep(
+        MODEL, {"inputs": [text, "u_in=0.3"]}, scalars=SCALARS, stop_time=2, workers=1
+    )
     assert swept.column("last")[0] == told["p"][-1]
     assert list(swept.frame()["inputs"]) == [text, "u_in=0.3"]
 
@@ -83,7 +94,9 @@ def test_results_have_the_names_of_the_patterns(step: Path, tmp_path: Path, kind
     assert list(swept.frame()["inputs"]) == names
     if kind == "nc":
         with xarray.open_dataset(file) as data:
-            assert float(data["last"].sel(inputs="a ramp", p_supply=207e3)) == swept.column("last")[3]
+            assert (
+                float(data["last"].sel(inputs="a ramp", p_supply=207e3)) == swept.column("last")[3]
+            )
     else:
         read = pandas.read_csv(file) if kind == "csv" else pandas.read_parquet(file)
         assert list(read["inputs [1]"]) == names
@@ -93,11 +106,16 @@ def test_a_list_takes_pattern_and_value_run_by_run(step: Path) -> None:
     vary = {"inputs": [step, {"u_in": rising}], "p_supply": [138e3, 207e3]}
     swept = pam.sweep(MODEL, vary, design="list", scalars=SCALARS, stop_time=4, workers=1)
     assert len(swept) == 2
-    assert swept.column("last")[1] == pam.simulate(MODEL, {"p_supply": 207e3}, {"u_in": rising}, stop_time=4)["p"][-1]
+    assert (
+        swept.column("last")[1]
+        == pam.simulate(MODEL, {"p_supply": 207e3}, {"u_in": rising}, stop_time=4)["p"][-1]
+    )
 
 
 def test_the_longest_pattern_says_when_runs_end(step: Path) -> None:
-    swept = pam.sweep(MODEL, {"inputs": [step, {"time": [0, 6], "u_in": [0.3, 0.3]}]}, scalars=SCALARS, workers=1)
+    swept = pam.sweep(
+        MODEL, {"inputs": [step, {"time": [0, 6], "u_in": [0.3, 0.3]}]}, scalars=SCALARS, workers=1
+    )
     assert swept.time[-1] == 6.0
 
 
@@ -114,7 +132,11 @@ def test_the_longest_pattern_says_when_runs_end(step: Path) -> None:
     ],
 )
 def test_what_cannot_be_varied(step: Path, change: dict[str, Any], message: str) -> None:
-    asked: dict[str, Any] = {"vary": {"inputs": [step, {"u_in": rising}]}, "scalars": SCALARS, "workers": 1} | change
+    asked: dict[str, Any] = {
+        "vary": {"inputs": [step, {"u_in": rising}]},
+        "scalars": SCALARS,
+        "workers": 1,
+    } | change
     with pytest.raises(InputError, match=message):
         pam.sweep(MODEL, **asked)
 

@@ -48,7 +48,9 @@ def test_times_of_runs_that_have_not_settled_are_missing_and_said_to_be() -> Non
     assert short.told() == [
         "filling time: 8 runs have not settled, so that the whole change is not known; make them longer"
     ]
-    full = pam.sweep(MODEL, {"u_in": [0.2, 0.35]}, scalars=times, stop_time="60 s", interval="0.1 s", workers=1)
+    full = pam.sweep(
+        MODEL, {"u_in": [0.2, 0.35]}, scalars=times, stop_time="60 s", interval="0.1 s", workers=1
+    )
     slow, fast = full.column("filling time")
     assert np.isnan(slow) and fast == pytest.approx(21.03, abs=0.01)
     assert "filling time: 1 run has not settled" in repr(full)
@@ -81,11 +83,15 @@ def test_a_dask_cluster_makes_the_same_numbers(reference: pam.Sweep, tmp_path: P
     from distributed import Client, LocalCluster
 
     with (
-        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=tmp_path) as cluster,  # type: ignore[no-untyped-call]
+        LocalCluster(
+            n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=tmp_path
+        ) as cluster,  # type: ignore[no-untyped-call]
         Client(cluster) as client,  # type: ignore[no-untyped-call]
     ):
         assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=client))
-        assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=cluster.scheduler_address))
+        assert same(
+            reference, swept(scalars=SCALARS, trajectories=True, executor=cluster.scheduler_address)
+        )
 
 
 @pytest.mark.full
@@ -107,12 +113,20 @@ def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:
 
 def test_what_is_written_reads_back(reference: pam.Sweep, tmp_path: Path) -> None:
     with xarray.open_dataset(reference.save(tmp_path / "s.nc")) as read:
-        xarray.testing.assert_equal(read.drop_vars("failure").load(), reference.dataset().drop_vars("failure"))
+        xarray.testing.assert_equal(
+            read.drop_vars("failure").load(), reference.dataset().drop_vars("failure")
+        )
         assert read["p"].attrs["units"] == "Pa" and json.loads(read.attrs["settings"]) == {}
     csv = pandas.read_csv(reference.save(tmp_path / "s.csv"))
     parquet = pandas.read_parquet(reference.save(tmp_path / "s.parquet"))
     assert list(csv) == list(parquet)
-    assert list(csv) == ["u_in [A]", "p_supply [Pa]", "last pressure [Pa]", "peak temperature [K]", "failure"]
+    assert list(csv) == [
+        "u_in [A]",
+        "p_supply [Pa]",
+        "last pressure [Pa]",
+        "peak temperature [K]",
+        "failure",
+    ]
     for table in (csv, parquet):
         assert np.array_equal(table["last pressure [Pa]"], reference.column("last pressure"))
     assert [p.name for p in sorted(tmp_path.iterdir())] == ["s.csv", "s.nc", "s.parquet"]
@@ -124,22 +138,37 @@ def test_runs_over_time_as_a_table(tmp_path: Path) -> None:
     assert len(table) == 8 * len(made.time)
     first = made[0].trajectory
     assert first is not None
-    assert np.array_equal(table["valve.inlet.m_flow [kg/s]"][: len(made.time)], first["valve.inlet.m_flow"])
+    assert np.array_equal(
+        table["valve.inlet.m_flow [kg/s]"][: len(made.time)], first["valve.inlet.m_flow"]
+    )
 
 
 def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
     path = models.fmu(models.breaks_down)
     vary = {"floor": [-1e6, -2e6, 0.6]}
-    made = pam.sweep(str(path), vary, scalars=["max(y)"], trajectories=True, output=tmp_path / "s.nc")
+    made = pam.sweep(
+        str(path), vary, scalars=["max(y)"], trajectories=True, output=tmp_path / "s.nc"
+    )
     assert list(made.failed) == [2] and "floor = 0.6" in made.failed[2]
-    assert made[2].trajectory is None and np.isnan(made[2].scalars["max(y)"]) and made[1].failure is None
+    assert (
+        made[2].trajectory is None
+        and np.isnan(made[2].scalars["max(y)"])
+        and made[1].failure is None
+    )
     with xarray.open_dataset(tmp_path / "s.nc") as read:
         assert [bool(text) for text in read["failure"].values] == [False, False, True]
-        assert np.isnan(read["y"].sel(floor=0.6)).all() and np.isfinite(read["y"].sel(floor=-1e6)).all()
+        assert (
+            np.isnan(read["y"].sel(floor=0.6)).all()
+            and np.isfinite(read["y"].sel(floor=-1e6)).all()
+        )
 
 
 def test_a_list_keeps_its_order() -> None:
-    points = [{"u_in": 0.3, "p_supply": 2e5}, {"u_in": 0.25, "p_supply": 1e5}, {"u_in": 0.3, "p_supply": 2e5}]
+    points = [
+        {"u_in": 0.3, "p_supply": 2e5},
+        {"u_in": 0.25, "p_supply": 1e5},
+        {"u_in": 0.3, "p_supply": 2e5},
+    ]
     made = pam.sweep(MODEL, points, design="list", stop_time=1.0, scalars=["final(p)"], workers=1)
     assert [point.parameters for point in made] == points
     assert made.column("final(p)")[0] == made.column("final(p)")[2] != made.column("final(p)")[1]
@@ -150,7 +179,9 @@ class _Stop(Exception):
     """In the middle."""
 
 
-def test_what_was_made_before_a_stop_is_not_made_again(reference: pam.Sweep, tmp_path: Path) -> None:
+def test_what_was_made_before_a_stop_is_not_made_again(
+    reference: pam.Sweep, tmp_path: Path
+) -> None:
     def stop(done: int, total: int) -> None:
         if done:
             raise _Stop
@@ -176,7 +207,9 @@ def test_what_was_made_before_a_stop_is_not_made_again(reference: pam.Sweep, tmp
         ({"scalars": ["max(p)"]}, "scalars differ"),
     ],
 )
-def test_runs_of_another_sweep_are_not_gone_on_with(change: dict[str, Any], words: str, tmp_path: Path) -> None:
+def test_runs_of_another_sweep_are_not_gone_on_with(
+    change: dict[str, Any], words: str, tmp_path: Path
+) -> None:
     def stop(done: int, total: int) -> None:
         if done:
             raise _Stop
@@ -202,14 +235,18 @@ def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
     pam.draw(reference, tmp_path / "lines.png")
     pam.draw(swept(), tmp_path / "courses.png")
     ranges = {"u_in": (0.25, 0.35), "p_supply": ("1 bar", "2 bar"), "tank.V": ("1 l", "2 l")}
-    made = pam.sweep(MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1)
+    made = pam.sweep(
+        MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1
+    )
     pam.draw(made, tmp_path / "points.png")
     assert all(path.stat().st_size > 10_000 for path in tmp_path.iterdir())
 
 
 def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
     first = repr(reference).splitlines()[0]
-    assert first.startswith("8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A")
+    assert first.startswith(
+        "8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A"
+    )
     assert "last pressure: from" in repr(reference)
     assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
 
@@ -221,5 +258,11 @@ def test_runs_are_kept_as_they_are_made(workers: int, monkeypatch: pytest.Monkey
         monkeypatch.setattr(executors, limit, 0)
     told: list[int] = []
     vary = {"u_in": np.linspace(0.25, 0.35, 60)}
-    pam.sweep(MODEL, vary, scalars=["max(p)"], workers=workers, progress=lambda done, total: told.append(done))
+    pam.sweep(
+        MODEL,
+        vary,
+        scalars=["max(p)"],
+        workers=workers,
+        progress=lambda done, total: told.append(done),
+    )
     assert len(told) > 3 and told == sorted(told) and told[-1] == 60

@@ -33,9 +33,13 @@ def _one_hold(seed: int) -> DataSet:
 
     At one pressure and one contraction a spring, a slow creep and ends that do not contract all shorten it alike.
     """
-    schedule = Schedule.of([phase for _ in range(4) for phase in (Phase(0.36, u_in=0.35), Phase(1.0))])
+    schedule = Schedule.of(
+        [phase for _ in range(4) for phase in (Phase(0.36, u_in=0.35), Phase(1.0))]
+    )
     times = np.arange(272) / 50
-    simulated = simulate_muscle(replace(TRUTH, load=2.27), 207e3, schedule, times, [effect_of("elasticity:linear")])
+    simulated = simulate_muscle(
+        replace(TRUTH, load=2.27), 207e3, schedule, times, [effect_of("elasticity:linear")]
+    )
     rng = np.random.default_rng(seed)
     recorded = (times > 5.08) & (times < 5.43)
     measured = {
@@ -43,10 +47,18 @@ def _one_hold(seed: int) -> DataSet:
         "x": np.where(recorded, simulated.x + 0.2e-3 * rng.standard_normal(len(times)), np.nan),
     }
     currents = np.array([schedule.at(t) for t in times.tolist()])
-    inputs = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(times), 207e3)}
+    inputs = {
+        "u_in": currents[:, 0],
+        "u_out": currents[:, 1],
+        "p_supply": np.full(len(times), 207e3),
+    }
     known = {"load.m": 2.27, "valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb}
-    run = replace(recording(times, measured, inputs=inputs), interpolation="previous", parameters=known)
-    return data_set("PneumaticMuscle.Benches.Isotonic", [run], {"p": 500.0, "x": 0.2e-3}, parameters=known)
+    run = replace(
+        recording(times, measured, inputs=inputs), interpolation="previous", parameters=known
+    )
+    return data_set(
+        "PneumaticMuscle.Benches.Isotonic", [run], {"p": 500.0, "x": 0.2e-3}, parameters=known
+    )
 
 
 @pytest.mark.full
@@ -63,7 +75,9 @@ def test_one_hold_cannot_separate_what_shortens_the_stroke(workers: int | None) 
     assert set(plan.between) <= set(verdict.families)
     # the run is worth making: it tells the two apart by more than the evidence that counts as very strong
     assert plan.evidence > 10
-    best, other = (next(c for c in diagnosis.candidates if c.family == f) for f in verdict.families[:2])
+    best, other = (
+        next(c for c in diagnosis.candidates if c.family == f) for f in verdict.families[:2]
+    )
     assert abs(best.delta_bic - other.delta_bic) < 10
 
 
@@ -75,7 +89,9 @@ def _swinging_vessel(seed: int) -> DataSet:
     times = np.linspace(0.0, 20.0, 201)
     vessel = Vessel(VOLUME, TRUE_N, P_START + P_ATM, T_START)
     port = orifice_port(DIAMETER, TRUE_C_D, 0.0)
-    simulated = simulate_vessel(vessel, port, times, P_START, effects=[effect_of("gas_energy:film:h=12")])
+    simulated = simulate_vessel(
+        vessel, port, times, P_START, effects=[effect_of("gas_energy:film:h=12")]
+    )
     swing = 4e3 * np.sin(2 * np.pi * times * 9 / 20)
     p = simulated.p + swing + 1e3 * np.random.default_rng(seed).standard_normal(len(times))
     known = {**KNOWN, "orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}
@@ -84,12 +100,20 @@ def _swinging_vessel(seed: int) -> DataSet:
 
 
 @pytest.mark.full
-def test_a_gauge_that_nobody_has_is_no_rival_and_what_swings_is_unknown(workers: int | None) -> None:
+def test_a_gauge_that_nobody_has_is_no_rival_and_what_swings_is_unknown(
+    workers: int | None,
+) -> None:
     diagnosis = study.diagnose(_swinging_vessel(3), workers=workers, explain=False)
     verdict = diagnosis.verdict
-    assert (verdict.kind, verdict.families, verdict.effects) == ("unknown", ("gas_energy",), ("EnergyGas",)), verdict
+    assert (verdict.kind, verdict.families, verdict.effects) == (
+        "unknown",
+        ("gas_energy",),
+        ("EnergyGas",),
+    ), verdict
     assert "what remains has structure" in verdict.reason
     (sentence,) = verdict.implausible
-    assert "FlexibleGauge would fit as well, but manometer.gain" in sentence  # to the data alone both are alike
+    assert (
+        "FlexibleGauge would fit as well, but manometer.gain" in sentence
+    )  # to the data alone both are alike
     assert diagnosis.next_experiment is None  # it would decide between two that are wrong
     assert diagnosis.missing_term is not None

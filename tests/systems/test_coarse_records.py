@@ -33,14 +33,22 @@ def _holds(seed: int) -> tuple[Phase, ...]:
 
 
 def _measured(folder: Path, effects: Sequence[Effect], stated: bool, seed: int) -> DataSet:
-    rng, times, fine = np.random.default_rng(seed), np.arange(int(DURATION * RATE)) / RATE, RATE * 10
+    rng, times, fine = (
+        np.random.default_rng(seed),
+        np.arange(int(DURATION * RATE)) / RATE,
+        RATE * 10,
+    )
     dense = np.arange(int(DURATION * fine) + 1) / fine
     faults, made = [Quantisation(name, step) for name, step in STEPS.items()], []
     for load, role in ((2.27, "fit"), (4.0, "fit"), (3.0, "holdout")):
         run = Run(load, 220e3, _holds(seed + len(made)), role)
-        simulated = simulate_muscle(replace(TRUTH, load=load), run.p_supply, run.schedule, dense, effects)
+        simulated = simulate_muscle(
+            replace(TRUTH, load=load), run.p_supply, run.schedule, dense, effects
+        )
         clean = {"p": simulated.p, "x": simulated.x, "T": simulated.temperature}
-        made.append(Measurement(run, times, readings(faults, dense, clean, times, QUIET.as_dict(), rng)))
+        made.append(
+            Measurement(run, times, readings(faults, dense, clean, times, QUIET.as_dict(), rng))
+        )
     write_data_set(folder, made, QUIET, step_rows=True)
     data = study.read(folder)
     if stated:
@@ -51,8 +59,12 @@ def _measured(folder: Path, effects: Sequence[Effect], stated: bool, seed: int) 
 
 @pytest.mark.full
 @pytest.mark.parametrize("stated", [True, False], ids=["stated", "estimated"])
-@pytest.mark.parametrize("hidden", [[], ["elasticity:linear"], ["leak:orifice"]], ids=["nothing", "elasticity", "leak"])
-def test_a_rounded_hold_is_no_physics_and_hides_none(tmp_path: Path, hidden: list[str], stated: bool) -> None:
+@pytest.mark.parametrize(
+    "hidden", [[], ["elasticity:linear"], ["leak:orifice"]], ids=["nothing", "elasticity", "leak"]
+)
+def test_a_rounded_hold_is_no_physics_and_hides_none(
+    tmp_path: Path, hidden: list[str], stated: bool
+) -> None:
     data = _measured(tmp_path / "data", [effect_of(name) for name in hidden], stated, seed=3)
     diagnosis = study.diagnose(data, explain=False)
     assert list(diagnosis.verdict.families) == [name.split(":")[0] for name in hidden]

@@ -47,11 +47,15 @@ def test_muscle(muscle: Trajectory, signal: str, t: float, printed: float) -> No
     [(2.1e-3, 1.0, 207e3, 0.5, 13.84), (2.1e-3, 1.2, 207e3, 0.5, 10.80), (2.1e-3, 1.4, 207e3, 0.5, 8.85),
      (0.35e-3, 1.2, 138e3, 0.9, 3.200)],
 )  # fmt: skip
-def test_tank_times(bench: Bench, volume: float, n: float, supply: float, share: float, printed: float) -> None:
+def test_tank_times(
+    bench: Bench, volume: float, n: float, supply: float, share: float, printed: float
+) -> None:
     times = np.linspace(0.0, 20.0, 4001)
     with Simulator(bench("TankFilling")) as simulator:
         held = Inputs([0.0], {"p_supply": [supply]})
-        run = simulator.run(times, parameters={"tank.V": volume, "tank.n": n}, inputs=held, tolerance=1e-8)
+        run = simulator.run(
+            times, parameters={"tank.V": volume, "tank.n": n}, inputs=held, tolerance=1e-8
+        )
     assert float(np.interp(share * supply, run["p"], times)) == pytest.approx(printed, rel=0.003)
 
 
@@ -66,7 +70,10 @@ def test_sixteen_tank_curves(bench: Bench, volume: float, supply: float) -> None
     vessel, ports = Vessel(volume, 1.2), valve_ports(supply, CALIBRATION)
     with Simulator(bench("TankFilling")) as simulator:
         fill = simulator.run(
-            times, parameters={"tank.V": volume}, inputs=Inputs([0.0], {"p_supply": [supply]}), tolerance=1e-8
+            times,
+            parameters={"tank.V": volume},
+            inputs=Inputs([0.0], {"p_supply": [supply]}),
+            tolerance=1e-8,
         )
         vent = simulator.run(
             times,
@@ -74,7 +81,10 @@ def test_sixteen_tank_curves(bench: Bench, volume: float, supply: float) -> None
             inputs=Inputs([0.0], {"u_in": [0.0], "u_out": [0.35], "p_supply": [supply]}),
             tolerance=1e-8,
         )
-    for run, start, end, currents in ((fill, 0.0, supply, (0.35, 0.0)), (vent, supply, 0.0, (0.0, 0.35))):
+    for run, start, end, currents in (
+        (fill, 0.0, supply, (0.35, 0.0)),
+        (vent, supply, 0.0, (0.0, 0.35)),
+    ):
         exact = Approach(vessel, ports, start, end, currents).pressures(times)
         assert np.abs(run["p"] - exact).max() < 0.003 * supply
         assert abs(run["p"][1] - run["p"][0]) > 0.02 * supply  # the curve does move

@@ -61,9 +61,12 @@ def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str
 @pytest.mark.full
 def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(
-        study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)), workers=workers
+        study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)),
+        workers=workers,
     )
-    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), diagnosis.verdict
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), (
+        diagnosis.verdict
+    )
     assert diagnosis.path[-1].general and "no listed law fits as well" in diagnosis.verdict.reason
     assert diagnosis.base.comparison.chi2_reduced("holdout") > 100
     assert 0.9 < diagnosis.final.comparison.chi2_reduced("holdout") < 1.1
@@ -73,7 +76,9 @@ def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: i
 
 @pytest.mark.parametrize("seed", but_first_in_full(range(3)))
 def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
-    _nothing(study.diagnose(study.read(write_light_data(tmp_path / "d", seed=seed)), workers=workers))
+    _nothing(
+        study.diagnose(study.read(write_light_data(tmp_path / "d", seed=seed)), workers=workers)
+    )
 
 
 @pytest.mark.full
@@ -95,11 +100,23 @@ def _tank(seed: int) -> DataSet:
     runs = []
     for role, supply in (("fit", 207e3), ("holdout", 138e3)):
         schedule = Schedule.of(
-            [Phase(2.5, u_in=0.35), Phase(1.5), Phase(2.0, u_in=0.3), Phase(1.5), Phase(2.5, u_out=0.3)]
+            [
+                Phase(2.5, u_in=0.35),
+                Phase(1.5),
+                Phase(2.0, u_in=0.3),
+                Phase(1.5),
+                Phase(2.5, u_out=0.3),
+            ]
         )
-        simulated = simulate_vessel(Vessel(0.35e-3), valve_ports(supply, 0.72), times, schedule=schedule)
+        simulated = simulate_vessel(
+            Vessel(0.35e-3), valve_ports(supply, 0.72), times, schedule=schedule
+        )
         currents = np.array([schedule.at(t) for t in times.tolist()])
-        inputs = {"u_in": currents[:, 0], "u_out": currents[:, 1], "p_supply": np.full(len(times), supply)}
+        inputs = {
+            "u_in": currents[:, 0],
+            "u_out": currents[:, 1],
+            "p_supply": np.full(len(times), supply),
+        }
         noisy = {
             "p": simulated.p + 500.0 * rng.standard_normal(len(times)),
             "T": simulated.temperature + 0.3 * rng.standard_normal(len(times)),
@@ -107,4 +124,10 @@ def _tank(seed: int) -> DataSet:
         run = recording(times, noisy, role, inputs)
         runs.append(replace(run, interpolation="previous", parameters={"tank.V": 0.35e-3}))
     fit = [FreeParameter("valve.C_A", 0.5, 0.9), FreeParameter("tank.n", 1.0, 1.4)]
-    return data_set("PneumaticMuscle.Benches.TankFilling", runs, {"p": 500.0, "T": 0.3}, fit, {"tank.V": 0.35e-3})
+    return data_set(
+        "PneumaticMuscle.Benches.TankFilling",
+        runs,
+        {"p": 500.0, "T": 0.3},
+        fit,
+        {"tank.V": 0.35e-3},
+    )

@@ -19,7 +19,9 @@ SIGMA = 1.0
 @pytest.fixture
 def folder(tmp_path: Path) -> Path:
     """Table A2 of Martens and Boblan 2017: a run for each length, the one in the middle held out."""
-    pam.bench("imposed-pressure", "imposed-length", "physical", measure="F", output=tmp_path / "Rig.mo")
+    pam.bench(
+        "imposed-pressure", "imposed-length", "physical", measure="F", output=tmp_path / "Rig.mo"
+    )
     pressures, lengths, pulls = table(A2)
     turns = lengths[0] * np.tan(np.radians(28.5)) / (np.pi * 0.0136)
     toml = f"""title = "DMSP-10-250, isometric"
@@ -38,8 +40,13 @@ sigma = "{SIGMA} N"
     for i, length in enumerate(lengths):
         s = 1e3 * (lengths[0] - length)
         rows = [f"0,{pressures[0]},{s},"]  # a second in which the muscle is filled
-        rows += [f"{k + 1},{p},{s},{force}" for k, (p, force) in enumerate(zip(pressures, pulls[:, i], strict=True))]
-        (tmp_path / f"{i}.csv").write_text("\n".join(["time [s],p [Pa],s [mm],F [N]", *rows]) + "\n")
+        rows += [
+            f"{k + 1},{p},{s},{force}"
+            for k, (p, force) in enumerate(zip(pressures, pulls[:, i], strict=True))
+        ]
+        (tmp_path / f"{i}.csv").write_text(
+            "\n".join(["time [s],p [Pa],s [mm],F [N]", *rows]) + "\n"
+        )
         role = "holdout" if i == HELD_OUT else "fit"
         toml += f'[[runs]]\nfile = "{i}.csv"\nrole = "{role}"\n[runs.parameters]\n"drive.s_start" = "{s} mm"\n'
     (tmp_path / "experiment.toml").write_text(toml)
@@ -57,7 +64,9 @@ def by_formula() -> tuple[float, float]:
 
     held = np.arange(len(lengths)) == HELD_OUT
     fitted = least_squares(
-        lambda a: residual(a)[:, ~held].ravel(), [0.0, 160, 0.025, 290, 90, 200], x_scale=[1, 100, 0.01, 100, 100, 100]
+        lambda a: residual(a)[:, ~held].ravel(),
+        [0.0, 160, 0.025, 290, 90, 200],
+        x_scale=[1, 100, 0.01, 100, 100, 100],
     )
     left = residual(fitted.x)
     return float(np.sqrt(np.mean(left[:, ~held] ** 2))), float(np.sqrt(np.mean(left[:, held] ** 2)))
@@ -80,7 +89,10 @@ def test_an_effect_meets_a_published_table_as_well_as_a_formula_fitted_to_it(fol
         "p_w": ("0 bar", "10 bar"),
         "eps_w": (0.005, 0.06),
     }
-    free = "".join(f'"muscle.braid.{n}" = {{ min = {low!r}, max = {high!r} }}\n' for n, (low, high) in bounds.items())
+    free = "".join(
+        f'"muscle.braid.{n}" = {{ min = {low!r}, max = {high!r} }}\n'
+        for n, (low, high) in bounds.items()
+    )
     toml = (folder / "experiment.toml").read_text()
     diameter = next(line for line in toml.splitlines() if line.startswith('"muscle.D0"'))
     toml = toml.replace(f"[fit]\n{diameter}\n", f'"muscle.D0" = "13.6 mm"\n[fit]\n{free}')

@@ -33,7 +33,9 @@ def _folder(path: Path, statement: str) -> Path:
     for noisy, clean in zip(measure(plan, seed=3), simulate_plan(plan), strict=True):
         p = clean.signals["p"]
         scatter = GROWTH * p * rng.standard_normal(len(p))
-        measured.append(replace(noisy, signals={**noisy.signals, "p": noisy.signals["p"] + scatter}))
+        measured.append(
+            replace(noisy, signals={**noisy.signals, "p": noisy.signals["p"] + scatter})
+        )
     write_data_set(path, measured)
     file = path / "experiment.toml"
     head, signals, rest = file.read_text().partition("[signals.p]\n")
@@ -51,7 +53,9 @@ def test_each_sample_counts_by_its_own_noise(data: Callable[[str], DataSet]) -> 
     signal = growing.signals["p"]
     readings = np.concatenate([run.measurements["p"] for run in growing.runs])
     assert signal.sigma == pytest.approx(np.sqrt(AT_ZERO**2 + GROWTH**2 * np.mean(readings**2)))
-    np.testing.assert_allclose(signal.sigma_at(np.array([0.0, 2e5])), [AT_ZERO, np.hypot(AT_ZERO, 4000.0)])
+    np.testing.assert_allclose(
+        signal.sigma_at(np.array([0.0, 2e5])), [AT_ZERO, np.hypot(AT_ZERO, 4000.0)]
+    )
     assert "0.5 kPa and 2 % of the reading" in signal.source
     fitted = pam.fit(growing)
     assert fitted.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.06)
@@ -64,7 +68,9 @@ def test_without_the_statement_the_scatter_is_left(data: Callable[[str], DataSet
 
 def test_slopes_are_those_of_the_residuals(data: Callable[[str], DataSet]) -> None:
     growing = data('sigma_of_reading = "2 %"\n')
-    with Simulator(build_model("Isotonic", sensitivities=["valve.C_A", "muscle.mu_fb"])) as simulator:
+    with Simulator(
+        build_model("Isotonic", sensitivities=["valve.C_A", "muscle.mu_fb"])
+    ) as simulator:
         free = base_parameters(growing, simulator.interface)
         objective = Objective(simulator, growing, growing.fit_runs, free, tolerance=1e-9)
         z = np.array([one.to_z(one.start) for one in free])
@@ -72,22 +78,33 @@ def test_slopes_are_those_of_the_residuals(data: Callable[[str], DataSet]) -> No
         for i in range(len(z)):
             step = np.zeros(len(z))
             step[i] = 1e-4 * abs(z[i])
-            difference = (objective.residuals(z + step) - objective.residuals(z - step)) / (2.0 * step[i])
-            np.testing.assert_allclose(exact[:, i], difference, atol=2e-3 * np.abs(exact[:, i]).max())
+            difference = (objective.residuals(z + step) - objective.residuals(z - step)) / (
+                2.0 * step[i]
+            )
+            np.testing.assert_allclose(
+                exact[:, i], difference, atol=2e-3 * np.abs(exact[:, i]).max()
+            )
 
 
-def test_the_statement_is_kept_when_a_data_set_is_written(data: Callable[[str], DataSet], tmp_path: Path) -> None:
+def test_the_statement_is_kept_when_a_data_set_is_written(
+    data: Callable[[str], DataSet], tmp_path: Path
+) -> None:
     growing = data(f"sigma_of_reading = {GROWTH}\n")
     from pam_cosim.measurement import write_data_set as write
 
     copy = write(tmp_path / "copy", growing, pam.describe(growing.model))
-    assert (copy.signals["p"].sigma_at_zero, copy.signals["p"].sigma_of_reading) == (AT_ZERO, GROWTH)
+    assert (copy.signals["p"].sigma_at_zero, copy.signals["p"].sigma_of_reading) == (
+        AT_ZERO,
+        GROWTH,
+    )
 
 
 def test_repeated_runs_that_differ_more_take_its_place() -> None:
     from pam_cosim.measurement.repeatability import with_repeatability
 
-    signal = Signal("p", "Pa", 600.0, repeatability=900.0, sigma_of_reading=0.02, sigma_at_zero=500.0)
+    signal = Signal(
+        "p", "Pa", 600.0, repeatability=900.0, sigma_of_reading=0.02, sigma_at_zero=500.0
+    )
     raised = with_repeatability({"p": signal}, [])["p"]
     assert raised.sigma_at(1e6) == 900.0
 
@@ -107,7 +124,9 @@ def test_weights_of_single_readings() -> None:
         ('sigma_of_reading = "2 kPa"\n', "sigma_of_reading of p"),
     ],
 )
-def test_what_is_no_share_is_refused(data: Callable[[str], DataSet], statement: str, problem: str) -> None:
+def test_what_is_no_share_is_refused(
+    data: Callable[[str], DataSet], statement: str, problem: str
+) -> None:
     with pytest.raises(InputError, match=problem):
         data(statement)
 

@@ -35,7 +35,9 @@ def _measured(folder: Path) -> DataSet:
         hidden = [SlackCord(k=500.0, x_0=0.047)]
         simulated = simulate_muscle(replace(TRUTH, load=load), supply, run.schedule, _TIMES, hidden)
         clean = {"p": simulated.p, "x": simulated.x, "T": simulated.temperature}
-        made.append(Measurement(run, _TIMES, readings((), _TIMES, clean, _TIMES, Noise().as_dict(), rng)))
+        made.append(
+            Measurement(run, _TIMES, readings((), _TIMES, clean, _TIMES, Noise().as_dict(), rng))
+        )
     write_data_set(folder, made)
     return study.read(folder)
 

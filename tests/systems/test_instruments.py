@@ -35,7 +35,12 @@ FAULTS: dict[Fault, tuple[str, str, tuple[float, float], float]] = {
     Lag("x", 0.03): ("PositionLag", "channel_x.tau", (1e-4, 5.0), 0.03),
     Lag("p", 0.04): ("PressureLag", "channel_p.tau", (1e-4, 5.0), 0.04),
     Gain("T", 1.15, zero=293.15): ("TemperatureGain", "channel_T.gain", (0.5, 2.0), 1.15),
-    TransducerSaturation("p", high=70e3): ("PressureCeiling", "channel_p.high", (-1.01e5, 1e7), 70e3),
+    TransducerSaturation("p", high=70e3): (
+        "PressureCeiling",
+        "channel_p.high",
+        (-1.01e5, 1e7),
+        70e3,
+    ),
 }
 """The first at every change."""
 FIRST, *OTHERS = FAULTS
@@ -94,14 +99,18 @@ def test_a_fault_is_named_as_that_of_an_instrument(
 def test_steps_of_a_record_are_no_effect(tmp_path: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(faulty(tmp_path, Quantisation("x", 1e-3)), workers=workers)
     assert diagnosis.verdict.kind == "none_missing", diagnosis.verdict
-    assert "x is recorded in steps of 1 mm (quantisation, an instrument)" in diagnosis_text(diagnosis)
+    assert "x is recorded in steps of 1 mm (quantisation, an instrument)" in diagnosis_text(
+        diagnosis
+    )
 
 
 @pytest.mark.full
 def test_late_readings_and_a_dead_time_of_the_valves_are_one_where_the_supply_is_steady(
     tmp_path: Path, workers: int | None
 ) -> None:
-    dead = write_light_data(tmp_path / "dead", [effect_of("valve_dynamics:dead_time:dead_time=0.04")], seed=1)
+    dead = write_light_data(
+        tmp_path / "dead", [effect_of("valve_dynamics:dead_time:dead_time=0.04")], seed=1
+    )
     for data in (faulty(tmp_path, ClockOffset(0.04)), study.read(dead)):
         verdict = study.diagnose(data, workers=workers).verdict
         assert verdict.kind == "ambiguous", verdict

@@ -30,7 +30,9 @@ def example() -> ModuleType:
 
 
 @pytest.fixture(scope="module")
-def diagnosis(example: ModuleType, workers: int | None, tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
+def diagnosis(
+    example: ModuleType, workers: int | None, tmp_path_factory: pytest.TempPathFactory
+) -> Diagnosis:
     folder = example.rig.write_data_set(tmp_path_factory.mktemp("vertical-load"))
     return study.diagnose(study.read(folder), workers=workers)
 
@@ -44,7 +46,9 @@ def test_verdict_is_the_effect_of_the_paper(diagnosis: Diagnosis) -> None:
 
 @pytest.mark.full
 def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(diagnosis: Diagnosis) -> None:
-    before, after = (f.comparison.scores["holdout"]["x"].rmse for f in (diagnosis.base, diagnosis.final))
+    before, after = (
+        f.comparison.scores["holdout"]["x"].rmse for f in (diagnosis.base, diagnosis.final)
+    )
     assert before > 5e-4 and after < 1.05e-4
     assert diagnosis.final.residuals["holdout"].chi2_reduced < 1.1
 
@@ -53,10 +57,14 @@ def test_error_falls_to_the_noise_on_conditions_that_were_not_fitted(diagnosis: 
 def test_coefficients_come_back(example: ModuleType, diagnosis: Diagnosis) -> None:
     own = diagnosis.final.values
     muscle = example.rig.Muscle()
-    assert [own[f"muscle.braid.c_{i}"] for i in (3, 4, 5)] == pytest.approx(muscle.slenderness, rel=0.03)
+    assert [own[f"muscle.braid.c_{i}"] for i in (3, 4, 5)] == pytest.approx(
+        muscle.slenderness, rel=0.03
+    )
     assert own["damper.ab"] == pytest.approx(0.12, rel=0.02)
     assert own["muscle.friction.c_c"] == pytest.approx(6.0, rel=0.02)
-    assert own["muscle.friction.c_v"] < 0.01 * 0.12 * 15 * 9.81  # N.s, of the coefficient at 15 kg and 1 Hz
+    assert (
+        own["muscle.friction.c_v"] < 0.01 * 0.12 * 15 * 9.81
+    )  # N.s, of the coefficient at 15 kg and 1 Hz
 
 
 @pytest.mark.full
@@ -66,7 +74,14 @@ def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
     example.draw(diagnosis, tmp_path / example.PICTURE.name)
     assert other_pictures(tmp_path) == []
     table = example.tabled(diagnosis.final.comparison, "correlation").splitlines()
-    assert [line.split("|")[1].strip() for line in table[2:-1]] == ["5 kg", "10 kg", "15 kg", "20 kg", "25 kg", "30 kg"]
+    assert [line.split("|")[1].strip() for line in table[2:-1]] == [
+        "5 kg",
+        "10 kg",
+        "15 kg",
+        "20 kg",
+        "25 kg",
+        "30 kg",
+    ]
     assert "nan" not in table[-1] and "±" in table[-1]
 
 
@@ -74,17 +89,32 @@ def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
 def test_story_says_what_the_diagnosis_does(example: ModuleType, diagnosis: Diagnosis) -> None:
     assert unsaid(STORY, diagnosis_text(diagnosis)) == []
     samples = sum(run.time.size for run in diagnosis.data.runs)
-    assert absent([f"The diagnosis sets {diagnosis.outliers['x']} samples of {samples} aside"], STORY) == []
+    assert (
+        absent([f"The diagnosis sets {diagnosis.outliers['x']} samples of {samples} aside"], STORY)
+        == []
+    )
     assert absent(example.rounded(diagnosis.base.comparison), STORY) == []
-    left = {c.effect: c.fit.residuals["holdout"].chi2_reduced for c in diagnosis.candidates if len(c.effects) == 1}
+    left = {
+        c.effect: c.fit.residuals["holdout"].chi2_reduced
+        for c in diagnosis.candidates
+        if len(c.effects) == 1
+    }
     rivals = sorted(left, key=lambda e: left[e])[1:6]
     assert other_numbers(STORY, {e: [left[e]] for e in rivals}) == []
 
 
 @pytest.mark.full
 def test_swarm_as_published_ends_where_the_page_says(example: ModuleType, tmp_path: Path) -> None:
-    pam.add(["LoadFrequencyFriction"], to="Examples.ConstantFrictionLoad", output=tmp_path / "Proposed.mo")
-    free = [f"muscle.braid.c_{i}" for i in (3, 4, 5)] + ["muscle.friction.c_c", "muscle.friction.c_v", "damper.ab"]
+    pam.add(
+        ["LoadFrequencyFriction"],
+        to="Examples.ConstantFrictionLoad",
+        output=tmp_path / "Proposed.mo",
+    )
+    free = [f"muscle.braid.c_{i}" for i in (3, 4, 5)] + [
+        "muscle.friction.c_c",
+        "muscle.friction.c_v",
+        "damper.ab",
+    ]
     data = study.read(example.rig.write_data_set(tmp_path / "data"))
     found = pam.fit(data, str(tmp_path / "Proposed.mo"), method="particle-swarm", free=free)
     assert unsaid("validation.md", str(found)) == []

@@ -49,7 +49,9 @@ class Crack(Effect):
 def _emptied(effect: Effect, seed: int, n: float = TRUE_N) -> dict[str, np.ndarray]:
     rng = np.random.default_rng([seed, 4])
     vessel = Vessel(VOLUME, n, P_START + P_ATM, T_START)
-    simulated = simulate_vessel(vessel, orifice_port(DIAMETER, TRUE_C_D, 0.0), TIMES, P_START, effects=[effect])
+    simulated = simulate_vessel(
+        vessel, orifice_port(DIAMETER, TRUE_C_D, 0.0), TIMES, P_START, effects=[effect]
+    )
     return {
         "p": simulated.p + 1000.0 * rng.standard_normal(len(TIMES)),
         "T": simulated.temperature + 0.3 * rng.standard_normal(len(TIMES)),
@@ -58,13 +60,18 @@ def _emptied(effect: Effect, seed: int, n: float = TRUE_N) -> dict[str, np.ndarr
 
 def _cracked() -> DataSet:
     run = replace(recording(TIMES, _emptied(Crack(), 0)), parameters=dict(KNOWN))
-    return data_set("PneumaticMuscle.Benches.VesselOrifice", [run], {"p": 1000.0, "T": 0.3}, (C_D, N), KNOWN)
+    return data_set(
+        "PneumaticMuscle.Benches.VesselOrifice", [run], {"p": 1000.0, "T": 0.3}, (C_D, N), KNOWN
+    )
 
 
 def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None:
     diagnosis = study.diagnose(_cracked(), files=[HERE / "BurstLeak.mo"], workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
-    assert (diagnosis.verdict.families, diagnosis.verdict.effects) == (("burst_leak",), ("BurstLeak",))
+    assert (diagnosis.verdict.families, diagnosis.verdict.effects) == (
+        ("burst_leak",),
+        ("BurstLeak",),
+    )
     (estimate,) = diagnosis.path[0].parameters.values()
     assert estimate.low <= 3e-15 <= estimate.high and estimate.unit == "kg/(s.Pa2)"
     c_d = diagnosis.final.parameters["orifice.C_d"]
@@ -74,7 +81,9 @@ def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None
 @pytest.mark.full
 def test_without_the_file_it_is_a_leak_of_a_form_that_is_not_listed(workers: int | None) -> None:
     diagnosis = study.diagnose(_cracked(), workers=workers)
-    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), diagnosis.verdict
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), (
+        diagnosis.verdict
+    )
     assert diagnosis.verdict.effects == ("FlexibleLeak",)
 
 
@@ -83,7 +92,9 @@ def test_own_bench(workers: int | None) -> None:
     measured = _emptied(effect_of("gas_energy:film:h=12"), 1)
     run = recording(TIMES, {"pressure": measured["p"], "temperature": measured["T"]})
     fit = (FreeParameter("hole.C_d", 0.5, 1.1), FreeParameter("bottle.n", 1.0, 1.4))
-    data = data_set(str(HERE / "Reservoir.mo"), [run], {"pressure": 1000.0, "temperature": 0.3}, fit)
+    data = data_set(
+        str(HERE / "Reservoir.mo"), [run], {"pressure": 1000.0, "temperature": 0.3}, fit
+    )
     diagnosis = study.diagnose(data, workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert diagnosis.verdict.families == ("gas_energy",)

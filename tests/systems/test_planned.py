@@ -31,6 +31,8 @@ def test_proposed_run_is_made(tmp_path: Path) -> None:
     assert isinstance(run.phases[0], Phase)
     before, after = measure_light(seed=1), measure_light(seed=1, further=[run])
     assert len(after) == len(before) + 1 == 3 and len(after[2].time) == 51
-    assert all((a.signals["p"] == b.signals["p"]).all() for a, b in zip(before, after, strict=False))
+    assert all(
+        (a.signals["p"] == b.signals["p"]).all() for a, b in zip(before, after, strict=False)
+    )
     p = after[2].signals["p"]
     assert p[20] > 10e3 and p[-1] < p[30] - 2e3  # it fills, holds and vents

@@ -33,7 +33,9 @@ def rig(temperature: ModuleType, tmp_path_factory: pytest.TempPathFactory) -> Pa
 
 
 @pytest.mark.full
-def test_paper_points_to_the_energy_of_its_gas(temperature: ModuleType, rig: Path, workers: int | None) -> None:
+def test_paper_points_to_the_energy_of_its_gas(
+    temperature: ModuleType, rig: Path, workers: int | None
+) -> None:
     diagnosis = study.diagnose(study.read(rig), workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
     assert diagnosis.verdict.families == ("gas_energy",)
@@ -41,13 +43,22 @@ def test_paper_points_to_the_energy_of_its_gas(temperature: ModuleType, rig: Pat
     assert before["p"].rmse > 50e3 and after["p"].rmse < 0.55e3
     assert before["T"].rmse > 8 and after["T"].rmse < 0.33
 
-    assert unsaid(STORY, f"{diagnosis}\n{study.diagnose(study.read(rig), temperature.FILMS, workers=workers)}") == []
+    assert (
+        unsaid(
+            STORY,
+            f"{diagnosis}\n{study.diagnose(study.read(rig), temperature.FILMS, workers=workers)}",
+        )
+        == []
+    )
     singles = [c for c in diagnosis.candidates if len(c.effects) == 1]
     other = next(c for c in singles if c.family != "gas_energy")
     own = {name: f"{e.value:.4g}" for name, e in diagnosis.final.parameters.items()}
     left = other.fit.comparison.scores["holdout"]["p"].rmse / 1e3
     told = f"C_A comes back as {own['valve.C_A']} and mu_fb as {own['muscle.mu_fb']}. "
-    assert absent([told + f"The next best family, {other.family}, leaves {left:.0f} kPa."], STORY) == []
+    assert (
+        absent([told + f"The next best family, {other.family}, leaves {left:.0f} kPa."], STORY)
+        == []
+    )
 
 
 @pytest.mark.full
@@ -66,13 +77,21 @@ def test_error_falls_rung_by_rung(temperature: ModuleType, rig: Path, tmp_path: 
     errors = [f.comparison.scores["holdout"]["p"].rmse / 1e3 for f in fits]
     assert errors == pytest.approx([59.2, 12.0, 2.48, 0.48], rel=0.05)
     assert fits[2].parameters["muscle.gas.h"].at_bound
-    assert absent([temperature.holdout_row(r, f) for r, f in zip(temperature.LADDER, fits, strict=True)], STORY) == []
+    assert (
+        absent(
+            [temperature.holdout_row(r, f) for r, f in zip(temperature.LADDER, fits, strict=True)],
+            STORY,
+        )
+        == []
+    )
     assert fits[3].parameters["valve.C_A"].value == pytest.approx(0.72, abs=1e-3)
 
 
 def test_regression_gives_62_with_its_pressure_taken_as_absolute(calibration: ModuleType) -> None:
     slope, offset = calibration.regression(calibration.STATED)
-    assert slope == pytest.approx(1.80e-6, rel=2.5e-3) and offset == pytest.approx(2.61e-7, rel=2.5e-3)
+    assert slope == pytest.approx(1.80e-6, rel=2.5e-3) and offset == pytest.approx(
+        2.61e-7, rel=2.5e-3
+    )
     gauge = calibration.regression(calibration.STATED + calibration.P_ATM)
     assert gauge[0] / slope == pytest.approx(0.773, abs=1e-3)
     assert calibration.MEASURED / calibration.printed_area(0.35) == pytest.approx(0.699, abs=1e-3)
@@ -80,15 +99,21 @@ def test_regression_gives_62_with_its_pressure_taken_as_absolute(calibration: Mo
     assert calibration.MEASURED / area == pytest.approx(0.905, abs=2e-3)
 
 
-def test_report_of_the_repository_is_the_one_that_is_written(calibration: ModuleType, tmp_path: Path) -> None:
+def test_report_of_the_repository_is_the_one_that_is_written(
+    calibration: ModuleType, tmp_path: Path
+) -> None:
     report = calibration.write(tmp_path / "made")
     assert "0.699" in report or "30 %" in report
     for name in ("report.md", "calibration.csv", "result.png"):
-        assert (tmp_path / "made" / name).read_bytes() == (calibration.HERE / name).read_bytes(), name
+        assert (tmp_path / "made" / name).read_bytes() == (calibration.HERE / name).read_bytes(), (
+            name
+        )
 
 
 def test_flow_rises_with_current_and_supply(calibration: ModuleType) -> None:
     trajectory = calibration.calibration()
     flows = np.array([trajectory.values[f"V_flow[{i}]"] for i in range(1, 16)])
-    assert (np.diff(flows[:, -1]) > 0).all() and (flows[:, trajectory.values["u"] < 0.145] == 0).all()
+    assert (np.diff(flows[:, -1]) > 0).all() and (
+        flows[:, trajectory.values["u"] < 0.145] == 0
+    ).all()
     assert flows[-1, -1] * 6e4 == pytest.approx(11.57, abs=0.01)  # L/min, C_A = 0.699

@@ -16,7 +16,9 @@ EXAMPLES = Path(__file__).parents[2] / "examples"
 
 def script(name: str) -> ModuleType:
     """The run.py of an example, which its main() alone starts."""
-    spec = importlib.util.spec_from_file_location(f"example_{name.replace('-', '_')}", EXAMPLES / name / "run.py")
+    spec = importlib.util.spec_from_file_location(
+        f"example_{name.replace('-', '_')}", EXAMPLES / name / "run.py"
+    )
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     sys.modules[spec.name] = module
@@ -44,7 +46,9 @@ def kilopascals(fit, role):  # type: ignore[no-untyped-def]
 
 
 @pytest.mark.full
-def test_tube_dead_time_and_dead_volume_explain_most_of_the_jump(robot: ModuleType, tmp_path: Path) -> None:
+def test_tube_dead_time_and_dead_volume_explain_most_of_the_jump(
+    robot: ModuleType, tmp_path: Path
+) -> None:
     bare, full = (robot.fitted(stage, tmp_path) for stage in (robot.STAGES[0], robot.FINAL))
     assert kilopascals(bare, "fit") > 80 and kilopascals(bare, "holdout") > 75
     assert kilopascals(full, "fit") < 8.5 and kilopascals(full, "holdout") < 9.5
@@ -67,28 +71,38 @@ def test_droop_and_contraction_cannot_be_left_out(robot: ModuleType, tmp_path: P
     assert kilopascals(held, "holdout") > 14
 
 
-def test_chamber_that_empties_itself_leaks_through_narrow_pores(chamber: ModuleType, tmp_path: Path) -> None:
+def test_chamber_that_empties_itself_leaks_through_narrow_pores(
+    chamber: ModuleType, tmp_path: Path
+) -> None:
     folder = EXAMPLES / "chamber-leak" / "chambers" / "Ultimaker_020"
-    laminar, orifice = (chamber.rms(chamber.fitted(folder, law, tmp_path)) for law in ("LaminarLeak", "OrificeLeak"))
+    laminar, orifice = (
+        chamber.rms(chamber.fitted(folder, law, tmp_path)) for law in ("LaminarLeak", "OrificeLeak")
+    )
     assert laminar < 1e3
     assert orifice > 15 * laminar
 
 
 def test_tight_chamber_does_not_tell_the_laws_apart(chamber: ModuleType, tmp_path: Path) -> None:
     folder = EXAMPLES / "chamber-leak" / "chambers" / "Prusa"
-    laminar, orifice = (chamber.rms(chamber.fitted(folder, law, tmp_path)) for law in ("LaminarLeak", "OrificeLeak"))
+    laminar, orifice = (
+        chamber.rms(chamber.fitted(folder, law, tmp_path)) for law in ("LaminarLeak", "OrificeLeak")
+    )
     assert orifice == pytest.approx(laminar, rel=0.02)
 
 
 def test_friction_of_the_ring_grows_with_pressure(chamber: ModuleType) -> None:
-    slope, base = chamber.friction.line(chamber.friction.read_strokes(EXAMPLES / "chamber-leak" / "friction.csv"))
+    slope, base = chamber.friction.line(
+        chamber.friction.read_strokes(EXAMPLES / "chamber-leak" / "friction.csv")
+    )
     assert slope == pytest.approx(0.67, abs=0.02)
     assert base == pytest.approx(3.5, abs=0.1)
 
 
 def test_discharge_predicts_the_filling(vessel: ModuleType, tmp_path: Path) -> None:
     """The energy balance, fitted to the pressure of the discharge, meets a filling that it has not seen."""
-    old, new = (vessel.fitted("both-ways", effects, ("p",), tmp_path) for effects in ((), ("EnergyGas",)))
+    old, new = (
+        vessel.fitted("both-ways", effects, ("p",), tmp_path) for effects in ((), ("EnergyGas",))
+    )
     assert kilopascals(old, "holdout") > 18
     assert kilopascals(new, "holdout") < 2.5
     c_d = new.parameters["orifice.C_d"]
@@ -96,7 +110,9 @@ def test_discharge_predicts_the_filling(vessel: ModuleType, tmp_path: Path) -> N
 
 
 @pytest.mark.full
-def test_nitrogen_is_cooled_and_warmed_by_free_convection(vessel: ModuleType, tmp_path: Path) -> None:
+def test_nitrogen_is_cooled_and_warmed_by_free_convection(
+    vessel: ModuleType, tmp_path: Path
+) -> None:
     fit = vessel.fitted("nitrogen", ("FreeConvectionGas",), ("p", "T"), tmp_path)
     c, c_d = fit.parameters["tank.gas.c"], fit.parameters["orifice.C_d"]
     assert c.low <= 0.13 <= c.high and c.value == pytest.approx(0.13, abs=0.01)
@@ -107,7 +123,9 @@ def test_nitrogen_is_cooled_and_warmed_by_free_convection(vessel: ModuleType, tm
 def raw(module: ModuleType, name: str) -> Path:
     folder = module.raw_folder(name)
     if folder is None:
-        pytest.skip("the raw recordings are not here: set PAM_COSIM_DATA to the folder that holds them")
+        pytest.skip(
+            "the raw recordings are not here: set PAM_COSIM_DATA to the folder that holds them"
+        )
     return Path(folder)
 
 
@@ -115,7 +133,9 @@ def same(made: Path, kept: Path) -> None:
     files = sorted(p.relative_to(made) for p in made.rglob("*") if p.is_file())
     assert files
     for file in files:
-        assert (made / file).read_text(encoding="utf-8") == (kept / file).read_text(encoding="utf-8"), file
+        assert (made / file).read_text(encoding="utf-8") == (kept / file).read_text(
+            encoding="utf-8"
+        ), file
 
 
 def test_tables_of_the_jump_are_made_from_the_recordings(robot: ModuleType, tmp_path: Path) -> None:
@@ -123,13 +143,17 @@ def test_tables_of_the_jump_are_made_from_the_recordings(robot: ModuleType, tmp_
     same(tmp_path, EXAMPLES / "jumping-robot" / "recordings")
 
 
-def test_tables_of_the_chambers_are_made_from_the_recordings(chamber: ModuleType, tmp_path: Path) -> None:
+def test_tables_of_the_chambers_are_made_from_the_recordings(
+    chamber: ModuleType, tmp_path: Path
+) -> None:
     folder = raw(chamber, "leak-and-friction-cylinder")
     chamber.leak_tests.write_chambers(folder, tmp_path)
     same(tmp_path, EXAMPLES / "chamber-leak" / "chambers")
     chamber.friction.write_strokes(folder, tmp_path / "friction.csv")
     kept = EXAMPLES / "chamber-leak" / "friction.csv"
-    assert (tmp_path / "friction.csv").read_text(encoding="utf-8") == kept.read_text(encoding="utf-8")
+    assert (tmp_path / "friction.csv").read_text(encoding="utf-8") == kept.read_text(
+        encoding="utf-8"
+    )
 
 
 def test_tables_of_the_vessels_are_made_from_the_points(vessel: ModuleType, tmp_path: Path) -> None:

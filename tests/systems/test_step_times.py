@@ -44,10 +44,17 @@ def _measured(
     """Three runs, and when their commands really stepped."""
     rng, made, switched = np.random.default_rng(5), [], []
     for load, role in ((2.27, "fit"), (4.0, "fit"), (3.0, "holdout")):
-        run, times = Run(load, 220e3, _program(rng, aligned), role), np.arange(int(length * RATE) + 1) / RATE
-        simulated = simulate_muscle(replace(TRUTH, load=load), run.p_supply, run.schedule, times, effects)
+        run, times = (
+            Run(load, 220e3, _program(rng, aligned), role),
+            np.arange(int(length * RATE) + 1) / RATE,
+        )
+        simulated = simulate_muscle(
+            replace(TRUTH, load=load), run.p_supply, run.schedule, times, effects
+        )
         clean = {"p": simulated.p, "x": simulated.x, "T": simulated.temperature}
-        made.append(Measurement(run, times, readings((), times, clean, times, Noise().as_dict(), rng)))
+        made.append(
+            Measurement(run, times, readings((), times, clean, times, Noise().as_dict(), rng))
+        )
         starts = np.array(run.schedule.starts[1:])
         switched.append(starts[starts < length])
     write_data_set(folder, made)
@@ -73,7 +80,9 @@ def test_times_of_steps_come_back(tmp_path: Path) -> None:
         np.abs(run.time[np.flatnonzero(np.diff(run.time) == 0)] - true)
         for run, true in zip(after.data.runs, switched, strict=True)
     ]
-    assert np.median(np.concatenate(errors)) < 0.1 / RATE  # a quarter of an interval if nothing were known
+    assert (
+        np.median(np.concatenate(errors)) < 0.1 / RATE
+    )  # a quarter of an interval if nothing were known
 
 
 def _free(parameters: Mapping[str, Sequence[str]]) -> dict[str, FreeParameter]:
@@ -85,7 +94,11 @@ def _free(parameters: Mapping[str, Sequence[str]]) -> dict[str, FreeParameter]:
     "hidden",
     [
         pytest.param(
-            [], id="nothing", marks=pytest.mark.xfail(reason="two effects leave 0.2 noise variances, without structure")
+            [],
+            id="nothing",
+            marks=pytest.mark.xfail(
+                reason="two effects leave 0.2 noise variances, without structure"
+            ),
         ),
         pytest.param(["elasticity:linear"], id="elasticity"),
     ],
@@ -100,6 +113,8 @@ def test_a_coarse_logger_is_not_called_physics(tmp_path: Path, hidden: list[str]
 
 @pytest.mark.full
 def test_a_slow_valve_is_not_called_a_coarse_logger(tmp_path: Path) -> None:
-    data, _ = _measured(tmp_path / "data", [effect_of("valve_dynamics:lag:tau=0.006")], aligned=True)
+    data, _ = _measured(
+        tmp_path / "data", [effect_of("valve_dynamics:lag:tau=0.006")], aligned=True
+    )
     diagnosis = study.diagnose(data, explain=False)
     assert (diagnosis.verdict.families, diagnosis.step_times) == (("valve_dynamics",), 0)

@@ -49,29 +49,45 @@ def test_fitted_vessel(diagnosis: Diagnosis) -> None:
 
 def test_thermometer_that_was_not_fitted_agrees_better_too(diagnosis: Diagnosis) -> None:
     """An error of 80 K falls to some 16 K: the model was right to change."""
-    before, after = (f.comparison.scores["fit"]["T"].rmse for f in (diagnosis.base, diagnosis.final))
+    before, after = (
+        f.comparison.scores["fit"]["T"].rmse for f in (diagnosis.base, diagnosis.final)
+    )
     assert before > 70 and after < 20
 
 
 def test_a_manometer_that_nobody_owns_is_no_rival(workers: int | None) -> None:
     """By pressure alone a manometer that reads two thirds would fit better; accuracy classes end at 4 %."""
     data = study.read(FOLDER)
-    unseen = {name: np.full_like(values, np.nan) for name, values in data.runs[0].measurements.items() if name == "T"}
+    unseen = {
+        name: np.full_like(values, np.nan)
+        for name, values in data.runs[0].measurements.items()
+        if name == "T"
+    }
     run = replace(data.runs[0], measurements=data.runs[0].measurements | unseen)
     diagnosis = study.diagnose(replace(data, runs=(run,)), workers=workers, explain=False)
     assert diagnosis.verdict.kind == "identified" and diagnosis.verdict.families == ("gas_energy",)
     (said,) = diagnosis.verdict.implausible
-    assert said.startswith("FlexibleGauge would fit as well, but manometer.gain would have to be about 0.")
+    assert said.startswith(
+        "FlexibleGauge would fit as well, but manometer.gain would have to be about 0."
+    )
     assert said in str(diagnosis)
 
 
 @pytest.mark.full
-def test_pages_say_what_the_diagnoses_do(diagnosis: Diagnosis, told: list[str], workers: int | None) -> None:
-    carried_on = study.diagnose(study.read(FOLDER / "carried-on" / "both-ways"), workers=workers, explain=False)
+def test_pages_say_what_the_diagnoses_do(
+    diagnosis: Diagnosis, told: list[str], workers: int | None
+) -> None:
+    carried_on = study.diagnose(
+        study.read(FOLDER / "carried-on" / "both-ways"), workers=workers, explain=False
+    )
     assert unsaid("stories/vessel.md", "\n".join([*told, str(diagnosis), str(carried_on)])) == []
-    assert str(carried_on.verdict.kind) + ": " + " and ".join(carried_on.verdict.families) in text_of("real-data.md")
+    assert str(carried_on.verdict.kind) + ": " + " and ".join(
+        carried_on.verdict.families
+    ) in text_of("real-data.md")
     assert f"probability {100 * diagnosis.verdict.probability:.0f} %" in text_of("results.md")
-    assert f"It is {100 * diagnosis.verdict.probability:.0f} % and not more" in text_of("stories/vessel.md")
+    assert f"It is {100 * diagnosis.verdict.probability:.0f} % and not more" in text_of(
+        "stories/vessel.md"
+    )
     filling = carried_on.final.comparison.scores["holdout"]
     met = f"it meets the filling to {filling['p'].rmse / 1e3:.2f} kPa and {filling['T'].rmse:.2f} K"
     assert met in text_of("stories/vessel.md")
@@ -82,5 +98,8 @@ def test_table_of_the_story_has_the_errors_of_the_models(diagnosis: Diagnosis) -
     errors = {c.effect: [c.fit.comparison.scores["fit"][n].rmse / unit for n, unit in (("p", 1e3), ("T", 1.0))]
               for c in diagnosis.candidates}  # fmt: skip
     page = text_of("stories/vessel.md")
-    assert other_numbers("stories/vessel.md", {e: errors[e] for e in errors if f"(`{e}`)" in page}) == []
+    assert (
+        other_numbers("stories/vessel.md", {e: errors[e] for e in errors if f"(`{e}`)" in page})
+        == []
+    )
     assert {"EnergyGas", "FlexibleGauge"} <= {e for e in errors if f"(`{e}`)" in page}

@@ -38,19 +38,30 @@ def test_a_frame_is_read_as_it_was_written() -> None:
     ]
     message = frame("measured", 3, curves, "label", answers=7)
     header, arrays = read_frame(message)
-    assert (header["kind"], header["version"], header["label"], header["answers"]) == ("measured", 3, "label", 7)
+    assert (header["kind"], header["version"], header["label"], header["answers"]) == (
+        "measured",
+        3,
+        "label",
+        7,
+    )
     np.testing.assert_array_equal(arrays["ä <b>", "x", "values"], [1, 2, np.nan, 4, 5.5])
     one, other = header["runs"][0]["signals"]
     assert one["time_at"] == other["time_at"]  # each array is sent once
     (length,) = np.frombuffer(message[:4], "<u4")
     assert (4 + int(length)) % 4 == 0 and len(message) == 4 + length + 4 * 15
-    assert not is_model(message) and is_model(frame("model", 3, curves)) and not is_model(frame("reference", 1, []))
+    assert (
+        not is_model(message)
+        and is_model(frame("model", 3, curves))
+        and not is_model(frame("reference", 1, []))
+    )
     with pytest.raises(ValueError):
         read_frame(b"\x01")
 
 
 def test_a_window_that_is_behind_gets_the_newest_curves_alone() -> None:
-    server = pytest.importorskip("pam_cosim.workbench.server", reason="the extra 'workbench' is not installed")
+    server = pytest.importorskip(
+        "pam_cosim.workbench.server", reason="the extra 'workbench' is not installed"
+    )
     sent: list[str | bytes] = []
 
     class Socket:

@@ -26,11 +26,17 @@ def put(window: Window, name: str, content: bytes) -> None:
     window.session.put(name, content).result(PATIENCE)
 
 
-def test_a_folder_that_is_not_there_is_where_recordings_are_dropped(window: Window, recorded: Path) -> None:
+def test_a_folder_that_is_not_there_is_where_recordings_are_dropped(
+    window: Window, recorded: Path
+) -> None:
     assert window.last("study")["state"] == "drop" and window.last("dropped")["files"] == []
     put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
     (file,) = window.last("dropped")["files"]
-    assert file["name"] == "run-01.csv" and file["header"][0].startswith("time") and len(file["rows"][0]) > 3
+    assert (
+        file["name"] == "run-01.csv"
+        and file["header"][0].startswith("time")
+        and len(file["rows"][0]) > 3
+    )
     with pytest.raises(InputError, match="drop recordings first"):
         window.do(do="fit")
     window.do(do="remove", names=["run-01.csv"])
@@ -48,7 +54,11 @@ def test_what_is_wrong_is_shown_at_its_cell(window: Window, recorded: Path) -> N
     window.do(do="draft")
     draft = window.last("draft")
     failed, excerpt = draft["failed"], draft["excerpt"]
-    assert "'soft' is not a number" in failed["text"] and failed["line"] == 21 and failed["file"] == "run-01.csv"
+    assert (
+        "'soft' is not a number" in failed["text"]
+        and failed["line"] == 21
+        and failed["file"] == "run-01.csv"
+    )
     assert excerpt["line"] == 21 and excerpt["column"] == 4
     assert excerpt["rows"][excerpt["line"] - excerpt["first"]][excerpt["column"]] == "soft"
     with pytest.raises(InputError, match="soft"):
@@ -59,16 +69,29 @@ def test_what_is_wrong_is_shown_at_its_cell(window: Window, recorded: Path) -> N
 def test_it_ends_as_a_data_set_as_if_written_by_hand(window: Window, recorded: Path) -> None:
     for name in ("run-01", "run-02"):
         put(window, f"{name}.csv", (recorded / f"{name}.csv").read_bytes())
-    wishes = {"title": "<b>mine</b>", "parameters": {"load.m": "2.27 kg"}, "roles": {"run-02": "holdout"}}
+    wishes = {
+        "title": "<b>mine</b>",
+        "parameters": {"load.m": "2.27 kg"},
+        "roles": {"run-02": "holdout"},
+    }
     window.do(do="draft", wishes=wishes)
     draft = window.last("draft")
-    assert draft["failed"] is None and draft["model"].endswith("Isotonic") and draft["guesses"] and draft["to_check"]
-    assert [run["role"] for run in draft["runs"]] == ["fit", "holdout"] and "load.m" in draft["toml"]
+    assert (
+        draft["failed"] is None
+        and draft["model"].endswith("Isotonic")
+        and draft["guesses"]
+        and draft["to_check"]
+    )
+    assert [run["role"] for run in draft["runs"]] == ["fit", "holdout"] and "load.m" in draft[
+        "toml"
+    ]
     assert {n["name"] for n in draft["names"] if n["input"]} >= {"u_in", "u_out"}
     assert all(math.isfinite(v) for v in draft["curves"][0]["values"])
     assert not window.session.folder.exists()
     window.do(do="create", wishes=wishes)
-    assert window.last("study")["state"] == "open" and window.last("study")["title"] == "<b>mine</b>"
+    assert (
+        window.last("study")["state"] == "open" and window.last("study")["title"] == "<b>mine</b>"
+    )
     assert {header["kind"] for header, _ in window.frames} == {"measured", "model"}
     data = pam.read(window.session.folder)
     assert {run.name: run.role for run in data.runs} == {"run-01": "fit", "run-02": "holdout"}
@@ -86,7 +109,9 @@ def test_where_a_recording_begins_is_said_first(window: Window, recorded: Path) 
     window.do(do="draft", wishes={"parameters": {"load.m": "2.27 kg"}})
     (said, likewise) = window.last("draft")["starts"]
     assert said.startswith("run-01 begins at 47.1 kPa") and said.endswith(": estimated")
-    assert likewise.startswith("run-02 begins at ") and likewise.endswith(": estimated, as others are")
+    assert likewise.startswith("run-02 begins at ") and likewise.endswith(
+        ": estimated, as others are"
+    )
     window.do(do="create")
     (start, other) = window.last("starts")["runs"]
     assert (start["mode"], start["text"], start["warning"]) == ("estimated", said, False)
@@ -99,7 +124,9 @@ def test_where_a_recording_begins_is_said_first(window: Window, recorded: Path) 
      {"model": "NoSuchBench"}, {"model": "../x.mo"}, {"folder": "/"}, {"parameters": {"load.m": "2.27"}},
      {"columns": ["p"]}, {"recording": {"decimal": "!"}}, {"title": 3}],
 )  # fmt: skip
-def test_wishes_that_cannot_be_met_are_answered_in_words(window: Window, recorded: Path, wishes: dict) -> None:
+def test_wishes_that_cannot_be_met_are_answered_in_words(
+    window: Window, recorded: Path, wishes: dict
+) -> None:
     put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
     window.do(do="draft", wishes=wishes)
     assert window.last("draft")["failed"]["text"]
@@ -108,7 +135,14 @@ def test_wishes_that_cannot_be_met_are_answered_in_words(window: Window, recorde
 
 @pytest.mark.parametrize(
     "content",
-    [b"", b"\x00\x01\x02", b"hello", b"time,p\n", b"time [s],p [kPa]\n1,2\n0,1\n", b"<script>alert(1)</script>"],
+    [
+        b"",
+        b"\x00\x01\x02",
+        b"hello",
+        b"time,p\n",
+        b"time [s],p [kPa]\n1,2\n0,1\n",
+        b"<script>alert(1)</script>",
+    ],
 )
 def test_whatever_is_dropped_is_answered_in_words(window: Window, content: bytes) -> None:
     put(window, "odd.csv", content)
@@ -124,7 +158,9 @@ def test_letters_are_shown_as_the_file_has_them(window: Window, encoding: str) -
     assert file["header"] == ["Zeit [s]", "Länge [mm]", "T [°C]"]
 
 
-def test_no_letter_is_cut_where_a_file_is_long(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_no_letter_is_cut_where_a_file_is_long(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
     monkeypatch.setattr(drop, "_BYTES", 21)
     for encoding in ("utf-8", "cp1252", "utf-16"):
         (tmp_path / "run.csv").write_bytes("ä;b\n1;ö\n2;ö\n3;ö\n".encode(encoding))

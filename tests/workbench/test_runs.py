@@ -32,7 +32,9 @@ def chi2(window: Window, role: str = "fit") -> float:
 
 
 def curve(window: Window, kind: str, run: str = "run-01", what: str = "values") -> Any:
-    return [arrays for header, arrays in window.frames if header["kind"] == kind][-1][run, "p", what]
+    return [arrays for header, arrays in window.frames if header["kind"] == kind][-1][
+        run, "p", what
+    ]
 
 
 def test_each_run_says_where_it_begins(window: Window) -> None:
@@ -55,10 +57,16 @@ def test_a_cut_run_begins_at_its_new_first_sample(window: Window, recorded: Path
     assert chi2(window) == pytest.approx(cut.chi2_reduced("fit"), rel=1e-6)
     run = next(run for run in window.last("study")["runs"] if run["name"] == "run-01")
     assert (run["begins"], run["ends"]) == (LATE, pytest.approx(4.0))
-    np.testing.assert_array_equal(curve(window, "measured"), whole)  # all that was recorded stays in sight
+    np.testing.assert_array_equal(
+        curve(window, "measured"), whole
+    )  # all that was recorded stays in sight
     model = curve(window, "model")
     before = round(LATE * 50)
-    assert len(model) == len(whole) and np.isnan(model[:before]).all() and np.isfinite(model[before:]).all()
+    assert (
+        len(model) == len(whole)
+        and np.isnan(model[:before]).all()
+        and np.isfinite(model[before:]).all()
+    )
     residual = curve(window, "model", what="residual")[before:]
     np.testing.assert_allclose(residual, whole[before:] - model[before:], atol=1e-3)
 
@@ -88,13 +96,17 @@ def test_a_start_value_moves_the_curve_at_once(window: Window, recorded: Path) -
     assert curve(window, "model")[0] == pytest.approx(180.0 - 101.325, abs=1e-3)
     window.do(do="set", values={"muscle.gas.p@run-01": 170.0})
     assert curve(window, "model")[0] == pytest.approx(170.0 - 101.325, abs=1e-3)
-    assert [step["text"] for step in window.last("steps")["steps"]] == ["start muscle.gas.p@run-01 = 1.7e+05"]
+    assert [step["text"] for step in window.last("steps")["steps"]] == [
+        "start muscle.gas.p@run-01 = 1.7e+05"
+    ]
     window.session.tell_starts()
     assert started(window)["mode"] == "by hand" and value(window, "load.s") == pytest.approx(still)
     compared = pam.compare(pam.read(recorded), parameters=window.session.state.values)
     assert chi2(window) == pytest.approx(compared.chi2_reduced("fit"), rel=1e-9)
     window.do(do="begin", run="run-01", mode="rest")
-    assert value(window, "muscle.gas.p") == pytest.approx(101.325) and not window.session.state.values
+    assert (
+        value(window, "muscle.gas.p") == pytest.approx(101.325) and not window.session.state.values
+    )
 
 
 def test_what_the_model_cannot_begin_as_is_a_warning(window: Window) -> None:
@@ -140,5 +152,10 @@ def test_a_study_with_cuts_and_starts_is_saved_printed_and_repeated(
             same(signals, end)
     with Session(folder) as session:
         window = Window(session)
-        assert chi2(window) == pytest.approx(stood, rel=1e-9) and chi2(window, "holdout") == pytest.approx(held)
-        assert [started(window, run)["mode"] for run in ("run-01", "run-02")] == ["estimated", "by hand"]
+        assert chi2(window) == pytest.approx(stood, rel=1e-9) and chi2(
+            window, "holdout"
+        ) == pytest.approx(held)
+        assert [started(window, run)["mode"] for run in ("run-01", "run-02")] == [
+            "estimated",
+            "by hand",
+        ]

@@ -42,7 +42,10 @@ def work_a_little(window: Window) -> None:
     window.do(do="set", values={"valve.C_A": 0.71})
     window.do(do="switch", effects=["LinearBladder"])
     name = next(p["name"] for p in window.last("study")["parameters"] if p["effect"])
-    low, high = window.session.opened.parameters[name].low, window.session.opened.parameters[name].high
+    low, high = (
+        window.session.opened.parameters[name].low,
+        window.session.opened.parameters[name].high,
+    )
     window.do(do="set", values={name: low + 0.01 * (high - low), "muscle.mu_fb": 0.0213})
 
 
@@ -51,7 +54,11 @@ def test_what_was_saved_comes_back_with_the_same_numbers(window: Window, folder:
     assert not window.last("steps")["saved"]
     window.do(do="save")
     assert window.last("steps")["saved"]
-    before, ladder, steps = scores(window.session), window.last("scores")["ladder"], window.last("steps")
+    before, ladder, steps = (
+        scores(window.session),
+        window.last("scores")["ladder"],
+        window.last("steps"),
+    )
     window.do(do="set", values={"valve.C_A": 0.8})
     assert not window.last("steps")["saved"]
     window.do(do="load")
@@ -76,13 +83,33 @@ def test_every_step_of_a_session_can_be_saved_and_loaded(window: Window, folder:
     window.do(do="set", values={"muscle.gas.p@run-02": 110.0})
     window.do(do="save")
     steps = window.session.state.steps
-    assert {step.do for step in steps} == {"set", "switch", "add", "roles", "choose", "cut", "begin", "start"}
+    assert {step.do for step in steps} == {
+        "set",
+        "switch",
+        "add",
+        "roles",
+        "choose",
+        "cut",
+        "begin",
+        "start",
+    }
     assert load_state(folder, window.session.first).steps == steps
 
 
 @pytest.mark.parametrize(
     "damage",
-    ["{", "[]", "{}", '{"format": "pam-cosim workbench 1"}', "steps", "effects", "values", "file", "runs", "fit"],
+    [
+        "{",
+        "[]",
+        "{}",
+        '{"format": "pam-cosim workbench 1"}',
+        "steps",
+        "effects",
+        "values",
+        "file",
+        "runs",
+        "fit",
+    ],
 )
 def test_a_damaged_file_is_refused(folder: Path, shared: Session, damage: str) -> None:
     save_state(shared.state, folder)
@@ -105,9 +132,21 @@ def test_a_study_opens_without_what_was_damaged(folder: Path) -> None:
         assert fresh.last("failed")["during"] == "load" and fresh.last("steps")["steps"] == []
 
 
-def test_nothing_but_files_of_the_folder_is_written(window: Window, folder: Path, tmp_path: Path) -> None:
+def test_nothing_but_files_of_the_folder_is_written(
+    window: Window, folder: Path, tmp_path: Path
+) -> None:
     window.do(do="switch", effects=["LinearBladder"])
-    for name in ("../out.mo", "/tmp/out.mo", "a/b.mo", ".mo", "..", "x.py", "x\n.mo", "experiment.toml", "C:\\x.mo"):
+    for name in (
+        "../out.mo",
+        "/tmp/out.mo",
+        "a/b.mo",
+        ".mo",
+        "..",
+        "x.py",
+        "x\n.mo",
+        "experiment.toml",
+        "C:\\x.mo",
+    ):
         with pytest.raises(InputError):
             window.do(do="add", file=name)
     outside = tmp_path / "outside.mo"
@@ -139,7 +178,9 @@ def test_what_is_added_compares_as_the_page_shows_it(window: Window, folder: Pat
     same(scores(window.session), json.loads(json.dumps(compared.as_dict()["signals"])))
 
 
-def repeated(folder: Path, session: Session, place: Path, monkeypatch: pytest.MonkeyPatch) -> list[Any]:
+def repeated(
+    folder: Path, session: Session, place: Path, monkeypatch: pytest.MonkeyPatch
+) -> list[Any]:
     """The signals' scores at the end of the script, and of the last comparison among the commands."""
     monkeypatch.chdir(place)
     about = (session.state, session.first.model, folder, session.catalogue)
@@ -160,7 +201,9 @@ def same(one: Any, other: Any) -> None:
     for signal, values in one.items():
         for key, value in values.items():
             if isinstance(value, float):
-                np.testing.assert_allclose(other[signal][key], value, rtol=1e-9, err_msg=f"{signal} {key}")
+                np.testing.assert_allclose(
+                    other[signal][key], value, rtol=1e-9, err_msg=f"{signal} {key}"
+                )
 
 
 def test_script_and_commands_repeat_it(
@@ -218,7 +261,9 @@ def test_a_diagnosis_is_saved_with_what_its_page_shows(window: Window, folder: P
     save(session)
     with Session(folder) as again:
         fresh = Window(again)
-        assert fresh.last("verdict") == window.last("verdict") and fresh.last("ranking") == window.last("ranking")
+        assert fresh.last("verdict") == window.last("verdict") and fresh.last(
+            "ranking"
+        ) == window.last("ranking")
 
 
 def test_an_older_result_is_not_left_behind(folder: Path, shared: Session) -> None:
@@ -226,4 +271,8 @@ def test_an_older_result_is_not_left_behind(folder: Path, shared: Session) -> No
         fit = make_fit(make_data(), error)
         save_state(replace(shared.state, fit=fit), folder)
         (kept,) = folder.glob("workbench-*.npz")
-        assert pam.load(kept).as_dict() == fit.as_dict() == load_state(folder, shared.first).fit.as_dict()
+        assert (
+            pam.load(kept).as_dict()
+            == fit.as_dict()
+            == load_state(folder, shared.first).fit.as_dict()
+        )

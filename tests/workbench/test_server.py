@@ -31,7 +31,9 @@ def workbench(recorded: Path, tmp_path_factory: pytest.TempPathFactory) -> Itera
 
     folder = Path(shutil.copytree(recorded, tmp_path_factory.mktemp("served") / "rig"))
     experiment = folder / "experiment.toml"
-    experiment.write_text(re.sub(r"^title.*$", f"title = '{TITLE}'", experiment.read_text(), flags=re.M))
+    experiment.write_text(
+        re.sub(r"^title.*$", f"title = '{TITLE}'", experiment.read_text(), flags=re.M)
+    )
     (folder.parent / "secret.txt").write_text("secret")
     with Workbench(folder) as made:
         yield made
@@ -55,13 +57,21 @@ def test_without_the_token_there_is_nothing(workbench: Workbench) -> None:
     for path in ("/", "/page/index.html", "/page/main.js", "/download/script.py", f"/?token={TOKEN}x", "/?token=",
                  f"/page/index.html?token={TOKEN}"):  # fmt: skip
         answer = client.get(path, follow_redirects=False)
-        assert answer.status_code == 403 and TITLE not in answer.text and "set-cookie" not in answer.headers, path
+        assert (
+            answer.status_code == 403
+            and TITLE not in answer.text
+            and "set-cookie" not in answer.headers
+        ), path
     client.cookies.set("pam_cosim_token_8123", "guess")
     assert client.get("/").status_code == 403
-    assert client.post("/drop?name=a.csv", content=b"x", headers={"Origin": HOME}).status_code == 403
+    assert (
+        client.post("/drop?name=a.csv", content=b"x", headers={"Origin": HOME}).status_code == 403
+    )
 
 
-def test_the_token_becomes_a_cookie_that_no_script_reads_and_leaves_the_address(workbench: Workbench) -> None:
+def test_the_token_becomes_a_cookie_that_no_script_reads_and_leaves_the_address(
+    workbench: Workbench,
+) -> None:
     answer = stranger(workbench).get(f"/?token={TOKEN}", follow_redirects=False)
     assert answer.status_code == 303 and answer.headers["location"] == "/"
     cookie = answer.headers["set-cookie"].lower()
@@ -73,22 +83,31 @@ def test_the_page_may_load_nothing_from_outside(client: TestClient) -> None:
     for path in ("/", "/page/index.html"):
         policy = client.get(path).headers["content-security-policy"]
         assert "default-src 'self'" in policy and "unsafe" not in policy and "*" not in policy
-        assert "connect-src 'self' ws://127.0.0.1:8123" in policy and "frame-ancestors 'none'" in policy
+        assert (
+            "connect-src 'self' ws://127.0.0.1:8123" in policy
+            and "frame-ancestors 'none'" in policy
+        )
     assert client.get("/").headers["x-content-type-options"] == "nosniff"
     for name in ("style.css", "main.js"):
         assert client.get(f"/page/{name}").status_code == 200
 
 
-@pytest.mark.parametrize("host", ["evil.example", "evil.example:8123", "127.0.0.1.evil.example", "127.0.0.1:9999", ""])
+@pytest.mark.parametrize(
+    "host", ["evil.example", "evil.example:8123", "127.0.0.1.evil.example", "127.0.0.1:9999", ""]
+)
 def test_another_name_of_the_host_is_refused(client: TestClient, host: str) -> None:
     """As after DNS rebinding: the browser believes that it talks to another site."""
     assert client.get("/", headers={"Host": host}).status_code == 403
-    with pytest.raises(WebSocketDisconnect), client.websocket_connect(SOCKET, headers={"Host": host}):
+    with (
+        pytest.raises(WebSocketDisconnect),
+        client.websocket_connect(SOCKET, headers={"Host": host}),
+    ):
         pass
 
 
 @pytest.mark.parametrize(
-    "origin", ["http://evil.example", "null", "http://127.0.0.1:9999", "https://127.0.0.1:8123", None]
+    "origin",
+    ["http://evil.example", "null", "http://127.0.0.1:9999", "https://127.0.0.1:8123", None],
 )
 def test_a_page_of_another_site_is_refused(client: TestClient, origin: str | None) -> None:
     headers = {} if origin is None else {"Origin": origin}
@@ -105,7 +124,11 @@ def test_a_page_of_another_site_is_refused(client: TestClient, origin: str | Non
 )  # fmt: skip
 def test_no_other_file_is_given_away(client: TestClient, path: str) -> None:
     answer = client.get(path)
-    assert answer.status_code in (400, 404) and "secret" not in answer.text and "import" not in answer.text
+    assert (
+        answer.status_code in (400, 404)
+        and "secret" not in answer.text
+        and "import" not in answer.text
+    )
 
 
 def hello(client: TestClient):  # noqa: ANN201 - a context manager of the test client
@@ -123,7 +146,9 @@ def until(socket, event: str) -> dict:  # noqa: ANN001
 def test_a_window_is_told_the_study_and_answered(client: TestClient) -> None:
     with hello(client) as socket:
         study = until(socket, "study")
-        assert study["title"] == TITLE and study["state"] == "open"  # text; the page shows it as such
+        assert (
+            study["title"] == TITLE and study["state"] == "open"
+        )  # text; the page shows it as such
         socket.send_text(json.dumps({"id": 7, "do": "set", "values": {"valve.C_A": 0.7}}))
         answer = until(socket, "answer")
         assert answer["id"] == 7 and answer["failed"] is None and answer["version"] >= 1
@@ -181,7 +206,9 @@ def test_the_command_serves_this_machine_alone_and_ends_with_an_interrupt(record
     import urllib.request
 
     command = [sys.executable, "-m", "pam_cosim", "workbench", str(recorded), "--no-browser"]
-    with subprocess.Popen(command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True) as server:
+    with subprocess.Popen(
+        command, stderr=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as server:
         assert server.stderr is not None
         line = next(line for line in server.stderr if "http://" in line)
         address = re.search(r"http://127\.0\.0\.1:(\d+)/\?token=\S+", line)
@@ -191,7 +218,11 @@ def test_the_command_serves_this_machine_alone_and_ends_with_an_interrupt(record
         assert refused.value.code == 403
         listening = Path(f"/proc/{server.pid}/net/tcp").read_text()
         port = f"{int(address.group(1)):04X}"
-        places = [row.split()[1] for row in listening.splitlines()[1:] if row.split()[1].endswith(f":{port}")]
+        places = [
+            row.split()[1]
+            for row in listening.splitlines()[1:]
+            if row.split()[1].endswith(f":{port}")
+        ]
         assert places and all(place.startswith("0100007F") for place in places)
         server.send_signal(signal.SIGINT)
         assert server.wait(60) in (0, 130)

@@ -24,20 +24,27 @@ def compared(comparison: pam.Diagnosis | object, role: str) -> dict[str, float]:
     return {name: s.rmse * factor[name] for name, s in comparison.scores[role].items()}  # type: ignore[attr-defined]
 
 
-def test_a_slider_moves_curves_and_errors_as_the_public_call_says(window: Window, recorded: Path) -> None:
+def test_a_slider_moves_curves_and_errors_as_the_public_call_says(
+    window: Window, recorded: Path
+) -> None:
     measured = next(arrays for header, arrays in window.frames if header["kind"] == "measured")
     before = next(arrays for header, arrays in window.frames if header["kind"] == "model")
     window.do(do="set", values={"valve.C_A": 0.71})
     header, after = [frame for frame in window.frames if frame[0]["kind"] == "model"][-1]
     comparison = pam.compare(pam.read(recorded), parameters={"valve.C_A": 0.71})
     for role in ("fit", "holdout"):
-        assert rms(window.last("scores")["scores"], role) == pytest.approx(compared(comparison, role), rel=1e-12)
+        assert rms(window.last("scores")["scores"], role) == pytest.approx(
+            compared(comparison, role), rel=1e-12
+        )
     for run in comparison.runs:
         x = run.model["x"] * 1e3
         np.testing.assert_allclose(after[run.run.name, "x", "values"], x, rtol=1e-6, atol=1e-6)
         residual = measured[run.run.name, "x", "values"] - after[run.run.name, "x", "values"]
         np.testing.assert_allclose(after[run.run.name, "x", "residual"], residual, atol=1e-4)
-        assert np.abs(after[run.run.name, "p", "values"] - before[run.run.name, "p", "values"]).max() > 0.1
+        assert (
+            np.abs(after[run.run.name, "p", "values"] - before[run.run.name, "p", "values"]).max()
+            > 0.1
+        )
     assert header["version"] == window.last("scores")["version"]
     assert window.last("scores")["values"]["valve.C_A"] == 0.71
 
@@ -104,7 +111,12 @@ def test_what_cannot_be_done_is_refused_and_changes_nothing(window: Window, comm
 def test_an_effect_is_a_switch_with_sliders_of_its_own(window: Window, recorded: Path) -> None:
     shown = {e["name"]: e for e in window.last("study")["effects"]}
     bladder = shown["LinearBladder"]
-    assert not bladder["on"] and bladder["fits"] and "=" in bladder["equation"] and bladder["fingerprint"]
+    assert (
+        not bladder["on"]
+        and bladder["fits"]
+        and "=" in bladder["equation"]
+        and bladder["fingerprint"]
+    )
     window.do(do="set", values={"valve.C_A": 0.71})
     window.do(do="switch", effects=["LinearBladder"])
     study = window.last("study")
@@ -117,13 +129,17 @@ def test_an_effect_is_a_switch_with_sliders_of_its_own(window: Window, recorded:
     window.do(do="undo")
     assert window.last("study")["with_effects"] == "base model"
     comparison = pam.compare(pam.read(recorded), parameters={"valve.C_A": 0.71})
-    assert rms(window.last("scores")["scores"], "fit") == pytest.approx(compared(comparison, "fit"), rel=1e-12)
+    assert rms(window.last("scores")["scores"], "fit") == pytest.approx(
+        compared(comparison, "fit"), rel=1e-12
+    )
 
 
 def test_a_second_window_shows_the_same(window: Window) -> None:
     window.do(do="set", values={"valve.C_A": 0.66})
     other = Window(window.session)
-    assert other.last("scores") == window.last("scores") and other.last("steps") == window.last("steps")
+    assert other.last("scores") == window.last("scores") and other.last("steps") == window.last(
+        "steps"
+    )
     value = {p["name"]: p["value"] for p in other.last("study")["parameters"]}["valve.C_A"]
     assert value == pytest.approx(0.66)
     assert {header["kind"] for header, _ in other.frames} == {"measured", "model"}
@@ -153,10 +169,15 @@ def test_rules_say_where_the_error_is(window: Window) -> None:
 
 def test_roles_are_changed_for_the_study(window: Window, recorded: Path) -> None:
     window.do(do="roles", roles={"run-02": "fit"})
-    assert {r["name"]: r["role"] for r in window.last("study")["runs"]} == {"run-01": "fit", "run-02": "fit"}
+    assert {r["name"]: r["role"] for r in window.last("study")["runs"]} == {
+        "run-01": "fit",
+        "run-02": "fit",
+    }
     assert window.last("scores")["scores"]["holdout"] == {}
     comparison = pam.compare(pam.read(recorded, roles={"run-02": "fit"}))
-    assert rms(window.last("scores")["scores"], "fit") == pytest.approx(compared(comparison, "fit"), rel=1e-12)
+    assert rms(window.last("scores")["scores"], "fit") == pytest.approx(
+        compared(comparison, "fit"), rel=1e-12
+    )
 
 
 def test_two_studies_do_not_mix(window: Window, recorded: Path) -> None:

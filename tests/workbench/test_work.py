@@ -24,20 +24,28 @@ def shared(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Session]:
         yield session
 
 
-def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(window: Window, shared: Session) -> None:
+def test_a_fit_is_that_of_the_public_call_and_is_seen_coming_down(
+    window: Window, shared: Session
+) -> None:
     window.do(do="set", values={"valve.C_A": 0.6})
     end = window.work(do="fit")
     assert end["end"] == "done"
     fit = pam.fit(pam.read(shared.folder), start={"valve.C_A": 0.6})
     assert shared.state.values == fit.values
     progress = window.of("progress")
-    assert progress and progress[0]["rms"]["x"] > progress[-1]["rms"]["x"] and "valve.C_A" in progress[-1]["values"]
+    assert (
+        progress
+        and progress[0]["rms"]["x"] > progress[-1]["rms"]["x"]
+        and "valve.C_A" in progress[-1]["values"]
+    )
     shown = {p["name"]: p for p in window.last("study")["parameters"]}["valve.C_A"]
     assert shown["low95"] < shown["value"] < shown["high95"] and " to " in shown["text"]
     assert [r["label"] for r in window.last("scores")["ladder"]][-1] == "base model, fitted"
 
 
-def test_a_fit_that_is_asked_for_while_its_process_prepares_comes_after_that(window: Window, shared: Session) -> None:
+def test_a_fit_that_is_asked_for_while_its_process_prepares_comes_after_that(
+    window: Window, shared: Session
+) -> None:
     """What was prepared is what it needs: it builds nothing."""
     shared.prepare()
     shared.prepare()
@@ -49,10 +57,14 @@ def test_some_are_fitted_and_the_others_held(window: Window, shared: Session) ->
     window.do(do="set", values={"muscle.mu_fb": 0.02})
     window.work(do="fit", free=["valve.C_A"])
     fit = pam.fit(pam.read(shared.folder), free=["valve.C_A"], start={"muscle.mu_fb": 0.02})
-    assert shared.state.values == {"muscle.mu_fb": 0.02, **fit.values} and list(fit.values) == ["valve.C_A"]
+    assert shared.state.values == {"muscle.mu_fb": 0.02, **fit.values} and list(fit.values) == [
+        "valve.C_A"
+    ]
 
 
-def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(window: Window, shared: Session) -> None:
+def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(
+    window: Window, shared: Session
+) -> None:
     window.forget()
     window.do(do="fit", method="particle-swarm")
     window.until("progress")
@@ -95,12 +107,21 @@ def test_a_diagnosis_goes_on_when_no_window_is_open(window: Window, shared: Sess
     shared.wait()
     later = Window(shared)
     verdict = later.last("verdict")
-    assert verdict["kind"] == "none_missing" and verdict["complete"] and verdict["reason"] and verdict["meaning"]
-    assert [m["text"] for m in later.of("message")][-1] == "what remains is noise: no effect is tried"
+    assert (
+        verdict["kind"] == "none_missing"
+        and verdict["complete"]
+        and verdict["reason"]
+        and verdict["meaning"]
+    )
+    assert [m["text"] for m in later.of("message")][
+        -1
+    ] == "what remains is noise: no effect is tried"
     later.end()
 
 
-def test_what_fails_is_told_in_words_and_the_next_thing_works(window: Window, shared: Session) -> None:
+def test_what_fails_is_told_in_words_and_the_next_thing_works(
+    window: Window, shared: Session
+) -> None:
     assert window.work(do="diagnose", exclude=["no_such_family"])["end"] == "failed"
     assert "no_such_family" in window.last("failed")["text"]
     assert window.work(do="fit")["end"] == "done"
@@ -112,12 +133,17 @@ def test_a_process_that_dies_is_told_and_replaced(window: Window, shared: Sessio
     window.until("progress")
     window.forget()
     shared.worker.wake().kill()
-    assert window.until("idle")["end"] == "failed" and "ended without a word" in window.until("failed")["text"]
+    assert (
+        window.until("idle")["end"] == "failed"
+        and "ended without a word" in window.until("failed")["text"]
+    )
     assert window.work(do="fit")["end"] == "done"
 
 
 @pytest.mark.full
-def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(recorded: Path, tmp_path: Path) -> None:
+def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(
+    recorded: Path, tmp_path: Path
+) -> None:
     import shutil
 
     folder = Path(shutil.copytree(recorded, tmp_path / "my-rig"))
@@ -126,7 +152,9 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(recorded: Pat
         assert window.work(do="diagnose")["end"] == "done"
         tried = window.of("candidate")
         assert tried and any(c["state"] == "fitted" and c["explained"] > 0.9 for c in tried)
-        assert [r["final"] for r in window.of("ranking")].count(True) >= 1 and not window.of("ranking")[0]["final"]
+        assert [r["final"] for r in window.of("ranking")].count(True) >= 1 and not window.of(
+            "ranking"
+        )[0]["final"]
         verdict = window.last("verdict")
         assert verdict["kind"] == "identified" and verdict["families"] == ["elasticity"]
         assert window.last("ledger")["courses"] and window.last("ledger")["sentence"]
@@ -139,7 +167,9 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(recorded: Pat
 
 
 @pytest.mark.full
-def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(shared: Session, window: Window) -> None:
+def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(
+    shared: Session, window: Window
+) -> None:
     import os
 
     def size() -> float:

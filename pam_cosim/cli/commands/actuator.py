@@ -20,19 +20,31 @@ def actuator(
     model: Annotated[str, typer.Argument(help="Shows a pull under pressure, at a contraction.")] = (
         "QuasiStaticIsometric"
     ),
-    pressure: Annotated[str, typer.Option("--pressure", help="Its input and span.")] = "p=0 kPa:300 kPa",
-    contraction: Annotated[str, typer.Option("--contraction", help="Its input and span.")] = "x=0 mm:50 mm",
+    pressure: Annotated[
+        str, typer.Option("--pressure", help="Its input and span.")
+    ] = "p=0 kPa:300 kPa",
+    contraction: Annotated[
+        str, typer.Option("--contraction", help="Its input and span.")
+    ] = "x=0 mm:50 mm",
     force: Annotated[str, typer.Option("--force", help="Its output: the pull.")] = "F",
-    length: Annotated[str, typer.Option("--length", help="Its parameter: the length at no contraction.")] = "muscle.L0",
-    params: Annotated[Path | None, typer.Option("--params", help="Fitted parameters, of 'fit -o'.")] = None,
+    length: Annotated[
+        str, typer.Option("--length", help="Its parameter: the length at no contraction.")
+    ] = "muscle.L0",
+    params: Annotated[
+        Path | None, typer.Option("--params", help="Fitted parameters, of 'fit -o'.")
+    ] = None,
     data: Annotated[
-        Path | None, typer.Option("--data", help="The data set of the fit: what it states of the muscle.")
+        Path | None,
+        typer.Option("--data", help="The data set of the fit: what it states of the muscle."),
     ] = None,
     settings: SetOption = None,
     time_constant: Annotated[
-        str | None, typer.Option("--time-constant", help="In which the pressure follows its command: '50 ms'.")
+        str | None,
+        typer.Option("--time-constant", help="In which the pressure follows its command: '50 ms'."),
     ] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write a scene of MuJoCo (.xml).")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write a scene of MuJoCo (.xml).")
+    ] = None,
     files: FilesOption = None,
 ) -> None:
     """A muscle as an actuator of MuJoCo, with its error against the model."""
@@ -45,7 +57,12 @@ def actuator(
     stated = study.read(data, files=files or []).parameters if data else {}
     known = {name: value for name, value in stated.items() if name in interface.parameters}
     fitted = read_fitted_model(params) if params else FittedModel("", (), {})
-    values: dict[str, float | str] = {**known, **fitted.constants, **fitted.of_the_model, **parse_pairs(settings or [])}
+    values: dict[str, float | str] = {
+        **known,
+        **fitted.constants,
+        **fitted.of_the_model,
+        **parse_pairs(settings or []),
+    }
     (p, pressures), (x, contractions) = spans.items()
     made = study.actuator(
         model,

@@ -22,19 +22,28 @@ from pam_cosim.errors import InputError
 
 def add(
     output: Annotated[Path, typer.Option("--output", "-o", help="The Modelica file to write.")],
-    effects: Annotated[list[str] | None, typer.Argument(help="Effects, by the names in 'pam-cosim effects'.")] = None,
+    effects: Annotated[
+        list[str] | None, typer.Argument(help="Effects, by the names in 'pam-cosim effects'.")
+    ] = None,
     to: Annotated[
         str | None,
-        typer.Option("--to", help="The model: a bench, a Modelica class or a .mo file; default: that of --from."),
+        typer.Option(
+            "--to",
+            help="The model: a bench, a Modelica class or a .mo file; default: that of --from.",
+        ),
     ] = None,
     origin: Annotated[
         Path | None,
         typer.Option(
-            "--from", help="Effects and values from a result: of 'diagnose --json', 'fit -o' or a saved product (.npz)."
+            "--from",
+            help="Effects and values from a result: of 'diagnose --json', 'fit -o' or a saved product (.npz).",
         ),
     ] = None,
     learned: Annotated[
-        bool, typer.Option("--learned", help="The model with the learned term of a saved diagnosis (--from .npz).")
+        bool,
+        typer.Option(
+            "--learned", help="The model with the learned term of a saved diagnosis (--from .npz)."
+        ),
     ] = False,
     settings: SetOption = None,
     files: FilesOption = None,
@@ -43,13 +52,17 @@ def add(
     if bool(effects) == bool(origin):
         raise InputError("name effects, or a result with --from FILE; one of the two")
     if learned and (origin is None or origin.suffix != ".npz"):
-        raise InputError("--learned is of a diagnosis that 'diagnose --save' kept: name it with --from FILE.npz")
+        raise InputError(
+            "--learned is of a diagnosis that 'diagnose --save' kept: name it with --from FILE.npz"
+        )
     if origin is None and to is None:
         raise InputError("name the model that the effects are added to: --to MODEL")
     check_model_file(output)
     check_results(output, sources=[to, origin, *(files or [])])
     values = parse_pairs(settings or [])
-    text = study.add(origin or effects or [], to, output, values=values, files=files or [], learned=learned)
+    text = study.add(
+        origin or effects or [], to, output, values=values, files=files or [], learned=learned
+    )
     typer.echo(text, nl=False)
     say_written(output)
     say_used_with(files or [])

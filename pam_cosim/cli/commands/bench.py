@@ -19,14 +19,27 @@ from pam_cosim.errors import InputError
 
 
 def bench(
-    pneumatics: Annotated[str | None, typer.Option("--pneumatics", help="What feeds the muscle.")] = None,
-    mechanics: Annotated[str | None, typer.Option("--mechanics", help="What holds its load end.")] = None,
-    muscle: Annotated[str | None, typer.Option("--muscle", help="The muscle; default: the usual one.")] = None,
-    measure: Annotated[
-        str | None, typer.Option("--measure", help='Signals that are read: "p,x,F"; default: what such a rig reads.')
+    pneumatics: Annotated[
+        str | None, typer.Option("--pneumatics", help="What feeds the muscle.")
     ] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="The Modelica file to write.")] = None,
-    static: Annotated[bool, typer.Option("--static", help="For points at rest and their branches.")] = False,
+    mechanics: Annotated[
+        str | None, typer.Option("--mechanics", help="What holds its load end.")
+    ] = None,
+    muscle: Annotated[
+        str | None, typer.Option("--muscle", help="The muscle; default: the usual one.")
+    ] = None,
+    measure: Annotated[
+        str | None,
+        typer.Option(
+            "--measure", help='Signals that are read: "p,x,F"; default: what such a rig reads.'
+        ),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="The Modelica file to write.")
+    ] = None,
+    static: Annotated[
+        bool, typer.Option("--static", help="For points at rest and their branches.")
+    ] = False,
     listing: Annotated[bool, typer.Option("--list", help="Say what parts there are.")] = False,
     files: FilesOption = None,
 ) -> None:
@@ -36,15 +49,24 @@ def bench(
     if pneumatics is None or mechanics is None or output is None:
         needed = {"--pneumatics": pneumatics, "--mechanics": mechanics, "-o FILE.mo": output}
         missing = " and ".join(name for name, value in needed.items() if value is None)
-        raise InputError(f"a bench needs {missing}; 'pam-cosim bench --list' says what parts there are")
+        raise InputError(
+            f"a bench needs {missing}; 'pam-cosim bench --list' says what parts there are"
+        )
     check_results(output, sources=files or [])
     if output.suffix != ".mo":
         raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
-    typer.echo(study.bench(pneumatics, mechanics, muscle, measure, output, static=static, files=files or []), nl=False)
+    typer.echo(
+        study.bench(
+            pneumatics, mechanics, muscle, measure, output, static=static, files=files or []
+        ),
+        nl=False,
+    )
     say_written(output)
     if files:
         words = " ".join(f"--file {quote(str(file))}" for file in files)
-        console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
+        console.print(
+            f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True
+        )
     return None
 
 
@@ -54,6 +76,11 @@ def _list(parts: list[BenchPart]) -> None:
         for part in parts:
             if part.role == role:
                 name = f"{part.name} (usual)" if part.usual else part.name
-                cells = (name, ", ".join(part.inputs), ", ".join(part.signals), ", ".join(part.parameters))
+                cells = (
+                    name,
+                    ", ".join(part.inputs),
+                    ", ".join(part.signals),
+                    ", ".join(part.parameters),
+                )
                 table.add_row(*map(escape, cells), escape(part.description))
         Console(width=None if sys.stdout.isatty() else 160).print(table)

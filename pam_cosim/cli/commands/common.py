@@ -30,7 +30,9 @@ results: dict[Path, object] = {}  # files that the command is to write, and what
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
 console = Console(stderr=True, highlight=False)
 
-ModelOption = Annotated[str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")]
+ModelOption = Annotated[
+    str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")
+]
 InputOption = Annotated[
     str | None,
     typer.Option(
@@ -39,34 +41,54 @@ InputOption = Annotated[
     ),
 ]
 FilesOption = Annotated[
-    list[Path] | None, typer.Option("--file", help="A .mo file or the folder of a package: own effects, rigs, library.")
+    list[Path] | None,
+    typer.Option(
+        "--file", help="A .mo file or the folder of a package: own effects, rigs, library."
+    ),
 ]
-JsonOption = Annotated[Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")]
-ReportOption = Annotated[Path | None, typer.Option("--report", help="Write a self-contained HTML report.")]
+JsonOption = Annotated[
+    Path | None, typer.Option("--json", help="Write the result as JSON, SI units.")
+]
+ReportOption = Annotated[
+    Path | None, typer.Option("--report", help="Write a self-contained HTML report.")
+]
 SetOption = Annotated[
     list[str] | None,
-    typer.Option("--set", help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.'),
+    typer.Option(
+        "--set",
+        help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.',
+    ),
 ]
 RoleOption = Annotated[
     list[str] | None,
-    typer.Option("--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."),
+    typer.Option(
+        "--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."
+    ),
 ]
 CutOption = Annotated[
     list[str] | None,
-    typer.Option("--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "*": of all runs.'),
+    typer.Option(
+        "--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "*": of all runs.'
+    ),
 ]
 BeginOption = Annotated[
     list[str] | None,
-    typer.Option("--begin", help="RUN=rest, steady, measured or estimated: how it begins; '*': all runs."),
+    typer.Option(
+        "--begin", help="RUN=rest, steady, measured or estimated: how it begins; '*': all runs."
+    ),
 ]
 FreeOption = Annotated[
     list[str] | None,
-    typer.Option("--free", help="Fit this parameter, and only those named so: of the data set, or with bounds."),
+    typer.Option(
+        "--free",
+        help="Fit this parameter, and only those named so: of the data set, or with bounds.",
+    ),
 ]
 StartOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--start", help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins."
+        "--start",
+        help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins.",
     ),
 ]
 TimeoutOption = Annotated[
@@ -78,15 +100,23 @@ TimeoutOption = Annotated[
     ),
 ]
 KeepOption = Annotated[
-    list[str] | None, typer.Option("--keep", help="A variable to keep beside the model's outputs; may be repeated.")
+    list[str] | None,
+    typer.Option("--keep", help="A variable to keep beside the model's outputs; may be repeated."),
 ]
-Data = Annotated[Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")]
+Data = Annotated[
+    Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")
+]
 DataOrFmu = Annotated[
-    Path, typer.Argument(help="Folder of a data set, what 'diagnose --save' wrote, or an .fmu of 'build --with-data'.")
+    Path,
+    typer.Argument(
+        help="Folder of a data set, what 'diagnose --save' wrote, or an .fmu of 'build --with-data'."
+    ),
 ]
 
 
-def check_results(*outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False) -> None:
+def check_results(
+    *outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False
+) -> None:
     """Finds out before long work that the results can be written, and that nothing else is lost by that."""
     named = [path for path in outputs if path is not None]
     for path in named:
@@ -111,7 +141,9 @@ def say_used_with(files: Iterable[Path]) -> None:
     """Says what a written model is to be used together with."""
     words = " ".join(f"--file {quote(str(file))}" for file in files)
     if words:
-        console.print(f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True)
+        console.print(
+            f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True
+        )
 
 
 def read_data(

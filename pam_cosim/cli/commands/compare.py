@@ -40,14 +40,22 @@ def compare(
     data: DataOrFmu,
     model: ModelOption = None,
     params: Annotated[
-        Path | None, typer.Option(help="Fitted parameters: of 'fit -o', 'diagnose --json', or a saved product.")
+        Path | None,
+        typer.Option(help="Fitted parameters: of 'fit -o', 'diagnose --json', or a saved product."),
     ] = None,
-    against: Annotated[list[Path] | None, typer.Option(help="Earlier 'compare --json' results.")] = None,
+    against: Annotated[
+        list[Path] | None, typer.Option(help="Earlier 'compare --json' results.")
+    ] = None,
     table: Annotated[
         tuple[str, str] | None,
-        typer.Option(help="Scores by two parameters of the runs, such as load.m frequency.", metavar="ROWS COLUMNS"),
+        typer.Option(
+            help="Scores by two parameters of the runs, such as load.m frequency.",
+            metavar="ROWS COLUMNS",
+        ),
     ] = None,
-    table_csv: Annotated[Path | None, typer.Option(help="Write that table as CSV, SI units.")] = None,
+    table_csv: Annotated[
+        Path | None, typer.Option(help="Write that table as CSV, SI units.")
+    ] = None,
     table_plot: Annotated[Path | None, typer.Option(help="Draw that table as PNG.")] = None,
     json: JsonOption = None,
     report: ReportOption = None,
@@ -60,7 +68,9 @@ def compare(
 ) -> None:
     """How far a model is from a measurement, and where."""
     if table is None and (table_csv or table_plot):
-        raise InputError("--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs")
+        raise InputError(
+            "--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs"
+        )
     files, against = files or [], against or []
     check_results(json, report, table_csv, table_plot, sources=[model, params, *against, *files])
     fitted = _values_of(params, model) if params else {}
@@ -72,7 +82,9 @@ def compare(
         comparison = _with_evidence(data, model, fitted, chosen, files, timeout)
     else:
         read = read_data(data, model, files, roles, cuts, begins)
-        comparison = study.compare(read, model, _together(read, fitted, chosen), files=files, timeout=timeout)
+        comparison = study.compare(
+            read, model, _together(read, fitted, chosen), files=files, timeout=timeout
+        )
         typer.echo(str(comparison))
     for line in against_lines(comparison, earlier):
         typer.echo(line)
@@ -89,7 +101,9 @@ def _tables(comparison: Comparison, parameters: tuple[str, str]) -> list[Conditi
     return tables
 
 
-def _write(comparison: Comparison, tables: Sequence[ConditionTable], json: Path | None, report: Path | None) -> None:
+def _write(
+    comparison: Comparison, tables: Sequence[ConditionTable], json: Path | None, report: Path | None
+) -> None:
     if json:
         further = {"tables": [one.as_dict() for one in tables]} if tables else {}
         write_json(json, comparison.as_dict() | further)
@@ -121,14 +135,18 @@ def _with_evidence(
     typer.echo(f"{carried}\n")
     known = {**carried.values, **fitted} if model is None else fitted
     values = _together(carried.data, known, chosen)
-    comparison = study.compare(carried.data, model or str(fmu), values, files=files, timeout=timeout)
+    comparison = study.compare(
+        carried.data, model or str(fmu), values, files=files, timeout=timeout
+    )
     typer.echo(str(comparison))
     if model in (None, str(fmu)) and not fitted and not chosen:
         typer.echo(_repeated(carried.deviation(comparison)))
     return comparison
 
 
-def _together(data: DataSet, fitted: Mapping[str, float], chosen: Mapping[str, str]) -> dict[str, float | str]:
+def _together(
+    data: DataSet, fitted: Mapping[str, float], chosen: Mapping[str, str]
+) -> dict[str, float | str]:
     """Values of a file, but for what a run states, and those that are set."""
     stated = {name for run in data.runs for name in run.parameters}
     return {**{name: value for name, value in fitted.items() if name not in stated}, **chosen}

@@ -31,28 +31,53 @@ _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
 
 
 def couple(
-    system: Annotated[Path, typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0 or 2.0.")],
+    system: Annotated[
+        Path,
+        typer.Argument(help="SYSTEM.toml as a person writes it, or SYSTEM.ssp of SSP 1.0 or 2.0."),
+    ],
     method: Annotated[str, typer.Option(help="jacobi or gauss-seidel.")] = "gauss-seidel",
-    step: Annotated[str | None, typer.Option(help='Between communication points, such as "1 ms".')] = None,
-    adaptive: Annotated[bool, typer.Option("--adaptive", help="Choose steps by their error.")] = False,
-    tolerance: Annotated[float | None, typer.Option(help="Relative error of a step; means --adaptive.")] = None,
-    extrapolation: Annotated[str, typer.Option(help="Of an output over a step: constant or linear.")] = "linear",
-    loops: Annotated[str, typer.Option(help="Algebraic loops: refuse, iterate, or delay.")] = "refuse",
+    step: Annotated[
+        str | None, typer.Option(help='Between communication points, such as "1 ms".')
+    ] = None,
+    adaptive: Annotated[
+        bool, typer.Option("--adaptive", help="Choose steps by their error.")
+    ] = False,
+    tolerance: Annotated[
+        float | None, typer.Option(help="Relative error of a step; means --adaptive.")
+    ] = None,
+    extrapolation: Annotated[
+        str, typer.Option(help="Of an output over a step: constant or linear.")
+    ] = "linear",
+    loops: Annotated[
+        str, typer.Option(help="Algebraic loops: refuse, iterate, or delay.")
+    ] = "refuse",
     stop_time: Annotated[str | None, typer.Option(help='End of the run, such as "2 s".')] = None,
     settings: SetOption = None,
-    inputs: Annotated[Path | None, typer.Option("--input", help="CSV with columns: component.input [unit].")] = None,
+    inputs: Annotated[
+        Path | None, typer.Option("--input", help="CSV with columns: component.input [unit].")
+    ] = None,
     controllers: Annotated[
-        list[str] | None, typer.Option("--controller", help="NAME=FILE.py:FUNCTION: a pam.controller as a component.")
+        list[str] | None,
+        typer.Option(
+            "--controller", help="NAME=FILE.py:FUNCTION: a pam.controller as a component."
+        ),
     ] = None,
     samples: Annotated[
-        list[str] | None, typer.Option("--sample", help='NAME="10 ms": an FMU that acts at samples, as a controller.')
+        list[str] | None,
+        typer.Option(
+            "--sample", help='NAME="10 ms": an FMU that acts at samples, as a controller.'
+        ),
     ] = None,
     keep: KeepOption = None,
     formerly: Annotated[list[str] | None, typer.Option("--observe", hidden=True)] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")
+    ] = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
     ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
-    ssp_version: Annotated[str, typer.Option("--ssp-version", help="Of that archive: 1.0 or 2.0.")] = "1.0",
+    ssp_version: Annotated[
+        str, typer.Option("--ssp-version", help="Of that archive: 1.0 or 2.0.")
+    ] = "1.0",
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -94,7 +119,9 @@ def _tell(run: CoupledRun) -> None:
     """A line for each variable: between which values it lies, and where it ends."""
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
-        low, high, last = (format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1]))
+        low, high, last = (
+            format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1])
+        )
         typer.echo(f"{name}: from {low} to {high}, at the end {last}")
     typer.echo(repr(run))
 

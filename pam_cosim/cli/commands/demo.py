@@ -19,9 +19,9 @@ catalogue does not know. The model is refitted, its failure is shown, and the mi
 
 
 def demo(
-    folder: Annotated[Path, typer.Argument(help="Where recordings and results go; made if needed.")] = Path(
-        "pam-cosim-demo"
-    ),
+    folder: Annotated[
+        Path, typer.Argument(help="Where recordings and results go; made if needed.")
+    ] = Path("pam-cosim-demo"),
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
 ) -> None:
     """Diagnose recordings that come along: see the verdict, the page, and the error fall."""
@@ -31,7 +31,9 @@ def demo(
     begin = time.perf_counter()
     typer.echo(f"{TITLE}\n")
     with console.status("refitting the base model") as status:
-        shown = demonstration.demonstrate(data, folder, say=teller(status), progress=follower(status), workers=workers)
+        shown = demonstration.demonstrate(
+            data, folder, say=teller(status), progress=follower(status), workers=workers
+        )
     typer.echo(diagnosis_text(shown.diagnosis))
     typer.echo(f"\n--- the model of the data set, as it was\n{shown.before}")
     typer.echo(f"\n--- the model with what was found, {shown.model}\n{shown.after}\n")

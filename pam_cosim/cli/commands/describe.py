@@ -13,7 +13,9 @@ from pam_cosim.simulation import models
 def describe(
     model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
     files: FilesOption = None,
-    every: Annotated[bool, typer.Option("--all", help="Also every variable inside, which --keep can keep.")] = False,
+    every: Annotated[
+        bool, typer.Option("--all", help="Also every variable inside, which --keep can keep.")
+    ] = False,
 ) -> None:
     """Inputs, outputs and parameters of a model, with units, defaults and ranges."""
     interface = models.describe(model, files or [])
@@ -21,4 +23,6 @@ def describe(
     if every:
         typer.echo("variables inside:")
         for variable in interface.locals.values():
-            typer.echo(f"  {variable.name} [{variable.unit or '1'}] {variable.description}".rstrip())
+            typer.echo(
+                f"  {variable.name} [{variable.unit or '1'}] {variable.description}".rstrip()
+            )

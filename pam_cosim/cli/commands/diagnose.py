@@ -43,18 +43,31 @@ def diagnose(
     model: ModelOption = None,
     output: Annotated[
         Path | None,
-        typer.Option("--output", "-o", help="Write the model with its effects and fitted values as Modelica (.mo)."),
+        typer.Option(
+            "--output",
+            "-o",
+            help="Write the model with its effects and fitted values as Modelica (.mo).",
+        ),
     ] = None,
     save: Annotated[
-        Path | None, typer.Option(help="Save all of it, with the samples that were judged (.npz); pam.load reads it.")
+        Path | None,
+        typer.Option(
+            help="Save all of it, with the samples that were judged (.npz); pam.load reads it."
+        ),
     ] = None,
     json: JsonOption = None,
     report: ReportOption = None,
     following: Annotated[
-        Path | None, typer.Option("--next", help="Write the next experiment's inputs as CSV, if there is one to make.")
+        Path | None,
+        typer.Option(
+            "--next", help="Write the next experiment's inputs as CSV, if there is one to make."
+        ),
     ] = None,
     learned: Annotated[
-        Path | None, typer.Option("--learned", help="Write the formula for what no effect explains as Modelica.")
+        Path | None,
+        typer.Option(
+            "--learned", help="Write the formula for what no effect explains as Modelica."
+        ),
     ] = None,
     free: FreeOption = None,
     start: StartOption = None,
@@ -64,12 +77,18 @@ def diagnose(
     files: FilesOption = None,
     workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
     time_limit: Annotated[
-        str | None, typer.Option(help="End the search after so long ('30 s') with the best verdict so far.")
+        str | None,
+        typer.Option(help="End the search after so long ('30 s') with the best verdict so far."),
     ] = None,
     exclude: Annotated[
-        list[str] | None, typer.Option(help="A family or an effect that is known not to be missing; may be repeated.")
+        list[str] | None,
+        typer.Option(
+            help="A family or an effect that is known not to be missing; may be repeated."
+        ),
     ] = None,
-    expect: Annotated[list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")] = None,
+    expect: Annotated[
+        list[str] | None, typer.Option(help="One that is likely to be missing; may be repeated.")
+    ] = None,
 ) -> None:
     """Find the physical effect that the model lacks."""
     files = files or []
@@ -118,20 +137,34 @@ def _check_endings(output: Path | None, learned: Path | None, save: Path | None)
         raise InputError("a diagnosis is saved as .npz: name a file that ends so", save)
 
 
-def _say_model(diagnosis: Diagnosis, data: Path, save: Path | None, output: Path, files: Sequence[Path]) -> None:
+def _say_model(
+    diagnosis: Diagnosis, data: Path, save: Path | None, output: Path, files: Sequence[Path]
+) -> None:
     """Names the model that was written, and the command that shows its errors."""
     say_written(output)
     changes = diagnosis.changes_of_data
     if changes and save is not None:
         data, changes = save, ()
     further = [f"--file {quote(str(file))}" for file in files]
-    values = [f"--set {quote(f'{name}={value!r}')}" for name, value in fitted_model(diagnosis).of_the_data.items()]
-    words = ["pam-cosim compare", quote(str(data)), "--model", quote(str(output)), *further, *values]
+    values = [
+        f"--set {quote(f'{name}={value!r}')}"
+        for name, value in fitted_model(diagnosis).of_the_data.items()
+    ]
+    words = [
+        "pam-cosim compare",
+        quote(str(data)),
+        "--model",
+        quote(str(output)),
+        *further,
+        *values,
+    ]
     typer.echo(f"compare it: {' '.join(words)}")
     for change in changes:
         typer.echo(f"  the verdict's numbers differ: {change}")
     if changes:
-        typer.echo("  with --save FILE.npz the samples are kept as they were judged, and compare takes that file")
+        typer.echo(
+            "  with --save FILE.npz the samples are kept as they were judged, and compare takes that file"
+        )
 
 
 def _write_next(diagnosis: Diagnosis, following: Path | None, files: Sequence[Path]) -> None:
@@ -146,7 +179,9 @@ def _write_next(diagnosis: Diagnosis, following: Path | None, files: Sequence[Pa
     elif diagnosis.next_experiment is not None:
         write_next_run(following, diagnosis.next_experiment)
     else:
-        typer.echo(f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written")
+        typer.echo(
+            f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written"
+        )
         return
     say_written(following)
 
@@ -156,7 +191,9 @@ def _write_learned(diagnosis: Diagnosis, learned: Path | None) -> None:
     if learned is None:
         return
     if diagnosis.learned is None:
-        typer.echo(f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written")
+        typer.echo(
+            f"nothing was learned: the verdict is {diagnosis.verdict.kind}; {learned} is not written"
+        )
     else:
         write_text(learned, diagnosis.learned.term.modelica_source)
         say_written(learned)

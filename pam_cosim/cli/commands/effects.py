@@ -22,7 +22,9 @@ def effects(files: FilesOption = None) -> None:
     """The catalogue of effects."""
     listed = study.effects(files or [])
     for library in dict.fromkeys(e.library for e in listed):
-        table = Table("family", "effect", "balance", _PARAMETERS, "what it is", title=escape(library))
+        table = Table(
+            "family", "effect", "balance", _PARAMETERS, "what it is", title=escape(library)
+        )
         for e in listed:
             if e.library == library:
                 cells = (e.family, e.name, e.balance, ", ".join(_parameters(e)), e.description)

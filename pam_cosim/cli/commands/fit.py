@@ -33,22 +33,38 @@ def fit(
     data: Data,
     model: ModelOption = None,
     method: Annotated[
-        str, typer.Option(help="How to search. " + "; ".join(f"{name}: {summary(name)}" for name in METHODS) + ".")
+        str,
+        typer.Option(
+            help="How to search. " + "; ".join(f"{name}: {summary(name)}" for name in METHODS) + "."
+        ),
     ] = FitOptions.method,
     starts: Annotated[
-        int, typer.Option(help="Points spread over the bounds for multi-start, each followed to its end.")
+        int,
+        typer.Option(
+            help="Points spread over the bounds for multi-start, each followed to its end."
+        ),
     ] = 0,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the parameters (.json, .ssv).")
+    ] = None,
     json: JsonOption = None,
     plot: Annotated[
-        Path | None, typer.Option(help="Draw how the fit came down, where descents ended, and correlations as PNG.")
+        Path | None,
+        typer.Option(
+            help="Draw how the fit came down, where descents ended, and correlations as PNG."
+        ),
     ] = None,
     profile: Annotated[
-        Path | None, typer.Option(help="Find how well each parameter is determined, and draw the profiles as PNG.")
+        Path | None,
+        typer.Option(
+            help="Find how well each parameter is determined, and draw the profiles as PNG."
+        ),
     ] = None,
     resume: Annotated[
         Path | None,
-        typer.Option(help="Keep every simulation's outcome here; the same command goes on where it was interrupted."),
+        typer.Option(
+            help="Keep every simulation's outcome here; the same command goes on where it was interrupted."
+        ),
     ] = None,
     free: FreeOption = None,
     start: StartOption = None,
@@ -84,7 +100,9 @@ def fit(
                 model,
                 files=files or [],
                 timeout=timeout,
-                progress=lambda standing: status.update(f"profiles: {standing.evaluations} simulations"),
+                progress=lambda standing: status.update(
+                    f"profiles: {standing.evaluations} simulations"
+                ),
             )
     typer.echo(str(fitted))
     if made:

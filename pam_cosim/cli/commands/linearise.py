@@ -34,16 +34,26 @@ def linearise(
         ),
     ] = None,
     free: Annotated[
-        list[str] | None, typer.Option(help="An input that is found along: --at is then a rest with these values.")
+        list[str] | None,
+        typer.Option(help="An input that is found along: --at is then a rest with these values."),
     ] = None,
     settings: SetOption = None,
-    course: Annotated[Path | None, typer.Option("--input", help="CSV with input columns, for a time of a run.")] = None,
-    by: Annotated[list[str] | None, typer.Option("--by", help="Keep this input; default: all.")] = None,
-    of: Annotated[list[str] | None, typer.Option("--of", help="An output, or any variable; default: outputs.")] = None,
-    states: Annotated[
-        list[str] | None, typer.Option("--state", help="Keep this state, the others follow at once; default: all.")
+    course: Annotated[
+        Path | None, typer.Option("--input", help="CSV with input columns, for a time of a run.")
     ] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the matrices as CSV.")] = None,
+    by: Annotated[
+        list[str] | None, typer.Option("--by", help="Keep this input; default: all.")
+    ] = None,
+    of: Annotated[
+        list[str] | None, typer.Option("--of", help="An output, or any variable; default: outputs.")
+    ] = None,
+    states: Annotated[
+        list[str] | None,
+        typer.Option("--state", help="Keep this state, the others follow at once; default: all."),
+    ] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the matrices as CSV.")
+    ] = None,
     json: JsonOption = None,
     plot: Annotated[Path | None, typer.Option(help="Draw gain, phase and steps as PNG.")] = None,
     files: FilesOption = None,
@@ -52,7 +62,9 @@ def linearise(
     """A, B, C and D of a model about a state, a rest or times of a run."""
     check_results(output, json, plot, sources=[model, course, *(files or [])])
     parameters = parse_pairs(settings or [])
-    inputs = read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
+    inputs = (
+        read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
+    )
     point = parse_point(at or ["rest"])
     if isinstance(point, list) and len(point) > 1:
         if output is not None or by or states:

@@ -20,23 +20,32 @@ from pam_cosim.drafting import NewDataSet
 def new(
     folder: Annotated[Path, typer.Argument(help="The new data set's folder, missing or empty.")],
     recordings: Annotated[
-        list[Path], typer.Argument(help="Recordings: CSV, MATLAB, HDF5, TDMS, Parquet; one run each.")
+        list[Path],
+        typer.Argument(help="Recordings: CSV, MATLAB, HDF5, TDMS, Parquet; one run each."),
     ],
-    title: Annotated[str | None, typer.Option("--title", help="Default: the folder's name.")] = None,
+    title: Annotated[
+        str | None, typer.Option("--title", help="Default: the folder's name.")
+    ] = None,
     model: ModelOption = None,
     muscle: Annotated[
-        str | None, typer.Option("--muscle", help="The muscle, as 'pam-cosim bench --list' names it.")
+        str | None,
+        typer.Option("--muscle", help="The muscle, as 'pam-cosim bench --list' names it."),
     ] = None,
     columns: Annotated[
         list[str] | None,
-        typer.Option("--column", help="NAME=COLUMN or NAME=FORMULA: what an input, an output or time is."),
+        typer.Option(
+            "--column", help="NAME=COLUMN or NAME=FORMULA: what an input, an output or time is."
+        ),
     ] = None,
     parameters: Annotated[
-        list[str] | None, typer.Option("--parameter", help='NAME=VALUE, as "load.m=2.27 kg": known of all runs.')
+        list[str] | None,
+        typer.Option("--parameter", help='NAME=VALUE, as "load.m=2.27 kg": known of all runs.'),
     ] = None,
     recording: Annotated[
         list[str] | None,
-        typer.Option("--recording", help='KEY=VALUE of [recording], as "decimal=," or "interval=1 ms".'),
+        typer.Option(
+            "--recording", help='KEY=VALUE of [recording], as "decimal=," or "interval=1 ms".'
+        ),
     ] = None,
     roles: RoleOption = None,
     files: FilesOption = None,

@@ -22,23 +22,43 @@ from pam_cosim.study import observing
 
 def observe(
     model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
-    recording: Annotated[Path, typer.Argument(help="CSV with input and measured columns: name [unit].")],
-    noise: Annotated[
-        list[str], typer.Option(help='Standard deviation of a signal that is taken as measured, such as "p=0.5 kPa".')
+    recording: Annotated[
+        Path, typer.Argument(help="CSV with input and measured columns: name [unit].")
     ],
-    of: Annotated[list[str] | None, typer.Option("--of", help="Wanted, any variable; default: outputs.")] = None,
+    noise: Annotated[
+        list[str],
+        typer.Option(
+            help='Standard deviation of a signal that is taken as measured, such as "p=0.5 kPa".'
+        ),
+    ],
+    of: Annotated[
+        list[str] | None, typer.Option("--of", help="Wanted, any variable; default: outputs.")
+    ] = None,
     unknown: Annotated[
         list[str] | None,
-        typer.Option(help='An input that nobody measures, "F=5 N,20 N": how uncertain at first, its change in 1 s.'),
+        typer.Option(
+            help='An input that nobody measures, "F=5 N,20 N": how uncertain at first, its change in 1 s.'
+        ),
     ] = None,
     drift: Annotated[
-        list[str] | None, typer.Option(help='What the model does not know of a state in 1 s: "muscle.gas.p=0.1 kPa".')
+        list[str] | None,
+        typer.Option(
+            help='What the model does not know of a state in 1 s: "muscle.gas.p=0.1 kPa".'
+        ),
     ] = None,
-    spread: Annotated[list[str] | None, typer.Option(help="How uncertain a state is at first.")] = None,
-    start: Annotated[str | None, typer.Option(help='Values at the start, such as "p=1 bar, x=20 mm".')] = None,
-    held: Annotated[bool, typer.Option("--held", help="Inputs are held between rows, not joined by lines.")] = False,
+    spread: Annotated[
+        list[str] | None, typer.Option(help="How uncertain a state is at first.")
+    ] = None,
+    start: Annotated[
+        str | None, typer.Option(help='Values at the start, such as "p=1 bar, x=20 mm".')
+    ] = None,
+    held: Annotated[
+        bool, typer.Option("--held", help="Inputs are held between rows, not joined by lines.")
+    ] = False,
     settings: SetOption = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the estimates as CSV.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the estimates as CSV.")
+    ] = None,
     json: JsonOption = None,
     plot: Annotated[Path | None, typer.Option(help="Draw the estimates as PNG.")] = None,
     files: FilesOption = None,
@@ -69,5 +89,7 @@ def observe(
 def _two(name: str, text: str) -> tuple[str, str]:
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 2 or not all(parts):
-        raise InputError(f"'{name}={text}': write how uncertain it is at first and its change in 1 s: '5 N,20 N'")
+        raise InputError(
+            f"'{name}={text}': write how uncertain it is at first and its change in 1 s: '5 N,20 N'"
+        )
     return parts[0], parts[1]

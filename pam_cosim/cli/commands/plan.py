@@ -31,7 +31,11 @@ from pam_cosim.study.tables import planned_files, write_planned_runs
 
 def plan(
     source: Annotated[
-        Path, typer.Argument(metavar="DIAGNOSIS", help="What 'diagnose --save' wrote, or a data set to diagnose first.")
+        Path,
+        typer.Argument(
+            metavar="DIAGNOSIS",
+            help="What 'diagnose --save' wrote, or a data set to diagnose first.",
+        ),
     ],
     limits: Annotated[
         list[str] | None,
@@ -41,26 +45,45 @@ def plan(
             "must stay within; default: what the recordings span. May be repeated.",
         ),
     ] = None,
-    seconds: Annotated[str | None, typer.Option(help="Length of a run, such as '10 s'; default: as recorded.")] = None,
-    runs: Annotated[int, typer.Option(help="How many runs to design, one after another.", min=1)] = 1,
-    output: Annotated[
-        Path | None, typer.Option("--output", "-o", help="Write the inputs as CSV; of a second run to FILE-2.csv.")
+    seconds: Annotated[
+        str | None, typer.Option(help="Length of a run, such as '10 s'; default: as recorded.")
     ] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw inputs and what each model predicts as PNG.")] = None,
+    runs: Annotated[
+        int, typer.Option(help="How many runs to design, one after another.", min=1)
+    ] = 1,
+    output: Annotated[
+        Path | None,
+        typer.Option(
+            "--output", "-o", help="Write the inputs as CSV; of a second run to FILE-2.csv."
+        ),
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw inputs and what each model predicts as PNG.")
+    ] = None,
     json: JsonOption = None,
     seed: Annotated[int, typer.Option(help="Of the search.", min=0)] = 0,
     model: ModelOption = None,
     files: FilesOption = None,
-    workers: Annotated[int | None, typer.Option(help="Processes of the diagnosis; default: all processors.")] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="Processes of the diagnosis; default: all processors.")
+    ] = None,
 ) -> None:
     """Design the run that decides between the models which a diagnosis leaves."""
     written = planned_files(output, runs) if output else []
     check_results(*written, plot, json, sources=[source, model, *(files or [])])
     ranges = parse_limits(limits or [])
-    diagnosis = _diagnosis(source, model, files, workers, lambda data: run_limits(data, ranges, seconds, files or []))
+    diagnosis = _diagnosis(
+        source, model, files, workers, lambda data: run_limits(data, ranges, seconds, files or [])
+    )
     with console.status("designing the run") as status:
         planned = study.plan(
-            diagnosis, limits=ranges, seconds=seconds, runs=runs, files=files or [], seed=seed, say=teller(status)
+            diagnosis,
+            limits=ranges,
+            seconds=seconds,
+            runs=runs,
+            files=files or [],
+            seed=seed,
+            say=teller(status),
         )
     typer.echo(str(planned))
     if output:
@@ -84,7 +107,10 @@ def _diagnosis(
     if source.suffix.lower() == ".npz":
         found = study.load(source)
         if not isinstance(found, Diagnosis):
-            raise InputError(f"a {type(found).__name__} leaves no rivals: name what 'diagnose --save' wrote", source)
+            raise InputError(
+                f"a {type(found).__name__} leaves no rivals: name what 'diagnose --save' wrote",
+                source,
+            )
         return found
     data = read_data(source, model, files)
     check(data)

@@ -28,17 +28,32 @@ from pam_cosim.fitting import Fit
 def predict(
     source: Annotated[
         Path,
-        typer.Argument(metavar="FITTED", help="A saved diagnosis or fit (.npz), or a data set, which is fitted first."),
+        typer.Argument(
+            metavar="FITTED",
+            help="A saved diagnosis or fit (.npz), or a data set, which is fitted first.",
+        ),
     ],
     inputs: InputOption = None,
     settings: SetOption = None,
-    run: Annotated[str | None, typer.Option(help="A recorded run instead, with its readings beside the bands.")] = None,
-    stop_time: Annotated[str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")] = None,
-    interval: Annotated[str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")] = None,
-    samples: Annotated[int, typer.Option(help="Of the parameters, each of which is simulated.", min=2)] = 200,
+    run: Annotated[
+        str | None, typer.Option(help="A recorded run instead, with its readings beside the bands.")
+    ] = None,
+    stop_time: Annotated[
+        str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")
+    ] = None,
+    interval: Annotated[
+        str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")
+    ] = None,
+    samples: Annotated[
+        int, typer.Option(help="Of the parameters, each of which is simulated.", min=2)
+    ] = 200,
     seed: Annotated[int, typer.Option(help="Of the samples.", min=0)] = 0,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write values and bands as CSV, SI.")] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the signals with their bands as PNG.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write values and bands as CSV, SI.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw the signals with their bands as PNG.")
+    ] = None,
     json: JsonOption = None,
     model: ModelOption = None,
     files: FilesOption = None,
@@ -69,5 +84,7 @@ def _fitted(source: Path, model: str | None, files: list[Path] | None) -> Fit | 
             return study.fit(data, model, files=files or [])
     found = study.load(source)
     if not isinstance(found, Fit | Diagnosis):
-        raise InputError(f"a {type(found).__name__} has no fitted parameters: name a diagnosis or a fit", source)
+        raise InputError(
+            f"a {type(found).__name__} has no fitted parameters: name a diagnosis or a fit", source
+        )
     return found

@@ -25,11 +25,20 @@ def simulate(
     model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
     settings: SetOption = None,
     inputs: InputOption = None,
-    stop_time: Annotated[str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")] = None,
-    interval: Annotated[str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")] = None,
+    stop_time: Annotated[
+        str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")
+    ] = None,
+    interval: Annotated[
+        str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")
+    ] = None,
     output: Annotated[
         list[str] | None,
-        typer.Option("--output", "-o", metavar="FILE", help="Write the trajectory: CSV, .nc (NetCDF), .parquet."),
+        typer.Option(
+            "--output",
+            "-o",
+            metavar="FILE",
+            help="Write the trajectory: CSV, .nc (NetCDF), .parquet.",
+        ),
     ] = None,
     keep: KeepOption = None,
     engine: Annotated[str, typer.Option(help="own, or fmpy: FMPy drives the same FMU.")] = "own",

@@ -6,7 +6,14 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
+from rich.progress import (
+    BarColumn,
+    MofNCompleteColumn,
+    Progress,
+    TextColumn,
+    TimeElapsedColumn,
+    TimeRemainingColumn,
+)
 
 from pam_cosim import study
 from pam_cosim.cli.arguments import file_and_variables, parse_named, parse_pairs, parse_varied
@@ -27,7 +34,13 @@ from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
 
 _MOST_FAILURES = 20  # that are told one by one
-_COLUMNS = (TextColumn("sweep"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn(), TimeRemainingColumn())
+_COLUMNS = (
+    TextColumn("sweep"),
+    BarColumn(),
+    MofNCompleteColumn(),
+    TimeElapsedColumn(),
+    TimeRemainingColumn(),
+)
 
 
 def sweep(
@@ -42,7 +55,9 @@ def sweep(
     ],
     output: Annotated[
         list[str],
-        typer.Option("--output", "-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet."),
+        typer.Option(
+            "--output", "-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet."
+        ),
     ],
     settings: SetOption = None,
     inputs: InputOption = None,
@@ -55,16 +70,29 @@ def sweep(
         ),
     ] = None,
     trajectories: Annotated[
-        bool | None, typer.Option(help="Keep values over time; default: where there are no scalars.")
+        bool | None,
+        typer.Option(help="Keep values over time; default: where there are no scalars."),
     ] = None,
     design: Annotated[str, typer.Option(help=", ".join(DESIGNS))] = "grid",
-    runs: Annotated[int | None, typer.Option(help="How many, of random and latin-hypercube.")] = None,
+    runs: Annotated[
+        int | None, typer.Option(help="How many, of random and latin-hypercube.")
+    ] = None,
     seed: Annotated[int, typer.Option(help="Of random and latin-hypercube.")] = 0,
-    stop_time: Annotated[str | None, typer.Option(help="End of each run, such as 20 or '2 min'; in s.")] = None,
-    interval: Annotated[str | None, typer.Option(help="Time between two values that are kept, such as '1 ms'.")] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the scalars over what is varied as PNG.")] = None,
-    workers: Annotated[int | None, typer.Option(help="Processes; default: as many as it pays to start.")] = None,
-    dask: Annotated[str | None, typer.Option(help="Address of a Dask scheduler that makes the runs.")] = None,
+    stop_time: Annotated[
+        str | None, typer.Option(help="End of each run, such as 20 or '2 min'; in s.")
+    ] = None,
+    interval: Annotated[
+        str | None, typer.Option(help="Time between two values that are kept, such as '1 ms'.")
+    ] = None,
+    plot: Annotated[
+        Path | None, typer.Option(help="Draw the scalars over what is varied as PNG.")
+    ] = None,
+    workers: Annotated[
+        int | None, typer.Option(help="Processes; default: as many as it pays to start.")
+    ] = None,
+    dask: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler that makes the runs.")
+    ] = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -113,15 +141,23 @@ def sweep(
 
 def _kept(output: Path) -> str:
     file = partial_of(output)
-    return f"the runs that are done are kept in {file}: the same command goes on" if file.exists() else ""
+    return (
+        f"the runs that are done are kept in {file}: the same command goes on"
+        if file.exists()
+        else ""
+    )
 
 
 def _tell(made: Sweep) -> None:
     failed = made.failed
     for run, reason in list(failed.items())[:_MOST_FAILURES]:
-        console.print(f"failed at {made.design.settings(run)}: {reason}", markup=False, soft_wrap=True)
+        console.print(
+            f"failed at {made.design.settings(run)}: {reason}", markup=False, soft_wrap=True
+        )
     if len(failed) > _MOST_FAILURES:
-        console.print(f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each")
+        console.print(
+            f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each"
+        )
     typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
     for line in made.told():
         typer.echo(line)

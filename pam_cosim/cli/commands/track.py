@@ -30,14 +30,23 @@ def track(
     of: Annotated[str, typer.Option("--of", help="The output that shall follow.")],
     mean: Annotated[str, typer.Option(help='Of the sine, such as "45 mm".')],
     amplitude: Annotated[str, typer.Option(help='Of the sine, such as "5 mm".')],
-    frequencies: Annotated[str, typer.Option(help="FROM:TO:N [Hz], evenly in the logarithm, or A,B,C.")] = "0.1:2:6",
-    rate: Annotated[float, typer.Option(help="Samples [Hz] of a controller that is an FMU.", min=0.0)] = 80.0,
-    lead: Annotated[float, typer.Option(help="Time [s] to come to the mean before the sine begins.")] = 4.0,
+    frequencies: Annotated[
+        str, typer.Option(help="FROM:TO:N [Hz], evenly in the logarithm, or A,B,C.")
+    ] = "0.1:2:6",
+    rate: Annotated[
+        float, typer.Option(help="Samples [Hz] of a controller that is an FMU.", min=0.0)
+    ] = 80.0,
+    lead: Annotated[
+        float, typer.Option(help="Time [s] to come to the mean before the sine begins.")
+    ] = 4.0,
     periods: Annotated[int, typer.Option(help="Of the sine; the last one counts.")] = 4,
     settings: Annotated[
-        list[str] | None, typer.Option("--set", help="plant.NAME=VALUE or control.NAME=VALUE, with a unit.")
+        list[str] | None,
+        typer.Option("--set", help="plant.NAME=VALUE or control.NAME=VALUE, with a unit."),
     ] = None,
-    output: Annotated[Path | None, typer.Option("--output", "-o", help="Write the errors as CSV.")] = None,
+    output: Annotated[
+        Path | None, typer.Option("--output", "-o", help="Write the errors as CSV.")
+    ] = None,
     json: JsonOption = None,
     plot: Annotated[Path | None, typer.Option(help="Draw errors and courses as PNG.")] = None,
     files: FilesOption = None,

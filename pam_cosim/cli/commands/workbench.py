@@ -12,9 +12,14 @@ from pam_cosim.errors import InputError
 
 
 def workbench(
-    data: Annotated[Path, typer.Argument(help="Folder of a data set, or of one to be made by dropping CSV files.")],
+    data: Annotated[
+        Path,
+        typer.Argument(help="Folder of a data set, or of one to be made by dropping CSV files."),
+    ],
     model: ModelOption = None,
-    port: Annotated[int, typer.Option(help="Of the page; default: a free one.", min=0, max=65535)] = 0,
+    port: Annotated[
+        int, typer.Option(help="Of the page; default: a free one.", min=0, max=65535)
+    ] = 0,
     browser: Annotated[bool, typer.Option(help="Whether to open the page in the browser.")] = True,
     files: FilesOption = None,
 ) -> None:

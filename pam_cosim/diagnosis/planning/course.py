@@ -37,9 +37,13 @@ class Course:
     @property
     def complexity(self) -> int:
         """Number of levels; a sine counts as as many as a person can follow."""
-        return len(self.knots) + CRITERIA.next_experiment.levels[1] * int(np.count_nonzero(self.waves[:, 0]))
+        return len(self.knots) + CRITERIA.next_experiment.levels[1] * int(
+            np.count_nonzero(self.waves[:, 0])
+        )
 
-    def table(self, limits: Limits, interval: float | None = None) -> tuple[Array, dict[str, Array]]:
+    def table(
+        self, limits: Limits, interval: float | None = None
+    ) -> tuple[Array, dict[str, Array]]:
         """(n,) times [s] and (n,) values of each input [SI]; a step is two rows at one time.
 
         Args:
@@ -53,7 +57,9 @@ class Course:
         before = np.zeros(count, dtype=bool)
         rows = self._base(np.searchsorted(at, np.arange(count), side="right") - 1, time, limits)
         if self.is_stepped and len(at) > 1:
-            left = self._base(np.maximum(np.searchsorted(at, np.arange(count), side="left") - 1, 0), time, limits)
+            left = self._base(
+                np.maximum(np.searchsorted(at, np.arange(count), side="left") - 1, 0), time, limits
+            )
             can_step = np.isinf([limits.rates[name] for name in limits.moving])
             jumps = (left != rows) & can_step
             before[1:] = jumps.any(axis=1)[1:]
@@ -72,7 +78,9 @@ class Course:
         share = time / limits.seconds
         levels = self.levels[segment]
         if not self.is_stepped:
-            levels = np.column_stack([np.interp(share, self.knots, column) for column in self.levels.T])
+            levels = np.column_stack(
+                [np.interp(share, self.knots, column) for column in self.levels.T]
+            )
         low, high = (np.array([limits.inputs[name][i] for name in limits.moving]) for i in (0, 1))
         size, first, last, phase = self.waves.T
         cycles = share[:, None] * first + 0.5 * share[:, None] ** 2 * (last - first) + phase

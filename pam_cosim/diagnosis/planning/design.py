@@ -54,12 +54,16 @@ def plan(
     """
     explanations = members(diagnosis)
     if len(explanations) < 2:
-        raise InputError(f"the verdict is {diagnosis.verdict.kind}: there are no rivals to decide between")
+        raise InputError(
+            f"the verdict is {diagnosis.verdict.kind}: there are no rivals to decide between"
+        )
     if runs < 1:
         raise InputError("plan one run at least")
     limits = limits_of(diagnosis.data) if limits is None else limits
     if limits.is_fixed:
-        raise InputError("no input and no parameter differs in the recordings: state limits within which they may")
+        raise InputError(
+            "no input and no parameter differs in the recordings: state limits within which they may"
+        )
     recorded = [run for run in diagnosis.data.runs if not run.is_static]
     moves, rng = Moves(limits, recorded), np.random.default_rng(seed)
     with Rivals(explanations, diagnosis.data, limits, files) as rivals:
@@ -108,7 +112,9 @@ class _Search:
         scored = [*drawn, *(self._scored(one) for one in self.moves.recorded())]
         usable = [entry for entry in scored if entry is not None]
         if not usable:
-            raise SimulationFailure("no course within the limits can be simulated with every model that is left")
+            raise SimulationFailure(
+                "no course within the limits can be simulated with every model that is left"
+            )
         for _ in range(criteria.improved):
             usable.sort(key=lambda entry: -entry[0])
             child = self._scored(self._child([course for _, course in usable[: criteria.parents]]))
@@ -119,7 +125,9 @@ class _Search:
         # what was drawn is judged as it is, also where other runs are known
         chances = [entry[0] for entry in drawn if entry is not None]
         base = soft_minimum(self._total(np.zeros(len(self.rivals.pairs))))
-        return self._planned(course, names, float(np.median(chances)) - base if chances else float("nan"))
+        return self._planned(
+            course, names, float(np.median(chances)) - base if chances else float("nan")
+        )
 
     def _child(self, parents: Sequence[Course]) -> Course:
         one = parents[int(self.rng.integers(len(parents)))]
@@ -139,7 +147,9 @@ class _Search:
         run = self.rivals.run_of(course)
         predictions = self.rivals.predictions(run)
         if predictions is None:
-            raise SimulationFailure("the best course was simulated with few samples, but not with all of them")
+            raise SimulationFailure(
+                "the best course was simulated with few samples, but not with all of them"
+            )
         separations = self.rivals.separations(predictions)
         self.known = self._total(separations)
         rows = len(run.time)
@@ -163,7 +173,9 @@ def _table(run: Run) -> dict[str, list[float]]:
     columns = np.column_stack([np.zeros(len(run.time)), *run.inputs.values()])
     step = np.diff(run.time)[:, None]
     jump = step == 0
-    slope = np.divide(np.diff(columns, axis=0), step, out=np.full_like(columns[1:], np.inf), where=~jump)
+    slope = np.divide(
+        np.diff(columns, axis=0), step, out=np.full_like(columns[1:], np.inf), where=~jump
+    )
     kept = np.ones(len(run.time), dtype=bool)
     bends = ~np.isclose(slope[1:], slope[:-1], rtol=1e-6, atol=1e-12).all(axis=1)
     kept[1:-1] = bends | jump[1:, 0] | jump[:-1, 0]

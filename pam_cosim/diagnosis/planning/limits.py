@@ -50,7 +50,9 @@ class Limits:
         return all(low == high for low, high in (*self.inputs.values(), *self.parameters.values()))
 
 
-def limits_of(data: DataSet, stated: Mapping[str, Range] | None = None, seconds: float | None = None) -> Limits:
+def limits_of(
+    data: DataSet, stated: Mapping[str, Range] | None = None, seconds: float | None = None
+) -> Limits:
     """What the recordings span, but for what is stated.
 
     An input is as fast as it was recorded at its fastest. A parameter that differs between runs can be set.
@@ -65,7 +67,9 @@ def limits_of(data: DataSet, stated: Mapping[str, Range] | None = None, seconds:
     """
     runs = [run for run in data.runs if not run.is_static]
     if not runs:
-        raise InputError("points at rest have no course over time that could be planned", data.folder)
+        raise InputError(
+            "points at rest have no course over time that could be planned", data.folder
+        )
     first = runs[0]
     inputs = {name: _span(runs, name) for name in first.inputs if name != BRANCH}
     parameters = _varied_parameters(runs)

@@ -23,8 +23,16 @@ def _alike(diagnosis: Diagnosis, best: Candidate, family: dict[str, str]) -> lis
     A law with more parameters bends towards any rival until it is measured everywhere.
     """
     own, limit = _families(best, family), _chi2(best) + CRITERIA.evidence.very_strong
-    fitted = [c for c in diagnosis.candidates if c.effects != best.effects and not c.brief and not c.general]
-    near = [c for c in fitted if _families(c, family) == own and len(c.fit.parameters) <= len(best.fit.parameters)]
+    fitted = [
+        c
+        for c in diagnosis.candidates
+        if c.effects != best.effects and not c.brief and not c.general
+    ]
+    near = [
+        c
+        for c in fitted
+        if _families(c, family) == own and len(c.fit.parameters) <= len(best.fit.parameters)
+    ]
     near = sorted((c for c in near if _chi2(c) <= limit), key=lambda c: (_chi2(c), c.effects))
     return near[: CRITERIA.next_experiment.members - 1]
 

@@ -49,7 +49,12 @@ class Moves:
         if kind == "sines":
             waves = np.array([self._wave(rng) for _ in self.limits.moving]).reshape(-1, 4)
         return Course(
-            knots, levels, kind != "ramps", waves, self._constants(rng), self._each(rng, self.limits.parameters)
+            knots,
+            levels,
+            kind != "ramps",
+            waves,
+            self._constants(rng),
+            self._each(rng, self.limits.parameters),
         )
 
     def recorded(self) -> list[Course]:
@@ -79,16 +84,24 @@ class Moves:
     def _of_run(self, run: Run) -> Course:
         low, high = self._ranges.T
         seconds = run.time - run.time[0]
-        columns = np.column_stack([run.inputs[n] for n in self.limits.moving] or [np.zeros((len(seconds), 0))])
+        columns = np.column_stack(
+            [run.inputs[n] for n in self.limits.moving] or [np.zeros((len(seconds), 0))]
+        )
         bends = np.flatnonzero(np.any(np.diff(columns, axis=0) != 0, axis=1)) + 1
         is_stepped = run.interpolation == "previous"
-        rows = np.unique(np.concatenate([[0], bends, bends - 1] if not is_stepped else [[0], bends]))
+        rows = np.unique(
+            np.concatenate([[0], bends, bends - 1] if not is_stepped else [[0], bends])
+        )
         most = CRITERIA.next_experiment.recorded_levels
         if len(rows) > most:
             rows = rows[np.linspace(0, len(rows) - 1, most).astype(int)]
         rows = rows[seconds[rows] <= self.limits.seconds]
-        constants = {n: _within(float(run.inputs[n][0]), self.limits.inputs[n]) for n in self.limits.constant}
-        parameters = {n: _within(run.parameters[n], one) for n, one in self.limits.parameters.items()}
+        constants = {
+            n: _within(float(run.inputs[n][0]), self.limits.inputs[n]) for n in self.limits.constant
+        }
+        parameters = {
+            n: _within(run.parameters[n], one) for n, one in self.limits.parameters.items()
+        }
         return Course(
             seconds[rows] / self.limits.seconds,
             np.clip(columns[rows], low, high),
@@ -115,7 +128,11 @@ class Moves:
             case "more":
                 return self._with_knot(rng, course)
             case "less" if i:
-                return replace(course, knots=np.delete(course.knots, i), levels=np.delete(course.levels, i, axis=0))
+                return replace(
+                    course,
+                    knots=np.delete(course.knots, i),
+                    levels=np.delete(course.levels, i, axis=0),
+                )
             case "wave":
                 wave = self._wave(rng) if rng.random() < 0.5 else np.zeros(course.waves.shape[1])
                 return replace(course, waves=_with_row(course.waves, j, wave))
@@ -170,10 +187,14 @@ class Moves:
         """(4,) a sine, slow or fast, or one that gets faster or slower."""
         slow, fast = np.log(CRITERIA.next_experiment.cycles)
         first, last = np.exp(rng.uniform(slow, fast, size=2))
-        return np.array([rng.uniform(0.1, 1.0), first, first if rng.random() < 0.5 else last, rng.uniform()])
+        return np.array(
+            [rng.uniform(0.1, 1.0), first, first if rng.random() < 0.5 else last, rng.uniform()]
+        )
 
     def _constants(self, rng: Random) -> dict[str, float]:
-        return self._each(rng, {n: self.limits.inputs[n] for n in self.limits.inputs if n in self.limits.constant})
+        return self._each(
+            rng, {n: self.limits.inputs[n] for n in self.limits.inputs if n in self.limits.constant}
+        )
 
     def _each(self, rng: Random, ranges: Mapping[str, Range]) -> dict[str, float]:
         return {name: float(rng.uniform(*one)) for name, one in ranges.items()}

@@ -47,7 +47,9 @@ class Rivals:
 
     def __enter__(self) -> Rivals:
         with ExitStack() as stack:
-            self._hypotheses = [stack.enter_context(Hypothesis(one, self.data, self._files)) for one in self.models]
+            self._hypotheses = [
+                stack.enter_context(Hypothesis(one, self.data, self._files)) for one in self.models
+            ]
             self._stack = stack.pop_all()
         return self
 
@@ -80,7 +82,11 @@ class Rivals:
             predictions = [one.predict(run, tolerance) for one in self._hypotheses]
         except SimulationFailure:
             return None
-        return predictions if all(self._is_allowed(one, len(run.time)) for one in predictions) else None
+        return (
+            predictions
+            if all(self._is_allowed(one, len(run.time)) for one in predictions)
+            else None
+        )
 
     def separations(self, predictions: Sequence[Prediction], weight: float = 1.0) -> Array:
         """(pairs,) chi-square that the worse of two models is expected to leave more than the other.
@@ -92,7 +98,9 @@ class Rivals:
             predictions: by each model.
             weight: number of samples that each row stands for.
         """
-        scaled = [Prediction(one.values * weight**0.5, one.slopes * weight**0.5) for one in predictions]
+        scaled = [
+            Prediction(one.values * weight**0.5, one.slopes * weight**0.5) for one in predictions
+        ]
         models = self._hypotheses
         return np.array([
             min(models[j].refitted_miss(scaled[i], scaled[j]), models[i].refitted_miss(scaled[j], scaled[i]))
@@ -102,8 +110,14 @@ class Rivals:
     def thinned(self, course: Course) -> Array | None:
         """The separations of a course from fewer samples, each of which counts for several."""
         interval = max(self.limits.interval, self.limits.seconds / CRITERIA.next_experiment.rows)
-        predictions = self.predictions(self.run_of(course, interval), CRITERIA.search.screening_tolerance)
-        return None if predictions is None else self.separations(predictions, interval / self.limits.interval)
+        predictions = self.predictions(
+            self.run_of(course, interval), CRITERIA.search.screening_tolerance
+        )
+        return (
+            None
+            if predictions is None
+            else self.separations(predictions, interval / self.limits.interval)
+        )
 
     def _is_allowed(self, predictions: Prediction, rows: int) -> bool:
         for i, (name, sigma) in enumerate(self.sigma.items()):

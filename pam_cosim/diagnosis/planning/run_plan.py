@@ -64,11 +64,16 @@ class PlannedRun:
         """(n,) values of each input at the times of the predictions [SI]; of a step the first row is before it."""
         at = np.array(self.table["time"])
         is_last = np.append(np.diff(self.time) > 0, True)
-        after, before = np.searchsorted(at, self.time, side="right") - 1, np.searchsorted(at, self.time, side="left")
+        after, before = (
+            np.searchsorted(at, self.time, side="right") - 1,
+            np.searchsorted(at, self.time, side="left"),
+        )
         on_row = np.isin(self.time, at)
         columns = {name: np.array(values) for name, values in self.table.items() if name != "time"}
         return {
-            name: np.where(on_row, values[np.where(is_last, after, before)], np.interp(self.time, at, values))
+            name: np.where(
+                on_row, values[np.where(is_last, after, before)], np.interp(self.time, at, values)
+            )
             for name, values in columns.items()
         }
 
@@ -106,7 +111,9 @@ class RunPlan(Printed):
         """Of each pair of rivals, by all runs together."""
         first = self.runs[0].separations
         sums = [sum(run.separations[i].chi2 for run in self.runs) for i in range(len(first))]
-        return tuple(Separation(one.first, one.second, chi2) for one, chi2 in zip(first, sums, strict=True))
+        return tuple(
+            Separation(one.first, one.second, chi2) for one, chi2 in zip(first, sums, strict=True)
+        )
 
     @property
     def chi2(self) -> float:
@@ -138,7 +145,11 @@ class RunPlan(Printed):
     @property
     def _beside(self) -> str:
         chance = sum(run.at_random for run in self.runs)
-        return f"; courses drawn at random bring {chance:.3g} in the median" if chance == chance else ""
+        return (
+            f"; courses drawn at random bring {chance:.3g} in the median"
+            if chance == chance
+            else ""
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -163,9 +174,14 @@ class RunPlan(Printed):
             f"{self.title}: the verdict is {self.verdict}; {len(self.explanations)} explanations are left",
             self.expectation,
         ]
-        lines += [f"  {one.first} against {one.second}: chi-square {one.chi2:.3g}" for one in self.separations]
+        lines += [
+            f"  {one.first} against {one.second}: chi-square {one.chi2:.3g}"
+            for one in self.separations
+        ]
         for number, run in enumerate(self.runs, 1):
-            lines.append(f"run {number}: {run.table['time'][-1]:.4g} s{_settings(run.parameters, self.units)}")
+            lines.append(
+                f"run {number}: {run.table['time'][-1]:.4g} s{_settings(run.parameters, self.units)}"
+            )
         return "\n".join(lines)
 
 
@@ -186,5 +202,8 @@ def _run(run: PlannedRun) -> dict[str, object]:
 
 
 def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> str:
-    values = [f"{name} = {format_quantity(value, units.get(name, ''), 4)}" for name, value in parameters.items()]
+    values = [
+        f"{name} = {format_quantity(value, units.get(name, ''), 4)}"
+        for name, value in parameters.items()
+    ]
     return f", with {listed(values)}" if values else ""

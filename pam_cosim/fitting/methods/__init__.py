@@ -15,7 +15,9 @@ _MODULES = {
     module.name.replace("_", "-"): importlib.import_module(f"{__name__}.{module.name}")
     for module in pkgutil.iter_modules(__path__)
 }
-METHODS: dict[str, Method] = {name: m.minimise for name, m in sorted(_MODULES.items()) if hasattr(m, "minimise")}
+METHODS: dict[str, Method] = {
+    name: m.minimise for name, m in sorted(_MODULES.items()) if hasattr(m, "minimise")
+}
 """The methods by name."""
 
 

@@ -51,5 +51,7 @@ def differential_evolution_search(problem: FitProblem) -> GlobalSearch:
         callback=lambda *_: lowest.append(lowest[-1]),
     )
     if not np.isfinite(solution.fun):
-        raise SimulationFailure(f"no point within the bounds can be simulated: {objective.first_failure}")
+        raise SimulationFailure(
+            f"no point within the bounds can be simulated: {objective.first_failure}"
+        )
     return searched("differential evolution", objective, np.asarray(solution.x), lowest, before)

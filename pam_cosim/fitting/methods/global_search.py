@@ -32,7 +32,9 @@ class GlobalSearch(Record):
         """Plain data for JSON, SI units."""
         return {
             "name": self.name,
-            "best_point": {n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()},
+            "best_point": {
+                n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()
+            },
             "chi2_reduced": self.chi2_reduced[-1],
             "chi2_by_generation": list(self.chi2_reduced),
             "evaluations": self.evaluations,
@@ -48,7 +50,9 @@ class GlobalSearch(Record):
         return "\n".join(lines)
 
 
-def searched(name: str, objective: Objective, best: Array, costs: Sequence[float], before: int) -> GlobalSearch:
+def searched(
+    name: str, objective: Objective, best: Array, costs: Sequence[float], before: int
+) -> GlobalSearch:
     """The record of a search that ended.
 
     Args:

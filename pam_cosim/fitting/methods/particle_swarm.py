@@ -58,7 +58,9 @@ def swarm(
     lowest = [float(own_costs.min())]
     for _ in range(generations):
         best = own[int(np.argmin(own_costs))]
-        pull = OWN_PULL * random.random(at.shape) * (own - at) + COMMON_PULL * random.random(at.shape) * (best - at)
+        pull = OWN_PULL * random.random(at.shape) * (own - at) + COMMON_PULL * random.random(
+            at.shape
+        ) * (best - at)
         velocity = INERTIA * velocity + pull
         at = np.clip(at + velocity, low, high)
         costs = np.array([cost(z) for z in at])
@@ -94,7 +96,9 @@ class SwarmSearch(Record):
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
         return {
-            "best_particle": {n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()},
+            "best_particle": {
+                n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()
+            },
             "chi2_reduced": self.chi2_reduced[-1],
             "chi2_by_generation": list(self.chi2_reduced),
             "particles": self.particles,
@@ -135,7 +139,9 @@ def swarm_search(problem: FitProblem) -> SwarmSearch:
     before = objective.evaluations
     seen = swarm(objective.cost, *objective.bounds)
     if not np.isfinite(seen.costs[-1]):
-        raise SimulationFailure(f"no particle of the swarm can be simulated: {objective.first_failure}")
+        raise SimulationFailure(
+            f"no particle of the swarm can be simulated: {objective.first_failure}"
+        )
     best = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, seen.best, strict=True)}
     costs = tuple(float(c) / max(objective.samples, 1.0) for c in seen.costs)
     units = {f.name: f.unit for f in objective.free}

@@ -1,6 +1,11 @@
 """What is said of a product: sentences and rows of texts, without a picture; for reports, the terminal and the page."""
 
-from pam_cosim.reporting.account.diagnosis_rows import candidate_row, missing_rows, parameter_rows, summary_rows
+from pam_cosim.reporting.account.diagnosis_rows import (
+    candidate_row,
+    missing_rows,
+    parameter_rows,
+    summary_rows,
+)
 from pam_cosim.reporting.account.learned_part import learned_part
 from pam_cosim.reporting.account.ledger_words import against_of, ledger_words, telling_entries
 from pam_cosim.reporting.account.meaning import (

@@ -28,7 +28,12 @@ Row = dict[str, str]
 def rule_rows(rules: Sequence[Rule]) -> list[Row]:
     """Where the error sits, as a table."""
     return [
-        {"signal": r.signal, "rule": r.rule, "error": percent(r.error_share), "time": percent(r.time_share)}
+        {
+            "signal": r.signal,
+            "rule": r.rule,
+            "error": percent(r.error_share),
+            "time": percent(r.time_share),
+        }
         for r in rules
     ]
 
@@ -115,4 +120,8 @@ def missing_rows(diagnosis: Diagnosis) -> dict[str, Any] | None:
         }
         for name, s in missing.signals.items()
     ]
-    return {"balance": words(missing.balance or ""), "rows": rows, "where": rule_rows(missing.where)}
+    return {
+        "balance": words(missing.balance or ""),
+        "rows": rows,
+        "where": rule_rows(missing.where),
+    }

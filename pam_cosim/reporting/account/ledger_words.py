@@ -7,7 +7,14 @@ from typing import Any
 
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading
 from pam_cosim.model.domain import Domain
-from pam_cosim.reporting.account.wording import NOTHING, listed, number, percent, quantity_text, words
+from pam_cosim.reporting.account.wording import (
+    NOTHING,
+    listed,
+    number,
+    percent,
+    quantity_text,
+    words,
+)
 
 _SHOWN = 0.005  # share that is worth a word
 
@@ -44,7 +51,11 @@ def ledger_line(ledger: Ledger) -> str:
     """The ledger in one line of plain text."""
     if not ledger.failing:
         return "no balance fails for certain"
-    shares = ", ".join(f"{_name(e.balance, ledger)} {percent(e.share)}" for e in ledger.entries if e.share >= _SHOWN)
+    shares = ", ".join(
+        f"{_name(e.balance, ledger)} {percent(e.share)}"
+        for e in ledger.entries
+        if e.share >= _SHOWN
+    )
     rest = "" if ledger.closed else "; something is missing elsewhere too"
     return f"share of the error in {shares}{rest}"
 
@@ -56,7 +67,11 @@ def _name(balance: str, ledger: Ledger) -> str:
 
 
 def _row(entry: BalanceEntry) -> dict[str, str]:
-    same = f"the balance of {listed([words(b) for b in entry.same_as])} may be meant as well" if entry.same_as else ""
+    same = (
+        f"the balance of {listed([words(b) for b in entry.same_as])} may be meant as well"
+        if entry.same_as
+        else ""
+    )
     there = bool(entry.courses)
     return {
         "balance": words(entry.balance),

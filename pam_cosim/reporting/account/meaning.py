@@ -62,7 +62,9 @@ def meaning(verdict: Verdict, domain: Domain) -> str:
     text = _FORM_OPEN if verdict.remainder else _MEANING[verdict.kind]
     faults = domain.faults(verdict.families)
     if faults:
-        text += " " + _INSTRUMENT.replace("{faults}", "; ".join(f"{words(f)}: {said}" for f, said in faults.items()))
+        text += " " + _INSTRUMENT.replace(
+            "{faults}", "; ".join(f"{words(f)}: {said}" for f, said in faults.items())
+        )
     return text.replace("{tested}", domain.tested).replace("{rivals}", _rivals(verdict))
 
 
@@ -71,9 +73,13 @@ def _rivals(verdict: Verdict) -> str:
     said = []
     if verdict.refuted:
         off = listed(list(verdict.off)) if verdict.off else "what was compared but not fitted"
-        said.append(f"{listed(list(verdict.refuted))} would fit it as well, but misses {off} by far more.")
+        said.append(
+            f"{listed(list(verdict.refuted))} would fit it as well, but misses {off} by far more."
+        )
     if verdict.bending:
-        said.append(f"{listed(list(verdict.bending))} comes as near, because it says whatever its family can.")
+        said.append(
+            f"{listed(list(verdict.bending))} comes as near, because it says whatever its family can."
+        )
     return " ".join([*said, *verdict.implausible]) or "No effect of another family comes close."
 
 
@@ -81,7 +87,11 @@ def instrument_sentence(verdict: Verdict, domain: Domain) -> str:
     """Which of the families named are instruments, and what that says of them; "" where none is."""
     faults = domain.faults(verdict.families)
     said = "; ".join(f"{words(family)}: {text}" for family, text in faults.items())
-    which = "An instrument" if len(faults) == len(set(verdict.families)) else "Among these an instrument"
+    which = (
+        "An instrument"
+        if len(faults) == len(set(verdict.families))
+        else "Among these an instrument"
+    )
     return f"{which}, not physics: {said}." if faults else ""
 
 
@@ -105,9 +115,8 @@ def headline(diagnosis: Diagnosis) -> str:
         )
         return f"With {families} the model is good to {good} on runs that were never fitted; the rest is unknown."
     if verdict.families:
-        return (
-            f"{families.capitalize()} {'explain' if several else 'explains'} a part of the error; the rest is unknown."
-        )
+        verb = "explain" if several else "explains"
+        return f"{families.capitalize()} {verb} a part of the error; the rest is unknown."
     return "Something is missing, and no effect of the catalogue explains it."
 
 
@@ -131,7 +140,9 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     if not names:
         return ""
     final = diagnosis.final is not diagnosis.base
-    name = max(names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0))
+    name = max(
+        names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0)
+    )
     unit = signals[name].unit
     runs = "runs that were never fitted" if role == "holdout" else "the fitted runs"
     noise = f"the {signals[name].scatter} is {quantity_text(before[name].noise_rmse, unit)}"
@@ -174,7 +185,9 @@ def probability_rows(verdict: Verdict) -> list[ProbabilityRow]:
     large = [one for one in known.explanations if one.probability >= _SMALL_SHARE]
     rows = [
         ProbabilityRow(
-            listed([words(f) for f in one.families]) or _NOTHING, one.probability, verdict.names(one.families)
+            listed([words(f) for f in one.families]) or _NOTHING,
+            one.probability,
+            verdict.names(one.families),
         )
         for one in large
     ]
@@ -188,7 +201,9 @@ def probability_rows(verdict: Verdict) -> list[ProbabilityRow]:
 def not_tried_sentence(diagnosis: Diagnosis) -> str:
     """Families that were not looked for, with the reason; "" where there are none."""
     by_reason = diagnosis.not_tried_by_reason.items()
-    parts = [f"{listed([words(family) for family in families])} ({why})" for why, families in by_reason]
+    parts = [
+        f"{listed([words(family) for family in families])} ({why})" for why, families in by_reason
+    ]
     return f"Not looked for, and perhaps missing all the same: {'; '.join(parts)}." if parts else ""
 
 
@@ -201,6 +216,8 @@ def compared_sentence(diagnosis: Diagnosis) -> str:
         if signal.fitted or name not in before or name not in after:
             continue
         old, new = (quantity_text(s[name].rmse, signal.unit) for s in (before, after))
-        parts.append(f"{name}, with an rms error of {f'{old} before and {new} after' if diagnosis.path else old}")
+        parts.append(
+            f"{name}, with an rms error of {f'{old} before and {new} after' if diagnosis.path else old}"
+        )
     role_of_it = "so that it decides only between explanations that are as good without it"
     return f"Compared but not fitted, {role_of_it}: {listed(parts)}." if parts else ""

@@ -58,7 +58,9 @@ def next_run_line(plan: NextExperiment) -> str:
 
 
 def _settings(plan: NextExperiment) -> str:
-    return ", ".join(f"{n} = {quantity_text(v, plan.units[n], 4)}" for n, v in plan.parameters.items())
+    return ", ".join(
+        f"{n} = {quantity_text(v, plan.units[n], 4)}" for n, v in plan.parameters.items()
+    )
 
 
 def _head(name: str, units: Mapping[str, str]) -> str:
@@ -68,4 +70,7 @@ def _head(name: str, units: Mapping[str, str]) -> str:
 
 def _lines(table: Mapping[str, list[float]], units: Mapping[str, str]) -> list[list[str]]:
     factors = [1.0 if n == "time" else readable_factor(units.get(n, "")) for n in table]
-    return [[f"{v * f:.5g}" for v, f in zip(row, factors, strict=True)] for row in zip(*table.values(), strict=True)]
+    return [
+        [f"{v * f:.5g}" for v, f in zip(row, factors, strict=True)]
+        for row in zip(*table.values(), strict=True)
+    ]

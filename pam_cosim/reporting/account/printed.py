@@ -20,7 +20,11 @@ def diagnosis_text(diagnosis: Diagnosis) -> str:
     parts += [f"  note: {note}" for note in diagnosis.data.steps()]
     if diagnosis.path:
         parts.append(f"  The way there: {_way(diagnosis)}")
-    rules = diagnosis.base.comparison.where[:_MOST_RULES] if diagnosis.verdict.kind != "none_missing" else ()
+    rules = (
+        diagnosis.base.comparison.where[:_MOST_RULES]
+        if diagnosis.verdict.kind != "none_missing"
+        else ()
+    )
     parts += [
         f"  Where the base model is wrong: {r.signal}, {r.rule}: {percent(r.error_share)} of its error in "
         f"{percent(r.time_share)} of the samples"

@@ -26,7 +26,9 @@ def number(value: float | None, digits: int = 3) -> str:
     if _SMALLEST <= abs(rounded) < _LARGEST:
         text = f"{value:.{max(digits - 1 - exponent, 0)}f}"
     else:
-        text = f"{rounded / 10.0**exponent:.{digits - 1}f}×10{str(exponent).translate(_SUPERSCRIPT)}"
+        text = (
+            f"{rounded / 10.0**exponent:.{digits - 1}f}×10{str(exponent).translate(_SUPERSCRIPT)}"
+        )
     return text.replace("-", "−")
 
 
@@ -77,7 +79,9 @@ def _digits(value: float, reach: float) -> int:
     if not value or reach <= 0:
         return 3
     exponent = math.floor(math.log10(reach))
-    digits = math.floor(math.log10(abs(value))) - exponent + (2 if reach < 3 * 10.0**exponent else 1)
+    digits = (
+        math.floor(math.log10(abs(value))) - exponent + (2 if reach < 3 * 10.0**exponent else 1)
+    )
     return min(max(digits, 2), _MOST_DIGITS)
 
 
@@ -93,7 +97,9 @@ def remark(estimate: Estimate) -> str:
     """What a reader must know before using the value; "" when there is nothing to say."""
     remarks = []
     if not estimate.determined:
-        remarks.append("held there, not needed" if estimate.held else "not determined by these data")
+        remarks.append(
+            "held there, not needed" if estimate.held else "not determined by these data"
+        )
     if estimate.at_bound:
         remarks.append("at its bound")
     return ", ".join(remarks)
@@ -106,13 +112,23 @@ def words(identifier: str) -> str:
 
 def listed(items: list[str] | tuple[str, ...], last: str = "and") -> str:
     """ "a, b and c"."""
-    return items[0] if len(items) == 1 else f"{', '.join(items[:-1])} {last} {items[-1]}" if items else ""
+    return (
+        items[0]
+        if len(items) == 1
+        else f"{', '.join(items[:-1])} {last} {items[-1]}"
+        if items
+        else ""
+    )
 
 
 def wrapped(text: str, longest: int = 28) -> str:
     """A label in two lines at most, broken between words: what tells it from others often stands at its end."""
     lines = textwrap.wrap(text, longest, break_on_hyphens=False)
-    return "\n".join(lines) if len(lines) <= 2 else f"{lines[0]}\n{shortened(' '.join(lines[1:]), longest)}"
+    return (
+        "\n".join(lines)
+        if len(lines) <= 2
+        else f"{lines[0]}\n{shortened(' '.join(lines[1:]), longest)}"
+    )
 
 
 def shortened(text: str, longest: int = 28) -> str:

@@ -55,8 +55,21 @@ def where_picture(rules: Sequence[Rule]) -> Picture:
         for i, rule in enumerate(shown):
             axes.barh(i - 0.19, rule.error_share, 0.36, color=BEFORE, zorder=3)
             axes.barh(i + 0.19, rule.time_share, 0.36, color=LINE, zorder=3)
-            axes.text(rule.error_share + 0.01, i - 0.19, percent(rule.error_share), va="center", fontsize=7.5)
-            axes.text(rule.time_share + 0.01, i + 0.19, percent(rule.time_share), va="center", fontsize=7.5, color=SOFT)
+            axes.text(
+                rule.error_share + 0.01,
+                i - 0.19,
+                percent(rule.error_share),
+                va="center",
+                fontsize=7.5,
+            )
+            axes.text(
+                rule.time_share + 0.01,
+                i + 0.19,
+                percent(rule.time_share),
+                va="center",
+                fontsize=7.5,
+                color=SOFT,
+            )
         axes.set_yticks(range(len(shown)), labels)
         axes.tick_params(axis="y", length=0, labelcolor=INK)
         axes.invert_yaxis()
@@ -77,7 +90,9 @@ def where_picture(rules: Sequence[Rule]) -> Picture:
         )
 
 
-def ranking_picture(bars: Sequence[CandidateBar], palette: Mapping[str, str], left_out: int, runs: str) -> Picture:
+def ranking_picture(
+    bars: Sequence[CandidateBar], palette: Mapping[str, str], left_out: int, runs: str
+) -> Picture:
     """How much of the base model's error each tried model explains."""
     with drawing():
         figure = new_figure(0.8 * WIDTH, 0.8 + 0.25 * len(bars))
@@ -101,7 +116,9 @@ def ranking_picture(bars: Sequence[CandidateBar], palette: Mapping[str, str], le
         used = [b for b in palette if any(bar.balance == b for bar in bars)]
         handles = [Patch(color=palette[b], label=f"{words(b)} balance") for b in used]
         figure.legend(handles=handles, loc="outside upper right", ncols=len(handles))
-        more = f" The best {len(bars)} are drawn; the table holds {left_out} more." if left_out else ""
+        more = (
+            f" The best {len(bars)} are drawn; the table holds {left_out} more." if left_out else ""
+        )
         worse = f" A bar to the left: the fitted model is worse there (cut at {percent(_WORST)})."
         note = (worse if any(b.share < 0 for b in bars) else "") + more
         return picture(
@@ -119,13 +136,24 @@ def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) ->
         axes = figure.subplots()
         left = 0.0
         for name, share in balance.items():
-            axes.barh(0, share, 0.6, left=left, color=palette[name], edgecolor="white", linewidth=1.2)
+            axes.barh(
+                0, share, 0.6, left=left, color=palette[name], edgecolor="white", linewidth=1.2
+            )
             if share > _WIDE_ENOUGH:
-                axes.text(left + share / 2, 0, percent(share), ha="center", va="center", color=_on(palette[name]))
+                axes.text(
+                    left + share / 2,
+                    0,
+                    percent(share),
+                    ha="center",
+                    va="center",
+                    color=_on(palette[name]),
+                )
             left += share
         axes.set_xlim(0, 1)
         axes.axis("off")
-        handles = [Patch(color=palette[n], label=f"{words(n)} {percent(s)}") for n, s in balance.items()]
+        handles = [
+            Patch(color=palette[n], label=f"{words(n)} {percent(s)}") for n, s in balance.items()
+        ]
         figure.legend(handles=handles, loc="outside lower center", ncols=max(len(handles), 1))
         return picture(
             figure,
@@ -145,12 +173,16 @@ def probability_picture(rows: Sequence[ProbabilityRow]) -> Picture:
         for (_, share, _), colour in zip(rows, colours, strict=True):
             axes.barh(0, share, 0.6, left=left, color=colour, edgecolor="white", linewidth=1.2)
             if share > _WIDE_ENOUGH:
-                axes.text(left + share / 2, 0, percent(share), ha="center", va="center", color=_on(colour))
+                axes.text(
+                    left + share / 2, 0, percent(share), ha="center", va="center", color=_on(colour)
+                )
             left += share
         axes.set_xlim(0, 1)
         axes.axis("off")
         labels = [f"{percent(share)}  {shortened(what, 90)}" for what, share, _ in rows]
-        handles = [Patch(color=colour, label=label) for colour, label in zip(colours, labels, strict=True)]
+        handles = [
+            Patch(color=colour, label=label) for colour, label in zip(colours, labels, strict=True)
+        ]
         figure.legend(handles=handles, loc="outside lower left", ncols=1)
         return picture(
             figure,

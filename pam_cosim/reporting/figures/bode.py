@@ -27,7 +27,9 @@ def bode(model: LinearModel) -> Figure:
         InputError: there is no input or no output.
     """
     if not model.inputs or not model.outputs:
-        raise InputError(f"{model.model} has no {'output' if model.inputs else 'input'}: there is no response to draw")
+        raise InputError(
+            f"{model.model} has no {'output' if model.inputs else 'input'}: there is no response to draw"
+        )
     frequencies, times = spread_frequencies(model), spread_times(model)
     gains, steps = model.response(frequencies), model.step(times)
     rows = len(model.outputs)
@@ -35,7 +37,9 @@ def bode(model: LinearModel) -> Figure:
     grid = figure.subplots(rows, 3, squeeze=False, sharex="col")
     for i, output in enumerate(model.outputs):
         for j, name in enumerate(model.inputs):
-            factor = readable_factor(model.units.get(output, "")) / readable_factor(model.units.get(name, ""))
+            factor = readable_factor(model.units.get(output, "")) / readable_factor(
+                model.units.get(name, "")
+            )
             colour, gain = BALANCES[j % len(BALANCES)], gains[:, i, j]
             if not np.any(np.abs(gain) > 0):
                 continue  # this input does not act on this output
@@ -45,7 +49,9 @@ def bode(model: LinearModel) -> Figure:
         unit = unit_text(model.units.get(output, ""))
         grid[i, 0].set_ylabel(f"{output} [{unit}] per input" if unit else f"{output} per input")
         grid[i, 1].set_ylabel("phase [°]")
-    for axes, title in zip(grid[0], ("gain", "phase", "after a step of the input by one unit"), strict=True):
+    for axes, title in zip(
+        grid[0], ("gain", "phase", "after a step of the input by one unit"), strict=True
+    ):
         axes.set_title(title, loc="left")
     for axes, label in zip(grid[-1], ("frequency [Hz]", "frequency [Hz]", "time [s]"), strict=True):
         axes.set_xlabel(label)
@@ -56,7 +62,9 @@ def bode(model: LinearModel) -> Figure:
     for axes in grid[0, :2]:
         plain_decades(axes.xaxis)
     names = [_with_unit(name, model.units.get(name, "")) for name in model.inputs]
-    lines = [grid[0, 0].plot([], [], color=BALANCES[j % len(BALANCES)])[0] for j in range(len(names))]
+    lines = [
+        grid[0, 0].plot([], [], color=BALANCES[j % len(BALANCES)])[0] for j in range(len(names))
+    ]
     figure.legend(lines, names, loc="outside upper center", ncols=min(4, len(names)))
     figure.align_ylabels()
     return figure

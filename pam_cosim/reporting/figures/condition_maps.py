@@ -33,14 +33,34 @@ def _map(axes: Axes, table: ConditionTable, statistic: Statistic) -> None:
     m, n = values.shape
     good = np.ma.masked_invalid(values if statistic == "correlation" else -values)
     shades = (good - good.min()) / (np.ma.ptp(good) or 1.0) if good.count() else good
-    axes.imshow(shades, cmap=_COLOURS, aspect="auto", extent=(-0.5, n - 0.5, m - 0.5, -0.5), vmin=0, vmax=1)
+    axes.imshow(
+        shades, cmap=_COLOURS, aspect="auto", extent=(-0.5, n - 0.5, m - 0.5, -0.5), vmin=0, vmax=1
+    )
     for i, j in np.ndindex(m, n):
         dark = bool(np.ma.filled(shades[i, j], 1.0) > _DARK)
-        axes.text(j, i, texts[i + 1][j + 1], ha="center", va="center", fontsize=7.5, color=INK if dark else "white")
+        axes.text(
+            j,
+            i,
+            texts[i + 1][j + 1],
+            ha="center",
+            va="center",
+            fontsize=7.5,
+            color=INK if dark else "white",
+        )
     for i in range(m):
-        axes.text(n + 0.05, i, _stacked(texts[i + 1][n + 1]), ha="center", va="center", fontsize=7, color=SOFT)
+        axes.text(
+            n + 0.05,
+            i,
+            _stacked(texts[i + 1][n + 1]),
+            ha="center",
+            va="center",
+            fontsize=7,
+            color=SOFT,
+        )
     for j in range(n):
-        axes.text(j, m, _stacked(texts[m + 1][j + 1]), ha="center", va="center", fontsize=7, color=SOFT)
+        axes.text(
+            j, m, _stacked(texts[m + 1][j + 1]), ha="center", va="center", fontsize=7, color=SOFT
+        )
     axes.text(n + 0.05, m, "mean\n± sd", ha="center", va="center", fontsize=7, color=SOFT)
     axes.set(xlim=(-0.5, n + 0.6), ylim=(m + 0.5, -0.5))
     axes.set_xticks(range(n), table.columns.labels)

@@ -21,7 +21,9 @@ def course(trajectory: Trajectory) -> Figure:
     grid = figure.subplots(rows, columns, sharex=True, squeeze=False)
     for axes, name in zip(grid.T.ravel(), names, strict=False):
         si = trajectory.units.get(name, "")
-        axes.plot(trajectory.time, trajectory.values[name] * readable_factor(si), color=AFTER, lw=1.5)
+        axes.plot(
+            trajectory.time, trajectory.values[name] * readable_factor(si), color=AFTER, lw=1.5
+        )
         unit = unit_text(si)
         axes.set_ylabel(f"{name} [{unit}]" if unit else name)
         axes.grid(True)

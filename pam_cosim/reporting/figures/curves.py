@@ -19,7 +19,9 @@ from pam_cosim.units import readable_factor
 DASHES = (4.5, 2.0)
 
 
-def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer], every: int = 1) -> None:
+def draw_curves(
+    axes: Axes, run: RunComparison, signal: Signal, layers: Sequence[Layer], every: int = 1
+) -> None:
     """Measured dots, one of ``every``, and a line for each model, in readable units."""
     factor = readable_factor(signal.unit)
     kept = np.flatnonzero(np.isfinite(run.run.measurements[signal.name]))[::every]
@@ -39,7 +41,11 @@ def draw_curves(axes: Axes, run: RunComparison, signal: Signal, layers: Sequence
         own = layer.run(run.run.name)
         if own is not None and signal.name in own.model:
             (line,) = axes.plot(
-                places(own), own.model[signal.name] * factor, color=layer.colour, lw=1.6 if few else 1.1, zorder=3 + i
+                places(own),
+                own.model[signal.name] * factor,
+                color=layer.colour,
+                lw=1.6 if few else 1.1,
+                zorder=3 + i,
             )
             if layer.dashed:
                 line.set_dashes(DASHES)

@@ -36,7 +36,10 @@ def _convergence(axes: Axes, fit: Fit) -> None:
         message(axes, "not recorded")
         return
     end = max(fit.evaluations, int(course.evaluations[-1]))
-    x, y = np.append(course.evaluations, end), np.append(course.chi2_reduced, course.chi2_reduced[-1])
+    x, y = (
+        np.append(course.evaluations, end),
+        np.append(course.chi2_reduced, course.chi2_reduced[-1]),
+    )
     axes.step(x, y, where="post", color=BLUE)
     searched = getattr(fit.search, "evaluations", None)
     if searched is not None:
@@ -70,7 +73,9 @@ def _matrix(axes: Axes, fit: Fit) -> None:
     for i, j in np.ndindex(matrix.shape):
         if np.isfinite(matrix[i, j]):
             colour = "white" if abs(matrix[i, j]) > 0.6 else INK
-            axes.text(j, i, f"{matrix[i, j]:.2f}", ha="center", va="center", fontsize=7, color=colour)
+            axes.text(
+                j, i, f"{matrix[i, j]:.2f}", ha="center", va="center", fontsize=7, color=colour
+            )
     axes.set_xticks(range(len(names)), names, rotation=45, ha="right")
     axes.set_yticks(range(len(names)), names)
     axes.tick_params(length=0)

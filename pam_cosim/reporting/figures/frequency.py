@@ -17,29 +17,52 @@ _POINTS = 300
 def frequency_figure(response: FrequencyResponse) -> Figure:
     """A column for each output: gain, phase and distortion by frequency."""
     outputs = response.outputs
-    figure = new_figure(1.0 + 3.0 * len(outputs), 6.0)  # wider ones are shrunk on a page, and their letters
+    figure = new_figure(
+        1.0 + 3.0 * len(outputs), 6.0
+    )  # wider ones are shrunk on a page, and their letters
     grid = figure.subplots(3, len(outputs), squeeze=False, sharex=True, height_ratios=(3, 2, 1.3))
     fine = np.geomspace(response.frequencies.min() / 1.3, response.frequencies.max() * 1.3, _POINTS)
     smooth = None if response.linear is None else response.linear.response(fine)[:, :, 0]
     settled = response.settled.astype(bool)
     for i, name in enumerate(outputs):
-        factor = readable_factor(response.units[name]) / readable_factor(response.units[response.input])
+        factor = readable_factor(response.units[name]) / readable_factor(
+            response.units[response.input]
+        )
         gain, turn = grid[0, i], grid[1, i]
         own = phase(response.gain[:, i])
         if smooth is not None:
-            gain.loglog(fine, np.abs(smooth[:, i]) * factor, color=SOFT, lw=1.2, label="linear model")
+            gain.loglog(
+                fine, np.abs(smooth[:, i]) * factor, color=SOFT, lw=1.2, label="linear model"
+            )
             line = phase(smooth[:, i])
             turn.semilogx(fine, line, color=SOFT, lw=1.2)
-            own = own + 360.0 * np.round((np.interp(response.frequencies[0], fine, line) - own[0]) / 360.0)
+            own = own + 360.0 * np.round(
+                (np.interp(response.frequencies[0], fine, line) - own[0]) / 360.0
+            )
         for which, fill in ((settled, AFTER), (~settled, "none")):
             label = "sines" if fill != "none" else "sines, not settled"
             if np.any(which):
                 style = {"ls": "none", "marker": "o", "ms": 5, "color": AFTER, "mfc": fill}
-                gain.loglog(response.frequencies[which], np.abs(response.gain[which, i]) * factor, label=label, **style)
+                gain.loglog(
+                    response.frequencies[which],
+                    np.abs(response.gain[which, i]) * factor,
+                    label=label,
+                    **style,
+                )
                 turn.semilogx(response.frequencies[which], own[which], **style)
-        grid[2, i].semilogx(response.frequencies, 100 * response.distortion[:, i], "o-", color=VERMILLION, ms=4, lw=1)
+        grid[2, i].semilogx(
+            response.frequencies,
+            100 * response.distortion[:, i],
+            "o-",
+            color=VERMILLION,
+            ms=4,
+            lw=1,
+        )
         grid[2, i].set_ylim(bottom=0)
-        unit, by = readable_unit(response.units[name]), readable_unit(response.units[response.input])
+        unit, by = (
+            readable_unit(response.units[name]),
+            readable_unit(response.units[response.input]),
+        )
         gain.set_title(f"{name} by {response.input}", loc="left")
         gain.set_ylabel(f"gain [{unit_text(unit) or '1'}/{by or '1'}]")
         turn.set_ylabel("phase [°]")

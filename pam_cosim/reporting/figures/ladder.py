@@ -13,7 +13,17 @@ from matplotlib.patches import Patch
 from pam_cosim.comparison import SignalScore
 from pam_cosim.measurement import ROLES, Signal
 from pam_cosim.reporting.account.wording import number, unit_text, wrapped
-from pam_cosim.reporting.style import AFTER, BEFORE, INK, SOFT, WIDTH, Picture, drawing, new_figure, picture
+from pam_cosim.reporting.style import (
+    AFTER,
+    BEFORE,
+    INK,
+    SOFT,
+    WIDTH,
+    Picture,
+    drawing,
+    new_figure,
+    picture,
+)
 from pam_cosim.units import readable_factor
 
 _WIDEST = 3  # panels beside each other
@@ -73,7 +83,9 @@ def _draw_bar(axes: Axes, at: float, height: float, width: float, role: str, col
     """A full bar for fitted runs, a hatched one for holdout runs."""
     full = role == "fit"
     face, hatch = (colour, None) if full else ("white", "////")
-    axes.bar(at, height, width, facecolor=face, edgecolor=colour, hatch=hatch, linewidth=1.0, zorder=3)
+    axes.bar(
+        at, height, width, facecolor=face, edgecolor=colour, hatch=hatch, linewidth=1.0, zorder=3
+    )
 
 
 def ladder_legend(roles: Sequence[str]) -> list[Patch | Line2D]:
@@ -103,13 +115,17 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
         for axes, signal in zip(grid, signals, strict=False):
             draw_ladder(axes, rungs, signal)
             axes.set_title(
-                signal.name if signal.fitted else f"{signal.name} (not fitted)", loc="left", fontweight="bold"
+                signal.name if signal.fitted else f"{signal.name} (not fitted)",
+                loc="left",
+                fontweight="bold",
             )
         for axes in grid[len(signals) :]:
             axes.set_visible(False)
         handles = ladder_legend(roles_of(rungs))
         figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
-        return picture(figure, "Root mean square error of each signal, model by model", _caption(rungs))
+        return picture(
+            figure, "Root mean square error of each signal, model by model", _caption(rungs)
+        )
 
 
 def _caption(rungs: Sequence[Rung]) -> str:
@@ -120,4 +136,8 @@ def _caption(rungs: Sequence[Rung]) -> str:
         "Root mean square error, from the base model to the model with all effects that were added. "
         "The dashed line is the noise: no honest model goes below it."
     )
-    return f"{text} An effect that is real lowers the hatched bars as much as the solid ones." if holdout else text
+    return (
+        f"{text} An effect that is real lowers the hatched bars as much as the solid ones."
+        if holdout
+        else text
+    )

@@ -39,7 +39,9 @@ def before_and_after(base: Comparison, final: Comparison | None, label: str) -> 
     return (before,) if final is None else (before, Layer(label, final, AFTER))
 
 
-def rivals(comparison: Comparison, against: Sequence[Comparison], labels: Sequence[str]) -> tuple[Layer, ...]:
+def rivals(
+    comparison: Comparison, against: Sequence[Comparison], labels: Sequence[str]
+) -> tuple[Layer, ...]:
     """A model solid and those it is compared with dashed; the first is drawn last, on top."""
     others = [
         Layer(label, c, FURTHER[i % len(FURTHER)], dashed=True)

@@ -18,7 +18,9 @@ def ledger_figure(ledger: Ledger) -> Figure:
     rows, domain = telling_entries(ledger), ledger.domain
     colours = _colours(ledger)
     figure = new_figure(11.0, 1.4 + 2.3 * max(len(rows), 1))
-    grid = figure.add_gridspec(1 + max(len(rows), 1), 4, height_ratios=[0.55] + [1.0] * max(len(rows), 1))
+    grid = figure.add_gridspec(
+        1 + max(len(rows), 1), 4, height_ratios=[0.55] + [1.0] * max(len(rows), 1)
+    )
     draw_shares(figure.add_subplot(grid[0, :]), ledger)
     for i, entry in enumerate(rows):
         colour = colours[entry.balance]
@@ -44,7 +46,15 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
             axes.barh(0, entry.share, left=left, color=colours[entry.balance], height=0.6)
             if entry.share > 0.08:
                 text = f"{entry.balance} {100 * entry.share:.0f} %"
-                axes.text(left + entry.share / 2, 0, text, ha="center", va="center", color="white", fontweight="bold")
+                axes.text(
+                    left + entry.share / 2,
+                    0,
+                    text,
+                    ha="center",
+                    va="center",
+                    color="white",
+                    fontweight="bold",
+                )
             left += entry.share
     if not left:
         message(axes, "no balance fails: the model meets the samples to the noise")
@@ -77,11 +87,20 @@ def draw_against(axes: Axes, entry: BalanceEntry, name: str, colour: str = INK) 
     across = readable_factor(entry.units.get(name, ""))
     for course in entry.courses:
         axes.plot(
-            course.against[name] * across, course.value * factor, ".", color=SOFT, ms=1.2, alpha=0.5, rasterized=True
+            course.against[name] * across,
+            course.value * factor,
+            ".",
+            color=SOFT,
+            ms=1.2,
+            alpha=0.5,
+            rasterized=True,
         )
     bands = binned(entry, name)
     at = np.array([(b.low + b.high) / 2 for b in bands]) * across
-    mean, deviation = np.array([b.mean for b in bands]) * factor, np.array([b.deviation for b in bands]) * factor
+    mean, deviation = (
+        np.array([b.mean for b in bands]) * factor,
+        np.array([b.deviation for b in bands]) * factor,
+    )
     axes.errorbar(at, mean, 2 * deviation, fmt="o-", color=colour, ms=3, lw=1.2, capsize=2)
     axes.axhline(0, color=SOFT, lw=0.8)
     _bound(axes, entry, factor)
@@ -99,7 +118,13 @@ def draw_map(axes: Axes, entry: BalanceEntry, domain: Domain) -> None:
     fx, fy = (readable_factor(entry.units.get(n, "")) for n in plane)
     axes.set_facecolor(BAND)
     picture = axes.pcolormesh(
-        cells.x_edges * fx, cells.y_edges * fy, cells.significance, cmap="RdBu_r", vmin=-6, vmax=6, rasterized=True
+        cells.x_edges * fx,
+        cells.y_edges * fy,
+        cells.significance,
+        cmap="RdBu_r",
+        vmin=-6,
+        vmax=6,
+        rasterized=True,
     )
     axes.figure.colorbar(picture, ax=axes, label="in standard deviations")
     axes.set_xlabel(_named(entry, plane[0]))

@@ -23,21 +23,31 @@ def observation_figure(observation: Observation) -> Figure:
     for axes, name in zip(grid, names, strict=False):
         factor, unit = readable_factor(observation.units[name]), unit_text(observation.units[name])
         value, around = observation[name] * factor, width * observation.deviations[name] * factor
-        axes.fill_between(observation.time, value - around, value + around, color=AFTER, alpha=0.25, lw=0)
+        axes.fill_between(
+            observation.time, value - around, value + around, color=AFTER, alpha=0.25, lw=0
+        )
         axes.plot(observation.time, value, color=AFTER, lw=1.2, label=f"estimate, {LEVEL:.0%}")
         if name in observation.measured:
             measured = observation.measured[name] * factor
             axes.plot(observation.time, measured, ".", color=BALANCES[0], ms=2, label="measured")
         if name in observation.truth:
-            axes.plot(observation.time, observation.truth[name] * factor, color=INK, lw=0.9, label="truth")
+            axes.plot(
+                observation.time, observation.truth[name] * factor, color=INK, lw=0.9, label="truth"
+            )
         axes.set_ylabel(f"{name} [{unit}]" if unit else name)
         axes.legend(loc="best", ncols=3)
         axes.grid(True)
     last = grid[-1]
     last.axhspan(-width, width, color=BAND, zorder=0)
     for i, (name, values) in enumerate(observation.innovations.items()):
-        last.plot(observation.time, values, ".", ms=3, color=BALANCES[i % len(BALANCES)], label=name)
-    sizes = [float(np.nanmax(np.abs(v))) for v in observation.innovations.values() if np.isfinite(v).any()]
+        last.plot(
+            observation.time, values, ".", ms=3, color=BALANCES[i % len(BALANCES)], label=name
+        )
+    sizes = [
+        float(np.nanmax(np.abs(v)))
+        for v in observation.innovations.values()
+        if np.isfinite(v).any()
+    ]
     end = 1.1 * max(3.0, *sizes, 0.0)
     last.set(xlabel="time [s]", ylabel="normalised innovations", ylim=(-end, end))
     last.legend(loc="best", ncols=4)

@@ -20,7 +20,9 @@ _HEIGHT, _MARGIN = 1.55, 0.85  # in, of a row and of what surrounds the rows
 Panel = Callable[[Axes, RunComparison, Signal], None]
 
 
-def panels(runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel, what: str = "{}") -> Figure:
+def panels(
+    runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel, what: str = "{}"
+) -> Figure:
     """A grid of axes, filled by ``draw`` where the run measured the signal; it says so where it did not.
 
     Args:
@@ -46,7 +48,9 @@ def panels(runs: Sequence[RunComparison], signals: Sequence[Signal], draw: Panel
                     spine.set_color(LINE)
         grid[i, 0].set_ylabel(_label(what.format(signal.name), signal.unit))
     for j, run in enumerate(runs):
-        grid[0, j].set_title(_title(run, columns), fontweight="bold" if run.run.role == "holdout" else "normal")
+        grid[0, j].set_title(
+            _title(run, columns), fontweight="bold" if run.run.role == "holdout" else "normal"
+        )
         grid[-1, j].set_xlabel(over(run))
         _limits(grid[-1, j], run)
     figure.align_ylabels(grid[:, 0])
@@ -66,7 +70,11 @@ def over(run: RunComparison) -> str:
 
 def places(run: RunComparison) -> Array:
     """(n,) where the samples of a run are drawn, in the unit of the label."""
-    return run.run.time if run.run.along is None else run.run.time * readable_factor(run.run.along.unit)
+    return (
+        run.run.time
+        if run.run.along is None
+        else run.run.time * readable_factor(run.run.along.unit)
+    )
 
 
 def _label(name: str, unit: str) -> str:

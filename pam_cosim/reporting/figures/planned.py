@@ -55,7 +55,14 @@ def _signal(axes: Axes, plan: RunPlan, run: PlannedRun, name: str) -> None:
     factor = readable_factor(plan.units[name])
     for k, rival in enumerate(plan.rivals):
         style = "--" if k else "-"
-        axes.plot(run.time, run.predicted[rival][name] * factor, color=_colour(k), lw=1.2, ls=style, label=rival)
+        axes.plot(
+            run.time,
+            run.predicted[rival][name] * factor,
+            color=_colour(k),
+            lw=1.2,
+            ls=style,
+            label=rival,
+        )
     axes.grid(True)
 
 

@@ -36,7 +36,9 @@ def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture 
             row[0].set_ylabel(_label(up))
         for axes in grid[-1]:
             axes.set_xlabel(_label(across))
-        figure.colorbar(drawn, ax=grid, label="measured − model\n[noise standard deviations]", extend="both")
+        figure.colorbar(
+            drawn, ax=grid, label="measured − model\n[noise standard deviations]", extend="both"
+        )
         return picture(
             figure,
             f"Mean residual of each signal over the plane of {across.name} and {up.name}",
@@ -45,19 +47,30 @@ def residual_map(layers: Sequence[Layer], signals: Sequence[Signal]) -> Picture 
         )
 
 
-def binned_residual(layer: Layer, signal: Signal, across: Signal, up: Signal) -> tuple[Array, Array, Array]:
+def binned_residual(
+    layer: Layer, signal: Signal, across: Signal, up: Signal
+) -> tuple[Array, Array, Array]:
     """Mean residual (cells, cells) in noise standard deviations, NaN where nobody was; edges (cells + 1,) [SI]."""
     runs = [r for r in layer.comparison.runs if r.run.sample_count(signal.name)]
     noise = [signal.sigma_at(r.run.measurements[signal.name]) for r in runs]
-    error = np.concatenate([r.residual(signal.name) / own for r, own in zip(runs, noise, strict=True)])
+    error = np.concatenate(
+        [r.residual(signal.name) / own for r, own in zip(runs, noise, strict=True)]
+    )
     x, y = (np.concatenate([r.model[s.name] for r in runs]) for s in (across, up))
     kept = np.isfinite(error)
     edges = [np.linspace(v[kept].min(), v[kept].max() or 1.0, _CELLS + 1) for v in (y, x)]
     if not all(np.all(np.diff(e) > 0) for e in edges):
-        edges = [e if np.all(np.diff(e) > 0) else np.linspace(e[0] - 0.5, e[0] + 0.5, _CELLS + 1) for e in edges]
+        edges = [
+            e if np.all(np.diff(e) > 0) else np.linspace(e[0] - 0.5, e[0] + 0.5, _CELLS + 1)
+            for e in edges
+        ]
     count, y_edges, x_edges = np.histogram2d(y[kept], x[kept], bins=edges)
     total, _, _ = np.histogram2d(y[kept], x[kept], bins=edges, weights=error[kept])
-    return np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0), x_edges, y_edges
+    return (
+        np.divide(total, count, out=np.full_like(total, np.nan), where=count > 0),
+        x_edges,
+        y_edges,
+    )
 
 
 def _draw(axes: Axes, layer: Layer, signal: Signal, across: Signal, up: Signal) -> QuadMesh:
@@ -65,7 +78,9 @@ def _draw(axes: Axes, layer: Layer, signal: Signal, across: Signal, up: Signal) 
     fx, fy = (readable_factor(s.unit) for s in (across, up))
     axes.set_facecolor(BAND)
     axes.tick_params(colors=SOFT)
-    return axes.pcolormesh(x_edges * fx, y_edges * fy, mean, cmap="RdBu_r", vmin=-_FULL, vmax=_FULL, rasterized=True)
+    return axes.pcolormesh(
+        x_edges * fx, y_edges * fy, mean, cmap="RdBu_r", vmin=-_FULL, vmax=_FULL, rasterized=True
+    )
 
 
 def _count(layer: Layer, name: str) -> int:

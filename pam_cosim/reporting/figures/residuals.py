@@ -57,7 +57,9 @@ def _growing_band(axes: Axes, run: RunComparison, signal: Signal, factor: float)
     """The band of noise that grows with the reading, from sample to sample."""
     kept = np.isfinite(run.run.measurements[signal.name])
     at = places(run)[kept]
-    reach = _BAND_SIGMAS * factor * np.asarray(signal.sigma_at(run.run.measurements[signal.name][kept]))
+    reach = (
+        _BAND_SIGMAS * factor * np.asarray(signal.sigma_at(run.run.measurements[signal.name][kept]))
+    )
     axes.fill_between(at, -reach, reach, color=BAND, lw=0.0, zorder=1)
     for sign in (-1.0, 1.0):
         axes.plot(at, sign * reach, color=SOFT, lw=0.6, zorder=9)
@@ -69,12 +71,15 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
     signals = list(comparison.data.signals.values())
     pictures = []
     handles: list[Line2D | Patch] = [
-        Line2D([], [], color=x.colour, marker="o", mec="none", ms=4, ls="none", label=x.label) for x in layers
+        Line2D([], [], color=x.colour, marker="o", mec="none", ms=4, ls="none", label=x.label)
+        for x in layers
     ]
     handles.append(Patch(color=BAND, label=f"noise, ±{_BAND_SIGMAS} standard deviations"))
     for runs in pages(comparison.runs):
         with drawing():
-            figure = panels(runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error")
+            figure = panels(
+                runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error"
+            )
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
             drawn = listed(list(dict.fromkeys(drawn_over(r) for r in runs)))
             what = listed([s.name for s in signals])

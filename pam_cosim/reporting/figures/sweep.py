@@ -96,7 +96,11 @@ def _over_two(figure: Figure, axes: Axes, sweep: Sweep, values: Array, label: st
         _family(figure, axes, sweep, table, label, fewer=0 if first < second else 1)
         return
     mesh = axes.pcolormesh(
-        x.reshape(table.shape)[:, 0], y.reshape(table.shape)[0], table.T, cmap=_MAP, shading="nearest"
+        x.reshape(table.shape)[:, 0],
+        y.reshape(table.shape)[0],
+        table.T,
+        cmap=_MAP,
+        shading="nearest",
     )
     axes.set_xlabel(_name(sweep, 0))
     axes.set_ylabel(_name(sweep, 1))
@@ -105,12 +109,17 @@ def _over_two(figure: Figure, axes: Axes, sweep: Sweep, values: Array, label: st
 
 def _family(figure: Figure, axes: Axes, sweep: Sweep, table: Array, label: str, fewer: int) -> None:
     """A line for each value of the axis with fewer of them, coloured by it."""
-    x, lines = _shown(sweep, 1 - fewer).reshape(table.shape), _shown(sweep, fewer).reshape(table.shape)
+    x, lines = (
+        _shown(sweep, 1 - fewer).reshape(table.shape),
+        _shown(sweep, fewer).reshape(table.shape),
+    )
     if fewer == 1:
         x, lines, table = x.T, lines.T, table.T
     colours = _colours(lines[:, 0])
     for along, value, numbers in zip(x, lines[:, 0], table, strict=True):
-        axes.plot(along, numbers, color=colours.to_rgba(np.asarray(value)), lw=1.3, marker="o", ms=2.5)
+        axes.plot(
+            along, numbers, color=colours.to_rgba(np.asarray(value)), lw=1.3, marker="o", ms=2.5
+        )
     _named(axes, _name(sweep, 1 - fewer), label)
     figure.colorbar(colours, ax=axes, label=_name(sweep, fewer))
 
@@ -124,7 +133,11 @@ def _courses(sweep: Sweep) -> Figure:
     good = [i for i in range(len(sweep)) if not sweep.table.failure(i)]
     figure = new_figure(8.0, 0.7 + 1.9 * max(1, len(sweep.outputs)))
     panels = figure.subplots(max(1, len(sweep.outputs)), 1, sharex=True, squeeze=False)[:, 0]
-    shown = [good[i] for i in np.unique(np.linspace(0, len(good) - 1, _RUNS).round().astype(int))] if good else []
+    shown = (
+        [good[i] for i in np.unique(np.linspace(0, len(good) - 1, _RUNS).round().astype(int))]
+        if good
+        else []
+    )
     first = _shown(sweep, 0)
     colours = _colours(first)
     for axes, name in zip(panels, sweep.outputs, strict=False):

@@ -22,18 +22,24 @@ def tracking_figure(tracking: Tracking) -> Figure:
     left.loglog(tracking.frequencies, 100 * tracking.relative_error, "-", color=AFTER, lw=1.2)
     settled = tracking.settled.astype(bool)
     for at, fill in ((settled, AFTER), (~settled, "white")):
-        left.loglog(tracking.frequencies[at], 100 * tracking.relative_error[at], "o", color=AFTER, mfc=fill)
+        left.loglog(
+            tracking.frequencies[at], 100 * tracking.relative_error[at], "o", color=AFTER, mfc=fill
+        )
     left.axhline(100, color=INK, lw=0.8, ls=":")
     left.set(xlabel="frequency [Hz]", ylabel="rms error [% of the sine's]")
     plain_decades(left.xaxis)
     plain_decades(left.yaxis)
     right.plot(tracking.phase, tracking.wanted * factor, color=INK, lw=1.4, label="wanted")
-    shown = np.unique(np.linspace(0, len(tracking.frequencies) - 1, _MOST_COURSES).round().astype(int))
+    shown = np.unique(
+        np.linspace(0, len(tracking.frequencies) - 1, _MOST_COURSES).round().astype(int)
+    )
     for j, k in enumerate(shown):
         colour = BALANCES[j % len(BALANCES)]
         label = f"{tracking.frequencies[k]:.3g} Hz"
         right.plot(tracking.phase, tracking.courses[k] * factor, color=colour, lw=1.1, label=label)
-    right.set(xlabel="part of a period", ylabel=f"{tracking.output} [{unit}]" if unit else tracking.output)
+    right.set(
+        xlabel="part of a period", ylabel=f"{tracking.output} [{unit}]" if unit else tracking.output
+    )
     right.legend(loc="best", ncols=2)
     for axes in (left, right):
         axes.grid(True)

@@ -16,7 +16,11 @@ def names_of(value: Any, what: str) -> list[str]:
     Raises:
         InputError: it is none.
     """
-    if not isinstance(value, (list, tuple)) or len(value) > _MOST or not all(isinstance(v, str) for v in value):
+    if (
+        not isinstance(value, (list, tuple))
+        or len(value) > _MOST
+        or not all(isinstance(v, str) for v in value)
+    ):
         raise InputError(f"{what} wants a list of names, not {shown(value)}")
     return list(dict.fromkeys(value))
 

@@ -25,7 +25,10 @@ if TYPE_CHECKING:
 
 
 def add(
-    session: Session, effects: Sequence[str] | None = None, file: str | None = None, learned: bool = False
+    session: Session,
+    effects: Sequence[str] | None = None,
+    file: str | None = None,
+    learned: bool = False,
 ) -> dict[str, Any]:
     """Writes the model with effects and its values as Modelica into the study's folder; default: those that are on.
 
@@ -42,13 +45,17 @@ def add(
     if not state.effects:
         raise InputError("there is no effect to add: switch one on, or diagnose first")
     if not on:
-        raise InputError("what is stated of a parameter is no part of a model: correct it in the data set")
+        raise InputError(
+            "what is stated of a parameter is no part of a model: correct it in the data set"
+        )
     target = _target(session, file, default=session.catalogue.composed(state.model, on).name)
     fitted = FittedModel(state.model, on, state.values, state.data.constants)
     parameters = session.opened.simulator.interface.parameters
     text = session.catalogue.written(fitted, target.stem, parameters)
     _write(target, text)
-    step = Step(ADD, {"effects": list(on), "values": fitted.stated(parameters), "file": target.name})
+    step = Step(
+        ADD, {"effects": list(on), "values": fitted.stated(parameters), "file": target.name}
+    )
     session.back(state.after(step, file=target.name))
     session.windows.tell(AddedEvent(target.name, text, on))
     return {"file": target.name, "text": text}
@@ -80,13 +87,17 @@ def _add_learned(session: Session, file: str | None) -> dict[str, Any]:
 def _target(session: Session, file: str | None, default: str) -> Path:
     name = f"{default}.mo" if file is None else text_of(file, "add")
     if not name.endswith(".mo"):
-        raise InputError(f"{shown(name)}: the model is written as Modelica: name a file that ends in .mo")
+        raise InputError(
+            f"{shown(name)}: the model is written as Modelica: name a file that ends in .mo"
+        )
     return inside(session.folder, name)
 
 
 def _write(target: Path, text: str) -> None:
     if target.exists() and target.read_text(encoding="utf-8", errors="replace") != text:
-        raise InputError(f"there is another file {target.name} in the folder already; name a new one")
+        raise InputError(
+            f"there is another file {target.name} in the folder already; name a new one"
+        )
     write_text(target, text)
 
 

@@ -25,12 +25,16 @@ if TYPE_CHECKING:
 def fit(session: Session, method: str = "least-squares", free: Sequence[str] | None = None) -> None:
     """Fits parameters, all or those named, from where the sliders stand."""
     if method not in METHODS:
-        raise InputError(f"there is no method {shown(method)} to fit with; {did_you_mean(str(method), METHODS)}")
+        raise InputError(
+            f"there is no method {shown(method)} to fit with; {did_you_mean(str(method), METHODS)}"
+        )
     known = session.opened.parameters
     chosen = list(known) if free is None else names_of(free, "fit")
     stray = next((name for name in chosen if name not in known), None)
     if stray is not None:
-        raise InputError(f"there is no parameter {shown(stray)} to fit; {did_you_mean(stray, known)}")
+        raise InputError(
+            f"there is no parameter {shown(stray)} to fit; {did_you_mean(stray, known)}"
+        )
     if not chosen:
         raise InputError("nothing to fit: choose at least one parameter")
     session.work.make_room()
@@ -60,7 +64,9 @@ def diagnose(
     """Looks for the effect that the standing model lacks."""
     try:
         if time_limit is not None and (isinstance(time_limit, bool) or not seconds(time_limit) > 0):
-            raise InputError(f"{shown(time_limit)} is no time limit: it must be longer than nothing")
+            raise InputError(
+                f"{shown(time_limit)} is no time limit: it must be longer than nothing"
+            )
     except UnitError as problem:
         raise InputError(f"the time limit: {problem}") from None
     options: dict[str, Any] = {
@@ -78,7 +84,9 @@ def diagnose(
 
     def finish(result: Diagnosis) -> None:
         state = session.state
-        session.back(state.after(Step(DIAGNOSE, options), diagnosis=lean(result), diagnosed=state.effects))
+        session.back(
+            state.after(Step(DIAGNOSE, options), diagnosis=lean(result), diagnosed=state.effects)
+        )
         session.remember(state)
         session.work.tell_diagnosis()
 

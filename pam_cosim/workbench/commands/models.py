@@ -38,7 +38,9 @@ def switch(session: Session, effects: Sequence[str]) -> None:
 def _kept(session: Session, effects: Sequence[str]) -> dict[str, float]:
     """The values that a model with these effects keeps: those of its base, and of effects that it had before."""
     origin = session.opened.origin
-    starts = session.opened.start_values_in(session.state.values)  # another model may have other states
+    starts = session.opened.start_values_in(
+        session.state.values
+    )  # another model may have other states
     kept = {name: value for name, value in session.state.values.items() if name not in starts}
     return {name: value for name, value in kept.items() if origin.get(name) in (None, *effects)}
 
@@ -75,7 +77,11 @@ def choose(session: Session, model: str) -> None:
 def candidate_of(session: Session, effects: Sequence[str]) -> Candidate | None:
     """The model of the last ranking with just these effects."""
     diagnosis = session.state.diagnosis
-    return next((c for c in diagnosis.candidates if c.effects == tuple(effects)), None) if diagnosis else None
+    return (
+        next((c for c in diagnosis.candidates if c.effects == tuple(effects)), None)
+        if diagnosis
+        else None
+    )
 
 
 def take(session: Session, candidate: Sequence[str] | int) -> None:
@@ -85,7 +91,9 @@ def take(session: Session, candidate: Sequence[str] | int) -> None:
     if diagnosis is None:
         raise InputError("there is no ranking to take a model from: diagnose first")
     if isinstance(candidate, int) and not isinstance(candidate, bool):
-        chosen = diagnosis.candidates[candidate] if 0 <= candidate < len(diagnosis.candidates) else None
+        chosen = (
+            diagnosis.candidates[candidate] if 0 <= candidate < len(diagnosis.candidates) else None
+        )
     else:
         chosen = candidate_of(session, names_of(candidate, "take"))
     if chosen is None:

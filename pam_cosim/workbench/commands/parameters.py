@@ -22,10 +22,18 @@ def set_values(session: Session, values: Mapping[str, Any]) -> None:
     """Sets parameters, numbers in their shown units."""
     session.work.check_free()
     states = session.opened.simulator.interface.start_values
-    starts = {name: states[name.rpartition("@")[0]] for name in values if name.rpartition("@")[0] in states}
-    starts = {name: variable for name, variable in starts.items() if name not in session.opened.parameters}
+    starts = {
+        name: states[name.rpartition("@")[0]]
+        for name in values
+        if name.rpartition("@")[0] in states
+    }
+    starts = {
+        name: variable for name, variable in starts.items() if name not in session.opened.parameters
+    }
     others = {name: number for name, number in values.items() if name not in starts}
-    si = {name: _number(session, _parameter(session, name), number) for name, number in others.items()}
+    si = {
+        name: _number(session, _parameter(session, name), number) for name, number in others.items()
+    }
     moved = {name: _start_value(name, variable, values[name]) for name, variable in starts.items()}
     if si:
         _move(session, si)
@@ -73,7 +81,9 @@ def _number(session: Session, free: Free, value: Any) -> float:
     if variable is not None and free.name != f"{variable.name}/stated":
         number = value_of(number, variable)
     if not free.low <= number <= free.high:
-        raise InputError(f"{shown(f'{free.name}={value}')}: a slider goes from its lowest to its highest value")
+        raise InputError(
+            f"{shown(f'{free.name}={value}')}: a slider goes from its lowest to its highest value"
+        )
     return number
 
 

@@ -66,7 +66,9 @@ def begin(session: Session, run: str, mode: str | None = None) -> None:
 
 def release_estimated(session: Session) -> None:
     """Gives up start values that were set by hand where a fit estimates them, a step for each run."""
-    by_hand = {name.rpartition("@")[2] for name in session.opened.start_values_in(session.state.values)}
+    by_hand = {
+        name.rpartition("@")[2] for name in session.opened.start_values_in(session.state.values)
+    }
     for run in session.state.data.runs:
         if run.name in by_hand and run.start.mode == "estimated":
             begin(session, run.name, "estimated")
@@ -74,14 +76,20 @@ def release_estimated(session: Session) -> None:
 
 def without_start(session: Session, run: str) -> dict[str, float]:
     """The values of the study [SI] but for where a run begins."""
-    gone = {name for name in session.opened.start_values_in(session.state.values) if name.endswith(f"@{run}")}
+    gone = {
+        name
+        for name in session.opened.start_values_in(session.state.values)
+        if name.endswith(f"@{run}")
+    }
     return {name: value for name, value in session.state.values.items() if name not in gone}
 
 
 def _read(session: Session, cuts: Mapping[str, Ends], starts: Mapping[str, str]) -> DataSet:
     """The measurement with these cuts and starts."""
     data = session.state.data
-    return session.source.read(data.unmapped or data.model, {run.name: run.role for run in data.runs}, cuts, starts)
+    return session.source.read(
+        data.unmapped or data.model, {run.name: run.role for run in data.runs}, cuts, starts
+    )
 
 
 def _run(data: DataSet, name: Any) -> Run:

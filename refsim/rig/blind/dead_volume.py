@@ -73,4 +73,7 @@ class Resonator(Pocket):
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         p = now.p_gauge + P_ATM
-        return (*super().rates(q, now), (p - self.inside(q) - q[2] / self.conductance) / self.inertance)
+        return (
+            *super().rates(q, now),
+            (p - self.inside(q) - q[2] / self.conductance) / self.inertance,
+        )

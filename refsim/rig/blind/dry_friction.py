@@ -56,7 +56,9 @@ class CarriedPressure(Effect):
         return ((now.v - abs(now.v) * q[0]) / self.travel,)
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        wider = sqrt((self.fibre_squared - (self.length - x) ** 2) / (self.fibre_squared - self.length**2))
+        wider = sqrt(
+            (self.fibre_squared - (self.length - x) ** 2) / (self.fibre_squared - self.length**2)
+        )
         left = p_gauge - self.p_b * (wider - 1)
         return self.c * (left + sqrt(left * left + 2.5e7)) / 2 * q[0]
 

@@ -49,7 +49,9 @@ class UnevenBraid(Effect):
         """Share, square of cosine and of sine for the middle and the ends."""
         cos2 = self.length**2 / self.fibre_squared
         cos, sin = sqrt(cos2), sqrt(1 - cos2)
-        turned = cos - self.more * sin - self.more**2 / 2 * cos  # cosine of theta + more, to second order
+        turned = (
+            cos - self.more * sin - self.more**2 / 2 * cos
+        )  # cosine of theta + more, to second order
         steep = max(turned, 0.65) ** 2
         return (1 - self.share, cos2, 1 - cos2), (self.share, steep, 1 - steep)
 
@@ -60,7 +62,9 @@ class UnevenBraid(Effect):
         f = alone
         for _ in range(5):  # Newton's steps; the sum of lengths is concave in f
             lengths = [(s, sqrt(max(1 + f * i, 0.05) / (3 * c)), i / (6 * c)) for s, c, i in parts]
-            f += (a - sum(s * part for s, part, _ in lengths)) / sum(s * k / part for s, part, k in lengths)
+            f += (a - sum(s * part for s, part, _ in lengths)) / sum(
+                s * k / part for s, part, k in lengths
+            )
         return f / max(alone, 0.2)
 
 
@@ -80,5 +84,7 @@ class BridgingBladder(Effect):
     fibre_squared: float = 0.0734  # m2
 
     def shape_factor(self, x: float, p_gauge: float) -> float:
-        wider = sqrt((self.fibre_squared - (self.length - x) ** 2) / (self.fibre_squared - self.length**2))
+        wider = sqrt(
+            (self.fibre_squared - (self.length - x) ** 2) / (self.fibre_squared - self.length**2)
+        )
         return 1 + self.c * (wider - 1) / (1 + max(p_gauge, 0.0) / self.p_0)

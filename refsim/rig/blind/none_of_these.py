@@ -168,7 +168,10 @@ class FrozenDisplay(Strange):
     first: float = 0.4  # s
 
     def _begins(self) -> list[float]:
-        return [self.first + k * self.period for k in range(int((LONGEST - self.first) / self.period) + 1)]
+        return [
+            self.first + k * self.period
+            for k in range(int((LONGEST - self.first) / self.period) + 1)
+        ]
 
     def drive(self, schedule: Schedule) -> Schedule:
         begins = self._begins()

@@ -21,7 +21,9 @@ class CooledLine(OrificeTube):
     form = "cooled_line"
     wall: float = 0.03  # W/K, G
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         gas, energy = super().line_rates(q, from_valves, p, temperature)
         return gas, energy - self.wall * (self.node(q)[1] - T_ATM)
 

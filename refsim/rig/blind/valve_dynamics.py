@@ -31,7 +31,9 @@ class PressedPlunger(Effect):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         pressed = 1 + max(now.p_gauge, 0.0) / self.p_0
         gap = now.command[1] - q[1]
-        return (now.command[0] - q[0]) / self.tau, gap / self.tau * (1 / pressed if gap > 0 else pressed)
+        return (now.command[0] - q[0]) / self.tau, gap / self.tau * (
+            1 / pressed if gap > 0 else pressed
+        )
 
     def current(self, q: State, command: Currents) -> Currents:
         return q[0], q[1]
@@ -82,7 +84,9 @@ class AveragedCommand(Effect):
         fine, every = 1e-3, 5  # s; samples of the mean are 5 ms apart
         times = np.arange(round(LONGEST / fine)) * fine
         commands = np.array([schedule.at(float(t)) for t in times])
-        total = np.vstack([np.zeros(2), np.cumsum(commands, axis=0) * fine])  # up to the end of each slot
+        total = np.vstack(
+            [np.zeros(2), np.cumsum(commands, axis=0) * fine]
+        )  # up to the end of each slot
         edges = np.arange(len(total)) * fine
         early = np.maximum(edges - self.window, 0.0)
         before = np.stack([np.interp(early, edges, total[:, k]) for k in (0, 1)], axis=1)

@@ -89,7 +89,9 @@ class TwoPatches(Effect):
         girth = sqrt(self.fibre_squared - length * length) / self.turns
         inside = self.coefficient * max(0.0, girth * length - self.fibre_area)
         bare, thick = (inside * (now.temperature - t) - self.g_out * (t - T_ATM) for t in q)
-        return self.share * bare / self.capacity, (1 - self.share) * thick / (self.ratio * self.capacity)
+        return self.share * bare / self.capacity, (1 - self.share) * thick / (
+            self.ratio * self.capacity
+        )
 
     def wall_temperature(self, q: State, outside: float) -> float:
         return self.share * q[0] + (1 - self.share) * q[1]

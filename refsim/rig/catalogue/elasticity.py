@@ -84,7 +84,9 @@ class YoungTube(Effect):
         return -2 / 3 * self.modulus * wall * slope / self.length
 
 
-def _stretches(x: float, length: float, diameter: float, turns: float) -> tuple[float, float, float]:
+def _stretches(
+    x: float, length: float, diameter: float, turns: float
+) -> tuple[float, float, float]:
     """Axial stretch a, hoop stretch squared, and the latter's slope over a."""
     a = 1 - x / length
     tangent = (length / (turns * pi * diameter)) ** 2

@@ -32,7 +32,9 @@ class Tube(LineEffect):
         flow = self.flow(p_a, t_a, p, temperature)
         return flow, CP * flow * (t_a if flow > 0 else temperature)
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         flow, enthalpy = self.into_muscle(q, p, temperature)
         return from_valves[0] - flow, from_valves[1] - enthalpy
 

@@ -58,7 +58,9 @@ class StorageWall(Effect):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         length = self.length - now.x
         girth = sqrt(self.fibre_squared - length * length) / self.turns
-        outside = max(0.0, girth * length - self.fibre_area) / (1 / (self.r * self.h_film) + self.half_wall)
+        outside = max(0.0, girth * length - self.fibre_area) / (
+            1 / (self.r * self.h_film) + self.half_wall
+        )
         return ((-now.heat_to_gas - outside * (q[0] - T_ATM)) / self.capacity,)
 
     def wall_temperature(self, q: State, outside: float) -> float:

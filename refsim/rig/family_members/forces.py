@@ -37,7 +37,12 @@ class OddSpring(Effect):
         s = x / 0.06
         over = x - self.slack
         stretched = 0.5 * (over + sqrt(over * over + 1e-8)) if self.slack else x
-        return self.k * stretched * (1 + s * (self.a + s * (self.b + s * self.c))) * (1 + self.h * p_gauge / 1e5)
+        return (
+            self.k
+            * stretched
+            * (1 + s * (self.a + s * (self.b + s * self.c)))
+            * (1 + self.h * p_gauge / 1e5)
+        )
 
 
 @dataclass(frozen=True)
@@ -54,7 +59,9 @@ class OddWall(Effect):
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
         s = max(x, 0.0) / self.x_w
         bent = s * (1 + self.r * s)
-        held = (self.p_0 + self.p_w * bent / (1 + bent)) * (3 * LENGTH**2 - FIBRE_SQUARED) / (16 * pi)
+        held = (
+            (self.p_0 + self.p_w * bent / (1 + bent)) * (3 * LENGTH**2 - FIBRE_SQUARED) / (16 * pi)
+        )
         return min(held, pull(x, p_gauge))
 
 
@@ -68,7 +75,12 @@ def _wall(rng: Chance) -> dict[str, float]:
 
 
 def _spring(rng: Chance) -> dict[str, float]:
-    return {"k": order(rng, 80, 600), "a": some(rng, -0.5, 1), "b": some(rng, -0.3, 1.5), "c": some(rng, -0.15, 2)}
+    return {
+        "k": order(rng, 80, 600),
+        "a": some(rng, -0.5, 1),
+        "b": some(rng, -0.3, 1.5),
+        "c": some(rng, -0.15, 2),
+    }
 
 
 SPRINGS: dict[str, Place] = {
@@ -110,7 +122,9 @@ class OddDryFriction(Effect):
         return (now.v - size * q[0]) / self.d, 1 - max(q[1], 0.0) * size / 1e-3
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        normal = self.force_0 * (1 + self.f * max(p_gauge / 1e5, 0.0) ** self.n) + self.mu * pull(x, p_gauge)
+        normal = self.force_0 * (1 + self.f * max(p_gauge / 1e5, 0.0) ** self.n) + self.mu * pull(
+            x, p_gauge
+        )
         age = 1 + self.b * log1p(max(q[1], 0.0) / 0.1) if self.b else 1.0
         slow = 1 + self.rise / (1 + (v / self.v_s) ** 2)
         return float(normal * exp(self.g * x / 0.03) * slow * age * q[0] * (1 + self.side * q[0]))
@@ -240,12 +254,18 @@ class OddCreep(Effect):
         for i in range(4):
             e = y - q[i]
             slower = self.recovery if e < 0 else 1.0
-            rates.append(e * (1 + self.thin * (e / 0.01) ** 2) * warm / (self.tau * self.spread**i * slower))
+            rates.append(
+                e * (1 + self.thin * (e / 0.01) ** 2) * warm / (self.tau * self.spread**i * slower)
+            )
         return *rates, 0.0
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
         y = self._load(x, p_gauge)
-        return self.k * sum(w * (y - s) for w, s in zip(self.weights, q[:4], strict=True)) / sum(self.weights)
+        return (
+            self.k
+            * sum(w * (y - s) for w, s in zip(self.weights, q[:4], strict=True))
+            / sum(self.weights)
+        )
 
 
 def _creep(rng: Chance) -> dict[str, float]:
@@ -261,8 +281,12 @@ CREEP: dict[str, Place] = {
     "strain": lambda rng: OddCreep(**_creep(rng), weights=_weights(rng), a=some(rng, -0.3, 1)),
     "load": lambda rng: OddCreep(**_creep(rng), weights=_weights(rng), thin=order(rng, 0.05, 1)),
     "pressure": lambda rng: OddCreep(**_creep(rng), weights=_weights(rng), h=some(rng, 0.1, 0.8)),
-    "temperature": lambda rng: OddCreep(**_creep(rng), weights=_weights(rng), hot=some(rng, 0.1, 0.5)),
-    "recovery": lambda rng: OddCreep(**_creep(rng), weights=_weights(rng), recovery=order(rng, 0.3, 5)),
+    "temperature": lambda rng: OddCreep(
+        **_creep(rng), weights=_weights(rng), hot=some(rng, 0.1, 0.5)
+    ),
+    "recovery": lambda rng: OddCreep(
+        **_creep(rng), weights=_weights(rng), recovery=order(rng, 0.3, 5)
+    ),
 }
 
 
@@ -291,7 +315,9 @@ def _ends(rng: Chance) -> dict[str, float]:
 ENDS: dict[str, Place] = {
     "contraction": lambda rng: OddEnds(**_ends(rng)),
     "pressure": lambda rng: OddEnds(**_ends(rng), stays=0.0, p_0=order(rng, 4e4, 2e5)),
-    "contraction and pressure": lambda rng: OddEnds(**_ends(rng), stays=some(rng, -0.5, 0.8), p_0=order(rng, 4e4, 2e5)),
+    "contraction and pressure": lambda rng: OddEnds(
+        **_ends(rng), stays=some(rng, -0.5, 0.8), p_0=order(rng, 4e4, 2e5)
+    ),
 }
 
 

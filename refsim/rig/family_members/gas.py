@@ -36,7 +36,11 @@ class OddLeak(Effect):
         over = (p - P_ATM) / 1e5 - self.q_0
         size = 0.5 * (over + sqrt(over * over + 1e-4)) if self.q_0 else abs(over)
         flow = self.conductance * 1e5 * size * sqrt(size * size + 1e-4) ** (self.n - 1)
-        flow *= exp(self.grows * q[0]) * (temperature / T_ATM) ** self.k * (1 if self.q_0 or over > 0 else -1)
+        flow *= (
+            exp(self.grows * q[0])
+            * (temperature / T_ATM) ** self.k
+            * (1 if self.q_0 or over > 0 else -1)
+        )
         return flow, CP * flow * (temperature if flow > 0 else T_ATM)
 
 
@@ -46,8 +50,12 @@ def _conductance(rng: Chance) -> float:
 
 LEAKS: dict[str, Place] = {
     "gauge pressure": lambda rng: OddLeak(_conductance(rng), n=some(rng, 0.5, 3)),
-    "threshold": lambda rng: OddLeak(_conductance(rng) * 2, q_0=some(rng, 0.3, 1.2), n=some(rng, 0.7, 1.5)),
-    "contraction": lambda rng: OddLeak(_conductance(rng), n=some(rng, 0.6, 2), grows=some(rng, -30, 50)),
+    "threshold": lambda rng: OddLeak(
+        _conductance(rng) * 2, q_0=some(rng, 0.3, 1.2), n=some(rng, 0.7, 1.5)
+    ),
+    "contraction": lambda rng: OddLeak(
+        _conductance(rng), n=some(rng, 0.6, 2), grows=some(rng, -30, 50)
+    ),
     "temperature": lambda rng: OddLeak(_conductance(rng), n=some(rng, 0.6, 2), k=some(rng, -4, 4)),
     "threshold and contraction": lambda rng: OddLeak(
         _conductance(rng) * 2, q_0=some(rng, 0.3, 1.0), grows=some(rng, -20, 40)
@@ -67,7 +75,13 @@ class OddTube(Tube):
 
     def flow(self, p_a: float, t_a: float, p_b: float, t_b: float) -> float:
         u = (p_a * p_a - p_b * p_b) / (2 * P_ATM * 1e5)
-        flow = self.conductance * 1e5 * u * (u * u + 1e-5) ** (self.a / 2) * (max(p_a, p_b) / P_ATM) ** self.c
+        flow = (
+            self.conductance
+            * 1e5
+            * u
+            * (u * u + 1e-5) ** (self.a / 2)
+            * (max(p_a, p_b) / P_ATM) ** self.c
+        )
         return float(flow if flow > 0 else flow * self.back)
 
 
@@ -85,12 +99,17 @@ class OddLine(OddTube):
     def into_muscle(self, q: State, p: float, temperature: float) -> tuple[float, float]:
         return q[2], CP * q[2] * (self.node(q)[1] if q[2] > 0 else temperature)
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         p_a, t_a = self.node(q)
         settled = self.flow(p_a, t_a, p, temperature)
         drop = (p_a - p) * (q[2] / settled) ** 2 if abs(settled) > 1e-9 else 0.0
         lost = drop if q[2] * settled > 0 else -drop
-        return (*super().line_rates(q, from_valves, p, temperature), (p_a - p - lost) / self.inertance)
+        return (
+            *super().line_rates(q, from_valves, p, temperature),
+            (p_a - p - lost) / self.inertance,
+        )
 
 
 @dataclass(frozen=True)
@@ -106,7 +125,9 @@ class ColdTube(OddTube):
     def node(self, q: State) -> tuple[float, float]:
         return q[0] * R * T_ATM / self.volume, T_ATM
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         return (from_valves[0] - self.into_muscle(q, p, temperature)[0],)
 
 
@@ -134,7 +155,11 @@ class SupplyHose(Effect):
 
 
 def _tube(rng: Chance) -> dict[str, float]:
-    return {"volume": order(rng, 2e-6, 1e-5), "conductance": order(rng, 1.2e-9, 4e-9), "a": some(rng, -0.5, 0.05)}
+    return {
+        "volume": order(rng, 2e-6, 1e-5),
+        "conductance": order(rng, 1.2e-9, 4e-9),
+        "a": some(rng, -0.5, 0.05),
+    }
 
 
 LINES: dict[str, Place] = {
@@ -179,6 +204,8 @@ class SoftSpace(Effect):
 
 DEAD: dict[str, Place] = {
     "space": lambda rng: SoftSpace(order(rng, 3e-6, 3e-5), 0.0),
-    "elastic space": lambda rng: SoftSpace(order(rng, 3e-6, 1e-5), order(rng, 2e-6, 2e-5), some(rng, 0.6, 1.6)),
+    "elastic space": lambda rng: SoftSpace(
+        order(rng, 3e-6, 1e-5), order(rng, 2e-6, 2e-5), some(rng, 0.6, 1.6)
+    ),
     "behind an opening": lambda rng: Chamber(order(rng, 5e-6, 4e-5), order(rng, 3e-10, 5e-9)),
 }

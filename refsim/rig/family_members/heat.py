@@ -54,9 +54,16 @@ def _film(rng: Chance) -> float:
 GASES: dict[str, Place] = {
     "pressure": lambda rng: OddGas(_film(rng), a=some(rng, -0.3, 1)),
     "temperature": lambda rng: OddGas(_film(rng), d=some(rng, 0, 0.4), t=some(rng, -2, 2)),
-    "flow": lambda rng: OddGas(_film(rng), h_1=order(rng, 10, 100), k=some(rng, 0.4, 1), tau=order(rng, 0.01, 0.5)),
+    "flow": lambda rng: OddGas(
+        _film(rng), h_1=order(rng, 10, 100), k=some(rng, 0.4, 1), tau=order(rng, 0.01, 0.5)
+    ),
     "all": lambda rng: OddGas(
-        _film(rng), some(rng, 0, 0.6), some(rng, 0, 0.3), some(rng, -1, 1), order(rng, 10, 60), some(rng, 0.5, 1)
+        _film(rng),
+        some(rng, 0, 0.6),
+        some(rng, 0, 0.3),
+        some(rng, -1, 1),
+        order(rng, 10, 60),
+        some(rng, 0.5, 1),
     ),
 }
 
@@ -138,7 +145,9 @@ class OddFrictionHeat(Effect):
 RUBBED: dict[str, Place] = {
     "crossings": lambda rng: OddFrictionHeat(some(rng, 0.4, 1), 0.0, some(rng, 0, 1)),
     "bladder": lambda rng: OddFrictionHeat(0.0, some(rng, 0.4, 1), 1.0, some(rng, 0, 1)),
-    "both": lambda rng: OddFrictionHeat(some(rng, 0.3, 1), some(rng, 0.3, 1), some(rng, 0, 1), some(rng, 0, 1)),
+    "both": lambda rng: OddFrictionHeat(
+        some(rng, 0.3, 1), some(rng, 0.3, 1), some(rng, 0, 1), some(rng, 0, 1)
+    ),
     "late": lambda rng: OddFrictionHeat(0.0, 0.0, late=some(rng, 0.5, 1), tau=order(rng, 0.05, 1)),
 }
 
@@ -172,7 +181,11 @@ class OddThermocouple(Effect):
         if self.b:
             size = sqrt(flow * flow + 1e-6)
             exchange += self.b * size**self.k * (1 + self.side * flow / size)
-        sheath = exchange * (now.temperature - q[0]) - self.radiation * (q[0] - T_ATM) - self.stem * (q[0] - q[2])
+        sheath = (
+            exchange * (now.temperature - q[0])
+            - self.radiation * (q[0] - T_ATM)
+            - self.stem * (q[0] - q[2])
+        )
         junction = (q[0] - q[1]) / self.junction if self.junction else 0.0
         return sheath / self.tau, junction, (now.temperature - q[2]) / self.tau_stem
 

@@ -42,7 +42,10 @@ class ValveChain(Effect):
         if self.dead_time == 0.0:
             return schedule
         assert not isinstance(schedule, SampledSchedule)
-        inlet, outlet = schedule.delayed(self.dead_time), schedule.delayed(self.dead_time * self.other)
+        inlet, outlet = (
+            schedule.delayed(self.dead_time),
+            schedule.delayed(self.dead_time * self.other),
+        )
         starts = tuple(sorted({*inlet.starts, *outlet.starts}))
         return Schedule(starts, tuple((inlet.at(t)[0], outlet.at(t)[1]) for t in starts))
 
@@ -60,7 +63,11 @@ class ValveChain(Effect):
         coil_rate = (command - q[0]) / (slower * self.coil) if self.coil else 0.0
         coil, omega = q[0] if self.coil else command, self.omega / slower
         gap = area / A_FULL - q[3]
-        time = sqrt(self.lag**2 + (self.travel * gap) ** 2) * (self.closing if gap < 0 else 1.0) * slower
+        time = (
+            sqrt(self.lag**2 + (self.travel * gap) ** 2)
+            * (self.closing if gap < 0 else 1.0)
+            * slower
+        )
         opening = gap / max(time, 1e-5) if self.lag or self.travel else 0.0
         return coil_rate, q[2], omega**2 * (coil - q[1]) - 2 * self.zeta * omega * q[2], opening
 
@@ -77,10 +84,16 @@ DYNAMICS: dict[str, Place] = {
     "command late": lambda rng: ValveChain(dead_time=_time(rng), other=order(rng, 0.5, 2)),
     "coil": lambda rng: ValveChain(coil=_time(rng), other=order(rng, 0.5, 2)),
     "spool": lambda rng: ValveChain(omega=order(rng, 12, 60), zeta=some(rng, 0.4, 1.2)),
-    "coil and spool": lambda rng: ValveChain(coil=_time(rng), omega=order(rng, 20, 80), zeta=some(rng, 0.5, 1.2)),
+    "coil and spool": lambda rng: ValveChain(
+        coil=_time(rng), omega=order(rng, 20, 80), zeta=some(rng, 0.5, 1.2)
+    ),
     "opening": lambda rng: ValveChain(lag=_time(rng)),
-    "opening, closing in another time": lambda rng: ValveChain(lag=_time(rng), closing=order(rng, 0.3, 3)),
-    "rate of the opening": lambda rng: ValveChain(lag=2e-3, travel=2 * _time(rng), closing=order(rng, 0.5, 2)),
+    "opening, closing in another time": lambda rng: ValveChain(
+        lag=_time(rng), closing=order(rng, 0.3, 3)
+    ),
+    "rate of the opening": lambda rng: ValveChain(
+        lag=2e-3, travel=2 * _time(rng), closing=order(rng, 0.5, 2)
+    ),
     "opening of one valve": lambda rng: ValveChain(lag=_time(rng), other=order(rng, 2, 8)),
     "command and opening": lambda rng: ValveChain(dead_time=_time(rng) / 2, lag=_time(rng)),
     "coil and opening": lambda rng: ValveChain(coil=_time(rng) / 2, lag=_time(rng)),
@@ -107,7 +120,9 @@ class OddArea(Effect):
 
     def areas(self, areas: tuple[float, float], currents: Currents) -> tuple[float, float]:
         opened = [max(u - THRESHOLD, 0.0) / (U_FULL - THRESHOLD) for u in currents]
-        a, b = (z ** (c - 1) if z > 0 else 0.0 for z, c in zip(opened, self._exponents(), strict=True))
+        a, b = (
+            z ** (c - 1) if z > 0 else 0.0 for z, c in zip(opened, self._exponents(), strict=True)
+        )
         return areas[0] * a, areas[1] * b * self.outlet
 
     def _exponents(self) -> tuple[float, float]:

@@ -10,7 +10,10 @@ from rig.effect import Effect, Now, Rest, State
 from rig.flow import T_ATM
 
 _DECADES = tuple(0.1 * 10 ** (0.625 * i) for i in range(5))  # s
-_WLF = (6.4, 142.0)  # [-] and [K]: the universal constants 17.44 and 51.6 K, moved from -70 degC, latex's, to 20 degC
+_WLF = (
+    6.4,
+    142.0,
+)  # [-] and [K]: the universal constants 17.44 and 51.6 K, moved from -70 degC, latex's, to 20 degC
 
 
 @dataclass(frozen=True)
@@ -30,7 +33,9 @@ class FractionalCreep(Effect):
         return tuple((now.x - r) / tau for r, tau in zip(q, _DECADES, strict=True))
 
     def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
-        return float(self.k * sum((x - r) * tau**-self.a for r, tau in zip(q, _DECADES, strict=True)))
+        return float(
+            self.k * sum((x - r) * tau**-self.a for r, tau in zip(q, _DECADES, strict=True))
+        )
 
 
 @dataclass(frozen=True)

@@ -141,7 +141,9 @@ class OrificeChamber(Effect):
 
     def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
         t_side = max(q[1] / (CV * max(q[0], 1e-15)), 1.0)  # a solver's trial steps go anywhere
-        flow = mass_flow(self.area, p, temperature, max((GAMMA - 1) * q[1] / self.volume, 1.0), t_side)
+        flow = mass_flow(
+            self.area, p, temperature, max((GAMMA - 1) * q[1] / self.volume, 1.0), t_side
+        )
         return flow, CP * flow * (temperature if flow > 0 else t_side)
 
     def rates(self, q: State, now: Now) -> tuple[float, ...]:

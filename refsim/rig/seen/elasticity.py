@@ -7,7 +7,11 @@ from math import atan, exp, log1p, pi, sqrt
 
 from rig.effect import Effect, State
 
-_TRELOAR = ((6.3e5, 1.3), (1.2e3, 5.0), (-1e4, -2.0))  # Pa and exponents of vulcanised natural rubber
+_TRELOAR = (
+    (6.3e5, 1.3),
+    (1.2e3, 5.0),
+    (-1e4, -2.0),
+)  # Pa and exponents of vulcanised natural rubber
 _TRELOAR_MODULUS = sum(mu * alpha for mu, alpha in _TRELOAR) / 2  # Pa
 
 
@@ -167,7 +171,9 @@ class YeohTube(BraidedTube):
         s, s_a = 1 + tangent * (1 - a * a), -2 * tangent * a  # hoop stretch squared, and its slope
         j = a * a + s + 1 / (a * a * s) - 3
         j_a = 2 * a + s_a - 2 / (a**3 * s) - s_a / (a * s) ** 2
-        return -self.wall / self.length * self.c1 * (1 - 2 * self.r2 * j + 3 * self.r3 * j * j) * j_a
+        return (
+            -self.wall / self.length * self.c1 * (1 - 2 * self.r2 * j + 3 * self.r3 * j * j) * j_a
+        )
 
 
 @dataclass(frozen=True)

@@ -30,7 +30,9 @@ class LateHeat(Effect):
     atol: ClassVar[tuple[float, ...]] = (1e-6,)
     share: float = 1.0
     tau: float = 0.3  # s
-    crossing: float = 2.4e-3  # m2, A_ff mu_d K_f ...: force of fibre on fibre per pressure and speed
+    crossing: float = (
+        2.4e-3  # m2, A_ff mu_d K_f ...: force of fibre on fibre per pressure and speed
+    )
 
     def initial(self, rest: Rest) -> tuple[float, ...]:
         return (0.0,)

@@ -18,7 +18,9 @@ class FreeConvectionGas(EnergyGas):
     form = "free_convection"
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
-        return self._through(self.h * (0.5 + 0.5 * (((temperature - T_ATM) ** 2 + 0.01) / 100) ** (1 / 6)))
+        return self._through(
+            self.h * (0.5 + 0.5 * (((temperature - T_ATM) ** 2 + 0.01) / 100) ** (1 / 6))
+        )
 
 
 @dataclass(frozen=True)
@@ -114,7 +116,9 @@ class EnclosedConvection(EnergyGas):
     """
 
     form = "enclosed_convection"
-    difference: float = 20.0  # K, dT: convection then doubles what still gas of ambient pressure conducts
+    difference: float = (
+        20.0  # K, dT: convection then doubles what still gas of ambient pressure conducts
+    )
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
         away = sqrt((temperature - T_ATM) ** 2 + 1e-2)
@@ -196,9 +200,13 @@ class FilmGas(Effect):
         return now.net_mass_flow, (now.net_mass_flow - q[1]) / self.tau
 
     def temperature(self, q: State, pressure_volume: float, polytropic: float) -> float:
-        p = P_ATM * (polytropic / T_ATM) ** 6  # the rig's polytropic law backwards, its exponent is 1.2
+        p = (
+            P_ATM * (polytropic / T_ATM) ** 6
+        )  # the rig's polytropic law backwards, its exponent is 1.2
         return (pressure_volume / q[0] - self.b * p) / R
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
-        film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (self.k / 2)
+        film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (
+            self.k / 2
+        )
         return float(1 / (2 / film + self.wall))

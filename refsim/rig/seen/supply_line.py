@@ -64,7 +64,9 @@ class TwoLumpTube(LineEffect):
     def into_muscle(self, q: State, p: float, temperature: float) -> tuple[float, float]:
         return self._pass(self._lump(q[2:]), (p, temperature))
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         first, second = self._lump(q[:2]), self._lump(q[2:])
         middle, out = self._pass(first, second), self._pass(second, (p, temperature))
         return (
@@ -119,7 +121,14 @@ class ChokedTube(Tube):
             return -self.flow(p_b, t_b, p_a, t_a)
         over = max(p_b / p_a - self.b, 0.0) / (1 - self.b)
         head, edge = 1 - over * over, 2e-3 / (1 - self.b)
-        return self.conductance * RHO * p_a * sqrt(T_ATM / t_a) * head / sqrt(sqrt(head * head + edge * edge))
+        return (
+            self.conductance
+            * RHO
+            * p_a
+            * sqrt(T_ATM / t_a)
+            * head
+            / sqrt(sqrt(head * head + edge * edge))
+        )
 
 
 @dataclass(frozen=True)
@@ -160,7 +169,12 @@ class InertialLine(Tube):
     def into_muscle(self, q: State, p: float, temperature: float) -> tuple[float, float]:
         return q[2], CP * q[2] * (self.node(q)[1] if q[2] > 0 else temperature)
 
-    def line_rates(self, q: State, from_valves: tuple[float, float], p: float, temperature: float) -> tuple[float, ...]:
+    def line_rates(
+        self, q: State, from_valves: tuple[float, float], p: float, temperature: float
+    ) -> tuple[float, ...]:
         p_a = self.node(q)[0]
         drop = q[2] * 2 * P_ATM / (self.conductance * (p_a + p))
-        return (*super().line_rates(q, from_valves, p, temperature), (p_a - p - drop) / self.inertance)
+        return (
+            *super().line_rates(q, from_valves, p, temperature),
+            (p_a - p - drop) / self.inertance,
+        )

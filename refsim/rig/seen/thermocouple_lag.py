@@ -120,7 +120,9 @@ class PottedBead(Effect):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         edges = [k / _SHELLS for k in range(_SHELLS + 1)]
         inward = [0.0]
-        inward += [r * r * _SHELLS * (b - a) for r, a, b in zip(edges[1:-1], q[:-1], q[1:], strict=True)]
+        inward += [
+            r * r * _SHELLS * (b - a) for r, a, b in zip(edges[1:-1], q[:-1], q[1:], strict=True)
+        ]
         inward.append(2 * _SHELLS * (now.temperature - q[-1]))
         volumes = [(b**3 - a**3) / 3 for a, b in zip(edges[:-1], edges[1:], strict=True)]
         gained = zip(inward[1:], inward[:-1], volumes, strict=True)

@@ -99,7 +99,9 @@ class EddyValve(Effect):
         return (now.command[0] - q[0]) / self.tau, (now.command[1] - q[1]) / self.tau
 
     def current(self, q: State, command: Currents) -> Currents:
-        a, b = (self.at_once * u + (1 - self.at_once) * late for u, late in zip(command, q, strict=True))
+        a, b = (
+            self.at_once * u + (1 - self.at_once) * late for u, late in zip(command, q, strict=True)
+        )
         return a, b
 
 

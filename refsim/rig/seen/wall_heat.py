@@ -185,7 +185,9 @@ class LayeredWall(Effect):
     def rates(self, q: State, now: Now) -> tuple[float, ...]:
         passed, warm = self.between * (q[0] - q[1]), q[1] - T_ATM
         lost = self.g * warm * ((warm * warm + 1e-4) / 25) ** (self.n / 2)
-        return (-now.heat_to_gas - passed) / self.capacity, (passed - lost) / (self.ratio * self.capacity)
+        return (-now.heat_to_gas - passed) / self.capacity, (passed - lost) / (
+            self.ratio * self.capacity
+        )
 
     def wall_temperature(self, q: State, outside: float) -> float:
         return q[0]

@@ -34,7 +34,11 @@ def data() -> DataSet:
 
 def test_limits_are_what_the_recordings_span(data: DataSet) -> None:
     limits = limits_of(data)
-    assert limits.inputs == {"u": (0.0, 0.3), "s": (STROKE.min(), STROKE.max()), "p_supply": (2e5, 3e5)}
+    assert limits.inputs == {
+        "u": (0.0, 0.3),
+        "s": (STROKE.min(), STROKE.max()),
+        "p_supply": (2e5, 3e5),
+    }
     assert limits.constant == {"p_supply"} and limits.moving == ("u", "s")
     assert limits.parameters == {"load.m": (1.0, 4.0)}
     assert np.isinf(limits.rates["u"])  # all of its range within a sample
@@ -43,7 +47,9 @@ def test_limits_are_what_the_recordings_span(data: DataSet) -> None:
 
 
 def test_stated_limits_come_first(data: DataSet) -> None:
-    limits = limits_of(data, {"u": (0.1, 0.4), "muscle.L0": (0.1, 0.2), "x": (0.0, 0.005)}, seconds=2.0)
+    limits = limits_of(
+        data, {"u": (0.1, 0.4), "muscle.L0": (0.1, 0.2), "x": (0.0, 0.005)}, seconds=2.0
+    )
     assert limits.inputs["u"] == (0.1, 0.4) and limits.parameters["muscle.L0"] == (0.1, 0.2)
     assert limits.outputs == {"x": (0.0, 0.005)} and limits.seconds == 2.0
 
@@ -56,7 +62,9 @@ def test_stated_limits_come_first(data: DataSet) -> None:
         ({}, 0.0, "longer than nothing"),
     ],
 )
-def test_limits_that_make_no_sense(data: DataSet, stated: dict, seconds: float | None, message: str) -> None:
+def test_limits_that_make_no_sense(
+    data: DataSet, stated: dict, seconds: float | None, message: str
+) -> None:
     with pytest.raises(InputError, match=message):
         limits_of(data, stated, seconds)
 

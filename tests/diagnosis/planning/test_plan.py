@@ -30,7 +30,12 @@ def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
     creep = rival("MaxwellCreep", "creep", data, k=250.0, tau=1.5)
     effects = (spring.effects, creep.effects)
     return replace(
-        make_diagnosis("ambiguous"), data=data, model=data.model, candidates=(spring, creep), path=(), rivals=effects
+        make_diagnosis("ambiguous"),
+        data=data,
+        model=data.model,
+        candidates=(spring, creep),
+        path=(),
+        rivals=effects,
     )
 
 
@@ -41,7 +46,10 @@ def plan(diagnosis: Diagnosis) -> RunPlan:
 
 def test_it_separates_the_rivals_better_than_chance(plan: RunPlan) -> None:
     (run,) = plan.runs
-    assert plan.rivals == ("LinearBladder", "MaxwellCreep") and plan.families == ("elasticity", "creep")
+    assert plan.rivals == ("LinearBladder", "MaxwellCreep") and plan.families == (
+        "elasticity",
+        "creep",
+    )
     assert plan.decides and run.chi2 > 2 * run.at_random > 0
     assert "should decide between LinearBladder, MaxwellCreep" in plan.expectation
     assert run.table["time"][-1] == 3.0 and 2.0 <= run.parameters["load.m"] <= 4.0
@@ -53,7 +61,9 @@ def test_laws_that_fit_as_well_stand_for_their_family(diagnosis: Diagnosis) -> N
     spring, creep = diagnosis.candidates
     data = diagnosis.data
     rubber = rival("YoungBladder", "elasticity", data, E=1e6)
-    cubic = rival("PolynomialBladder", "elasticity", data, k1=250.0, k2=0.0, k3=2e4)  # bends: three parameters
+    cubic = rival(
+        "PolynomialBladder", "elasticity", data, k1=250.0, k2=0.0, k3=2e4
+    )  # bends: three parameters
     more = replace(diagnosis, candidates=(spring, rubber, cubic, creep))
     laws = [[c.effect for c in models] for models in members(more)]
     assert laws == [["LinearBladder", "YoungBladder"], ["MaxwellCreep"]]
@@ -119,7 +129,10 @@ def test_a_verdict_without_rivals_leaves_nothing_to_decide(diagnosis: Diagnosis)
 
 
 def test_the_command_writes_what_a_rig_can_play(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, diagnosis: Diagnosis, capsys: pytest.CaptureFixture[str]
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    diagnosis: Diagnosis,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     monkeypatch.setattr(study, "load", lambda path: diagnosis)
     words = ["plan", "d.npz", "--limit", "load.m=2 kg:4 kg", "--seconds", "3 s", "--seed", "1"]
@@ -131,7 +144,10 @@ def test_the_command_writes_what_a_rig_can_play(
     assert text.startswith("# This run should decide") and "# set load.m = " in text
     recording = read_recording(files["next.csv"], study.describe("Isotonic"))
     assert set(recording.inputs) == {"u_in", "u_out", "p_supply"}
-    assert files["next.png"].read_bytes()[:4] == b"\x89PNG" and '"decides": true' in files["plan.json"].read_text()
+    assert (
+        files["next.png"].read_bytes()[:4] == b"\x89PNG"
+        and '"decides": true' in files["plan.json"].read_text()
+    )
     assert main(["plan", "d.npz", "--limit", "load.m=2 kg"]) == 2
     assert "write NAME=FROM:TO" in capsys.readouterr().err
 
@@ -142,7 +158,11 @@ def test_the_command_writes_what_a_rig_can_play(
      (["--seconds", "0 s"], "longer than nothing")],
 )  # fmt: skip
 def test_what_is_wrong_is_said_before_a_data_set_is_diagnosed(
-    words: list[str], said: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+    words: list[str],
+    said: str,
+    tmp_path: Path,
+    monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
 ) -> None:
     def diagnosed(*_: object, **__: object) -> None:
         raise AssertionError("was diagnosed first")

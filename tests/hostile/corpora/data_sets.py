@@ -21,7 +21,9 @@ def rows(p: str = "1", x: str = "1", count: int = 40) -> list[str]:
     return [ROW.format(t=round(0.02 * i, 3), p=p, x=x) for i in range(count)]
 
 
-def experiment(more: str = "", top: str = "", run: str = "", fit: str = "", signal: str = 'sigma = "0.5 kPa"') -> str:
+def experiment(
+    more: str = "", top: str = "", run: str = "", fit: str = "", signal: str = 'sigma = "0.5 kPa"'
+) -> str:
     return (
         f'model = "PneumaticMuscle.Benches.Isotonic"\n{top}\n[signals.p]\n{signal}\n[signals.x]\nsigma = "0.2 mm"\n'
         f'[fit]\n"valve.C_A" = {{ min = 0.5, max = 0.9 }}\n{fit}\n[[runs]]\nfile = "run-01.csv"\ninterpolation = "previous"\n{run}\n{more}\n'
@@ -71,17 +73,25 @@ REFUSED: dict[str, dict[str, Content]] = {
     "a byte order mark and nothing": {R: b"\xff\xfe"},
     # lengths
     "a cell of a million digits": {R: recording(*rows(p="1" * LONG, count=1), *rows())},
-    "a cell of a million digits and a letter": {R: recording(*rows(p="1" * LONG + "x", count=1), *rows())},
+    "a cell of a million digits and a letter": {
+        R: recording(*rows(p="1" * LONG + "x", count=1), *rows())
+    },
     "a cell of a million letters": {R: recording(*rows(p="x" * LONG, count=1), *rows())},
-    "a cell of a million blanks in quotes": {R: recording(*rows(p='"x' + " " * LONG + '"', count=1), *rows())},
+    "a cell of a million blanks in quotes": {
+        R: recording(*rows(p='"x' + " " * LONG + '"', count=1), *rows())
+    },
     "a cell of a million points": {R: recording(*rows(p="." * LONG, count=1), *rows())},
     "a cell of groups": {R: recording(*rows(p="1.234" + ".567" * 250_000, count=1), *rows())},
     "a heading of a million letters": {R: recording(*rows(), header="x" * LONG + CSV)},
-    "a heading of a million blanks": {R: recording(*rows(), header="time [s],x" + " " * LONG + "y,a,b,c,d,e\n")},
+    "a heading of a million blanks": {
+        R: recording(*rows(), header="time [s],x" + " " * LONG + "y,a,b,c,d,e\n")
+    },
     "a heading of a million blanks and a slash": {
         R: recording(*rows(), header="time [s],x" + " /" * LONG + ",a,b,c,d,e\n")
     },
-    "a heading of brackets": {R: recording(*rows(), header="time [s],x" + "(" * LONG + ",a,b,c,d,e\n")},
+    "a heading of brackets": {
+        R: recording(*rows(), header="time [s],x" + "(" * LONG + ",a,b,c,d,e\n")
+    },
     "a unit of a million letters": {R: recording(*rows(), header=CSV.replace("mm", "m" * LONG))},
     "a line of a million cells": {R: recording("0," * LONG + "\n", *rows())},
     "a header of 100000 columns": {
@@ -92,16 +102,24 @@ REFUSED: dict[str, dict[str, Content]] = {
     "a key of 100000 parts": {E: experiment(top=".".join("k" * 100_000) + " = 1")},
     "a table of 100000 parts": {E: experiment(more="[" + ".".join("k" * 100_000) + "]")},
     "a quoted key of 100000 parts": {E: experiment(top=".".join(['"k"'] * 100_000) + " = 1")},
-    "an inline key of 100000 parts": {E: experiment(top="x = {" + ".".join("k" * 100_000) + " = 1}")},
+    "an inline key of 100000 parts": {
+        E: experiment(top="x = {" + ".".join("k" * 100_000) + " = 1}")
+    },
     "an unknown key of 2000 lines": {E: experiment(more="unknown = [\n" + "1,\n" * 2000 + "]")},
-    "an unknown key after 20000 lines": {E: experiment(more="# comment\n" * 20_000 + "unknown = 1")},
+    "an unknown key after 20000 lines": {
+        E: experiment(more="# comment\n" * 20_000 + "unknown = 1")
+    },
     "20000 unknown keys": {E: experiment(more="".join(f"unknown{i} = 1\n" for i in range(20_000)))},
     "a text of 2000 lines": {E: experiment(more='unknown = """\n' + "line\n" * 2000 + '"""')},
     "arrays 10000 deep": {E: experiment(more="unknown = " + "[" * 10_000 + "]" * 10_000)},
     "tables 2000 deep": {E: experiment(more="unknown = " + "{a = " * 2000 + "1" + "}" * 2000)},
     "a number of 5000 digits": {E: experiment(more="unknown = " + "9" * 5000)},
-    "a value of a million blanks": {E: experiment(run='parameters = {"load.m" = "1' + " " * LONG + 'x"}')},
-    "a value of a million digits": {E: experiment(run='parameters = {"load.m" = "' + "1" * LONG + 'kg"}')},
+    "a value of a million blanks": {
+        E: experiment(run='parameters = {"load.m" = "1' + " " * LONG + 'x"}')
+    },
+    "a value of a million digits": {
+        E: experiment(run='parameters = {"load.m" = "' + "1" * LONG + 'kg"}')
+    },
     "a unit of powers": {E: experiment(run='parameters = {"load.m" = "1 ' + "kg^99" * 10 + '"}')},
     "a year to the 99th": {E: experiment(run='parameters = {"load.m" = "1 a99"}')},
     "a formula of 300 brackets": {
@@ -138,8 +156,12 @@ REFUSED: dict[str, dict[str, Content]] = {
     "pressure in kelvin": {R: recording(*rows(), header=CSV.replace("p [kPa]", "p [K]"))},
     "a length in hertz": {R: recording(*rows(), header=CSV.replace("mm", "Hz"))},
     "time of 1e300": {R: recording(*[ROW.format(t=f"{i}e300", p=1, x=1) for i in range(40)])},
-    "a foreign model with slashes": {E: experiment().replace("PneumaticMuscle.Benches.Isotonic", "../../etc/passwd")},
-    "markup in a title": {E: experiment(top='title = "[bold]x[/] <script>alert(1)</script> \\u001b[31m"')},
+    "a foreign model with slashes": {
+        E: experiment().replace("PneumaticMuscle.Benches.Isotonic", "../../etc/passwd")
+    },
+    "markup in a title": {
+        E: experiment(top='title = "[bold]x[/] <script>alert(1)</script> \\u001b[31m"')
+    },
 }
 """One sentence on standard error with the file's name, status 2, nothing written."""
 
@@ -149,9 +171,13 @@ TAKEN: dict[str, dict[str, Content]] = {
     "resampled to nothing": {E: experiment(top='[recording]\nresample = "1e-300 s"')},
     "values of 1e-320": {R: recording(*rows(p="1e-320", x="1e-320"))},
     "one sample": {R: recording(*rows(p=""), ROW.format(t=5, p=1, x=2))},
-    "no signals": {E: experiment().replace("[signals.p]", "[signals.T]").replace('"0.5 kPa"', '"1 K"')},
+    "no signals": {
+        E: experiment().replace("[signals.p]", "[signals.T]").replace('"0.5 kPa"', '"1 K"')
+    },
     "a title with dollars and markup": {
-        E: experiment(top='title = "$(touch MADE) `touch MADE` </title><script>x</script> $\\\\frac{$ [red]"')
+        E: experiment(
+            top='title = "$(touch MADE) `touch MADE` </title><script>x</script> $\\\\frac{$ [red]"'
+        )
     },
     "a text of 10000 letters as a title": {E: experiment(top='title = "' + "x" * 10_000 + '"')},
 }

@@ -16,7 +16,9 @@ def _doubling(levels: int, what: str = "Real x = 1;") -> str:
 
 
 def _function(name: str, body: str, inputs: str = "input Real n;", locals_: str = "") -> str:
-    return f"function {name} {inputs} output Real y; protected {locals_} algorithm {body} end {name};"
+    return (
+        f"function {name} {inputs} output Real y; protected {locals_} algorithm {body} end {name};"
+    )
 
 
 def _output(value: str, before: str = "") -> str:

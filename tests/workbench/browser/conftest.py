@@ -59,12 +59,17 @@ def muscle(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def opened(browser: Browser) -> Iterator[Callable[..., Page]]:
     """Opens addresses in windows; at the end none of them may have failed, or have asked for anything from outside."""
-    context: BrowserContext = browser.new_context(viewport={"width": 1280, "height": 800}, accept_downloads=True)
+    context: BrowserContext = browser.new_context(
+        viewport={"width": 1280, "height": 800}, accept_downloads=True
+    )
     context.set_default_timeout(PATIENCE)
     wrong: list[str] = []
 
     def outside(address: str) -> None:
-        if urlsplit(address).hostname != "127.0.0.1" and urlsplit(address).scheme not in ("data", "blob"):
+        if urlsplit(address).hostname != "127.0.0.1" and urlsplit(address).scheme not in (
+            "data",
+            "blob",
+        ):
             wrong.append(f"asked for {address}")
 
     def open_page(address: str, wait: str = "#ladder .fit:not(:empty)") -> Page:
@@ -72,7 +77,10 @@ def opened(browser: Browser) -> Iterator[Callable[..., Page]]:
         page.on("request", lambda request: outside(request.url))
         page.on("websocket", lambda socket: outside(socket.url))
         page.on("pageerror", lambda error: wrong.append(f"script: {error}"))
-        page.on("console", lambda line: wrong.append(f"console: {line.text}") if line.type == "error" else None)
+        page.on(
+            "console",
+            lambda line: wrong.append(f"console: {line.text}") if line.type == "error" else None,
+        )
         page.goto(address)
         page.wait_for_selector(wait)
         return page

@@ -45,7 +45,9 @@ def until(page: Any, holds: Callable[[], bool], seconds: float = 120.0) -> None:
     """Waits until something holds; the page's policy lets no script be made from text, so it is asked from here."""
     end = time.monotonic() + seconds
     while not holds():
-        assert time.monotonic() < end, f"waited {seconds:g} s; the page says: {page.locator('#status').inner_text()}"
+        assert time.monotonic() < end, (
+            f"waited {seconds:g} s; the page says: {page.locator('#status').inner_text()}"
+        )
         page.wait_for_timeout(50)
 
 
@@ -60,4 +62,8 @@ def settled(page: Any, value: Callable[[], float]) -> float:
 
 def quiet(page: Any, seconds: float = 240.0) -> None:
     """Waits until nothing runs."""
-    until(page, lambda: page.locator("#stop").is_disabled() and page.locator("body.busy").count() == 0, seconds)
+    until(
+        page,
+        lambda: page.locator("#stop").is_disabled() and page.locator("body.busy").count() == 0,
+        seconds,
+    )

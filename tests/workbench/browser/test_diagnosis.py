@@ -31,7 +31,11 @@ def test_a_study_from_the_first_look_to_the_saved_file(
         until(page, lambda: page.locator(".ranking tbody tr").count() > 0, LONG)
         page.close()  # it goes on without a window
         page = opened(address)
-        until(page, lambda: page.locator(".verdict h2").count() > 0 and page.locator("#stop").is_disabled(), LONG)
+        until(
+            page,
+            lambda: page.locator(".verdict h2").count() > 0 and page.locator("#stop").is_disabled(),
+            LONG,
+        )
         page.locator("#tab-diagnosis").click()
         assert "elasticity" in page.locator(".verdict h2").inner_text()
         assert "Probability" in page.locator(".verdict").inner_text()
@@ -62,6 +66,9 @@ def test_a_study_from_the_first_look_to_the_saved_file(
         quiet(page)
         until(
             page,
-            lambda: bool((page.locator("#ladder").inner_text(), page.locator("#parameters").inner_text()) == shown),
+            lambda: bool(
+                (page.locator("#ladder").inner_text(), page.locator("#parameters").inner_text())
+                == shown
+            ),
         )
         page.close()

@@ -13,7 +13,9 @@ from tests.workbench.browser.looking import until
 WRONG = "<b>oops</b>"
 
 
-def test_dropped_recordings_become_a_data_set(opened: Callable[..., Any], muscle: Path, tmp_path: Path) -> None:
+def test_dropped_recordings_become_a_data_set(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
     lines = (muscle / "run-02.csv").read_text().splitlines()
     lines[39] = WRONG + lines[39][lines[39].index(",") :]
     broken = tmp_path / "broken.csv"

@@ -13,7 +13,9 @@ from tests.workbench.browser.looking import drag, error, noise, quiet, until
 EFFECT = "LinearBladder"
 
 
-def test_a_fit_an_effect_and_its_file(opened: Callable[..., Any], muscle: Path, tmp_path: Path) -> None:
+def test_a_fit_an_effect_and_its_file(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
     """The error falls by a fit, falls to the noise with the effect that is missing, on the held-out run too."""
     folder = shutil.copytree(muscle, tmp_path / "rig")
     with serving(folder) as address:
@@ -44,11 +46,16 @@ def test_a_fit_an_effect_and_its_file(opened: Callable[..., Any], muscle: Path, 
         page.locator("#add-dialog input").fill("Better.mo")
         page.locator("#add-dialog").get_by_role("button", name="Write").click()
         page.locator("#add-dialog pre").wait_for()
-        assert page.locator("#add-dialog pre").inner_text().strip() == (folder / "Better.mo").read_text().strip()
+        assert (
+            page.locator("#add-dialog pre").inner_text().strip()
+            == (folder / "Better.mo").read_text().strip()
+        )
         page.close()
 
 
-def test_what_is_stopped_can_be_given_up(opened: Callable[..., Any], muscle: Path, tmp_path: Path) -> None:
+def test_what_is_stopped_can_be_given_up(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
     """Stop holds it: sliders move meanwhile; End gives it up, and another thing can begin."""
     folder = shutil.copytree(muscle, tmp_path / "rig")
     with serving(folder) as address:
@@ -60,7 +67,9 @@ def test_what_is_stopped_can_be_given_up(opened: Callable[..., Any], muscle: Pat
         drag(page, "valve.C_A", 0.9)
         until(page, lambda: error(page, "p") > 1.5 * before)
         page.get_by_role("button", name="End").click()
-        until(page, lambda: page.locator("#stop").is_disabled() and page.locator("#fit").is_enabled())
+        until(
+            page, lambda: page.locator("#stop").is_disabled() and page.locator("#fit").is_enabled()
+        )
         assert "ended" in page.locator("#status").inner_text()
         page.locator("#fit").click()
         until(page, lambda: "fit is done" in page.locator("#status").inner_text())

@@ -26,9 +26,9 @@ def test_a_slider_moves_curve_and_error(opened: Open, address: str) -> None:
     drag(page, "valve.C_A", 0.95)
     until(page, lambda: error(page, "p") > 1.5 * before)
     assert picture(page) != curve
-    assert float(page.locator('input[type=number][aria-label="valve.C_A"]').input_value()) == pytest.approx(
-        0.88, abs=0.005
-    )
+    assert float(
+        page.locator('input[type=number][aria-label="valve.C_A"]').input_value()
+    ) == pytest.approx(0.88, abs=0.005)
 
 
 def test_undo_takes_the_value_back(opened: Open, address: str) -> None:

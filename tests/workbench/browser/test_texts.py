@@ -12,7 +12,9 @@ from tests.workbench.browser.conftest import serving
 HOSTILE = "<img src=x onerror=alert(1)><script>document.title='taken'</script><b>bold</b>"
 
 
-def test_a_title_with_markup_stays_text(opened: Callable[..., Any], muscle: Path, tmp_path: Path) -> None:
+def test_a_title_with_markup_stays_text(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
     folder = tmp_path / "hostile"
     shutil.copytree(muscle, folder)
     file = folder / "experiment.toml"

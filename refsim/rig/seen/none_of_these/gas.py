@@ -50,7 +50,9 @@ class StickyValves(Strange):
                 opened = now
                 felt.append(self._felt(openings, command))
             return replace(schedule, samples=tuple(felt))
-        return Schedule(schedule.starts, tuple(self._felt(k, c) for k, c in enumerate(schedule.currents)))
+        return Schedule(
+            schedule.starts, tuple(self._felt(k, c) for k, c in enumerate(schedule.currents))
+        )
 
 
 @dataclass(frozen=True)
@@ -74,7 +76,10 @@ class LooseContact(Clocked):
     first: float = 0.3  # s
 
     def _begins(self) -> list[float]:
-        return [self.first + k * self.period for k in range(int((LONGEST - self.first) / self.period) + 1)]
+        return [
+            self.first + k * self.period
+            for k in range(int((LONGEST - self.first) / self.period) + 1)
+        ]
 
     def drive(self, schedule: Schedule) -> Schedule:
         begins = self._begins()

@@ -151,7 +151,9 @@ class ClockSkew(Strange):
         longer = 1 + self.skew
         starts = tuple(t * longer for t in schedule.starts)
         if isinstance(schedule, SampledSchedule):
-            return replace(schedule, starts=starts, step=schedule.step * longer, late=schedule.late * longer)
+            return replace(
+                schedule, starts=starts, step=schedule.step * longer, late=schedule.late * longer
+            )
         return replace(schedule, starts=starts)
 
 
