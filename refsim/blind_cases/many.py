@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
@@ -45,6 +46,8 @@ _TURNS = {5: (2, 0, 3, 1, 4, 2, 3), 3: (1, 2, 0, 1, 2), 1: (0,)}
 _RUNS_TO_TELL = 4
 """Runs of a plan, at least, for what shows only in how runs differ."""
 _HIDDEN = {"null": 0, "pair": 2, "triple": 3}
+DRAWS = 5
+"""How often the rig of a case is drawn again, at most."""
 
 
 @dataclass(frozen=True)
@@ -53,6 +56,7 @@ class Case:
 
     Attributes:
         hidden: forms of the tables. targets: sizes wanted, in standard deviations.
+        draw: how often its rig was drawn again, because what is hidden in it could not be simulated.
     """
 
     which: str
@@ -61,10 +65,12 @@ class Case:
     design: Design
     hidden: tuple[Hidden, ...]
     targets: tuple[float, ...]
+    draw: int = 0
 
     def rng(self, stream: int) -> Random:
-        """A stream of random numbers of this case alone."""
-        return np.random.default_rng([SEEDS[self.which], self.number, stream])
+        """A stream of random numbers of this case, and draw, alone."""
+        again = [self.draw] if self.draw else []
+        return np.random.default_rng([SEEDS[self.which], self.number, stream, *again])
 
 
 @dataclass(frozen=True)
@@ -218,12 +224,21 @@ def _same_as(case: Case) -> list[list[str]]:
 
 
 def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) -> Made:
-    """Simulates a case. Raises RuntimeError when its hidden effect cannot be simulated at any strength.
+    """Simulates a case. Where that cannot be done, its rig, plan and sensors are drawn again; what is hidden stays.
+
+    Raises RuntimeError when no draw can be simulated.
 
     Args:
         case: what is hidden on which bench.
         changed: makes another setup of the one that was drawn, such as one that is driven in another way.
     """
+    for draw_again in range(case.draw, DRAWS):
+        with suppress(RuntimeError):
+            return _made(replace(case, draw=draw_again), changed)
+    return _made(replace(case, draw=DRAWS), changed)
+
+
+def _made(case: Case, changed: Callable[[Setup], Setup]) -> Made:
     setup = changed(draw(case.rng(1), case.design)).driven()
     sensors = draw_sensors(case.rng(2), case.design.signals)
     ruler = Ruler(setup) if case.hidden else None
@@ -264,6 +279,8 @@ def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) ->
         ],
         "noise": noise_of(setup, clean, recorded),
     }
+    if case.draw:
+        description["draw"] = case.draw
     return Made(case, setup, sensors, recorded, description, tuple(hidden))
 
 

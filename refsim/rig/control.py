@@ -14,6 +14,7 @@ from scipy.integrate import solve_ivp
 
 from rig.effect import Effect
 from rig.held import OPEN_CURRENT, HeldChain
+from rig.integrate import within_the_numbers
 from rig.muscle import ATOL, Chain, MuscleParameters
 from rig.schedule import Course, Currents, SampledSchedule, Schedule
 
@@ -95,7 +96,8 @@ def _run(
         read = chain.reading(y.tolist())[place] + loop.noise * rng.standard_normal()
         told.append(answer(loop.wanted[k] - read))
         piece = (k * loop.step, (k + 1) * loop.step)
-        solution = solve_ivp(rates, piece, y, method="BDF", rtol=_RTOL, atol=atol)
+        with within_the_numbers(*piece):
+            solution = solve_ivp(rates, piece, y, method="BDF", rtol=_RTOL, atol=atol)
         if not solution.success:
             raise RuntimeError(f"the closed loop stopped at {piece[0]} s: {solution.message}")
         y = solution.y[:, -1]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
 from functools import partial
 from typing import Any
 
@@ -36,7 +37,7 @@ def integrate(
 
     patience: evaluations in one piece after which BDF does it instead: LSODA now and then misses that it must switch
     to stiff steps, as where both sides of an open valve have the same pressure. None: never.
-    Raises RuntimeError when the integrator gives up.
+    Raises RuntimeError when the integrator gives up, or leaves the numbers that an equation of the rig is made for.
 
     SciPy 1.17's LSODA hangs now and then within one step, without an evaluation, in runs of many short pieces; the same
     run goes through when it is repeated. Where that was seen BDF is the method, which takes about twice the time.
@@ -51,14 +52,15 @@ def integrate(
         grid = np.append(np.minimum(times[wanted], right), right)
         options: dict[str, Any] = {"t_eval": np.unique(grid), "rtol": rtol, "atol": atol}
         function = partial(_flat, rates, told)
-        if patience is None or method != "LSODA":
-            solution = solve_ivp(function, (left, right), y, method=method, **options)
-        else:
-            solution = solve_ivp(
-                function, (left, right), y, method=_PatientLSODA, patience=patience, **options
-            )
-            if not solution.success:
-                solution = _by_bdf(function, (left, right), y, options, _MORE * patience)
+        with within_the_numbers(left, right):
+            if patience is None or method != "LSODA":
+                solution = solve_ivp(function, (left, right), y, method=method, **options)
+            else:
+                solution = solve_ivp(
+                    function, (left, right), y, method=_PatientLSODA, patience=patience, **options
+                )
+                if not solution.success:
+                    solution = _by_bdf(function, (left, right), y, options, _MORE * patience)
         if not solution.success:
             raise RuntimeError(
                 f"integration stopped between {left} s and {right} s: {solution.message}"
@@ -75,6 +77,21 @@ def _edges(switches: Sequence[float], begin: float, end: float) -> list[float]:
         if t > edges[-1] + _SAME:
             edges.append(t)
     return [*edges, end]
+
+
+@contextmanager
+def within_the_numbers(left: float, right: float) -> Iterator[None]:
+    """What an equation or the integrator's algebra cannot compute becomes a RuntimeError, as its other failures are.
+
+    ValueError is what `math` raises beyond a function's domain, and what SciPy's algebra raises of what is not finite;
+    LinAlgError is one of them.
+    """
+    try:
+        yield
+    except (ArithmeticError, ValueError) as error:
+        raise RuntimeError(
+            f"integration between {left} s and {right} s left the numbers: {error}"
+        ) from error
 
 
 def _by_bdf(
