@@ -2,11 +2,9 @@
 
 `catalogue` says whether modelica/PneumaticMuscle/Effects has the same law. A family with several laws in the
 catalogue shows some of them in the tuning set and the others in the score set; forms that the catalogue lacks never
-occur in both sets: those of the score set move to the tuning set when they have been looked at. Only where the
-catalogue has one law (dead volume), both sets use it.
+occur in both sets. Only where the catalogue has one law (dead volume), both sets use it.
 
-What a line is made of stands in `form.py`. The lines of forms that nobody who works on the diagnosis has looked at
-stand apart, in `blind.py`, and are not to be read either.
+What a line is made of stands in `form.py`. `former.py` has the lines of a score that is published.
 """
 
 from __future__ import annotations
@@ -15,7 +13,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from blind_cases import blind
+from blind_cases import former
 from blind_cases.form import (
     SETS,
     Form,
@@ -488,7 +486,7 @@ FORMS: tuple[Form, ...] = (
          plain(seen.pressure_offset.BowedManometer, "bow", 3e3, p_fs=(2.5e5, 5e5)), high=10.0, signed=True),
     Form("pressure_offset", "bridge", T, False,
          plain(seen.pressure_offset.UnbalancedBridge, "c", 0.04, p_fs=(2.5e5, 5e5)), high=8.0, signed=True),
-    *blind.FORMS,
+    *former.FORMS,
 )  # fmt: skip
 """Forms of the sixteen families."""
 
@@ -539,7 +537,7 @@ STRANGE: tuple[Form, ...] = (
          plain(seen.none_of_these.OwnClock, "skew", 0.01), high=6.0, signed=True),
     Form("none_of_these", "self_heating", T, False,
          plain(seen.none_of_these.SelfHeating, "size", 2.0, m_0=(1e-5, 1e-4))),
-    *blind.STRANGE,
+    *former.STRANGE,
 )  # fmt: skip
 """Effects in no family."""
 

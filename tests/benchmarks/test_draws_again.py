@@ -29,7 +29,9 @@ def _too_large(y: Sequence[float], told: Any) -> list[float]:
 
 @pytest.mark.parametrize("method", ["LSODA", "BDF"])
 @pytest.mark.parametrize("rates", [_root, _quotient, _too_large])
-def test_what_an_equation_cannot_compute_is_a_simulation_that_failed(rates: Any, method: str) -> None:
+def test_what_an_equation_cannot_compute_is_a_simulation_that_failed(
+    rates: Any, method: str
+) -> None:
     schedule, times = Schedule.of([Phase(1.0)]), np.linspace(0.0, 1.0, 11)
     with pytest.raises(RuntimeError, match="integration"):
         integrate(rates, [0.1], schedule, times, [1e-9], 1e-6, method)

@@ -7,8 +7,11 @@ from math import pi, sin
 from typing import ClassVar
 
 from rig.effect import Now, Rest, State
+from rig.flow import CP
 from rig.schedule import LONGEST, Currents, SampledSchedule, Schedule
 from rig.seen.none_of_these.base import Clocked, Intermittent, Strange, with_edges
+
+_QUICK = 5e-3  # s, behind which states follow what an instrument feels at once
 
 
 @dataclass(frozen=True)
@@ -155,3 +158,45 @@ class BufferTank(Strange):
 
     def supply(self, q: State, p: float) -> float:
         return p * (1 - min(q[0], 0.8))
+
+
+@dataclass(frozen=True)
+class HotSupply(Strange):
+    """The air comes hot from the compressor: what flows in brings more enthalpy, c_p m_in dT.
+
+    State: the inflow behind 5 ms. Source: first law for an open volume.
+    """
+
+    form = "hot_supply"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    hotter: float = 15.0  # K, dT
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((max(now.net_mass_flow, 0.0) - q[0]) / _QUICK,)
+
+    def exchange(self, q: State, p: float, temperature: float) -> tuple[float, float]:
+        return 0.0, -CP * q[0] * self.hotter
+
+
+@dataclass(frozen=True)
+class VenturiTap(Strange):
+    """The pressure tap sits in the narrow inlet, where gas is fast: it shows p - size (m/0.1 g/s)^2.
+
+    State: the flow behind 5 ms, either way. Source: D. Bernoulli, Hydrodynamica (1738).
+    """
+
+    form = "venturi_tap"
+    atol: ClassVar[tuple[float, ...]] = (1e-10,)
+    size: float = 3e3  # Pa at 0.1 g/s
+
+    def initial(self, rest: Rest) -> tuple[float, ...]:
+        return (0.0,)
+
+    def rates(self, q: State, now: Now) -> tuple[float, ...]:
+        return ((now.net_mass_flow - q[0]) / _QUICK,)
+
+    def pressure_shown(self, q: State, p_gauge: float) -> float:
+        return p_gauge - self.size * (q[0] / 1e-4) ** 2

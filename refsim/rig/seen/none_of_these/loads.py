@@ -161,3 +161,32 @@ class Coupled(Effect):
 
     def force(self, q: object, x: float, v: float, p_gauge: float) -> float:
         return self.c * p_gauge * (x / 0.07) ** 2
+
+
+@dataclass(frozen=True)
+class Detent(Strange):
+    """A ball snaps into a notch of the guide: F u exp((1 - u^2)/2), u = (x - x_1)/w; against, then with the motion."""
+
+    form = "detent"
+    size: float = 10.0  # N
+    x_1: float = 0.025  # m
+    width: float = 1.5e-3  # m
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        u = (x - self.x_1) / self.width
+        return self.size * u * exp((1 - min(u * u, 400.0)) / 2)
+
+
+@dataclass(frozen=True)
+class DrippingLoad(Clocked):
+    """The load is a bucket that drips: its weight falls with time. What inertia it loses is left out, it is minor."""
+
+    form = "dripping_load"
+    rate: float = 0.02  # kg/s
+
+    def resting_mass(self) -> float:
+        """Nothing but the load rests at the start; a rig without one does not drip."""
+        return 0.0
+
+    def force(self, q: State, x: float, v: float, p_gauge: float) -> float:
+        return -self.rate * q[0] * G
