@@ -1,6 +1,8 @@
 """The composition of many benches: case number and set -> a data set and what is hidden in it.
 
-Sets `tuning2` and `score2`; their forms are those of `tuning` and `score` in `table.py`. The composition repeats every
+Sets `tuning2` and `score2`; their forms are those of `tuning` and `score` in `table.py`. Set `score3` has the forms of
+the catalogue that `score2` has, others that lie apart (`apart.py`), and half of its cases have recordings that begin in
+the middle of motion (`beginnings.py`). The composition repeats every
 80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8 triples, 10 faults of
 instruments, 8 with nothing hidden, 6 effects in no family; mixed, so that the first cases already are a fair sample.
 """
@@ -17,7 +19,8 @@ from typing import Any
 
 import numpy as np
 
-from blind_cases import table
+from blind_cases import apart, table
+from blind_cases.beginnings import IN_THE_MIDDLE, begun
 from blind_cases.cases import CLASSES, _fitting_noise, _negative, _within, spread
 from blind_cases.faults import FAULTS, ON_SOME_BENCH, FaultForm, Scene
 from blind_cases.noise import Sensors, disturb, draw_sensors
@@ -31,8 +34,10 @@ from rig.named import effect_parameters
 
 Random = np.random.Generator
 Hidden = table.Form | FaultForm
-SEEDS = {"tuning2": 90217, "score2": 20261122}
-FORMS_OF = {"tuning2": "tuning", "score2": "score"}
+SEEDS = {"tuning2": 90217, "score2": 20261122, "score3": 31415926}
+FORMS_OF = {"tuning2": "tuning", "score2": "score", "score3": "score"}
+APART = ("score3",)
+"""Sets whose forms lie apart, and half of whose recordings begin in the middle of motion."""
 GROUPS = {
     "catalogue": 24, "new_form": 14, "pair": 10, "triple": 8, "instrument": 10, "null": 8, "none_of_these": 6,
 }  # fmt: skip
@@ -57,6 +62,7 @@ class Case:
     Attributes:
         hidden: forms of the tables. targets: sizes wanted, in standard deviations.
         draw: how often its rig was drawn again, because what is hidden in it could not be simulated.
+        start: how its recordings begin, one of `beginnings.STARTS`; None in the sets that all begin at rest.
     """
 
     which: str
@@ -66,6 +72,7 @@ class Case:
     hidden: tuple[Hidden, ...]
     targets: tuple[float, ...]
     draw: int = 0
+    start: str | None = None
 
     def rng(self, stream: int) -> Random:
         """A stream of random numbers of this case, and draw, alone."""
@@ -94,6 +101,15 @@ def _sample(form: table.Form) -> Effect:
     return form.make(np.random.default_rng(1), MuscleParameters())(min(1.0, form.high))
 
 
+@cache
+def _table(which: str) -> tuple[tuple[table.Form, ...], tuple[table.Form, ...]]:
+    """Forms of the families, and those in none, that a set may have."""
+    if which not in APART:
+        return table.FORMS, table.STRANGE
+    lines = apart.module("lines")
+    return (*(form for form in table.FORMS if form.catalogue), *lines.FORMS), lines.STRANGE
+
+
 def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
     """What can be hidden on a design, by what takes turns: a family, or a form that only some bench has."""
     by_turn: dict[str, list[Hidden]] = {}
@@ -103,10 +119,8 @@ def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
                 by_turn.setdefault(fault.family, []).append(fault)
         return by_turn
     own = FORMS_OF[which]
-    forms: Sequence[table.Form] = (
-        table.STRANGE if group == "none_of_these" else (*table.FORMS, *ON_SOME_BENCH)
-    )
-    for form in forms:
+    families, strange = _table(which)
+    for form in strange if group == "none_of_these" else (*families, *ON_SOME_BENCH):
         wanted = group == "none_of_these" or form.catalogue is (group != "new_form")
         if own in form.sets and wanted and design.rig.takes(_sample(form), design.signals):
             alone = form in ON_SOME_BENCH or group == "none_of_these"
@@ -123,6 +137,7 @@ def _cases(which: str, periods: int) -> tuple[Case, ...]:
     """The first cases of a set; what was least hidden so far in its group comes next."""
     used: dict[str, Counter[str]] = {group: Counter() for group in GROUPS}
     turns: Counter[str] = Counter()
+    begin: Counter[str] = Counter()
     cases = []
     for number in range(periods * PERIOD):
         group = _GROUP_ORDER[number % PERIOD]
@@ -138,8 +153,22 @@ def _cases(which: str, periods: int) -> tuple[Case, ...]:
             order = _TURNS[len(bounds)]
             targets.append(_within(rng, bounds[order[turns[group] % len(order)]]))
             turns[group] += 1
-        cases.append(replace(case, design=design, hidden=picked, targets=tuple(targets)))
+        case = replace(case, design=design, hidden=picked, targets=tuple(targets))
+        if which in APART:
+            case = replace(case, start=_start(design, begin[group]))
+            begin[group] += case.design.bench != "VesselOrifice"
+        cases.append(case)
     return tuple(cases)
+
+
+def _start(design: Design, before: int) -> str:
+    """How a case begins that has so many before it in its group: every second one in the middle.
+
+    A vessel that empties begins with the pressure that its run states, as a parameter, and is left at that.
+    """
+    if design.bench == "VesselOrifice" or before % 2 == 0:
+        return "rest"
+    return IN_THE_MIDDLE[before // 2 % len(IN_THE_MIDDLE)]
 
 
 def _design(
@@ -190,6 +219,7 @@ def outline(case: Case) -> dict[str, Any]:
         "runs": design.runs,
         "families": [form.family for form in case.hidden if form.family != "none_of_these"],
         "same_as": _same_as(case),
+        **({"start": case.start} if case.start else {}),
         "hidden": [
             {
                 "family": form.family,
@@ -240,6 +270,8 @@ def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) ->
 
 def _made(case: Case, changed: Callable[[Setup], Setup]) -> Made:
     setup = changed(draw(case.rng(1), case.design)).driven()
+    if case.start in IN_THE_MIDDLE:
+        setup = begun(setup, case.rng(4))
     sensors = draw_sensors(case.rng(2), case.design.signals)
     ruler = Ruler(setup) if case.hidden else None
     hidden: list[Effect | Fault] = []
@@ -274,6 +306,7 @@ def _made(case: Case, changed: Callable[[Setup], Setup]) -> Made:
                 "role": t.role,
                 "seconds": (t.samples - 1) / t.rate,
                 "values": dict(t.values),
+                **({"begins": t.begin / t.rate} if t.begin else {}),
             }
             for t in setup.plan
         ],
@@ -328,5 +361,6 @@ def write(made: Made, folder: Path) -> None:
     known = {name: value for name, value in setup.values.items() if name not in free}
     known |= {p.name: p.nominal for p in setup.free if p.nominal is not None}
     sigma = made.sensors.sigma if made.sensors.stated else None
-    about = tables.About(f"case {made.case.number}", setup.signals, sigma, known, free)
+    start = "estimated" if made.case.start == "stated" else None
+    about = tables.About(f"case {made.case.number}", setup.signals, sigma, known, free, start)
     tables.write(folder, setup.design.rig, list(zip(setup.plan, made.recorded, strict=True)), about)

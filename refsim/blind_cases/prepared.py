@@ -22,6 +22,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
+from blind_cases.apart import ARCHIVE
 from blind_cases.sets import SETS, case_of, make, write
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -33,7 +34,7 @@ def _version() -> str:
     """Changes with whatever a case is made by."""
     own = [file for file in Path(__file__).parent.glob("*.py") if file != Path(__file__)]
     state = hashlib.sha256()
-    for file in sorted([*own, *(ROOT / "refsim" / "rig").rglob("*.py")]):
+    for file in sorted([*own, ARCHIVE, *(ROOT / "refsim" / "rig").rglob("*.py")]):
         state.update(file.relative_to(ROOT).as_posix().encode() + b"\0" + file.read_bytes())
     return state.hexdigest()[:16]
 

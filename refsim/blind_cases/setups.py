@@ -125,7 +125,9 @@ class Setup:
 
     @staticmethod
     def _sampled(trial: Trial, time: Array, y: Array) -> Array:
-        return y if len(time) == trial.samples else np.interp(trial.times, time, y)
+        return (
+            y[trial.begin :] if len(time) == trial.samples else np.interp(trial.recorded, time, y)
+        )
 
     def recorded(
         self, effects: Sequence[Effect | Fault], noisy: Callable[[Signals], Signals]
@@ -138,7 +140,7 @@ class Setup:
             shown = disturbed([fault for fault in faults if not fault.after_noise], time, right)
             read = noisy({name: self._sampled(trial, time, shown[name]) for name in self.signals})
             written.append(
-                disturbed([fault for fault in faults if fault.after_noise], trial.times, read)
+                disturbed([fault for fault in faults if fault.after_noise], trial.recorded, read)
             )
         return written
 
@@ -153,7 +155,9 @@ class Setup:
 
     def roles(self) -> Array:
         """For every sample of every run in order: whether it is of role fit; shape (samples,)."""
-        return np.concatenate([np.full(trial.samples, trial.role == "fit") for trial in self.plan])
+        return np.concatenate(
+            [np.full(len(trial.recorded), trial.role == "fit") for trial in self.plan]
+        )
 
     def driven(self, effects: Sequence[Effect | Fault] = ()) -> Setup:
         """The same with the currents of its controllers, which meet these effects."""

@@ -35,6 +35,7 @@ class About:
     Attributes:
         sigma: standard deviations of the noise by signal [SI]; none are stated where None.
         signals: those that are written. parameters: known values [SI]. free: names to bounds [SI].
+        start: how all runs begin, in the words of experiment.toml; nothing is said where None.
     """
 
     title: str
@@ -42,6 +43,7 @@ class About:
     sigma: Mapping[str, float] | None
     parameters: Mapping[str, float] = field(default_factory=dict)
     free: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    start: str | None = None
 
 
 def write(
@@ -94,7 +96,7 @@ def _csv(bench: RigBench, trial: Trial, recorded: Signals, about: About) -> str:
     supply = trial.values.get("p_supply", about.parameters.get("p_supply", 0.0))
     missing = [float("nan")] * len(about.signals)
     lines, step_rows = [",".join(columns)], trial.held and not _held(trial)
-    for k, t in enumerate(trial.times.tolist()):
+    for k, t in enumerate(trial.recorded.tolist()):
         told = _told(bench, trial, supply, t)
         if step_rows and k and any(s.at(t - 2e-9) != s.at(t) for s in trial.schedules):
             # the row before the step carries no measurement
@@ -114,7 +116,8 @@ def _row(t: float, values: Sequence[float], units: Sequence[tuple[str, float, fl
 
 
 def _experiment(bench: RigBench, trials: Sequence[Trial], about: About) -> str:
-    lines = [f"title = {json.dumps(about.title)}", f'model = "{bench.model}"', ""]
+    lines = [f"title = {json.dumps(about.title)}", f'model = "{bench.model}"']
+    lines += [f'start = "{about.start}"', ""] if about.start else [""]
     for name in about.signals:
         lines.append(f"[signals.{name}]")
         if about.sigma:

@@ -19,6 +19,7 @@ class Trial:
         style: of what is told. role: fit or holdout. samples, rate: how many, and how many a second [Hz].
         schedules: of the currents, one for each pair of valves. course: the other input that moves, if there is one.
         values: what is different in this run, by parameter or constant input of the bench [SI].
+        begin: the first sample that is recorded; what comes before it happens all the same.
     """
 
     style: str
@@ -28,11 +29,17 @@ class Trial:
     schedules: tuple[Schedule, ...] = ()
     course: Course | None = None
     values: Mapping[str, float] = field(default_factory=dict)
+    begin: int = 0
 
     @property
     def times(self) -> Array:
         """Instants of the samples [s]."""
         return np.arange(self.samples) / self.rate
+
+    @property
+    def recorded(self) -> Array:
+        """Instants of those that are recorded [s]."""
+        return self.times[self.begin :]
 
     @property
     def held(self) -> bool:
