@@ -23,6 +23,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.hidden_effects.outcome import judged
+from blind_cases.many import APART
 from blind_cases.sets import SETS, case_of, outline
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -157,6 +158,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _line(result: Result) -> str:
+    """One case for the console; of a set whose forms lie apart only what gives none of them away."""
+    if result["set"] in APART:
+        group = result.get("case", {}).get("group", "?")
+        return f"{result['number']:4d} {group:16} {judged(result):10}"
     case = result.get("case", {})
     hidden = "+".join(f"{h['family']}:{h['form']}" for h in case.get("hidden", [])) or case.get(
         "group", "?"

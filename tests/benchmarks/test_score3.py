@@ -1,0 +1,184 @@
+"""The set whose forms lie apart and half of whose recordings begin in the middle. No form is named here."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from collections import Counter
+from dataclasses import replace
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from blind_cases import apart, many, table
+from blind_cases.beginnings import IN_THE_MIDDLE, MOVING, STARTS, begun, rates
+from blind_cases.cases import _draw_bench
+from blind_cases.setups import SIGNALS, Design, draw
+from rig.effect import Effect
+from rig.muscle import MuscleParameters
+
+WHICH, COUNT = "score3", 400
+LINES = apart.module("lines")
+CHECKS = apart.module("checks")
+NEW: list[table.Form] = [*LINES.FORMS, *LINES.STRANGE]
+FIRST = [many.case_of(WHICH, n) for n in range(COUNT)]
+
+
+def _kind(form: table.Form) -> type[Effect]:
+    return type(form.make(np.random.default_rng(1), MuscleParameters())(min(1.0, form.high)))
+
+
+# --- the archive ------------------------------------------------------------------------------
+
+
+def test_the_archive_is_what_its_folder_gives(tmp_path: Path) -> None:
+    apart.unpack(tmp_path)
+    apart.pack(tmp_path, tmp_path / "first.zip")
+    for file in (tmp_path / apart.PACKAGE).iterdir():
+        file.touch()
+    apart.pack(tmp_path, tmp_path / "again.zip")
+    assert (tmp_path / "first.zip").read_bytes() == (tmp_path / "again.zip").read_bytes()
+    apart.unpack(tmp_path / "other", tmp_path / "first.zip")
+    for file in (tmp_path / apart.PACKAGE).iterdir():
+        assert file.read_bytes() == (tmp_path / "other" / apart.PACKAGE / file.name).read_bytes()
+
+
+def test_nothing_but_the_set_itself_opens_the_archive() -> None:
+    code = (
+        "import sys; from blind_cases import sets; sets.case_of('tuning2', 3);"
+        "sets.case_of('score2', 3);"
+        "assert not any('score3_forms' in name for name in (*sys.modules, *sys.path));"
+        "sets.case_of('score3', 3); assert 'score3_forms.lines' in sys.modules"
+    )
+    path = ":".join(place for place in sys.path if place != str(apart.ARCHIVE))
+    subprocess.run([sys.executable, "-c", code], check=True, env={"PYTHONPATH": path})
+
+
+def test_a_missing_archive_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
+    monkeypatch.setattr(apart, "ARCHIVE", tmp_path / "none.zip")
+    with pytest.raises(FileNotFoundError, match="checkout"):
+        apart.module("lines")
+
+
+# --- the forms --------------------------------------------------------------------------------
+
+
+@pytest.mark.parametrize("number", range(len(CHECKS.CHECKS)))
+def test_each_form_gives_its_limit_or_keeps_what_it_conserves(number: int) -> None:
+    CHECKS.CHECKS[number]()
+
+
+def test_forms_are_new_of_each_family_in_none_and_each_is_checked() -> None:
+    families = Counter(form.family for form in NEW)
+    assert set(families) == {*table.FAMILIES, "none_of_these"} and families["none_of_these"] >= 6
+    kinds = [_kind(form) for form in NEW]
+    assert len(set(kinds)) == len(kinds) and set(kinds) <= CHECKS.CHECKED
+    known = {(f.family, f.name) for f in (*table.FORMS, *table.STRANGE)}
+    assert not known & {(form.family, form.name) for form in NEW}
+    for form, kind in zip(NEW, kinds, strict=True):
+        assert (form.family, form.name) == (kind.family, kind.form) and not form.catalogue
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("number", range(len(NEW)))
+def test_the_rig_runs_at_the_bounds_of_a_strength(number: int) -> None:
+    form = NEW[number]
+    bench = _draw_bench(np.random.default_rng(2))
+    bench = replace(bench, plan=bench.plan[-1:])
+    at = form.make(np.random.default_rng(9), bench.muscle)
+    for strength in (form.low, form.high, *((-form.high,) if form.signed else ())):
+        effect = at(strength)
+        run = bench.simulate([effect])[0]
+        assert type(effect).pressure_shown is not Effect.pressure_shown or run["p"].min() > -2e4
+        assert run["x"].max() < 0.5 * bench.muscle.length
+        assert 180.0 < run["T"].min() <= run["T"].max() < 480.0
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("bench", SIGNALS)
+def test_forms_run_on_each_bench_that_takes_them(bench: str) -> None:
+    signals = SIGNALS[bench][0][0]
+    setup = draw(np.random.default_rng(3), Design(bench, signals, 50.0, 1)).driven()
+    base = setup.simulate()[0]
+    taken = [form for form in NEW if setup.design.rig.takes(many._sample(form), signals)]
+    assert len({form.family for form in taken}) >= 3
+    for form in taken:
+        run = setup.simulate([form.make(np.random.default_rng(9), setup.muscle)(1.0)])[0]
+        assert all(np.isfinite(run[name]).all() for name in signals), NEW.index(form)
+        assert any(not np.array_equal(run[name], base[name]) for name in signals), NEW.index(form)
+
+
+# --- where recordings begin -------------------------------------------------------------------
+
+
+def test_half_of_each_group_begins_in_the_middle_and_half_of_those_say_so() -> None:
+    for group in many.GROUPS:
+        starts = Counter(
+            c.start for c in FIRST if c.group == group and c.design.bench != "VesselOrifice"
+        )
+        middle = sum(starts[name] for name in IN_THE_MIDDLE)
+        assert abs(middle - starts["rest"]) <= 1
+        assert abs(starts["stated"] - starts["unstated"]) <= 1 and set(starts) <= set(STARTS)
+    assert {c.start for c in FIRST if c.design.bench == "VesselOrifice"} == {"rest"}
+    assert all(many.case_of("tuning2", n).start is None for n in range(80))
+    assert "start" not in many.outline(many.case_of("score2", 0))
+
+
+def _small(start: str, bench: str = "TankFilling") -> many.Case:
+    design = Design(bench, SIGNALS[bench][0][0], 50.0, 3)
+    case = next(c for c in FIRST if c.group == "null")
+    return replace(case, design=design, start=start)
+
+
+@pytest.mark.parametrize("bench", ["TankFilling", "VerticalLoad"])
+def test_a_recording_begins_in_motion_with_what_the_whole_run_has(bench: str) -> None:
+    case = _small("stated", bench)
+    setup = draw(case.rng(1), case.design).driven()
+    late = begun(setup, case.rng(4))
+    for trial, whole, part in zip(late.plan, setup.simulate(), late.simulate(), strict=True):
+        first = setup.signals[0]
+        assert 0.1 * trial.samples < trial.begin < 0.61 * trial.samples
+        assert rates(trial, whole[first])[trial.begin] >= MOVING
+        assert all(np.array_equal(part[name], whole[name][trial.begin :]) for name in part)
+    assert len(late.roles()) == sum(trial.samples - trial.begin for trial in late.plan)
+
+
+def _files(start: str, folder: Path) -> tuple[dict[str, Any], str, list[list[float]]]:
+    made = many.make(_small(start))
+    many.write(made, folder)
+    text = (folder / "experiment.toml").read_text()
+    times = [
+        [float(row.split(",")[0]) for row in file.read_text().splitlines()[1:]]
+        for file in sorted(folder.glob("*.csv"))
+    ]
+    return made.description, text, times
+
+
+def test_files_begin_where_the_description_says_and_some_say_so(tmp_path: Path) -> None:
+    told, text, times = _files("stated", tmp_path / "stated")
+    assert 'start = "estimated"' in text
+    begins = [run["begins"] for run in told["plan"]]
+    assert [run[0] for run in times] == pytest.approx(begins) and min(begins) > 0.0
+    assert all(a < b for run in times for a, b in pairwise(run))
+    _, silent, same = _files("unstated", tmp_path / "unstated")
+    assert "start" not in silent and same == times
+    at_rest, text, times = _files("rest", tmp_path / "rest")
+    assert "start" not in text and [run[0] for run in times] == [0.0] * 3
+    assert not any("begins" in run for run in at_rest["plan"])
+
+
+@pytest.mark.parametrize("start", IN_THE_MIDDLE)
+def test_the_truth_leaves_its_noise_where_a_start_is_estimated(start: str, tmp_path: Path) -> None:
+    """Not all of it: start values of each run are fitted to the noise."""
+    made = many.make(_small(start))
+    many.write(made, tmp_path)
+    truth = pam.compare(pam.read(tmp_path), parameters={p.name: p.true for p in made.setup.free})
+    for role, noise in made.description["noise"].items():
+        sigma = {n: float(truth.data.signals[n].sigma or np.nan) for n in noise}
+        total = sum(one["mean_square"] * one["samples"] / sigma[n] ** 2 for n, one in noise.items())
+        floor = total / sum(one["samples"] for one in noise.values())
+        assert truth.chi2_reduced(role) == pytest.approx(floor, rel=0.1), role
