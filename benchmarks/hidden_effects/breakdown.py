@@ -37,7 +37,16 @@ def _runs(case: dict[str, Any]) -> str:
     return f"{low} to {high} runs" if high > low else f"{low} run"
 
 
+def _start(case: dict[str, Any]) -> str:
+    return {
+        "stated": "in the middle, stated",
+        "unstated": "in the middle, not stated",
+    }.get(case.get("start", ""), "at rest")
+
+
 KEYS: dict[str, Key] = {"bench": _bench, "measured": _signals, "rate": _rate, "runs": _runs}
+_TABLES = {**KEYS, "start": _start}
+"""With where recordings begin, of which only some sets have more than one kind."""
 
 
 def _order(names: Sequence[str]) -> list[str]:
@@ -76,12 +85,12 @@ def _columns(chosen: Sequence[Result]) -> list[tuple[int, int]]:
 
 
 def breakdown_table(results: Sequence[Result], by: str) -> list[str]:
-    """Markdown: right verdicts by one of KEYS, hidden effects of at least 3 standard deviations."""
+    """Markdown: right verdicts by one of KEYS or by `start`, hidden effects of at least 3 standard deviations."""
     lines = [
         f"| {by} | one effect | two or three | an instrument | nothing | in no family | time in the middle |",
         "|---|---|---|---|---|---|---|",
     ]
-    for name, chosen in _by(results, KEYS[by]).items():
+    for name, chosen in _by(results, _TABLES[by]).items():
         cells = [rate(hits, count) if count else "" for hits, count in _columns(chosen)]
         times = [float(r["seconds"]) for r in chosen if "seconds" in r]
         middle = f"{np.median(times):.3g} s" if times else ""

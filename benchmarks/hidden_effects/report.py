@@ -348,7 +348,8 @@ def _broken_down(results: Sequence[Result]) -> list[str]:
     """What only several benches, combinations and instruments have to tell; and the time."""
     lines = ["## Time and memory", "", *time_table(results, GROUPS), ""]
     if any("bench" in r["case"] for r in results):
-        for by in KEYS:
+        begins = ("start",) if any("start" in r["case"] for r in results) else ()
+        for by in (*KEYS, *begins):
             lines += [f"## By {by}", "", *breakdown_table(results, by), ""]
         lines += ["![By bench, signals, rate and runs](breakdown.png)", ""]
         lines += ["## Faulty instruments", "", *instrument_table(results), ""]

@@ -292,6 +292,7 @@ def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -
         ),
         result("instrument", ["quantisation"], "identified", ["newest_family"], **probability)
         | {"number": 1},
+        result("null", [], "none_missing", [], case={"start": "unstated"}) | {"number": 3},
         result("null", [], "none_missing", []) | {"number": 2, "seconds": 80.0},
     ]
     file = tmp_path / "results.jsonl"
@@ -303,6 +304,7 @@ def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -
     )
     assert "| time of a diagnosis, longest | 60 s | 80 s | no |" in text
     assert "| memory, most | 1000 MB | 300 MB | yes |" in text
+    assert "## By start" in text and "| in the middle, not stated |" in text
     assert "newest_family" in text and "| TankFilling |" in text and "| 20 Hz |" in text
     assert ("No verdict states a probability." in text) is not bool(probability)
     figures = {p.name for p in (tmp_path / "out").iterdir()}

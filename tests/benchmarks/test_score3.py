@@ -16,8 +16,10 @@ import pytest
 import pam_cosim as pam
 from blind_cases import apart, many, table
 from blind_cases.beginnings import IN_THE_MIDDLE, MOVING, STARTS, begun, rates
-from blind_cases.cases import _draw_bench
+from blind_cases.cases import _draw_bench, _fitting_noise
+from blind_cases.noise import draw_sensors
 from blind_cases.setups import SIGNALS, Design, draw
+from blind_cases.sizes import Ruler, calibrated
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 
@@ -96,6 +98,23 @@ def test_the_rig_runs_at_the_bounds_of_a_strength(number: int) -> None:
         assert type(effect).pressure_shown is not Effect.pressure_shown or run["p"].min() > -2e4
         assert run["x"].max() < 0.5 * bench.muscle.length
         assert 180.0 < run["T"].min() <= run["T"].max() < 480.0
+
+
+@pytest.fixture(scope="module")
+def measured() -> tuple[Ruler, MuscleParameters]:
+    bench = _draw_bench(np.random.default_rng(77))
+    return Ruler(replace(bench, plan=(*bench.plan[:2], bench.plan[-1]))), bench.muscle
+
+
+@pytest.mark.full
+@pytest.mark.parametrize("number", range(len(NEW)))
+def test_a_visible_size_is_reached(measured: tuple[Ruler, MuscleParameters], number: int) -> None:
+    """3 standard deviations, where the strength is bounded by instruments quieter or louder."""
+    ruler, muscle = measured
+    form, sensors = NEW[number], draw_sensors(np.random.default_rng(4))
+    at = form.make(np.random.default_rng(5), muscle)
+    size = calibrated(ruler, at, sensors.sigma, 3.0, form.low, form.high)[1]
+    assert _fitting_noise(sensors, size, 3.0)[1] == pytest.approx(3.0, rel=0.5)
 
 
 @pytest.mark.full
