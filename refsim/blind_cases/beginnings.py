@@ -17,7 +17,7 @@ IN_THE_MIDDLE = ("stated", "unstated")
 """Whether the data set says so (`start = "estimated"`) or leaves it to who reads it."""
 STARTS = ("rest", *IN_THE_MIDDLE)
 EARLIEST, LATEST = 0.1, 0.6  # of a run's duration, between which it may begin
-MOVING = 0.25  # of the run's usual quick rate of change: what counts as motion there
+MOVING = 0.4  # of the run's usual quick rate of change: what counts as motion there
 _QUICK = 90.0  # percentile of the rates of change that is usual for quick motion
 
 
@@ -33,9 +33,13 @@ def begun(setup: Setup, rng: np.random.Generator) -> Setup:
 
 
 def rates(trial: Trial, y: Array) -> Array:
-    """How quickly a signal changes at each sample, by what is usual for quick motion in its run."""
+    """How quickly a signal changes at each sample, by what is usual for quick motion in its run.
+
+    That is its 90th percentile; in a run that rests for most of the time, what takes it once through its range.
+    """
     size = np.abs(np.gradient(y, 1 / trial.rate))
-    return np.asarray(size / max(float(np.percentile(size, _QUICK)), 1e-12))
+    once = float(np.ptp(y)) * trial.rate / trial.samples
+    return np.asarray(size / max(float(np.percentile(size, _QUICK)), once, 1e-12))
 
 
 def _place(trial: Trial, y: Array, rng: np.random.Generator) -> int:
