@@ -34,8 +34,9 @@ MAPS = ("map-20", "map-398")
 
 def named(folder: Path) -> tuple[str, dict[str, float]]:
     """What the verdict is, and its error by role in per cent."""
-    rows, files = read_rows(folder), [*(folder / "fitted").glob("*.mo")]
-    data = pam.read(folder / "fitted")
+    rows = read_rows(folder)
+    files = [*rows.library, *(folder / "fitted").glob("*.mo")]
+    data = pam.read(folder / "fitted", files=rows.library)
     bending = [e.name for e in pam.effects() if e.name.startswith(OPEN)]
     diagnosis = pam.diagnose(data, workers=1, exclude=bending, explain=False)
     model = folder / "Named.mo"
