@@ -55,7 +55,7 @@ sigma = "5 N"
 """
 
 
-JUMPS = {
+JUMPS: dict[str, tuple[str, ...]] = {
     "robot": ("0p06-65", "0p12-65"),
     "robot-80": ("0p06-80", "0p12-80"),
     "robot-80-others": ("0p02-80", "0p09-80"),

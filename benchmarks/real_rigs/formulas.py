@@ -145,6 +145,15 @@ def hildebrandt(rest: float, branches: bool = False) -> Callable[[Course, Array]
     return value
 
 
+TWINS = {"tunnel-in": "tunnel-out", "tunnel-out": "tunnel-in"}
+
+
+def of_twin(course: Course) -> Course:
+    """The course of the other one of two equal fans, as if it were one of this fan's."""
+    swapped = course.inputs[:, [1, 0, *range(2, course.inputs.shape[1])]]
+    return Course(course.name, course.time, swapped, course.measured, course.score_from)
+
+
 _NONE = [np.inf] * 8
 _SAROSI = ((-4.0, 290.0, -0.33, -9.0, 290.0, -280.0), _NONE[:6])
 _HILDEBRANDT = ((250.0, -20.0, 1.0, 0.1, 0.1, 50.0, 10.0, 1.0), _NONE)

@@ -7,6 +7,7 @@ model with the learned term. Only ``fitted`` is read before the parameters are f
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import subprocess
@@ -22,6 +23,7 @@ import pam_cosim as pam
 from benchmarks.real_rigs.folders import ROLES, Array
 from benchmarks.real_rigs.rivals import write_result
 from benchmarks.real_rigs.rows import Course, Rows, read_rows
+from benchmarks.real_rigs.table import REPEATS, RIGS
 from pam_cosim.comparison import Comparison
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_text
@@ -154,11 +156,11 @@ def timed(folder: Path, name: str) -> None:
 
 
 def main(folder: Path, names: Sequence[str]) -> None:
-    """Some rigs (default: all of the folder)."""
+    """Some rigs (default: those of the table and the repeats of the verdict)."""
     if names and names[0] == "--alone":
         run_rig(folder / names[1], folder / "results")
         return
-    for name in names or sorted(p.parent.name for p in folder.glob("*/rig.json")):
+    for name in names or sorted({*RIGS, *itertools.chain(*REPEATS.values())}):
         timed(folder, name)
 
 
