@@ -137,17 +137,19 @@ def rigs(store: Store) -> Iterator[Rig]:
     whole = rig(store)
     yield whole
     first, (later,) = whole.runs["fitted"][1].columns, whole.runs["outside"]
-    for end, other in (("in", "out"), ("out", "in")):
-        signal = f"w_{end} [rpm]"
-        known = np.concatenate([first[signal], later.columns[signal][HELD_OUT:]])
-        kept = {k: v for k, v in later.columns.items() if k not in (f"w_{other} [rpm]", "p [Pa]")}
-        scored = replace(later, columns=kept | {signal: known})
-        fitted = [replace(run, columns=_si(run.columns)) for run in whole.runs["fitted"]]
+    known = {
+        name: np.concatenate([first[name], later.columns[name][HELD_OUT:]])
+        for name in ("w_in [rpm]", "w_out [rpm]")
+    }
+    kept = {name: values for name, values in later.columns.items() if name != "p [Pa]"}
+    scored = replace(later, columns=_si(kept | known))
+    fitted = [replace(run, columns=_si(run.columns)) for run in whole.runs["fitted"]]
+    for end in ("in", "out"):
         yield replace(
             whole,
             name=f"tunnel-{end}",
             signal=f"w_{end}",
-            runs={"fitted": fitted, "outside": [replace(scored, columns=_si(scored.columns))]},
+            runs={"fitted": fitted, "outside": [scored]},
         )
 
 
