@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from pam_cosim.catalogue.compose import compose
+from pam_cosim.catalogue.compose import Composition, compose
 from pam_cosim.compiler import read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
@@ -14,8 +14,11 @@ from pam_cosim.diagnosis.check import check
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.identifiability import DetectableEffect
 from pam_cosim.diagnosis.planning.members import laws_of
-from pam_cosim.fitting import Estimate
-from pam_cosim.model.references import sources_of
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Estimate, Fit, fit
+from pam_cosim.fmu import build_source
+from pam_cosim.model.references import is_ratio, sources_of
+from pam_cosim.simulation import Simulator
 
 _MOST = CRITERIA.next_experiment.rivals - 1
 
@@ -63,7 +66,9 @@ def _faintest(diagnosis: Diagnosis, files: Sequence[Path]) -> list[DetectableEff
     shown = [
         one
         for family, one in told.families.items()
-        if one.least <= CRITERIA.resolution.strongest and family not in diagnosis.not_tried
+        if one.least <= CRITERIA.resolution.strongest
+        and family not in diagnosis.not_tried
+        and not is_ratio(one.effect)
     ]
     return sorted(shown, key=lambda one: (-one.least, one.effect))[:_MOST]
 
@@ -75,16 +80,38 @@ def _model_with(
     values: Mapping[str, float],
     files: Sequence[Path],
 ) -> Candidate | None:
-    """The refitted base model, with an effect of a strength that is supposed and not fitted; None: it has no place."""
+    """The base model with an effect of a strength that is supposed, all else fitted to the recordings.
+
+    Without that fit the runs at hand would refute it: free parameters hide what they can of an effect. None: it has no
+    place, or breaks down.
+    """
     sources = sources_of(files, diagnosis.model)
     effects = (effect,) if effect else ()
     composition = compose(read_library(files=sources), diagnosis.model, effects, files=sources)
     if composition is None:
         return None
-    supposed = {n: Estimate(value, value, value, at_bound=True) for n, value in values.items()}
-    fit = replace(
-        diagnosis.base,
-        model=composition.name,
-        parameters={**diagnosis.base.parameters, **supposed},
+    fitted = (
+        diagnosis.base if not effects else _fitted_beside(diagnosis, composition, values, files)
     )
-    return Candidate(effect, family, "", effects, tuple(values), fit, equations=composition.text)
+    if fitted is None:
+        return None
+    supposed = {n: Estimate(value, value, value, at_bound=True) for n, value in values.items()}
+    known = replace(fitted, model=composition.name, parameters={**fitted.parameters, **supposed})
+    return Candidate(effect, family, "", effects, tuple(values), known, equations=composition.text)
+
+
+def _fitted_beside(
+    diagnosis: Diagnosis,
+    composition: Composition,
+    values: Mapping[str, float],
+    files: Sequence[Path],
+) -> Fit | None:
+    data = diagnosis.data
+    source = build_source(
+        composition.name, composition.text, files, sensitivities=data.differentiated, lean=True
+    )
+    try:
+        with Simulator(source) as simulator:
+            return fit(simulator, data, fixed=values)
+    except SimulationFailure:
+        return None
