@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 
 from benchmarks.real_rigs.fluidic import LEAK, free_course
-from benchmarks.real_rigs.folders import Array, Rig, Run, read_columns
+from benchmarks.real_rigs.folders import EXAMPLES, Array, Rig, Run, read_columns
 
-EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 ROBOT = """model = "PneumaticMuscle.Benches.SwitchedMuscle"
 
 [signals.p]
@@ -58,25 +55,34 @@ sigma = "5 N"
 """
 
 
-def robot() -> Rig:
-    """Pressure in the left hip muscle of a jumping robot."""
+JUMPS: dict[str, tuple[str, ...]] = {
+    "robot": ("0p06-65", "0p12-65"),
+    "robot-80": ("0p06-80", "0p12-80"),
+    "robot-80-others": ("0p02-80", "0p09-80"),
+}
+
+
+def robot(name: str = "robot") -> Rig:
+    """Pressure in the left hip muscle of a jumping robot; two of three are repeats of the verdict, fitted alone."""
 
     def run(name: str) -> Run:
         columns = read_columns(EXAMPLES / "jumping-robot" / "recordings" / f"{name}-hip_l.csv")
         units = {"time": "s", "u_in": "1", "u_out": "1", "p_supply": "kPa", "s": "mm", "p": "kPa"}
         return Run(name, {f"{k} [{u}]": columns[k] for k, u in units.items()})
 
+    runs = {"fitted": JUMPS[name]}
+    if name == "robot":
+        runs |= {
+            "within": ("0p09-65",),
+            "outside": ("0p02-80", "0p06-80", "0p09-80", "0p12-80"),
+        }
     return Rig(
-        name="robot",
+        name=name,
         title="Left hip muscle of a jumping robot",
         signal="p",
         inputs=("u_in", "u_out", "p_supply", "s"),
         head=ROBOT,
-        runs={
-            "fitted": [run("0p06-65"), run("0p12-65")],
-            "within": [run("0p09-65")],
-            "outside": [run(n) for n in ("0p02-80", "0p06-80", "0p09-80", "0p12-80")],
-        },
+        runs={role: [run(n) for n in names] for role, names in runs.items()},
         step=0.004,
     )
 

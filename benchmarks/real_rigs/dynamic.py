@@ -13,6 +13,7 @@ from benchmarks.real_rigs.folders import Array
 from benchmarks.real_rigs.rows import LOST, Course
 
 FEWEST = 12  # samples of a course from which it is of use to a method with lags
+WIDEST = 10  # samples that are missing in one place and still bridged; more divide a course
 
 
 @dataclass(frozen=True)
@@ -198,7 +199,7 @@ def run_method(
     sizes: dict[str, Fitter], courses: Mapping[str, Sequence[Course]], step: float
 ) -> Fitted:
     """Chooses the size by what is held back, fits all rows with it and simulates every course."""
-    even = [c.even(step) for c in courses["fitted"]]
+    even = [part.even(step) for c in courses["fitted"] for part in measured_parts(c)]
     scale = Scale.of(even)
     kept, back = _held_back(even)
     if not even[0].inputs.shape[1]:
@@ -211,6 +212,25 @@ def run_method(
         r: {c.name: free_run(model, c, scale, step) for c in own} for r, own in courses.items()
     }
     return Fitted(best, model.count, predicted)
+
+
+def measured_parts(course: Course) -> list[Course]:
+    """What is measured of a course, divided where many samples are missing, for nothing to be learned from a bridge."""
+    there = np.flatnonzero(~np.isnan(course.measured))
+    if len(there) == len(course.measured):
+        return [course]
+    parts = np.split(there, np.flatnonzero(np.diff(there) > WIDEST) + 1)
+    return [
+        Course(
+            course.name,
+            course.time[rows],
+            course.inputs[rows],
+            course.measured[rows],
+            course.score_from,
+        )
+        for first, last in ((part[0], part[-1] + 1) for part in parts)
+        if len(rows := np.arange(first, last)) >= FEWEST
+    ]
 
 
 def _first_stable(

@@ -24,7 +24,8 @@ LEAKING = (1, 2, 4, 5, 6, 7)
 
 def rigs(hose: Store, muscle: Store, bench: str) -> Iterator[Rig]:
     """All rigs, the repeats of the verdict among them."""
-    yield from (at_hand.robot(), at_hand.vessel(), at_hand.chamber(), at_hand.printed_map())
+    yield from (at_hand.robot(name) for name in at_hand.JUMPS)
+    yield from (at_hand.vessel(), at_hand.chamber(), at_hand.printed_map())
     yield from (hoses.rig(hose, length) for length in range(8, 1, -1))
     yield fluidic.isometric(muscle, bench)
     yield fluidic.isometric(muscle, bench, (4, 8), "muscle-repeat")

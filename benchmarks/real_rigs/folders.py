@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 ROLES = ("fitted", "within", "outside")
+EXAMPLES = Path(__file__).resolve().parents[2] / "examples"
 
 
 @dataclass(frozen=True)
@@ -27,7 +28,10 @@ class Run:
 
 @dataclass(frozen=True)
 class Rig:
-    """A rig: its runs by role, what is measured and imposed, and the head of its experiment.toml, with more by role."""
+    """A rig: its runs by role, what is measured and imposed, and the head of its experiment.toml, with more by role.
+
+    ``library`` is a folder below ``examples`` with the Modelica library of its bench, where it has one of its own.
+    """
 
     name: str
     title: str
@@ -40,6 +44,7 @@ class Rig:
     static: bool = False
     files: Mapping[str, str] = field(default_factory=dict)
     heads: Mapping[str, str] = field(default_factory=dict)
+    library: str = ""
 
 
 def write_rig(folder: Path, rig: Rig) -> None:
@@ -52,6 +57,7 @@ def write_rig(folder: Path, rig: Rig) -> None:
         "step": rig.step,
         "static": rig.static,
         "repeats": rig.repeats,
+        "library": rig.library,
         "runs": {
             role: {r.name: max(r.score_from, -1e9) for r in rig.runs.get(role, ())}
             for role in ROLES

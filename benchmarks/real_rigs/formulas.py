@@ -13,6 +13,7 @@ from benchmarks.real_rigs.folders import Array
 from benchmarks.real_rigs.rows import Course
 
 AIR, HOT, KAPPA, AMBIENT = 287.05, 298.0, 1.4, 101.325  # J/(kg K), K, 1, kPa
+LEAST_LOAD, IDLE = 0.1, 31.4  # of a fan, and its speed [rad/s] at the start: as its bench has them
 
 
 @dataclass(frozen=True)
@@ -101,6 +102,24 @@ def orifice(course: Course, c: Array) -> Array:
     return np.asarray(done.y[0] / 1e3 - AMBIENT)
 
 
+def fan(course: Course, c: Array, load: int) -> Array:
+    """I der(w) = tau L^3 - K w^2 from idling: model A2 of Gamella and others 2025; tau/I and K/I."""
+    u = course.inputs[:, load]
+    pull = c[0] * np.where(u > 0, np.maximum(u, LEAST_LOAD), 0.0) ** 3
+    w = np.full(len(u), IDLE)
+    for i in range(1, len(u)):
+        w[i] = _driven(w[i - 1], pull[i - 1], c[1], course.time[i] - course.time[i - 1])
+    return w
+
+
+def _driven(w: float, pull: float, drag: float, seconds: float) -> float:
+    """The speed after a time of constant torque, exactly."""
+    end, rate = np.sqrt(pull / drag), np.sqrt(pull * drag) * seconds
+    if end == 0:
+        return float(w / (1 + drag * w * seconds))
+    return float(end * (w + end * np.tanh(rate)) / (end + w * np.tanh(rate)))
+
+
 def sarosi(rest: float) -> Callable[[Course, Array], Array]:
     """F = (c1 p + c2) exp(c3 k) + c4 k p + c5 p + c6: Sarosi 2012; p [bar], k contraction [0.1]."""
 
@@ -124,6 +143,15 @@ def hildebrandt(rest: float, branches: bool = False) -> Callable[[Course, Array]
         return np.asarray(pull)
 
     return value
+
+
+TWINS = {"tunnel-in": "tunnel-out", "tunnel-out": "tunnel-in"}
+
+
+def of_twin(course: Course) -> Course:
+    """The course of the other one of two equal fans, as if it were one of this fan's."""
+    swapped = course.inputs[:, [1, 0, *range(2, course.inputs.shape[1])]]
+    return Course(course.name, course.time, swapped, course.measured, course.score_from)
 
 
 _NONE = [np.inf] * 8
@@ -155,6 +183,11 @@ def formulas(rig: str) -> list[Formula]:
         ]
     if "leak" in rig:
         return [Formula("exponential", decay, (600.0, 100.0), (1, 1e-2), (2000, 1e7))]
+    if rig.startswith("tunnel"):
+        load = 0 if rig == "tunnel-in" else 1
+        return [
+            Formula("model A2", lambda k, c: fan(k, c, load), (150.0, 1.5e-3), (1, 1e-5), (1e4, 1))
+        ]
     if rig == "vessel":
         return [Formula("polytropic orifice", orifice, (0.8, 1.2), (0.3, 1.0), (1.2, 1.4))]
     rest = {"map-20": 296.0, "map-398": 398.0}.get(rig, 274.0)

@@ -7,6 +7,7 @@ model with the learned term. Only ``fitted`` is read before the parameters are f
 
 from __future__ import annotations
 
+import itertools
 import json
 import os
 import subprocess
@@ -22,6 +23,7 @@ import pam_cosim as pam
 from benchmarks.real_rigs.folders import ROLES, Array
 from benchmarks.real_rigs.rivals import write_result
 from benchmarks.real_rigs.rows import Course, Rows, read_rows
+from benchmarks.real_rigs.table import REPEATS, RIGS
 from pam_cosim.comparison import Comparison
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_text
@@ -46,18 +48,17 @@ def predictions(
             except (InputError, SimulationFailure) as error:
                 print(f"{rows.name} {role}: {error}", file=sys.stderr)
                 continue
-            found[role] = {c.name: _of_course(c, compared) for c in rows.courses[role]}
+            found[role] = {c.name: _of_course(c, rows.signal, compared) for c in rows.courses[role]}
     return found
 
 
-def _of_course(course: Course, compared: Comparison) -> Array:
+def _of_course(course: Course, signal: str, compared: Comparison) -> Array:
     """(n,) at the course's rows; points at rest are found again by what was imposed and measured."""
     own = [
         r
         for r in compared.runs
         if r.run.name == course.name or r.run.name.startswith(f"{course.name} ")
     ]
-    (signal,) = own[0].run.measurements
     measured = np.concatenate([r.run.measurements[signal] for r in own])
     values = np.concatenate([r.model[signal] for r in own])
     unit = 10 ** np.round(
@@ -80,13 +81,15 @@ def run_rig(folder: Path, results: Path) -> None:
     place.mkdir(parents=True, exist_ok=True)
     for method in ("base", "verdict", "learned"):
         (results / f"{rows.name}.{method}.json").unlink(missing_ok=True)
-    files = [p for p in (folder / "fitted").glob("*.mo")]
-    data = pam.read(folder / "fitted")
+    files = [*rows.library, *(folder / "fitted").glob("*.mo")]
+    data = pam.read(folder / "fitted", files=rows.library)
     begun = process_time()
-    fit = pam.fit(data)
+    fit = pam.fit(data, files=rows.library)
     pam.add(fit, output=place / "Base.mo", files=files)
     _write(results, rows, "base", place / "Base.mo", files, _said(fit, process_time() - begun, ""))
-    diagnosis = pam.diagnose(data, workers=1, say=lambda line: print(f"  {line}", flush=True))
+    diagnosis = pam.diagnose(
+        data, files=rows.library, workers=1, say=lambda line: print(f"  {line}", flush=True)
+    )
     write_text(place / "verdict.txt", f"{diagnosis}\n")
     pam.add(diagnosis, output=place / "Verdict.mo", files=files)
     families = "+".join(sorted({c.family for c in diagnosis.path})) or "none"
@@ -153,11 +156,11 @@ def timed(folder: Path, name: str) -> None:
 
 
 def main(folder: Path, names: Sequence[str]) -> None:
-    """Some rigs (default: all of the folder)."""
+    """Some rigs (default: those of the table and the repeats of the verdict)."""
     if names and names[0] == "--alone":
         run_rig(folder / names[1], folder / "results")
         return
-    for name in names or sorted(p.parent.name for p in folder.glob("*/rig.json")):
+    for name in names or sorted({*RIGS, *itertools.chain(*REPEATS.values())}):
         timed(folder, name)
 
 

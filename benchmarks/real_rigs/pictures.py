@@ -28,10 +28,20 @@ SHOWN = {
     "muscle-leak-5": ("outside/whole",),
     "chamber-leak": ("outside/whole",),
     "vessel": ("within/discharge", "outside/filling"),
+    "tunnel-in": ("outside/steps",),
+    "tunnel-out": ("outside/steps",),
     "map-20": ("within/between", "outside/above"),
     "map-398": ("within/x36", "outside/x70"),
 }
-UNITS = {"hose": "bar", "muscle": "N", "map-20": "N", "map-398": "N"}
+UNITS = {
+    "hose": "bar",
+    "muscle": "N",
+    "map-20": "N",
+    "map-398": "N",
+    "tunnel-in": "rad/s",
+    "tunnel-out": "rad/s",
+}
+QUANTITIES = {"N": "force", "rad/s": "speed"}
 TITLES = {"verdict": "verdict", "learned": "verdict + learned", "base": "base model"}
 
 
@@ -106,8 +116,8 @@ def draw(folder: Path, rig: str) -> None:
     for axis, key in zip(axes[0], keys, strict=True):
         role, name = key.split("/")
         draw_course(axis, folder, rows, next(c for c in rows.courses[role] if c.name == name), key)
-    signal = "force" if UNITS.get(rig) == "N" else "pressure"
-    axes[0, 0].set_ylabel(f"{signal} [{UNITS.get(rig, 'kPa')}]")
+    unit = UNITS.get(rig, "kPa")
+    axes[0, 0].set_ylabel(f"{QUANTITIES.get(unit, 'pressure')} [{unit}]")
     axes[0, -1].legend(fontsize=7)
     PICTURES.mkdir(parents=True, exist_ok=True)
     figure.savefig(PICTURES / f"{rig.removesuffix('-5')}.png", dpi=90)

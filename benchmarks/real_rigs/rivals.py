@@ -21,6 +21,7 @@ from benchmarks.real_rigs.at_rest import run_static
 from benchmarks.real_rigs.dynamic import SHELF, Fitted, run_method
 from benchmarks.real_rigs.folders import ROLES, Array
 from benchmarks.real_rigs.rows import Course, Rows, read_rows, score
+from benchmarks.real_rigs.table import RIGS
 
 PACKAGES = {
     "NARX": "sysidentpy",
@@ -32,11 +33,13 @@ PACKAGES = {
 }
 
 
-def by_formula(rows: Rows, courses: Mapping[str, Sequence[Course]]) -> Fitted:
-    """The formula that fits best of those published for the rig."""
+def by_formula(
+    rows: Rows, courses: Mapping[str, Sequence[Course]], twins: Sequence[Course]
+) -> Fitted:
+    """The formula that fits best of those published for the rig; ``twins`` are fitted rows of an equal part."""
     found = []
     for formula in formulas.formulas(rows.name):
-        c = formulas.fitted(formula, courses["fitted"])
+        c = formulas.fitted(formula, [*courses["fitted"], *twins])
         predicted = formulas.predictions(formula, c, courses)
         left = [
             np.nanmean((predicted["fitted"][k.name] - k.measured) ** 2) for k in courses["fitted"]
@@ -45,10 +48,10 @@ def by_formula(rows: Rows, courses: Mapping[str, Sequence[Course]]) -> Fitted:
     return min(found, key=lambda f: f[0])[1]
 
 
-def methods(rows: Rows) -> dict[str, Callable[[], Fitted]]:
+def methods(rows: Rows, twins: Sequence[Course] = ()) -> dict[str, Callable[[], Fitted]]:
     """What is run on a rig."""
     courses = {role: rows.courses[role] for role in ROLES}
-    listed: dict[str, Callable[[], Fitted]] = {"formula": lambda: by_formula(rows, courses)}
+    listed: dict[str, Callable[[], Fitted]] = {"formula": lambda: by_formula(rows, courses, twins)}
     if rows.static:
         return listed | {
             m: (lambda m=m: run_static(m, courses)) for m in ("boosting", "polynomial")
@@ -77,10 +80,10 @@ def write_result(
 
 
 def main(folder: Path, names: Sequence[str]) -> None:
-    """All rival methods on some rigs (default: all of the folder)."""
-    for name in names or sorted(p.parent.name for p in folder.glob("*/rig.json")):
+    """All rival methods on some rigs (default: those of the table)."""
+    for name in names or RIGS:
         rows = read_rows(folder / name)
-        for method, run in methods(rows).items():
+        for method, run in methods(rows, _twins(folder, name)).items():
             begun = time.process_time()
             about: dict[str, object] = {
                 "version": f"{PACKAGES[method]} {version(PACKAGES[method])}"
@@ -97,6 +100,14 @@ def main(folder: Path, names: Sequence[str]) -> None:
             about["seconds"] = time.process_time() - begun
             write_result(folder / "results", rows, method, about, predicted)
             print(name, method, about, flush=True)
+
+
+def _twins(folder: Path, name: str) -> list[Course]:
+    """Fitted rows of a part that the published formula takes for an equal one."""
+    twin = formulas.TWINS.get(name)
+    if twin is None:
+        return []
+    return [formulas.of_twin(c) for c in read_rows(folder / twin).courses["fitted"]]
 
 
 if __name__ == "__main__":

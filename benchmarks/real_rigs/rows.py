@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from benchmarks.real_rigs.folders import ROLES, Array, read_columns
+from benchmarks.real_rigs.folders import EXAMPLES, ROLES, Array, read_columns
 
 LOST = 10.0  # ranges; what a free run that leaves the scale or is not a number is scored as
 Predict = Callable[["Course"], Array]
@@ -38,15 +38,17 @@ class Course:
 
 @dataclass(frozen=True)
 class Rows:
-    """A rig: its courses by role, interval of time and whether it has points at rest."""
+    """A rig: its courses by role, interval of time, whether it has points at rest, and the library of its bench."""
 
     name: str
     title: str
+    signal: str
     step: float
     static: bool
     inputs: tuple[str, ...]
     courses: Mapping[str, tuple[Course, ...]]
     repeats: tuple[tuple[str, str], ...]
+    library: tuple[Path, ...]
 
     @property
     def range(self) -> float:
@@ -86,9 +88,16 @@ def read_rows(folder: Path) -> Rows:
             time = table.get("time", np.zeros(count))
             own.append(Course(run, time, inputs, table[about["signal"]], score_from))
         courses[role] = tuple(own)
-    repeats = tuple((a, b) for a, b in about["repeats"])
     return Rows(
-        folder.name, about["title"], about["step"], about["static"], names, courses, repeats
+        folder.name,
+        about["title"],
+        about["signal"],
+        about["step"],
+        about["static"],
+        names,
+        courses,
+        repeats=tuple((a, b) for a, b in about["repeats"]),
+        library=(EXAMPLES / about["library"],) if about["library"] else (),
     )
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 
 from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis.planning import Limits, Range, RunPlan, limits_of
@@ -20,23 +20,25 @@ def plan(
     *,
     limits: Mapping[str, Sequence[Setting]] | None = None,
     seconds: Setting | None = None,
+    hold: Collection[str] = (),
     runs: int = 1,
     files: Paths = (),
     seed: int = 0,
     say: Callable[[Message], None] = lambda message: None,
 ) -> RunPlan:
-    """Designs the run that separates the models which a verdict leaves, ambiguous or unknown; see ``planning.plan``.
+    """Designs the run that separates the models which a verdict leaves, or that would test it; see ``planning.plan``.
 
     ``limits`` are the lowest and the highest value, numbers in SI or texts with a unit, by name of an input, of a
     parameter that is known beforehand (a load), or of a fitted signal, which the models must be expected to keep
-    within them. Inputs without limits stay within what the recordings span. ``seconds`` is the length of a run
-    ([s], or with a unit), ``runs`` how many runs are designed, one after another.
+    within them. Inputs without limits stay within what the recordings span; one that kept its value through every run
+    moves only where limits are stated for it, and those of ``hold`` keep one value through a run. ``seconds`` is the
+    length of a run ([s], or with a unit), ``runs`` how many runs are designed, one after another.
 
     Raises:
-        InputError: the verdict leaves no choice; limits of something unknown or with another unit; nothing to choose.
+        InputError: no other model is known; limits of something unknown or with another unit; nothing to choose.
         SimulationFailure: no course could be simulated.
     """
-    within = run_limits(diagnosis.data, limits, seconds, files)
+    within = run_limits(diagnosis.data, limits, seconds, files, hold)
     return _plan(diagnosis, within, runs=runs, files=as_paths(files), seed=seed, say=say)
 
 
@@ -45,6 +47,7 @@ def run_limits(
     limits: Mapping[str, Sequence[Setting]] | None = None,
     seconds: Setting | None = None,
     files: Paths = (),
+    hold: Collection[str] = (),
 ) -> Limits:
     """What a planned run may be made of, as ``plan`` takes it.
 
@@ -52,7 +55,7 @@ def run_limits(
         InputError: as for ``plan``.
     """
     ranges = _ranges(data, limits or {}, as_paths(files))
-    return limits_of(data, ranges, _seconds(seconds, "length of the run"))
+    return limits_of(data, ranges, _seconds(seconds, "length of the run"), hold)
 
 
 def _ranges(

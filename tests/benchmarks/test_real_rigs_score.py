@@ -9,7 +9,7 @@ import pytest
 from benchmarks.real_rigs import table
 from benchmarks.real_rigs.folders import Rig, Run, write_rig
 from benchmarks.real_rigs.rows import LOST, overall, read_rows, score
-from tests.documentation.pages import other_numbers
+from tests.documentation.pages import absent, other_numbers
 
 TIME = np.linspace(0, 1, 11)
 
@@ -87,3 +87,38 @@ def test_the_table_on_the_page_is_that_of_the_results() -> None:
         ]
         rows[rig] = [100 * found[0] for found in smallest if found is not None]
     assert other_numbers("real-rigs.md", rows) == []
+
+
+def test_the_verdicts_of_repeats_on_the_page_are_those_of_the_results() -> None:
+    results = json.loads(table.KEPT.read_text(encoding="utf-8"))
+    rows = table.verdicts(results)
+    assert len(rows) == len(table.REPEATS)
+    counts = [[int(n) for n in row[1].split(" of ")] for row in rows]
+    alike, every = (sum(column) for column in zip(*counts, strict=True))
+    families = sum(int(row[2].split(" of ")[0]) for row in rows)
+    total = f"| {alike} of {every} ({100 * alike / every:.0f} %) | {families} of {every} "
+    cells = [f"| {row[1]}, `" for row in rows] + [f"| {row[2]} |" for row in rows]
+    assert absent([total, *cells], "real-rigs.md") == []
+
+
+def test_unknown_verdicts_are_alike_but_their_families_need_not_be() -> None:
+    def result(kind: str, families: str) -> dict[str, object]:
+        return {"reading": f"{kind}: {families}", "named": families.split("+")}
+
+    first, *others = table.REPEATS["jumps of the robot, three pairs"]
+    results = {f"{first}.verdict": result("unknown", "line")}
+    results |= {f"{name}.verdict": result("unknown", "valve") for name in others}
+    ((_, alike, families, said),) = table.verdicts(results)
+    assert (alike, families, said) == ("3 of 3", "2 of 3", "3 unknown")
+    results[f"{first}.verdict"] = result("identified", "valve")
+    ((_, alike, families, said),) = table.verdicts(results)
+    assert (alike, families) == ("2 of 3", "3 of 3")
+    assert said == "1 identified: valve; 2 unknown"
+
+
+def test_rivals_that_were_not_run_again_keep_their_results(tmp_path: Path) -> None:
+    (tmp_path / "results").mkdir()
+    before = json.loads(table.KEPT.read_text(encoding="utf-8"))
+    kept = table.collect(tmp_path)
+    assert kept == {name: r for name, r in before.items() if r["method"] in table.RIVALS}
+    assert "hose.formula" in kept and "hose.verdict" not in kept

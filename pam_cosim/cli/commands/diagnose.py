@@ -31,7 +31,7 @@ from pam_cosim.cli.commands.common import (
     teller,
 )
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_json, write_text
 from pam_cosim.study import products
 from pam_cosim.study.fitted_model import fitted_model
@@ -171,19 +171,26 @@ def _write_next(diagnosis: Diagnosis, following: Path | None, files: Sequence[Pa
     """The run that decides between the models that are left, as a file, where there is one to make."""
     if following is None:
         return
+    why = f"the verdict is {diagnosis.verdict.kind}"
     over_time = not any(run.is_static for run in diagnosis.data.runs)
-    if over_time and len(diagnosis.rival_models) > 1:
-        planned = study.plan(diagnosis, files=files)
-        typer.echo(str(planned))
-        write_planned_runs(following, planned)
+    leaves_rivals = len(diagnosis.rival_models) > 1
+    if over_time and (leaves_rivals or diagnosis.verdict.kind in ("identified", "none_missing")):
+        try:
+            planned = study.plan(diagnosis, files=files)
+        except (InputError, SimulationFailure) as error:
+            if leaves_rivals:
+                raise
+            why = str(error)
+        else:
+            typer.echo(str(planned))
+            write_planned_runs(following, planned)
+            say_written(following)
+            return
     elif diagnosis.next_experiment is not None:
         write_next_run(following, diagnosis.next_experiment)
-    else:
-        typer.echo(
-            f"no next experiment: the verdict is {diagnosis.verdict.kind}; {following} is not written"
-        )
+        say_written(following)
         return
-    say_written(following)
+    typer.echo(f"no next experiment: {why}; {following} is not written")
 
 
 def _write_learned(diagnosis: Diagnosis, learned: Path | None) -> None:

@@ -45,6 +45,12 @@ def plan(
             "must stay within; default: what the recordings span. May be repeated.",
         ),
     ] = None,
+    hold: Annotated[
+        list[str] | None,
+        typer.Option(
+            help="An input that keeps one value through a run, such as a supply. May be repeated."
+        ),
+    ] = None,
     seconds: Annotated[
         str | None, typer.Option(help="Length of a run, such as '10 s'; default: as recorded.")
     ] = None,
@@ -68,18 +74,23 @@ def plan(
         int | None, typer.Option(help="Processes of the diagnosis; default: all processors.")
     ] = None,
 ) -> None:
-    """Design the run that decides between the models which a diagnosis leaves."""
+    """Design the run that decides between the models which a diagnosis leaves, or tests its verdict."""
     written = planned_files(output, runs) if output else []
     check_results(*written, plot, json, sources=[source, model, *(files or [])])
     ranges = parse_limits(limits or [])
     diagnosis = _diagnosis(
-        source, model, files, workers, lambda data: run_limits(data, ranges, seconds, files or [])
+        source,
+        model,
+        files,
+        workers,
+        lambda data: run_limits(data, ranges, seconds, files or [], hold or []),
     )
     with console.status("designing the run") as status:
         planned = study.plan(
             diagnosis,
             limits=ranges,
             seconds=seconds,
+            hold=hold or [],
             runs=runs,
             files=files or [],
             seed=seed,

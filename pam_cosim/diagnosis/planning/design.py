@@ -10,15 +10,17 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.events import Remark
 from pam_cosim.diagnosis.message import Message
+from pam_cosim.diagnosis.planning.challengers import challenged
 from pam_cosim.diagnosis.planning.course import Course
 from pam_cosim.diagnosis.planning.limits import Limits, limits_of
 from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.moves import Moves, Random
 from pam_cosim.diagnosis.planning.rivals import Rivals, soft_minimum
-from pam_cosim.diagnosis.planning.run_plan import PlannedRun, RunPlan, Separation
+from pam_cosim.diagnosis.planning.run_plan import NO_EFFECT, PlannedRun, RunPlan, Separation
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.measurement import Run
 from pam_cosim.processes.workers import on_one_thread
@@ -34,14 +36,18 @@ def plan(
     seed: int = 0,
     say: Callable[[Message], None] = lambda message: None,
 ) -> RunPlan:
-    """Designs the runs that separate the models which a diagnosis leaves.
+    """Designs the runs that separate the models which a diagnosis leaves, or that test the one which it names.
 
     Courses are drawn at random and taken from the recordings, and the best of them are changed and joined. What counts
     is the chi-square that is expected between two rivals, of which the wrong one was fitted again, for the pair that
     is least apart. Of several runs each is designed to add to those before it.
 
+    Where a verdict leaves no choice the run is one that would refute it: ``identified`` is tested against the models of
+    other families that came nearest, ``none_missing`` against effects as weak as the recordings just show them, those
+    that must be strongest for that.
+
     Args:
-        diagnosis: with the verdict ``ambiguous`` or ``unknown``.
+        diagnosis: with any verdict.
         limits: within which the rig can be driven; None: what the recordings span.
         runs: how many to design.
         files: further Modelica files, as for the diagnosis.
@@ -49,14 +55,9 @@ def plan(
         say: predictions what happens, line by line.
 
     Raises:
-        InputError: the verdict leaves no choice, or within the limits nothing can be chosen.
+        InputError: no other model is known, or within the limits nothing can be chosen.
         SimulationFailure: no course could be simulated.
     """
-    explanations = members(diagnosis)
-    if len(explanations) < 2:
-        raise InputError(
-            f"the verdict is {diagnosis.verdict.kind}: there are no rivals to decide between"
-        )
     if runs < 1:
         raise InputError("plan one run at least")
     limits = limits_of(diagnosis.data) if limits is None else limits
@@ -64,10 +65,17 @@ def plan(
         raise InputError(
             "no input and no parameter differs in the recordings: state limits within which they may"
         )
+    left = members(diagnosis)
+    explanations = left if len(left) > 1 else challenged(diagnosis, files)
+    if len(explanations) < 2:
+        raise InputError(
+            f"the verdict is {diagnosis.verdict.kind}: there are no rivals to decide between"
+        )
+    tests = len(left) < 2
     recorded = [run for run in diagnosis.data.runs if not run.is_static]
     moves, rng = Moves(limits, recorded), np.random.default_rng(seed)
-    with Rivals(explanations, diagnosis.data, limits, files) as rivals:
-        names = tuple(" + ".join(one.effects) for one in rivals.models)
+    with Rivals(explanations, diagnosis.data, limits, files, tests_first=tests) as rivals:
+        names = tuple(_name(one) for one in rivals.models)
         say(Remark(f"looking for the run that separates {', '.join(names)}").message)
         search = _Search(rivals, moves, rng)
         planned: list[PlannedRun] = []
@@ -81,13 +89,17 @@ def plan(
         diagnosis.model,
         diagnosis.verdict.kind,
         names,
-        tuple(tuple(" + ".join(one.effects) for one in models) for models in explanations),
+        tuple(tuple(_name(one) for one in models) for models in explanations),
         tuple(dict.fromkeys(_families(diagnosis, names))),
         tuple(planned),
         units | {n: diagnosis.data.signals[n].unit for n in sigma},
         sigma,
         search.tried,
     )
+
+
+def _name(model: Candidate) -> str:
+    return " + ".join(model.effects) or NO_EFFECT
 
 
 def _families(diagnosis: Diagnosis, names: Sequence[str]) -> list[str]:

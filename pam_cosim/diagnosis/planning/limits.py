@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -21,7 +21,7 @@ class Limits:
 
     Attributes:
         inputs: lowest and highest value of each input.
-        constant: inputs that keep one value through a run, such as a supply.
+        constant: inputs that keep one value through a run, such as a supply that nobody may move.
         rates: the steepest change of each input a second; infinite: it can step.
         start: value of each input when a run begins, from which an input with a finite rate departs.
         parameters: ranges of what is set before a run, such as a load.
@@ -51,16 +51,22 @@ class Limits:
 
 
 def limits_of(
-    data: DataSet, stated: Mapping[str, Range] | None = None, seconds: float | None = None
+    data: DataSet,
+    stated: Mapping[str, Range] | None = None,
+    seconds: float | None = None,
+    held: Collection[str] = (),
 ) -> Limits:
     """What the recordings span, but for what is stated.
 
-    An input is as fast as it was recorded at its fastest. A parameter that differs between runs can be set.
+    An input is as fast as it was recorded at its fastest. One that kept its value through every run keeps one value,
+    unless limits are stated for it: then it moves within them, and can step. A parameter that differs between runs can
+    be set.
 
     Args:
         data: the measurement; not of points at rest.
         stated: lowest and highest value [SI] of inputs, of known parameters, and of fitted signals, by name.
         seconds: length of a run; None: as long as the recordings are, in the median.
+        held: inputs that keep one value through a run, within their limits.
 
     Raises:
         InputError: an unknown name; a range that begins above its end; points at rest; no positive length.
@@ -82,13 +88,20 @@ def limits_of(
     for name, limits in (stated or {}).items():
         _check_limits(name, limits, list(places))
         places[name][name] = limits
+    for name in held:
+        if name not in inputs:
+            raise InputError(
+                f"there is no input '{name}' to hold; {did_you_mean(name, list(inputs))}"
+            )
+    free = {name for name, (low, high) in (stated or {}).items() if low < high}
+    still = {name for name in inputs if _is_constant(runs, name) and name not in free}
     length = _usual_length(runs) if seconds is None else seconds
     if not length > 0:
         raise InputError("a run must last longer than nothing")
     interval = float(np.median(np.concatenate([_steps(run) for run in runs])))
     return Limits(
         inputs,
-        frozenset(name for name in inputs if _is_constant(runs, name)),
+        frozenset({*held, *still}),
         {name: _rate(runs, name, inputs[name], interval) for name in inputs},
         {name: float(first.inputs[name][0]) for name in inputs},
         parameters,

@@ -13,8 +13,13 @@ def members(diagnosis: Diagnosis) -> list[list[Candidate]]:
     An explanation is a set of families. Which of their laws is the right one may be as open as the families are: a run
     that separates one leak from a wall that warms up need not separate another leak from it.
     """
+    return [laws_of(diagnosis, best) for best in diagnosis.rival_models]
+
+
+def laws_of(diagnosis: Diagnosis, best: Candidate) -> list[Candidate]:
+    """A model, and the other laws of its families that fit as well."""
     family = {c.effect: c.family for c in diagnosis.candidates}
-    return [[best, *_alike(diagnosis, best, family)] for best in diagnosis.rival_models]
+    return [best, *_alike(diagnosis, best, family)]
 
 
 def _alike(diagnosis: Diagnosis, best: Candidate, family: dict[str, str]) -> list[Candidate]:

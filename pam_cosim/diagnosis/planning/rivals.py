@@ -28,6 +28,7 @@ class Rivals:
         data: the measurement, with noise levels.
         limits: of the rig.
         files: further Modelica files.
+        tests_first: only the first explanation is to be told from the others, and not these from one another.
     """
 
     def __init__(
@@ -36,12 +37,16 @@ class Rivals:
         data: DataSet,
         limits: Limits,
         files: Sequence[Path] = (),
+        *,
+        tests_first: bool = False,
     ) -> None:
         self.models = tuple(model for models in explanations for model in models)
         self.data, self.limits = data, limits
         of = [number for number, models in enumerate(explanations) for _ in models]
         every = itertools.combinations(range(len(self.models)), 2)
-        self.pairs = [(i, j) for i, j in every if of[i] != of[j]]
+        self.pairs = [
+            (i, j) for i, j in every if of[i] != of[j] and not (tests_first and of[i] > 0)
+        ]
         self._files, self._stack = files, ExitStack()
         self._hypotheses: list[Hypothesis] = []
 

@@ -12,6 +12,10 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
 
+NO_EFFECT = "no effect"
+"""Name of the model without effects among rivals."""
+_STRENGTH = ", each as weak as the recordings just show it"
+
 
 @dataclass(frozen=True)
 class Separation:
@@ -80,7 +84,7 @@ class PlannedRun:
 
 @dataclass(frozen=True)
 class RunPlan(Printed):
-    """Runs that would decide between the models that a diagnosis leaves.
+    """Runs that would decide between the models that a diagnosis leaves, or test the one that it names.
 
     Attributes:
         title: of the data set.
@@ -121,6 +125,11 @@ class RunPlan(Printed):
         return min(one.chi2 for one in self.separations)
 
     @property
+    def tests(self) -> bool:
+        """Whether the verdict left no choice: its model, the first explanation, is told from each other one."""
+        return self.verdict in ("identified", "none_missing")
+
+    @property
     def decides(self) -> bool:
         """Whether every pair of rivals is expected to be predictions apart by very strong evidence."""
         return all(one.decides for one in self.separations)
@@ -131,7 +140,9 @@ class RunPlan(Printed):
         runs = "this run" if len(self.runs) == 1 else f"these {len(self.runs)} runs"
         least = min(self.separations, key=lambda one: one.chi2)
         strong = CRITERIA.evidence.very_strong
-        if self.decides:
+        if self.decides and self.tests:
+            says = f"{runs} should test {self._tested}"
+        elif self.decides:
             says = f"{runs} should decide between {listed(_named(models) for models in self.explanations)}"
         else:
             close = [f"{one.first} and {one.second}" for one in self.separations if not one.decides]
@@ -141,6 +152,18 @@ class RunPlan(Printed):
             f"is at least {least.chi2:.3g} larger after they are fitted again ({strong:g} is very strong evidence"
             f"{self._beside}); {least.first} and {least.second} are least apart."
         )
+
+    @property
+    def _left(self) -> str:
+        if self.tests:
+            return "a run that would test this verdict"
+        return f"{len(self.explanations)} explanations are left"
+
+    @property
+    def _tested(self) -> str:
+        (own, *others) = self.explanations
+        strength = _STRENGTH if own == (NO_EFFECT,) else ""
+        return f"{_named(own)} against {listed(_named(models) for models in others)}{strength}"
 
     @property
     def _beside(self) -> str:
@@ -171,7 +194,7 @@ class RunPlan(Printed):
 
     def __str__(self) -> str:
         lines = [
-            f"{self.title}: the verdict is {self.verdict}; {len(self.explanations)} explanations are left",
+            f"{self.title}: the verdict is {self.verdict}; {self._left}",
             self.expectation,
         ]
         lines += [

@@ -54,6 +54,25 @@ def test_stated_limits_come_first(data: DataSet) -> None:
     assert limits.outputs == {"x": (0.0, 0.005)} and limits.seconds == 2.0
 
 
+def test_what_never_moved_moves_where_limits_are_stated_for_it_and_may_be_held(
+    data: DataSet,
+) -> None:
+    wide = {"p_supply": (1e5, 4e5)}
+    free, held = limits_of(data, wide), limits_of(data, wide, held=["p_supply"])
+    assert free.moving == ("u", "s", "p_supply") and held.moving == ("u", "s")
+    assert np.isinf(free.rates["p_supply"])
+    rng = np.random.default_rng(1)
+    supplies = [Moves(free, data.runs).drawn(rng).table(free)[1]["p_supply"] for _ in range(30)]
+    assert any(np.ptp(values) > 1e4 for values in supplies)
+    assert all(values.min() >= 1e5 and values.max() <= 4e5 for values in supplies)
+    for _ in range(30):
+        values = Moves(held, data.runs).drawn(rng).table(held)[1]["p_supply"]
+        assert np.ptp(values) == 0 and 1e5 <= values[0] <= 4e5
+    assert limits_of(data, {"p_supply": (2e5, 2e5)}).constant == {"p_supply"}  # no choice is left
+    with pytest.raises(InputError, match="no input 'p_suply' to hold; did you mean 'p_supply'"):
+        limits_of(data, held=["p_suply"])
+
+
 @pytest.mark.parametrize(
     ("stated", "seconds", "message"),
     [

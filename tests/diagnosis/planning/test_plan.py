@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 
 from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.diagnosis.planning import RunPlan, limits_of
+from pam_cosim.diagnosis.identifiability import DetectableEffect
+from pam_cosim.diagnosis.planning import RunPlan, challengers, limits_of
 from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.errors import InputError
@@ -128,6 +131,73 @@ def test_a_verdict_without_rivals_leaves_nothing_to_decide(diagnosis: Diagnosis)
         study.plan(replace(diagnosis, rivals=diagnosis.rivals[:1]))
 
 
+def test_an_identified_effect_is_tested_against_what_came_near(diagnosis: Diagnosis) -> None:
+    """What contains the verdict's family can say all that its law says: it is no challenger."""
+    spring, creep = diagnosis.candidates
+    both = replace(creep, effects=("LinearBladder", "MaxwellCreep"))
+    friction = rival("ViscousFriction", "rate_friction", diagnosis.data, c=300.0)
+    verdict = replace(
+        diagnosis.verdict, kind="identified", families=("elasticity",), effects=spring.effects
+    )
+    found = replace(
+        diagnosis,
+        verdict=verdict,
+        candidates=(spring, both, creep, friction),
+        path=(spring,),
+        rivals=(),
+    )
+    plan = study.plan(found, seconds="2 s")
+    assert plan.explanations == (("LinearBladder",), ("MaxwellCreep",), ("ViscousFriction",))
+    pairs = {(one.first, one.second) for one in plan.separations}
+    assert pairs == {("LinearBladder", "MaxwellCreep"), ("LinearBladder", "ViscousFriction")}
+    assert plan.tests and plan.decides and plan.chi2 > 2 * plan.runs[0].at_random
+    assert "should test LinearBladder against MaxwellCreep, ViscousFriction" in plan.expectation
+    assert "a run that would test this verdict" in str(plan)
+    with pytest.raises(InputError, match="the verdict is identified: there are no rivals"):
+        study.plan(replace(found, candidates=(spring, both)))
+
+
+def test_nothing_missing_is_tested_against_effects_that_the_recordings_hardly_show(
+    diagnosis: Diagnosis, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def shown(effect: str, family: str, least: float, **values: float) -> DetectableEffect:
+        return DetectableEffect(effect, family, 10 / least, least, values, {}, {})
+
+    each = [
+        shown("LinearBladder", "elasticity", 0.02, **{"bladder.k": 5.0}),
+        shown("LaminarLeak", "leak", 0.1, **{"leak.G": 2e-11}),
+        shown("MaxwellCreep", "creep", 0.3, **{"creep.k": 50.0, "creep.tau": 1.0}),
+        shown("ViscousFriction", "rate_friction", 0.4, **{"damper.c": 20.0}),
+        shown("PositionOffset", "position_offset", math.inf),
+    ]
+    told = SimpleNamespace(families={one.family: one for one in each})
+    monkeypatch.setattr(challengers, "check", lambda *_, **__: SimpleNamespace(told=told))
+    base = replace(diagnosis.candidates[0].fit, parameters={})
+    sound = replace(
+        diagnosis,
+        verdict=replace(diagnosis.verdict, kind="none_missing", families=(), effects=()),
+        base=base,
+        candidates=(),
+        rivals=(),
+    )
+    (own, *others) = challengers.challenged(sound)
+    assert own[0].effects == () and [one.effects for (one,) in others] == [
+        ("ViscousFriction",),
+        ("MaxwellCreep",),
+        ("LaminarLeak",),
+    ]
+    creep = others[1][0].fit
+    assert (creep.values["creep.k"], creep.values["creep.tau"]) == (50.0, 1.0)
+    # all else is fitted beside it, which hides what it can of the effect
+    assert creep.values["muscle.mu_fb"] != others[0][0].fit.values["muscle.mu_fb"]
+    plan = study.plan(sound, seconds="2 s")
+    assert plan.rivals[0] == "no effect" and len(plan.separations) == 3
+    assert "no effect against ViscousFriction, MaxwellCreep, LaminarLeak" in plan.expectation
+    assert "each as weak as the recordings just show it" in plan.expectation
+    (run,) = plan.runs
+    assert run.chi2 > run.at_random > 0
+
+
 def test_the_command_writes_what_a_rig_can_play(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
@@ -155,7 +225,7 @@ def test_the_command_writes_what_a_rig_can_play(
 @pytest.mark.parametrize(
     ("words", "said"),
     [(["--limit", "u_in=1:0"], "'u_in' begin above their end"), (["--limit", "spring=0:1"], "no 'spring' to limit"),
-     (["--seconds", "0 s"], "longer than nothing")],
+     (["--seconds", "0 s"], "longer than nothing"), (["--hold", "u_inn"], "no input 'u_inn' to hold")],
 )  # fmt: skip
 def test_what_is_wrong_is_said_before_a_data_set_is_diagnosed(
     words: list[str],

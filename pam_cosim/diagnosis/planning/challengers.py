@@ -1,0 +1,117 @@
+"""What a verdict that leaves no choice is tested against: models that came near, effects that would hardly show."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from pam_cosim.catalogue.compose import Composition, compose
+from pam_cosim.compiler import read_library
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.check import check
+from pam_cosim.diagnosis.diagnose import Diagnosis
+from pam_cosim.diagnosis.identifiability import DetectableEffect
+from pam_cosim.diagnosis.planning.members import laws_of
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.fitting import Estimate, Fit, fit
+from pam_cosim.fmu import build_source
+from pam_cosim.model.references import is_ratio, sources_of
+from pam_cosim.simulation import Simulator
+
+_MOST = CRITERIA.next_experiment.rivals - 1
+
+
+def challenged(diagnosis: Diagnosis, files: Sequence[Path] = ()) -> list[list[Candidate]]:
+    """The models of the verdict, and after them each model that a run should tell from it; one alone: none is known.
+
+    Args:
+        diagnosis: with the verdict ``identified`` or ``none_missing``; of any other one nothing is challenged.
+        files: further Modelica files, as for the diagnosis.
+    """
+    if diagnosis.verdict.kind == "identified" and diagnosis.path:
+        best = diagnosis.path[-1]
+        return [laws_of(diagnosis, best), *([one] for one in _runners_up(diagnosis, best))]
+    if diagnosis.verdict.kind == "none_missing":
+        unchanged = _model_with(diagnosis, "", "", {}, files)
+        faint = [
+            _model_with(diagnosis, one.effect, one.family, one.values, files)
+            for one in _faintest(diagnosis, files)
+        ]
+        return [[one] for one in (unchanged, *faint) if one is not None]
+    return []
+
+
+def _runners_up(diagnosis: Diagnosis, best: Candidate) -> list[Candidate]:
+    """The best model of each other set of families that does not contain the verdict's.
+
+    What contains them can say all that the verdict's model says: no run refutes one by the other.
+    """
+    family = {c.effect: c.family for c in diagnosis.candidates}
+
+    def families(candidate: Candidate) -> frozenset[str]:
+        return frozenset(family.get(effect, effect) for effect in candidate.effects)
+
+    each: dict[frozenset[str], Candidate] = {}
+    for candidate in diagnosis.candidates:
+        if not families(candidate) >= families(best):
+            each.setdefault(families(candidate), candidate)
+    return list(each.values())[:_MOST]
+
+
+def _faintest(diagnosis: Diagnosis, files: Sequence[Path]) -> list[DetectableEffect]:
+    """Of each family the effect that the recordings show best, and of these the ones that must be strongest to show."""
+    told = check(diagnosis.data, diagnosis.model, files=files, workers=0).told
+    shown = [
+        one
+        for family, one in told.families.items()
+        if one.least <= CRITERIA.resolution.strongest
+        and family not in diagnosis.not_tried
+        and not is_ratio(one.effect)
+    ]
+    return sorted(shown, key=lambda one: (-one.least, one.effect))[:_MOST]
+
+
+def _model_with(
+    diagnosis: Diagnosis,
+    effect: str,
+    family: str,
+    values: Mapping[str, float],
+    files: Sequence[Path],
+) -> Candidate | None:
+    """The base model with an effect of a strength that is supposed, all else fitted to the recordings.
+
+    Without that fit the runs at hand would refute it: free parameters hide what they can of an effect. None: it has no
+    place, or breaks down.
+    """
+    sources = sources_of(files, diagnosis.model)
+    effects = (effect,) if effect else ()
+    composition = compose(read_library(files=sources), diagnosis.model, effects, files=sources)
+    if composition is None:
+        return None
+    fitted = (
+        diagnosis.base if not effects else _fitted_beside(diagnosis, composition, values, files)
+    )
+    if fitted is None:
+        return None
+    supposed = {n: Estimate(value, value, value, at_bound=True) for n, value in values.items()}
+    known = replace(fitted, model=composition.name, parameters={**fitted.parameters, **supposed})
+    return Candidate(effect, family, "", effects, tuple(values), known, equations=composition.text)
+
+
+def _fitted_beside(
+    diagnosis: Diagnosis,
+    composition: Composition,
+    values: Mapping[str, float],
+    files: Sequence[Path],
+) -> Fit | None:
+    data = diagnosis.data
+    source = build_source(
+        composition.name, composition.text, files, sensitivities=data.differentiated, lean=True
+    )
+    try:
+        with Simulator(source) as simulator:
+            return fit(simulator, data, fixed=values)
+    except SimulationFailure:
+        return None
