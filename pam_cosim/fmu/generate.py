@@ -9,7 +9,7 @@ from typing import Any
 
 import casadi as ca
 
-from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.compiler.sensitivities import sensitivity_symbols
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_array, c_string
@@ -155,39 +155,48 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
     """
     interface = ode.interface
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
-    inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
-    sizes = [
-        len(ode.states),
-        *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals)),
-    ]
-    sizes += [
-        ode.core,
-        len(ode.sensitivities),
-        len(ode.statements),
-        sum(len(s.values) for s in ode.statements),
-    ]
-    sizes += [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     return {
-        **dict(zip(SIZES, sizes, strict=True)),
+        **_sizes(ode, functions),
         "tolerance": _finite(interface.tolerance),
         "max_step": _finite(interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0),
         "state_names": [s.name for s in ode.states],
         "state_nominals": [_nominal(s.nominal) for s in ode.states],
-        "input_starts": [_finite(v) for v in inputs],
+        "input_starts": _input_starts(ode),
         "parameter_starts": [_finite(v.start) for v in interface.parameters.values()],
         "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
         "start_of": _start_of(ode),
         "resting": _resting(ode),
-        "statements": [
-            {
-                "is_error": int(s.is_error),
-                "at_start": int(s.at_start),
-                "texts": list(s.texts),
-                "digits": [digits for _, digits in s.values],
-            }
-            for s in ode.statements
-        ],
+        "statements": [_statement_row(statement) for statement in ode.statements],
+    }
+
+
+def _sizes(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, int]:
+    """How many there are of each, and the working memory that the functions need, in the order of ``SIZES``."""
+    sizes = [
+        len(ode.states),
+        *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals)),
+        ode.core,
+        len(ode.sensitivities),
+        len(ode.statements),
+        sum(len(statement.values) for statement in ode.statements),
+        max(function.sz_iw() for function in functions),
+        max(function.sz_w() for function in functions),
+    ]
+    return dict(zip(SIZES, sizes, strict=True))
+
+
+def _input_starts(ode: Ode) -> list[float]:
+    inputs = [entry for entry in table(ode) if entry.causality == "input"]
+    return [_finite(entry.start or 0.0) for entry in inputs]
+
+
+def _statement_row(statement: Statement) -> dict[str, Any]:
+    return {
+        "is_error": int(statement.is_error),
+        "at_start": int(statement.at_start),
+        "texts": list(statement.texts),
+        "digits": [digits for _, digits in statement.values],
     }
 
 
