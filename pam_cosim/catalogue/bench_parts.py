@@ -16,7 +16,7 @@ from pathlib import Path
 from pam_cosim.catalogue.effects import component_name
 from pam_cosim.catalogue.place import is_connector, libraries
 from pam_cosim.compiler import ClassTree, names
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import InputError
 from pam_cosim.wording import did_you_mean
 

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from pam_cosim.catalogue.place import EFFECT, is_effect, libraries
 from pam_cosim.compiler import ClassTree, Part, names
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import ModelError
 
 _TYPICAL = "typical"

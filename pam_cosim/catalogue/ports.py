@@ -15,7 +15,7 @@ from pam_cosim.catalogue.bench_parts import (
 )
 from pam_cosim.catalogue.place import benches
 from pam_cosim.compiler import ClassTree
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Variable
 

@@ -11,7 +11,7 @@ from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
 from pam_cosim.drafting.values import StatedValue, text_of
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface, Variable
 

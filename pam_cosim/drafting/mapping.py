@@ -19,7 +19,7 @@ from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.drafting.zeros import with_zero, without_offsets
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, parse_quantity
 

@@ -20,7 +20,7 @@ from pam_cosim.drafting.sources import RecordingSource, read_sources
 from pam_cosim.drafting.time_column import check_time
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.wording import did_you_mean, shown
 
 

@@ -12,7 +12,7 @@ from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 

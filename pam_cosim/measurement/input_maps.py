@@ -6,7 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, FreeTable, RunTable, Value
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_tables import ColumnTable, FreeTable, RunTable, Value
 from pam_cosim.model.input_map import InputMap, constant_of, gain_of, offset_of, raw_of
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, parse_quantity, quotient
