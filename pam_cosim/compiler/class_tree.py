@@ -101,13 +101,8 @@ class ClassTree:
 
     def subtypes(self, base: str) -> list[str]:
         """All classes of packages that inherit from ``base``, partial ones included, local ones of models not."""
-        return [
-            name
-            for name, node in self._definitions.items()
-            if name != base
-            and (node.parent is None or node.parent.kind == "package")
-            and base in self.bases(name)
-        ]
+        of_packages = [name for name, node in self._definitions.items() if _is_of_package(node)]
+        return [name for name in of_packages if name != base and base in self.bases(name)]
 
     def components(self, name: str) -> list[ComponentInfo]:
         """Components with inherited ones, in the order in which the compiler has them."""
@@ -166,9 +161,8 @@ class ClassTree:
     def _info(self, node: ClassDefinition) -> ClassInfo:
         line, _ = node.source.position(node.at)
         extends = [node.alias] if node.alias is not None else node.extends
-        documentation = node.annotation.argument("Documentation")
-        info = documentation.modification.argument("info") if documentation is not None else None
-        value = info.modification.value if info is not None else None
+        replaceable = [c for c in node.classes.values() if "replaceable" in c.prefixes]
+        annotations = [a for a in node.annotation.arguments if a.name not in _GRAPHICAL]
         return ClassInfo(
             name=node.qualified_name,
             kind=node.kind,
@@ -178,20 +172,10 @@ class ClassTree:
             components=tuple(
                 self._component(node, component) for component in node.components.values()
             ),
-            replaceables=tuple(
-                self._replaceable(node, nested)
-                for nested in node.classes.values()
-                if "replaceable" in nested.prefixes
-            ),
+            replaceables=tuple(self._replaceable(node, nested) for nested in replaceable),
             prefixes=node.alias_prefixes,
-            annotations={
-                a.name: argument_text(a)
-                for a in node.annotation.arguments
-                if a.name not in _GRAPHICAL
-            },
-            documentation=value.value
-            if isinstance(value, Literal) and isinstance(value.value, str)
-            else "",
+            annotations={annotation.name: argument_text(annotation) for annotation in annotations},
+            documentation=_documentation(node),
             file=node.source.file,
             line=line,
         )
@@ -255,6 +239,20 @@ class ClassTree:
         if resolved is not None:
             return resolved.definition.qualified_name
         return name.text if name.text not in PRIMITIVES else name.names[-1]
+
+
+def _is_of_package(node: ClassDefinition) -> bool:
+    return node.parent is None or node.parent.kind == "package"
+
+
+def _documentation(node: ClassDefinition) -> str:
+    """The text of ``Documentation(info=...)``; empty where there is none."""
+    documentation = node.annotation.argument("Documentation")
+    info = documentation.modification.argument("info") if documentation is not None else None
+    value = info.modification.value if info is not None else None
+    if isinstance(value, Literal) and isinstance(value.value, str):
+        return value.value
+    return ""
 
 
 def _literal(value: Expression | None) -> Constant | None:

@@ -7,6 +7,7 @@ nothing in it becomes a path.
 from __future__ import annotations
 
 import math
+import re
 import zipfile
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
@@ -259,10 +260,7 @@ def _unpacked(
 
 def _name(place: _Place) -> str:
     """A component's name without dots, which separate it from its variables."""
-    return "_".join(
-        "".join(c if c.isascii() and (c.isalnum() or c in "_-") else "_" for c in one)
-        for one in place
-    )
+    return "_".join(re.sub(r"[^A-Za-z0-9_-]", "_", one) for one in place)
 
 
 def _connections(

@@ -86,17 +86,14 @@ def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
     at_rest = [_at_rest(course, course.every[name]) for course in courses]
     moved = max((span(course.every[name]) for course in courses), default=0.0)
     low, high = _C.atmosphere
+    errors = [_error(course, name) for course in courses]
+    magnitudes = [float(np.nanmax(np.abs(course.every[name]))) for course in courses]
     return _Begin(
         reading=max(at_rest, key=abs),
-        far=any(
-            abs(one) > _C.away * _error(course, name)
-            for one, course in zip(at_rest, courses, strict=True)
-        ),
+        far=any(abs(one) > _C.away * e for one, e in zip(at_rest, errors, strict=True)),
         slight=all(abs(one) <= _C.offset * moved for one in at_rest),
         absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
-        largest=max(
-            (float(np.nanmax(np.abs(course.every[name]))) for course in courses), default=0.0
-        ),
+        largest=max(magnitudes, default=0.0),
     )
 
 
