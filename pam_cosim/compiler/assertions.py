@@ -8,8 +8,9 @@ import casadi as ca
 
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.arithmetic import Text
-from pam_cosim.compiler.evaluation import ENUMERATIONS, Environment, Evaluator
+from pam_cosim.compiler.evaluation import Environment, Evaluator
 from pam_cosim.compiler.instance import Scope
+from pam_cosim.compiler.names_of_references import ENUMERATIONS
 from pam_cosim.compiler.syntax import Call, Expression
 from pam_cosim.errors import ModelError
 

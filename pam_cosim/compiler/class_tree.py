@@ -10,8 +10,8 @@ from typing import TypeAlias
 from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.class_info import BaseInfo, ClassInfo, ComponentInfo, ReplaceableInfo
+from pam_cosim.compiler.declared_type import PRIMITIVES
 from pam_cosim.compiler.instance import Class
-from pam_cosim.compiler.instantiation import PRIMITIVES
 from pam_cosim.compiler.library import Library, Signature, files_of, signature, signature_of
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
