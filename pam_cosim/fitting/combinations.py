@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from math import exp
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting.estimate import Estimate, standard_deviations
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.units import product, quotient
@@ -37,7 +38,7 @@ class Combination:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {**asdict(self), "names": list(self.names)}
+        return plain_fields(self)
 
     def __str__(self) -> str:
         sign = "*" if self.kind == "product" else "/"
