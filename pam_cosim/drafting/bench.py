@@ -11,7 +11,8 @@ from pam_cosim.catalogue.bench_parts import rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.bench_choice import MECHANICAL, BenchChoice, choose, meaning_of
+from pam_cosim.drafting.bench_choice import choose
+from pam_cosim.drafting.feeding import MECHANICAL, BenchChoice, meaning_of
 from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings

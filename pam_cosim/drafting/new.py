@@ -14,16 +14,17 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters, values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
+from pam_cosim.drafting.column_entry import length_parameter
+from pam_cosim.drafting.column_statistics import is_held, is_switch, span
 from pam_cosim.drafting.document import Draft, document
+from pam_cosim.drafting.feeding import MECHANICAL, meaning_of
 from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
-from pam_cosim.drafting.mapping import length_parameter, longest_of, map_columns
+from pam_cosim.drafting.mapping import longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
-from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning

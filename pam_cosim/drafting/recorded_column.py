@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
+from pam_cosim.drafting.column_statistics import is_constant, is_held, is_switch, span
 from pam_cosim.drafting.vocabulary import Meaning, usual_unit
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.table import Column

@@ -8,9 +8,9 @@ from pathlib import Path
 from shlex import quote
 
 from pam_cosim.drafting import open_parameters
-from pam_cosim.drafting.bench_choice import BenchChoice
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
+from pam_cosim.drafting.feeding import BenchChoice
 from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import begins_still

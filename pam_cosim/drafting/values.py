@@ -10,10 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.bench_choice import meaning_of
+from pam_cosim.drafting.column_statistics import is_constant, noise_of, span
+from pam_cosim.drafting.feeding import meaning_of
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
-from pam_cosim.drafting.rest import is_constant, noise_of, span
 from pam_cosim.drafting.vocabulary import Meaning, fits, read_variable
 from pam_cosim.drafting.words import UNITS
 from pam_cosim.model.interface import Interface

@@ -10,9 +10,9 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.bench_choice import BenchChoice, meaning_of
+from pam_cosim.drafting.column_statistics import noise_of, span
+from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry, MappedRecording
-from pam_cosim.drafting.rest import noise_of, span
 from pam_cosim.drafting.vocabulary import Meaning
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
