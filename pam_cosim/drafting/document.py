@@ -261,11 +261,8 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         if one.why:
             yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
-    own = [
-        e
-        for e in draft.entries.values()
-        if _own(draft, e) and i in draft.having.get(e.name, ()) and _told(e)
-    ]
+    having = [e for e in draft.entries.values() if i in draft.having.get(e.name, ())]
+    own = [entry for entry in having if _own(draft, entry) and _told(entry)]
     if own:
         yield "[runs.columns]"
     for entry in own:

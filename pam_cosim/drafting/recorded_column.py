@@ -64,11 +64,9 @@ class RecordedColumn:
             return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
         whole = span(self.every)
         own = max(span(one) for one in self.values.values())
-        return (
-            whole == 0.0
-            or own <= _C.imposed * whole
-            or all(is_held(one) or is_constant(one) for one in self.values.values())
-        )
+        if whole == 0.0 or own <= _C.imposed * whole:
+            return True
+        return all(is_held(one) or is_constant(one) for one in self.values.values())
 
     @cached_property
     def whole(self) -> bool:

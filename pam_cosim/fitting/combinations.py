@@ -79,12 +79,10 @@ def combinations(
     for i, j in itertools.combinations(open_ones, 2):
         for kind, sign in (("product", 1.0), ("ratio", -1.0)):
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
-            if apart < CRITERIA.fit.parallel * size[i] and _changes_nothing(
-                objective, z, i, j, -sign
-            ):
-                deviation = spread * _deviation(
-                    by_logarithm, i, [j, *(k for k in open_ones if k != i)]
-                )
+            is_parallel = apart < CRITERIA.fit.parallel * size[i]
+            if is_parallel and _changes_nothing(objective, z, i, j, -sign):
+                others = [j, *(k for k in open_ones if k != i)]
+                deviation = spread * _deviation(by_logarithm, i, others)
                 made.append(_combination(list(parameters.items()), i, j, kind, deviation))
     return tuple(made)
 

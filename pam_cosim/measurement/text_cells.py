@@ -76,11 +76,8 @@ class Reader:
                 return None
             cells = joined.split(self.separator)
         columns = [_floats(cells[i::count], self.decimal) for i in self.keep]
-        return (
-            None
-            if any(column is None for column in columns)
-            else [c for c in columns if c is not None]
-        )
+        numbers = [column for column in columns if column is not None]
+        return numbers if len(numbers) == len(columns) else None
 
     def _split(self, number: int, line: str) -> list[str]:
         try:
