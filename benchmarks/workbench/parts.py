@@ -25,7 +25,7 @@ from benchmarks.workbench.data import six_runs
 from pam_cosim.comparison import RunComparison
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.curves import model_curves
-from pam_cosim.workbench.protocol import frame
+from pam_cosim.workbench.frames import frame
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.state_events import scores_event
 from scripts.browser import MISSING, chromium, serving

@@ -84,9 +84,8 @@ def observe_samples(
         reading = np.array([values[k] for values in samples.measured.values()])
         innovation, sizes = filtered.update(float(time), course(k)(float(time)), reading)
         rows.append((*filtered.estimate(outputs), innovation, sizes))
-    values, deviations, innovations, sizes = (
-        np.array(column) for column in zip(*rows, strict=True)
-    )
+    columns = list(zip(*rows, strict=True))
+    values, deviations, innovations, sizes = map(np.array, columns)
     names = [*filtered.names, *outputs]
     return Observation(
         model.interface.model,

@@ -14,12 +14,14 @@ from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table
-from pam_cosim.files import plain
+from pam_cosim.files import plain, plain_fields
 from pam_cosim.units import is_dimensionless, quotient
 from pam_cosim.wording import did_you_mean
 
 # A pole closer to zero than this part of the largest is an integrator: rounding alone parts it from zero.
 _INTEGRATOR = 1e-12
+# What JSON has of the point; the units are those of the model.
+_POINT = ("kind", "how", "time", "states", "inputs", "outputs", "rates", "parameters")
 
 
 @dataclass(frozen=True)
@@ -39,6 +41,10 @@ class Mode:
     frequency: float
     damping: float
     shares: dict[str, float]
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data; the pole as its real and its imaginary part."""
+        return {**plain_fields(self), "pole": [self.pole.real, self.pole.imag]}
 
 
 @dataclass(frozen=True)
@@ -258,27 +264,9 @@ class LinearModel(Exported):
             "D": self.D,
             "method": self.method,
             "notes": self.notes,
-            "point": {
-                "kind": self.point.kind,
-                "how": self.point.how,
-                "time": self.point.time,
-                "states": self.point.states,
-                "inputs": self.point.inputs,
-                "outputs": self.point.outputs,
-                "rates": self.point.rates,
-                "parameters": self.point.parameters,
-            },
+            "point": {name: getattr(self.point, name) for name in _POINT},
             "stable": self.is_stable,
-            "modes": [
-                {
-                    "pole": [mode.pole.real, mode.pole.imag],
-                    "time_constant": mode.time_constant,
-                    "frequency": mode.frequency,
-                    "damping": mode.damping,
-                    "shares": mode.shares,
-                }
-                for mode in self.modes
-            ],
+            "modes": self.modes,
             "static_gain": self.static_gain,
         }
         return dict(plain(content))

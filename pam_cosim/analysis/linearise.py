@@ -8,15 +8,8 @@ import numpy as np
 
 from pam_cosim.analysis.exchange import DIFFERENCES, ExchangeModel
 from pam_cosim.analysis.linear import LinearModel
-from pam_cosim.analysis.operating_point import (
-    GIVEN,
-    REST,
-    RUN,
-    STILL,
-    go_to_rest,
-    go_to_state,
-    present,
-)
+from pam_cosim.analysis.operating_point import GIVEN, REST, RUN, STILL, go_to_state, present
+from pam_cosim.analysis.rest_point import go_to_rest
 
 _BY_DIFFERENCES = (
     "The FMU gives no directional derivatives for all of this, so they are central differences: some eight digits are "

@@ -9,7 +9,7 @@ from html import escape
 from pam_cosim.catalogue.bench_parts import BenchPart
 from pam_cosim.catalogue.rig_signals import declarations
 from pam_cosim.compiler import ClassTree
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.compiler.printing import string_text
 
 _HALF = 20  # of the width of a part in the diagram

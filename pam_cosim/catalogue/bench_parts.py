@@ -16,7 +16,7 @@ from pathlib import Path
 from pam_cosim.catalogue.effects import component_name
 from pam_cosim.catalogue.place import is_connector, libraries
 from pam_cosim.compiler import ClassTree, names
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ClassInfo, ComponentInfo
 from pam_cosim.errors import InputError
 from pam_cosim.wording import did_you_mean
 
@@ -63,23 +63,25 @@ def rig_parts(tree: ClassTree) -> list[BenchPart]:
     """Every part of every library, by role; the order is that of the files, the library's own first."""
     parts: list[BenchPart] = []
     for part in _declared(tree):
-        first = part.usual and not any(
-            p.usual for p in parts if (p.role, p.library) == (part.role, part.library)
-        )
+        same = [one for one in parts if (one.role, one.library) == (part.role, part.library)]
+        first = part.usual and not any(one.usual for one in same)
         parts.append(part if part.usual == first else replace(part, usual=False))
     return parts
 
 
 @lru_cache(maxsize=8)
 def _declared(tree: ClassTree) -> tuple[BenchPart, ...]:
-    return tuple(
-        _part(tree, name, role, library)
-        for role, interface in ROLES.items()
-        for library in libraries(tree)
-        if f"{library}.{interface}" in tree.classes
-        for name in tree.subtypes(f"{library}.{interface}")
-        if not tree.classes[name].partial and tree.classes[name].kind in ("model", "block", "class")
-    )
+    parts: list[BenchPart] = []
+    for role, interface in ROLES.items():
+        for library in libraries(tree):
+            base = f"{library}.{interface}"
+            names = tree.subtypes(base) if base in tree.classes else []
+            parts += [_part(tree, n, role, library) for n in names if _is_complete(tree.classes[n])]
+    return tuple(parts)
+
+
+def _is_complete(info: ClassInfo) -> bool:
+    return not info.partial and info.kind in ("model", "block", "class")
 
 
 def chosen(parts: Sequence[BenchPart], role: str, name: str | None) -> BenchPart:

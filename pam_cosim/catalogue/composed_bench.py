@@ -27,7 +27,7 @@ from pam_cosim.catalogue.bench_parts import (
 )
 from pam_cosim.catalogue.place import surrounds
 from pam_cosim.compiler import ClassTree, names
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.model.references import BRANCH
 from pam_cosim.wording import did_you_mean

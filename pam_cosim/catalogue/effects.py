@@ -9,7 +9,7 @@ from pathlib import Path
 
 from pam_cosim.catalogue.place import EFFECT, is_effect, libraries
 from pam_cosim.compiler import ClassTree, Part, names
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import ModelError
 
 _TYPICAL = "typical"
@@ -89,6 +89,13 @@ def effects_in(parts: Sequence[Part]) -> list[tuple[str, str]]:
     return [(part.path, part.type) for part in parts if is_effect(part.bases)]
 
 
+def _is_open(component: ComponentInfo) -> bool:
+    """Whether it is a parameter that can be set, with bounds."""
+    prefixes = component.prefixes
+    can_be_set = "parameter" in prefixes and not prefixes & {"protected", "final"}
+    return can_be_set and {"min", "max"} <= component.modifications.keys()
+
+
 def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
     info = tree.classes[name]
     short = names.last(name)
@@ -102,14 +109,8 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
                 info.line,
             )
         sayings[saying] = value
-    own = [
-        c
-        for c in tree.components(name)
-        if "parameter" in c.prefixes
-        and not c.prefixes & {"protected", "final"}
-        and is_effect([c.owner, *tree.bases(c.owner)])
-        and {"min", "max"} <= c.modifications.keys()
-    ]
+    declared = [c for c in tree.components(name) if is_effect([c.owner, *tree.bases(c.owner)])]
+    own = [c for c in declared if _is_open(c)]
     return EffectClass(
         name=short,
         qualified_name=name,

@@ -15,7 +15,7 @@ from pam_cosim.catalogue.bench_parts import (
 )
 from pam_cosim.catalogue.place import benches
 from pam_cosim.compiler import ClassTree
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Variable
 
@@ -57,23 +57,26 @@ def ports(tree: ClassTree) -> tuple[Ports, ...]:
         for name in benches(tree)
     )
     readings = {part.library: _readings(tree, parts, part.library) for part in parts}
-    rigs = (
-        Ports(
-            f"{feed.name} and {hold.name}",
-            _variables(
-                tree,
-                [*free_inputs(tree, feed.qualified_name), *free_inputs(tree, hold.qualified_name)],
-            ),
-            readings[feed.library],
-            (feed.qualified_name, hold.qualified_name),
-            1 + len(feed.parameters) + len(hold.parameters),
-        )
-        for feed in parts
-        for hold in parts
-        if (feed.role, hold.role, feed.library) == ("pneumatics", "mechanics", hold.library)
-        and len(connectors(tree, hold.qualified_name)) == 1
-    )
+    feeds = [part for part in parts if part.role == "pneumatics"]
+    holds = [part for part in parts if part.role == "mechanics"]
+    single = [part for part in holds if len(connectors(tree, part.qualified_name)) == 1]
+    rigs = [
+        _composed_ports(tree, feed, hold, readings[feed.library])
+        for feed in feeds
+        for hold in single
+        if feed.library == hold.library
+    ]
     return (*ready, *rigs)
+
+
+def _composed_ports(
+    tree: ClassTree, feed: BenchPart, hold: BenchPart, readings: dict[str, Variable]
+) -> Ports:
+    """Those of the bench that would be put together from two parts."""
+    names = (feed.qualified_name, hold.qualified_name)
+    inputs = [one for name in names for one in free_inputs(tree, name)]
+    rank = 1 + len(feed.parameters) + len(hold.parameters)
+    return Ports(f"{feed.name} and {hold.name}", _variables(tree, inputs), readings, names, rank)
 
 
 def _readings(tree: ClassTree, parts: list[BenchPart], library: str) -> dict[str, Variable]:

@@ -6,7 +6,7 @@ from collections.abc import Iterator, Mapping
 
 from pam_cosim.catalogue.place import is_signal
 from pam_cosim.compiler import ClassTree
-from pam_cosim.compiler.class_tree import ComponentInfo
+from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.compiler.printing import string_text
 
 _HALF = 10  # of the width of a connector

@@ -9,12 +9,7 @@ from pam_cosim.comparison.condition_table import (
     write_tables,
 )
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
-from pam_cosim.comparison.initial_state import (
-    InitialState,
-    initial_state,
-    measured_initial_state,
-    start_time,
-)
+from pam_cosim.comparison.initial_state import InitialState, initial_state, measured_initial_state
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
@@ -27,6 +22,7 @@ from pam_cosim.comparison.residual_statistics import (
 )
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
+from pam_cosim.comparison.run_start import start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.state_course import state_course
 

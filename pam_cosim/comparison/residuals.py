@@ -6,7 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.initial_state import initial_state, inputs_of_run, start_time
+from pam_cosim.comparison.initial_state import initial_state
+from pam_cosim.comparison.run_start import inputs_of_run, start_time
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 

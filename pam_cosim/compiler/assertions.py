@@ -8,9 +8,10 @@ import casadi as ca
 
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.arithmetic import Text
-from pam_cosim.compiler.evaluation import ENUMERATIONS, Environment, Evaluator
+from pam_cosim.compiler.evaluation import Environment, Evaluator
 from pam_cosim.compiler.instance import Scope
-from pam_cosim.compiler.syntax import Call
+from pam_cosim.compiler.names_of_references import ENUMERATIONS
+from pam_cosim.compiler.syntax import Call, Expression
 from pam_cosim.errors import ModelError
 
 _ARGUMENTS = ("condition", "message", "level")
@@ -41,13 +42,7 @@ def check(
     Raises:
         ModelError: it is known to fail, or its arguments cannot be used.
     """
-    given = dict(zip(_ARGUMENTS, call.arguments, strict=False)) | dict(call.named)
-    if (
-        len(call.arguments) > len(_ARGUMENTS)
-        or set(given) - set(_ARGUMENTS)
-        or not set(given) >= {*_ARGUMENTS[:2]}
-    ):
-        raise ModelError("assert() takes a condition, a message and a level")
+    given = _arguments(call)
     condition = evaluator.evaluate(given["condition"], scope, names)
     if condition is True:
         return
@@ -56,17 +51,34 @@ def check(
     message = arithmetic.text_of(evaluator.evaluate(given["message"], scope, names))
     if scope.instance is not None and scope.instance.name:
         message = Text((f"{scope.instance.name}: ", *message.parts))
-    level = evaluator.evaluate(given["level"], scope, names) if "level" in given else None
-    name = "error" if level is None else getattr(level, "name", None)
+    is_error = _is_error(evaluator, given.get("level"), scope, names)
+    for taken in evaluator.branches:
+        condition = arithmetic.binary("or", arithmetic.unary("not", taken), condition)
+    if condition is False and is_error:
+        printed = [part if isinstance(part, str) else "..." for part in message.parts]
+        raise ModelError(f"assertion fails: {''.join(printed)}")
+    if condition is not True:
+        evaluator.assertion(condition, message, is_error, at_start)
+
+
+def _arguments(call: Call) -> dict[str, Expression]:
+    """The arguments of the call by name."""
+    given = dict(zip(_ARGUMENTS, call.arguments, strict=False)) | dict(call.named)
+    is_complete = set(_ARGUMENTS[:2]) <= given.keys() <= set(_ARGUMENTS)
+    if len(call.arguments) > len(_ARGUMENTS) or not is_complete:
+        raise ModelError("assert() takes a condition, a message and a level")
+    return given
+
+
+def _is_error(
+    evaluator: Evaluator, level: Expression | None, scope: Scope, names: Environment
+) -> bool:
+    """Whether the level is that of an error, which is the default; otherwise it is that of a warning."""
+    if level is None:
+        return True
+    name = getattr(evaluator.evaluate(level, scope, names), "name", None)
     if name not in ENUMERATIONS["AssertionLevel"]:
         raise ModelError(
             "the level of assert() must be AssertionLevel.error or AssertionLevel.warning"
         )
-    for taken in evaluator.branches:
-        condition = arithmetic.binary("or", arithmetic.unary("not", taken), condition)
-    if condition is False and name == "error":
-        raise ModelError(
-            f"assertion fails: {''.join(p if isinstance(p, str) else '...' for p in message.parts)}"
-        )
-    if condition is not True:
-        evaluator.assertion(condition, message, name == "error", at_start)
+    return bool(name == "error")

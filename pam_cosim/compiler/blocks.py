@@ -31,30 +31,31 @@ def solve(
     expressions = ca.vertcat(*[residual.expression for residual in residuals])
     variables = ca.vertcat(*[symbols[name] for name in unknowns])
     structure = ca.jacobian_sparsity(expressions, variables)
-    count, rows, columns, row_blocks, column_blocks, *_ = structure.btf()
     if len(residuals) != len(unknowns) or ca.sprank(structure) < len(unknowns):
         raise ModelError(_singular(residuals, unknowns, structure))
-    blocks: list[_Block] = [
-        (rows[row_blocks[b] : row_blocks[b + 1]], columns[column_blocks[b] : column_blocks[b + 1]])
-        for b in range(count)
-    ]
+    blocks = _triangular(structure)
     held = _columns_of_rows(structure)
     if wanted is not None:
         places = {name: j for j, name in enumerate(unknowns)}
         blocks = _needed(blocks, held, [places[name] for name in wanted])
     solved: dict[str, ca.SX] = {}
-    for own_rows, own_columns in blocks:
-        names = [unknowns[j] for j in own_columns]
-        known = [
-            unknowns[j]
-            for j in sorted({j for i in own_rows for j in held[i]})
-            if unknowns[j] in solved
-        ]
-        _solve_block([residuals[i] for i in own_rows], names, known, symbols, solved)
+    for rows, columns in blocks:
+        names = [unknowns[j] for j in columns]
+        present = [unknowns[j] for j in _columns_in(rows, held)]
+        known = [name for name in present if name in solved]
+        _solve_block([residuals[i] for i in rows], names, known, symbols, solved)
     return solved
 
 
 _Block = tuple[Sequence[int], Sequence[int]]  # rows and columns
+
+
+def _triangular(structure: ca.Sparsity) -> list[_Block]:
+    """The blocks on the diagonal of the block triangular form, each after those on which it depends."""
+    count, rows, columns, row_bounds, column_bounds, *_ = structure.btf()
+    row_blocks = [rows[row_bounds[b] : row_bounds[b + 1]] for b in range(count)]
+    column_blocks = [columns[column_bounds[b] : column_bounds[b + 1]] for b in range(count)]
+    return list(zip(row_blocks, column_blocks, strict=True))
 
 
 def _columns_of_rows(structure: ca.Sparsity) -> list[list[int]]:
@@ -62,6 +63,10 @@ def _columns_of_rows(structure: ca.Sparsity) -> list[list[int]]:
     for row, column in zip(*structure.get_triplet(), strict=True):
         held[row].append(column)
     return held
+
+
+def _columns_in(rows: Iterable[int], held: Sequence[Sequence[int]]) -> list[int]:
+    return sorted({column for row in rows for column in held[row]})
 
 
 def _needed(
@@ -73,7 +78,8 @@ def _needed(
     while waiting:
         block = waiting.pop()
         chosen.add(block)
-        waiting |= {owner[j] for i in blocks[block][0] for j in held[i]} - chosen
+        needed = {owner[column] for column in _columns_in(blocks[block][0], held)}
+        waiting |= needed - chosen
     return [blocks[b] for b in sorted(chosen)]
 
 
@@ -149,20 +155,31 @@ def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:
     size = matrix.shape[0]
     a = [[matrix[i, j] for j in range(size)] for i in range(size)]
     b = [right[i] for i in range(size)]
+    steps = _eliminate_constant_pivots(a, b)
+    used_rows, used_columns = {row for row, _ in steps}, {column for _, column in steps}
+    rows = [i for i in range(size) if i not in used_rows]
+    columns = [j for j in range(size) if j not in used_columns]
+    values = _solve_core(a, b, rows, columns)
+    for row, column in reversed(steps):
+        values[column] = _less_known(a[row], b[row], values) / a[row][column]
+    return ca.vertcat(*[values[j] for j in range(size)])
+
+
+def _eliminate_constant_pivots(a: list[list[ca.SX]], b: list[ca.SX]) -> list[tuple[int, int]]:
+    """The pivots, as rows and columns: solved from the last to the first, they give the unknowns of their columns."""
     steps: list[tuple[int, int]] = []
     while (pivot := _constant_pivot(a, steps)) is not None:
         _eliminate(a, b, pivot, {row for row, _ in steps})
         steps.append(pivot)
-    rows = [i for i in range(size) if i not in {row for row, _ in steps}]
-    columns = [j for j in range(size) if j not in {column for _, column in steps}]
-    values = _solve_core(a, b, rows, columns)
-    for row, column in reversed(steps):
-        total = b[row]
-        for j, value in values.items():
-            if not a[row][j].is_zero():
-                total = total - a[row][j] * value
-        values[column] = total / a[row][column]
-    return ca.vertcat(*[values[j] for j in range(size)])
+    return steps
+
+
+def _less_known(row: Sequence[ca.SX], right: ca.SX, values: Mapping[int, ca.SX]) -> ca.SX:
+    """The right side of a row, less the terms of the unknowns whose values are known."""
+    for j, value in values.items():
+        if not row[j].is_zero():
+            right = right - row[j] * value
+    return right
 
 
 def _eliminate(

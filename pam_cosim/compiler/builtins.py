@@ -9,13 +9,18 @@ from typing import Any
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
-from pam_cosim.compiler.budget import checked_size
+from pam_cosim.compiler.builtin_arguments import Builtin, argument_at, evaluated_arguments
+from pam_cosim.compiler.builtin_arrays import (
+    array_sizes,
+    constant_array,
+    filled_array,
+    linspace,
+    size_of_array,
+)
 from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
 from pam_cosim.compiler.instance import Scope
 from pam_cosim.compiler.syntax import Call
 from pam_cosim.errors import ModelError
-
-Builtin = Callable[[Evaluator, Call, Scope, Environment], Value]
 
 
 def _scalar(numeric: Callable[..., float], symbolic: Callable[..., Any], count: int = 1) -> Builtin:
@@ -35,18 +40,9 @@ def _scalar(numeric: Callable[..., float], symbolic: Callable[..., Any], count: 
             raise ModelError(f"no value for the argument {', '.join(map(str, values))}") from None
 
     def builtin(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-        return arithmetic.each(apply, *_arguments(evaluator, node, scope, names, count))
+        return arithmetic.each(apply, *evaluated_arguments(evaluator, node, scope, names, count))
 
     return builtin
-
-
-def _arguments(
-    evaluator: Evaluator, node: Call, scope: Scope, names: Environment, *counts: int
-) -> list[Value]:
-    if node.named or (counts and len(node.arguments) not in counts):
-        wanted = " or ".join(map(str, counts))
-        raise ModelError(f"{node.function.text}() takes {wanted} arguments, without names")
-    return [evaluator.evaluate(argument, scope, names) for argument in node.arguments]
 
 
 def _extremum(
@@ -61,7 +57,7 @@ def _extremum(
         if node.iterators:
             values = evaluator.combinations(node, scope, names)
         else:
-            values = _arguments(evaluator, node, scope, names, 1, 2)
+            values = evaluated_arguments(evaluator, node, scope, names, 1, 2)
             if len(values) == 2:
                 return arithmetic.each(larger, *values)
         flat = arithmetic.flattened(values)
@@ -79,7 +75,7 @@ def _sum(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> 
     values = (
         evaluator.combinations(node, scope, names)
         if node.iterators
-        else _arguments(evaluator, node, scope, names, 1)
+        else evaluated_arguments(evaluator, node, scope, names, 1)
     )
     return arithmetic.total(arithmetic.flattened(values))
 
@@ -88,7 +84,7 @@ def _product(evaluator: Evaluator, node: Call, scope: Scope, names: Environment)
     values = (
         evaluator.combinations(node, scope, names)
         if node.iterators
-        else _arguments(evaluator, node, scope, names, 1)
+        else evaluated_arguments(evaluator, node, scope, names, 1)
     )
     result: Value = 1
     for value in arithmetic.flattened(values):
@@ -97,7 +93,9 @@ def _product(evaluator: Evaluator, node: Call, scope: Scope, names: Environment)
 
 
 def _der(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    return arithmetic.each(evaluator.derivative, *_arguments(evaluator, node, scope, names, 1))
+    return arithmetic.each(
+        evaluator.derivative, *evaluated_arguments(evaluator, node, scope, names, 1)
+    )
 
 
 def _delay(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
@@ -105,7 +103,7 @@ def _delay(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -
         raise ModelError("delay() cannot be used in a function")
     evaluator.at_start, outside = False, evaluator.at_start
     try:
-        value, time, *_ = _arguments(evaluator, node, scope, names, 2, 3)
+        value, time, *_ = evaluated_arguments(evaluator, node, scope, names, 2, 3)
         evaluator.at_start = True  # second, so that no variable keeps the value of that moment
         start = evaluator.evaluate(node.arguments[0], scope, names)
     finally:
@@ -117,68 +115,6 @@ def _delay(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -
     )
 
 
-def _argument(position: int, *counts: int) -> Builtin:
-    """A function that returns one of its arguments."""
-
-    def builtin(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-        if len(node.arguments) not in counts and not node.named:
-            raise ModelError(
-                f"{node.function.text}() takes {' or '.join(map(str, counts))} arguments"
-            )
-        if node.named and position >= len(node.arguments):
-            named = dict(node.named)
-            return evaluator.evaluate(next(iter(named.values())), scope, names)
-        return evaluator.evaluate(node.arguments[position], scope, names)
-
-    return builtin
-
-
-def _sizes(value: Value) -> list[int]:
-    sizes = []
-    while isinstance(value, list):
-        sizes.append(len(value))
-        value = value[0] if value else None
-    return sizes
-
-
-def _size(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    values = _arguments(evaluator, node, scope, names, 1, 2)
-    sizes = _sizes(values[0])
-    if len(values) == 1:
-        return sizes
-    if not 1 <= values[1] <= len(sizes):
-        raise ModelError(f"there is no dimension {values[1]}")
-    return sizes[values[1] - 1]
-
-
-def _filled(value: Value, sizes: list[Value]) -> Value:
-    if not sizes:
-        return value
-    if not isinstance(sizes[0], int):
-        raise ModelError("a size must be an Integer constant")
-    checked_size(math.prod(size for size in sizes if isinstance(size, int)))
-    return [_filled(value, sizes[1:]) for _ in range(checked_size(sizes[0]))]
-
-
-def _fill(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    value, *sizes = _arguments(evaluator, node, scope, names)
-    return _filled(value, sizes)
-
-
-def _constant_array(value: float) -> Builtin:
-    def builtin(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-        return _filled(value, _arguments(evaluator, node, scope, names))
-
-    return builtin
-
-
-def _linspace(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    start, stop, count = _arguments(evaluator, node, scope, names, 3)
-    if checked_size(count) < 2:
-        raise ModelError("linspace() makes two points at least")
-    return [start + (stop - start) * i / (count - 1) for i in range(count)]
-
-
 def _initial(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
     return evaluator.at_start
 
@@ -188,7 +124,7 @@ def _terminal(evaluator: Evaluator, node: Call, scope: Scope, names: Environment
 
 
 def _integer(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
-    (value,) = _arguments(evaluator, node, scope, names, 1)
+    (value,) = evaluated_arguments(evaluator, node, scope, names, 1)
     if arithmetic.is_symbolic(value):
         return ca.floor(value)
     return getattr(value, "number", None) or math.floor(value)
@@ -252,22 +188,22 @@ BUILTINS: dict[str, Builtin] = {
     "sum": _sum,
     "product": _product,
     "der": _der,
-    "noEvent": _argument(0, 1),
-    "smooth": _argument(1, 2),
-    "homotopy": _argument(0, 1, 2),
+    "noEvent": argument_at(0, 1),
+    "smooth": argument_at(1, 2),
+    "homotopy": argument_at(0, 1, 2),
     "inStream": _refused("inStream"),
     "actualStream": _refused("actualStream"),
-    "scalar": lambda e, n, s, v: arithmetic.flattened(_arguments(e, n, s, v, 1))[0],
-    "vector": lambda e, n, s, v: arithmetic.flattened(_arguments(e, n, s, v, 1)),
+    "scalar": lambda e, n, s, v: arithmetic.flattened(evaluated_arguments(e, n, s, v, 1))[0],
+    "vector": lambda e, n, s, v: arithmetic.flattened(evaluated_arguments(e, n, s, v, 1)),
     "transpose": lambda e, n, s, v: [
-        list(row) for row in zip(*_arguments(e, n, s, v, 1)[0], strict=True)
+        list(row) for row in zip(*evaluated_arguments(e, n, s, v, 1)[0], strict=True)
     ],
-    "size": _size,
-    "ndims": lambda e, n, s, v: len(_sizes(_arguments(e, n, s, v, 1)[0])),
-    "fill": _fill,
-    "zeros": _constant_array(0.0),
-    "ones": _constant_array(1.0),
-    "linspace": _linspace,
+    "size": size_of_array,
+    "ndims": lambda e, n, s, v: len(array_sizes(evaluated_arguments(e, n, s, v, 1)[0])),
+    "fill": filled_array,
+    "zeros": constant_array(0.0),
+    "ones": constant_array(1.0),
+    "linspace": linspace,
     "initial": _initial,
     "terminal": _terminal,
     "integer": _integer,

@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
 from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
 
 from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import bounded
+from pam_cosim.compiler.class_info import BaseInfo, ClassInfo, ComponentInfo, ReplaceableInfo
+from pam_cosim.compiler.declared_type import PRIMITIVES
 from pam_cosim.compiler.instance import Class
-from pam_cosim.compiler.instantiation import PRIMITIVES
 from pam_cosim.compiler.library import Library, Signature, files_of, signature, signature_of
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
@@ -37,88 +37,6 @@ VENDOR = "__PamCosim"
 
 _GRAPHICAL = frozenset(("Icon", "Diagram"))
 Constant: TypeAlias = "float | int | str | bool | tuple[Constant, ...]"
-
-
-@dataclass(frozen=True)
-class BaseInfo:
-    """One ``extends``: full name of the base class, and what modifies it, as text by (dotted) name."""
-
-    name: str
-    modifications: dict[str, str]
-    text: str
-
-
-@dataclass(frozen=True)
-class ComponentInfo:
-    """One declared component.
-
-    Attributes:
-        name: as declared.
-        type: full name of its class, or a built-in type; as written if it cannot be found.
-        prefixes: ``parameter``, ``input``, ``inner``, ``replaceable``, ``protected``, ..., with those of a short class
-            that is its type.
-        modifications: text by (dotted) name; ``value`` is the binding.
-        text: the whole modification as text.
-        dimensions: sizes as text.
-        condition: as text, empty if there is none.
-        constraint: full name of the constraining class of a replaceable component, else empty.
-        owner: full name of the class that declares it.
-        position: middle of its place in an icon or a diagram, None if it has none.
-        own_annotation: the numbers of its annotation ``VENDOR``, by name; none for what is not numbers in braces.
-    """
-
-    name: str
-    type: str
-    prefixes: frozenset[str]
-    modifications: dict[str, str]
-    value: str
-    text: str
-    dimensions: tuple[str, ...]
-    condition: str
-    description: str
-    constraint: str
-    owner: str
-    line: int
-    position: tuple[float, float] | None = None
-    own_annotation: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
-
-
-@dataclass(frozen=True)
-class ReplaceableInfo:
-    """A replaceable class: ``replaceable model Gas = Default constrainedby Constraint``, full names."""
-
-    name: str
-    kind: str
-    default: str
-    constraint: str
-    description: str
-    owner: str
-
-
-@dataclass(frozen=True)
-class ClassInfo:
-    """What a class declares itself; what it inherits is found by the methods of :class:`ClassTree`.
-
-    Attributes:
-        name: full name.
-        kind: ``model``, ``package``, ``function``, ``connector``, ``record``, ``type`` or ``block``.
-        prefixes: of a short class, ``input`` in ``connector RealInput = input Real``.
-        annotations: top-level annotations as text, by name, but for graphics.
-        documentation: the ``info`` string of the Documentation annotation.
-    """
-
-    name: str
-    kind: str
-    partial: bool
-    description: str
-    extends: tuple[BaseInfo, ...]
-    components: tuple[ComponentInfo, ...]
-    replaceables: tuple[ReplaceableInfo, ...]
-    prefixes: frozenset[str]
-    annotations: dict[str, str]
-    documentation: str
-    file: Path | str
-    line: int
 
 
 class _WhenAskedFor(Mapping[str, ClassInfo]):
@@ -183,13 +101,8 @@ class ClassTree:
 
     def subtypes(self, base: str) -> list[str]:
         """All classes of packages that inherit from ``base``, partial ones included, local ones of models not."""
-        return [
-            name
-            for name, node in self._definitions.items()
-            if name != base
-            and (node.parent is None or node.parent.kind == "package")
-            and base in self.bases(name)
-        ]
+        of_packages = [name for name, node in self._definitions.items() if _is_of_package(node)]
+        return [name for name in of_packages if name != base and base in self.bases(name)]
 
     def components(self, name: str) -> list[ComponentInfo]:
         """Components with inherited ones, in the order in which the compiler has them."""
@@ -248,9 +161,8 @@ class ClassTree:
     def _info(self, node: ClassDefinition) -> ClassInfo:
         line, _ = node.source.position(node.at)
         extends = [node.alias] if node.alias is not None else node.extends
-        documentation = node.annotation.argument("Documentation")
-        info = documentation.modification.argument("info") if documentation is not None else None
-        value = info.modification.value if info is not None else None
+        replaceable = [c for c in node.classes.values() if "replaceable" in c.prefixes]
+        annotations = [a for a in node.annotation.arguments if a.name not in _GRAPHICAL]
         return ClassInfo(
             name=node.qualified_name,
             kind=node.kind,
@@ -260,20 +172,10 @@ class ClassTree:
             components=tuple(
                 self._component(node, component) for component in node.components.values()
             ),
-            replaceables=tuple(
-                self._replaceable(node, nested)
-                for nested in node.classes.values()
-                if "replaceable" in nested.prefixes
-            ),
+            replaceables=tuple(self._replaceable(node, nested) for nested in replaceable),
             prefixes=node.alias_prefixes,
-            annotations={
-                a.name: argument_text(a)
-                for a in node.annotation.arguments
-                if a.name not in _GRAPHICAL
-            },
-            documentation=value.value
-            if isinstance(value, Literal) and isinstance(value.value, str)
-            else "",
+            annotations={annotation.name: argument_text(annotation) for annotation in annotations},
+            documentation=_documentation(node),
             file=node.source.file,
             line=line,
         )
@@ -337,6 +239,20 @@ class ClassTree:
         if resolved is not None:
             return resolved.definition.qualified_name
         return name.text if name.text not in PRIMITIVES else name.names[-1]
+
+
+def _is_of_package(node: ClassDefinition) -> bool:
+    return node.parent is None or node.parent.kind == "package"
+
+
+def _documentation(node: ClassDefinition) -> str:
+    """The text of ``Documentation(info=...)``; empty where there is none."""
+    documentation = node.annotation.argument("Documentation")
+    info = documentation.modification.argument("info") if documentation is not None else None
+    value = info.modification.value if info is not None else None
+    if isinstance(value, Literal) and isinstance(value.value, str):
+        return value.value
+    return ""
 
 
 def _literal(value: Expression | None) -> Constant | None:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from pam_cosim.compiler.evaluation import AbsentComponent, Environment, Evaluator
+from pam_cosim.compiler.evaluation import Environment, Evaluator
 from pam_cosim.compiler.instance import Instance, Scope
+from pam_cosim.compiler.names_of_references import AbsentComponent
 from pam_cosim.compiler.syntax import Connect, Reference
 from pam_cosim.errors import ModelError
 

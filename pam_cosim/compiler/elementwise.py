@@ -31,6 +31,8 @@ _NAMES = ("exp", "log", "log10", "sqrt", "sin", "cos", "tan", "sinh", "cosh", "t
 _FUNCTIONS = {name: getattr(np, name) for name in _NAMES}
 _FUNCTIONS |= {name: getattr(np, f"arc{name[1:]}") for name in ("asin", "acos", "atan")}
 
+_NOT_ARITHMETIC = "only arithmetic and elementary functions of known names can be evaluated here"
+
 
 def elementwise(text: str, values: Mapping[str, Array | float]) -> Array:
     """The value of an expression, element by element.
@@ -91,21 +93,30 @@ def _bounded_value(node: Expression, known: _Known) -> Any:
 
 
 def _value(node: Expression, known: _Known) -> Any:
-    if isinstance(node, Literal) and isinstance(node.value, int | float):
-        return float(node.value)
-    if isinstance(node, Literal) and isinstance(node.value, str) and known.quantity is not None:
-        return known.quantity(node.value)
-    if isinstance(node, Reference):
-        if node.text not in known.values:
-            names = (name for name in known.values if not name.startswith("'"))
-            raise ModelError(f"there is no '{node.text}'; {did_you_mean(node.text, names)}")
-        return known.values[node.text]
-    if isinstance(node, Unary) and node.operator in _UNARY:
-        return _UNARY[node.operator](_value(node.operand, known))
-    if isinstance(node, Binary) and node.operator in _BINARY:
-        return _BINARY[node.operator](_value(node.left, known), _value(node.right, known))
-    if isinstance(node, Call) and node.function.text in _FUNCTIONS and len(node.arguments) == 1:
-        return _FUNCTIONS[node.function.text](_value(node.arguments[0], known))
-    raise ModelError(
-        "only arithmetic and elementary functions of known names can be evaluated here"
-    )
+    match node:
+        case Literal():
+            return _literal_value(node, known)
+        case Reference():
+            return _named_value(node.text, known)
+        case Unary(operator=operator) if operator in _UNARY:
+            return _UNARY[operator](_value(node.operand, known))
+        case Binary(operator=operator) if operator in _BINARY:
+            return _BINARY[operator](_value(node.left, known), _value(node.right, known))
+        case Call(arguments=[argument]) if node.function.text in _FUNCTIONS:
+            return _FUNCTIONS[node.function.text](_value(argument, known))
+    raise ModelError(_NOT_ARITHMETIC)
+
+
+def _literal_value(literal: Literal, known: _Known) -> Any:
+    if isinstance(literal.value, int | float):
+        return float(literal.value)
+    if isinstance(literal.value, str) and known.quantity is not None:
+        return known.quantity(literal.value)
+    raise ModelError(_NOT_ARITHMETIC)
+
+
+def _named_value(name: str, known: _Known) -> Any:
+    if name not in known.values:
+        names = (other for other in known.values if not other.startswith("'"))
+        raise ModelError(f"there is no '{name}'; {did_you_mean(name, names)}")
+    return known.values[name]

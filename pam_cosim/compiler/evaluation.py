@@ -17,8 +17,15 @@ import casadi as ca
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.budget import DEFECTS, Budget, checked_size, defect
 from pam_cosim.compiler.instance import Bound, Class, Instance, Mod, Scope
-from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.modification import bind
+from pam_cosim.compiler.names_of_references import (
+    AbsentComponent,
+    ClassValue,
+    EnumerationLiteral,
+    Holders,
+    first_of,
+    member_of,
+)
 from pam_cosim.compiler.syntax import (
     Argument,
     Array,
@@ -44,30 +51,6 @@ Value = Any
 Environment = Mapping[str, Value]
 NO_NAMES: Environment = {}
 _ORDERS = frozenset(("<", "<=", ">", ">="))
-# Enumerations that the language brings (Modelica 3.6, sections 4.4.4.2 and 8.3.7).
-ENUMERATIONS = {
-    "StateSelect": ("never", "avoid", "default", "prefer", "always"),
-    "AssertionLevel": ("warning", "error"),
-}
-
-
-class AbsentComponent(ModelError):
-    """A component that its condition switches off is referred to."""
-
-
-@dataclass(frozen=True)
-class EnumerationLiteral:
-    """A value of an enumeration; ``number`` counts from 1."""
-
-    name: str
-    number: int
-
-
-@dataclass(eq=False, repr=False)
-class ClassValue:
-    """A class or package met on the way through a dotted name."""
-
-    of: Class
 
 
 @dataclass(frozen=True)
@@ -83,21 +66,12 @@ class Calls:
     function: Callable[[Evaluator, Class, Call, Scope, Environment], tuple[Value, ...]]
 
 
-class Components(Protocol):
+class Components(Holders, Protocol):
     """What evaluation asks of the one who makes instances."""
 
-    lookup: Lookup
     budget: Budget
     constants: Evaluator
     calls: Calls
-
-    def expand(self, instance: Instance) -> Instance:
-        """The instance with its parts."""
-        ...
-
-    def package(self, of: Class) -> Instance:
-        """A package as a holder of constants."""
-        ...
 
     def function(self, of: Class) -> Instance:
         """A function as a holder of its inputs, outputs and statements."""
@@ -295,85 +269,15 @@ class Evaluator:
         elif not node.absolute and len(node.parts) == 1 and name == "time":
             return self.time()
         else:
-            referent = self._first(name, scope, node)
+            referent = first_of(self.instantiator, name, scope, node)
         referent = self._subscripted(referent, subscripts, scope, names)
         for name, subscripts in node.parts[1:]:
             referent = self._subscripted(
-                self._member_of(referent, name, node), subscripts, scope, names
+                member_of(self.instantiator, referent, name, node), subscripts, scope, names
             )
         if isinstance(referent, ClassValue):
             raise ModelError(f"'{node.text}' is a class, not a variable")
         return referent
-
-    def _first(self, name: str, scope: Scope, node: Reference) -> Value:
-        place = None if node.absolute else scope
-        while place is not None:
-            if place.instance is not None and name in place.components:
-                return place.instance.children[name]
-            if place.instance is None and place.definition.kind == "package":
-                package = self.instantiator.package(Class(place.definition, place.outer))
-                if name in package.children:
-                    return package.children[name]
-            member = self.lookup.member(place, name)
-            if member is not None:
-                return ClassValue(member)
-            place = place.outer
-        top = self.lookup.first(None, name, True)
-        if top is not None:
-            return ClassValue(top)
-        if name in ENUMERATIONS:
-            return name
-        raise ModelError(f"'{node.text}' not found in {scope.definition.qualified_name}")
-
-    def _member_of(self, holder: Value, name: str, node: Reference) -> Value:
-        if isinstance(holder, list):
-            return [self._member_of(item, name, node) for item in holder]
-        if isinstance(holder, Instance):
-            instance = self.instantiator.expand(holder)
-            if instance.elements is not None:
-                return [self._member_of(element, name, node) for element in instance.elements]
-            if not instance.present:
-                raise AbsentComponent(f"'{instance.name}' is switched off by its condition")
-            if name in instance.children:
-                return instance.children[name]
-            if name in instance.classes:
-                return ClassValue(instance.classes[name])
-            what = (
-                instance.type.definition.qualified_name
-                if instance.type is not None
-                else instance.primitive
-            )
-            raise ModelError(f"'{node.text}': {what or instance.name} has no '{name}'")
-        if isinstance(holder, ClassValue):
-            return self._class_member(holder.of, name, node)
-        literals = ENUMERATIONS.get(holder, ()) if isinstance(holder, str) else ()
-        if name in literals:
-            return EnumerationLiteral(name, literals.index(name) + 1)
-        raise ModelError(f"'{node.text}': there is no member '{name}'")
-
-    def _class_member(self, of: Class, name: str, node: Reference) -> Value:
-        definition = of.definition
-        if definition.literals is not None:
-            literals = [literal for literal, _ in definition.literals]
-            if name in literals:
-                return EnumerationLiteral(name, literals.index(name) + 1)
-            raise ModelError(f"enumeration {definition.qualified_name} has no '{name}'")
-        nested = self.lookup.member(self.lookup.inside(of), name)
-        if nested is not None:
-            return ClassValue(nested)
-        bases = self.lookup.bases(of) if definition.alias is not None else []
-        if bases and bases[0].definition.literals is not None:
-            return self._class_member(bases[0], name, node)
-        package = self.instantiator.package(of)
-        if name in package.classes:
-            return ClassValue(package.classes[name])
-        if name not in package.children:
-            raise ModelError(
-                f"'{node.text}' not found: {definition.qualified_name} has no '{name}'"
-            )
-        if package.children[name].variability != "constant" and definition.kind == "package":
-            raise ModelError(f"'{node.text}' is not a constant")
-        return package.children[name]
 
     def _subscripted(
         self, array: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment
@@ -517,7 +421,7 @@ class Evaluator:
     def _member(self, node: Member, scope: Scope, names: Environment) -> Value:
         base = self.evaluate(node.base, scope, names)
         return self._contents(
-            self._member_of(base, node.name, Reference(node.at, ((node.name, ()),)))
+            member_of(self.instantiator, base, node.name, Reference(node.at, ((node.name, ()),)))
         )
 
     def _group(self, node: Group, scope: Scope, names: Environment) -> Value:
@@ -553,10 +457,13 @@ class Evaluator:
         if len(node.function.parts) == 1:
             return self.lookup.first(scope, node.function.text, node.function.absolute)
         try:
-            first = self._first(node.function.parts[0][0], scope, node.function)
+            first = first_of(self.instantiator, node.function.parts[0][0], scope, node.function)
             for name, subscripts in node.function.parts[1:]:
                 first = self._subscripted(
-                    self._member_of(first, name, node.function), subscripts, scope, NO_NAMES
+                    member_of(self.instantiator, first, name, node.function),
+                    subscripts,
+                    scope,
+                    NO_NAMES,
                 )
         except ModelError:
             return None

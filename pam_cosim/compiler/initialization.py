@@ -90,20 +90,10 @@ def initial_values(problem: InitialProblem) -> InitialValues:
     Raises:
         ModelError: initial equations that contradict each other or cannot be solved.
     """
-    starts = {name: problem.start(name) for name in problem.declared}
-    fixed = [
-        _start_equation(problem.system, name, start)
-        for name, start in starts.items()
-        if start.fixed
-    ]
-    free = [
-        _start_equation(problem.system, name, start)
-        for name, start in starts.items()
-        if not start.fixed
-    ]
-    still = [(variable_at_rest(e, problem.system.derivative_of), e) for e in problem.equations]
-    said = [*fixed, *(equation for name, equation in still if name is None)]
-    rest = _rest(problem, said, [(name, equation) for name, equation in still if name is not None])
+    fixed, free = _start_equations(problem)
+    still, others = _equations_of_rest(problem)
+    said = [*fixed, *others]
+    rest = _rest(problem, said, still)
     time, following = problem.system.time, dict[str, ca.SX]()
     try:
         values = _solution(problem, [*said, *rest.others, *rest.equations], free, problem.unknown)
@@ -118,6 +108,32 @@ def initial_values(problem: InitialProblem) -> InitialValues:
         tuple(name for name in problem.states if name in rest.states),
         {name: ca.substitute(value, time, ca.SX(0)) for name, value in following.items()},
     )
+
+
+def _start_equations(problem: InitialProblem) -> tuple[list[Residual], list[Residual]]:
+    """What the start values say: those that are fixed, and those that are a guess."""
+    fixed: list[Residual] = []
+    free: list[Residual] = []
+    for name in problem.declared:
+        start = problem.start(name)
+        equation = _start_equation(problem.system, name, start)
+        (fixed if start.fixed else free).append(equation)
+    return fixed, free
+
+
+def _equations_of_rest(
+    problem: InitialProblem,
+) -> tuple[list[tuple[str, Residual]], list[Residual]]:
+    """The initial equations ``der(x) = 0``, with the variable that is at rest, and the other ones."""
+    still: list[tuple[str, Residual]] = []
+    others: list[Residual] = []
+    for equation in problem.equations:
+        name = variable_at_rest(equation, problem.system.derivative_of)
+        if name is None:
+            others.append(equation)
+        else:
+            still.append((name, equation))
+    return still, others
 
 
 def _rest(

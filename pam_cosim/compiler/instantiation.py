@@ -3,39 +3,33 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 from pam_cosim.compiler.budget import Budget, checked_size
-from pam_cosim.compiler.evaluation import ENUMERATIONS, AbsentComponent, Calls, Evaluator
-from pam_cosim.compiler.instance import NOTHING, Bound, Class, Instance, Mod, Redeclaration, Scope
+from pam_cosim.compiler.declared_type import DEPTH, DeclaredType, declared_type
+from pam_cosim.compiler.evaluation import Calls, Evaluator
+from pam_cosim.compiler.instance import NOTHING, Bound, Class, Instance, Mod, Scope
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.modification import ATTRIBUTES, bind, merge
+from pam_cosim.compiler.names_of_references import AbsentComponent
+from pam_cosim.compiler.redeclaration import (
+    body_redeclarations,
+    check_component_redeclaration,
+    followed,
+    redeclared_class,
+)
 from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     ClassDefinition,
     ComponentDeclaration,
     Expression,
-    TypeName,
     Whole,
 )
 from pam_cosim.errors import ModelError
 
-PRIMITIVES = frozenset(("Real", "Integer", "Boolean", "String"))
 _INHERITED_PREFIXES = frozenset(
     ("constant", "parameter", "protected", "final", "flow", "input", "output")
 )
-_DEPTH = 40
-
-
-@dataclass(eq=False, repr=False)
-class _Type:
-    """A type followed through its short definitions to a built-in type or a class with a body."""
-
-    primitive: str
-    type: Class | None
-    modification: Mod
-    prefixes: frozenset[str] = frozenset()
-    dimensions: tuple[tuple[Expression, Scope], ...] = ()
 
 
 class Instantiator:
@@ -104,7 +98,7 @@ class Instantiator:
             ModelError: unknown base classes, modifications of what does not exist, endless inheritance.
         """
         definition = of.definition
-        if depth > _DEPTH:
+        if depth > DEPTH:
             raise definition.source.error(
                 f"class '{definition.name}' inherits from itself", definition.at
             )
@@ -119,7 +113,7 @@ class Instantiator:
         modification = merge(modification, of.under)
         scope = Scope(definition, instance, of.outer)
         self._register_classes(instance, scope, modification)
-        body = self._body_redeclarations(scope)
+        body = body_redeclarations(scope)
         bases = self.lookup.bases(of)
         if len(bases) < len(definition.extends):
             self._report_missing_base(of)
@@ -166,77 +160,11 @@ class Instantiator:
             if name in instance.classes:
                 continue
             if entry is not None and entry.redeclaration is not None:
-                instance.classes[name] = self._redeclared_class(
-                    nested, entry, entry.redeclaration, scope, under
+                instance.classes[name] = redeclared_class(
+                    self.lookup, nested, entry, entry.redeclaration, scope, under
                 )
             else:
                 instance.classes[name] = Class(nested, scope, entry, under)
-
-    def _redeclared_class(
-        self,
-        original: ClassDefinition,
-        entry: Mod,
-        redeclaration: Redeclaration,
-        scope: Scope,
-        under: Mod | None,
-    ) -> Class:
-        new, place = redeclaration.declaration, redeclaration.scope
-        source = place.definition.source
-        if not isinstance(new, ClassDefinition):
-            raise source.error(
-                f"'{new.name}' is a class: write 'redeclare model {new.name} = ...'", new.at
-            )
-        if "replaceable" not in original.prefixes:
-            raise source.error(f"class '{new.name}' is not replaceable", new.at)
-        over = replace(entry, redeclaration=None, value=None) if entry.entries else None
-        redeclared = Class(new, place, over, under)
-        if original.constraint is not None:
-            limit: Class | None = self.lookup.require(scope, original.constraint.type, original)
-        else:
-            limit = self.followed(Class(original, scope))
-        self._check_constraint(redeclared, limit, new.at)
-        return redeclared
-
-    def followed(self, of: Class) -> Class:
-        """The class with a body that a short class stands for."""
-        bases = self.lookup.bases(of) if of.definition.alias is not None else []
-        return self.followed(bases[0]) if bases else of
-
-    def _check_constraint(self, new: Class, limit: Class | None, at: int) -> None:
-        if limit is None or limit.definition.kind == "function":
-            return
-        if new.definition.alias is not None and new.outer is not None:
-            self.lookup.require(new.outer, new.definition.alias.type, new.outer.definition)
-        wanted = self._public_names(limit)
-        offered = set(self._public_names(new))
-        missing = [name for name in wanted if name not in offered]
-        if missing:
-            where = new.outer.definition.source if new.outer is not None else new.definition.source
-            target = (
-                new.definition.alias.type.text
-                if new.definition.alias is not None
-                else new.definition.name
-            )
-            raise where.error(
-                f"'{target}' does not fit here: it lacks {', '.join(missing)} of {limit.definition.qualified_name}",
-                at,
-            )
-
-    def _public_names(self, of: Class, depth: int = 0) -> list[str]:
-        """Names of the public components of a class, inherited ones included."""
-        if depth > _DEPTH:
-            return []
-        names = [n for n, c in of.definition.components.items() if "protected" not in c.prefixes]
-        for base in self.lookup.bases(of):
-            names += [name for name in self._public_names(base, depth + 1) if name not in names]
-        return names
-
-    def _body_redeclarations(self, scope: Scope) -> Mod:
-        entries = {}
-        source = scope.definition.source
-        for new in scope.definition.redeclared:
-            entries[new.name] = Mod(new.at, source, redeclaration=Redeclaration(new, scope))
-        return Mod(scope.definition.at, source, entries=entries) if entries else NOTHING
 
     def _report_missing_base(self, of: Class) -> None:
         definition = of.definition
@@ -268,7 +196,7 @@ class Instantiator:
         original, home = declaration, scope
         if entry is not None and entry.redeclaration is not None:
             new, place = entry.redeclaration.declaration, entry.redeclaration.scope
-            self._check_component_redeclaration(declaration, new, scope, place)
+            check_component_redeclaration(self.lookup, declaration, new, scope, place)
             assert isinstance(new, ComponentDeclaration)
             inherited = constraint if constraint is not None else own
             entry = merge(replace(entry, redeclaration=None), bind(new.modification, place, new.at))
@@ -289,24 +217,6 @@ class Instantiator:
             prefixes |= {"final"}
         name = f"{parent.name}.{declaration.name}" if parent.name else declaration.name
         return Instance(name, parent, scope, declaration, modification, prefixes, home=home)
-
-    def _check_component_redeclaration(
-        self,
-        old: ComponentDeclaration,
-        new: ComponentDeclaration | ClassDefinition,
-        scope: Scope,
-        place: Scope,
-    ) -> None:
-        source = place.definition.source
-        if not isinstance(new, ComponentDeclaration):
-            raise source.error(f"'{new.name}' is a component, not a class", new.at)
-        if "replaceable" not in old.prefixes:
-            raise source.error(f"component '{new.name}' is not replaceable", new.at)
-        limit_name = old.type if old.constraint is None else old.constraint.type
-        limit = self.lookup.find(scope, limit_name.names, limit_name.absolute)
-        new_type = self.lookup.find(place, new.type.names, new.type.absolute)
-        if new_type is not None:
-            self._check_constraint(Class(new_type.definition, new_type.outer), limit, new.at)
 
     def expand(self, instance: Instance) -> Instance:
         """Fill in what an instance consists of, if that has not been done; returns what it stands for."""
@@ -347,7 +257,7 @@ class Instantiator:
                 instance.target = self._find_inner(instance)
                 return
             instance.prefixes |= {"inner"}  # the model itself is the top, where one is added
-        type_ = self._type(declaration.type, scope, instance.modification)
+        type_ = declared_type(self.lookup, declaration.type, scope, instance.modification)
         instance.prefixes |= type_.prefixes
         home = instance.home or scope
         written = tuple((size, home) for size in declaration.dimensions)
@@ -380,10 +290,12 @@ class Instantiator:
             if len(sizes) > 1:
                 self._expand_array(element, sizes[1:], place)
             else:
-                self._expand_scalar(element, self._type(declaration.type, scope, modification))
+                self._expand_scalar(
+                    element, declared_type(self.lookup, declaration.type, scope, modification)
+                )
             instance.elements.append(element)
 
-    def _expand_scalar(self, instance: Instance, type_: _Type) -> None:
+    def _expand_scalar(self, instance: Instance, type_: DeclaredType) -> None:
         modification = type_.modification
         instance.type = type_.type
         if type_.primitive:
@@ -451,7 +363,7 @@ class Instantiator:
         declaration, scope, name = outer.declaration, outer.scope, outer.local_name
         assert declaration is not None and scope is not None
         of = self.lookup.find(scope, declaration.type.names, declaration.type.absolute)
-        definition = None if of is None else self.followed(of).definition
+        definition = None if of is None else followed(self.lookup, of).definition
         if (
             definition is None
             or definition.partial
@@ -471,46 +383,6 @@ class Instantiator:
             name, top, scope, declaration, NOTHING, frozenset({"inner"}), home=scope
         )
         return self.expand(top.children[name])
-
-    # ---- types --------------------------------------------------------------------------------------------
-
-    def _type(self, name: TypeName, scope: Scope, modification: Mod) -> _Type:
-        of = self.lookup.find(scope, name.names, name.absolute)
-        if of is None:
-            if name.text in PRIMITIVES:
-                return _Type(name.text, None, modification)
-            if name.text in ENUMERATIONS:
-                return _Type("enumeration", None, modification)
-            raise self.lookup.missing(name, scope.definition)
-        return self._follow(of, modification, 0)
-
-    def _follow(self, of: Class, modification: Mod, depth: int) -> _Type:
-        definition = of.definition
-        if definition.literals is not None:
-            return _Type("enumeration", of, merge(modification, of.over))
-        alias = definition.alias
-        if alias is None or depth > _DEPTH:
-            return _Type("", of, modification)
-        names = alias.type.names
-        base = self.lookup.find(of.outer, names, alias.type.absolute)
-        place = of.outer or self.lookup.static_scope(definition)
-        if base is None and alias.type.text not in PRIMITIVES:
-            raise self.lookup.missing(alias.type, definition)
-        own = merge(merge(of.over, bind(alias.modification, place, alias.at)), of.under)
-        if base is None:
-            followed = _Type(alias.type.text, of, merge(modification, own))
-        else:
-            followed = self._follow(base, NOTHING, depth + 1)
-            if not followed.primitive:
-                # a class with a body: populate() walks the aliases again, with their modifications
-                followed = _Type("", of, modification, followed.prefixes, followed.dimensions)
-            else:
-                followed.modification = merge(merge(modification, own), followed.modification)
-        followed.prefixes |= definition.alias_prefixes
-        followed.dimensions = (
-            tuple((size, place) for size in definition.alias_dimensions) + followed.dimensions
-        )
-        return followed
 
     def _size(self, size: Expression, place: Scope, instance: Instance, dimension: int) -> int:
         if not isinstance(size, Whole):

@@ -5,8 +5,9 @@ from __future__ import annotations
 from typing import Any
 
 from pam_cosim.compiler.arithmetic import simplified
-from pam_cosim.compiler.evaluation import EnumerationLiteral, Evaluator
+from pam_cosim.compiler.evaluation import Evaluator
 from pam_cosim.compiler.instance import Instance
+from pam_cosim.compiler.names_of_references import EnumerationLiteral
 from pam_cosim.compiler.syntax import Literal, Modification, Unary
 from pam_cosim.errors import ModelError
 from pam_cosim.model.interface import Variable

@@ -52,25 +52,29 @@ def merge(outer: Mod | None, inner: Mod | None) -> Mod:
     """
     if outer is None or inner is None:
         return outer or inner or NOTHING
-    if (
-        inner.final
-        and (outer.value is not None or outer.redeclaration is not None)
-        and outer.source is not None
-    ):
-        raise outer.source.error("this element is declared final: it cannot be modified", outer.at)
-    inner_entries = inner.entries
-    if outer.value is not None:
-        # a new value for a whole record replaces what was said about its members
-        inner_entries = {name: entry for name, entry in inner_entries.items() if name in ATTRIBUTES}
-    entries = dict(inner_entries)
-    for name, entry in outer.entries.items():
-        entries[name] = merge(entry, entries.get(name))
+    _refuse_change_of_final(outer, inner)
     return Mod(
         outer.at if outer.source is not None else inner.at,
         outer.source or inner.source,
         outer.value or inner.value,
-        entries,
+        _merged_entries(outer, inner),
         outer.redeclaration or inner.redeclaration,
         outer.each if outer.value is not None else inner.each,
         outer.final or inner.final,
     )
+
+
+def _refuse_change_of_final(outer: Mod, inner: Mod) -> None:
+    is_change = outer.value is not None or outer.redeclaration is not None
+    if inner.final and is_change and outer.source is not None:
+        raise outer.source.error("this element is declared final: it cannot be modified", outer.at)
+
+
+def _merged_entries(outer: Mod, inner: Mod) -> dict[str, Mod]:
+    entries = dict(inner.entries)
+    if outer.value is not None:
+        # a new value for a whole record replaces what was said about its members
+        entries = {name: entry for name, entry in entries.items() if name in ATTRIBUTES}
+    for name, entry in outer.entries.items():
+        entries[name] = merge(entry, entries.get(name))
+    return entries

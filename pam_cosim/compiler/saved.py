@@ -37,18 +37,20 @@ def ode_bytes(ode: Ode) -> bytes:
         "libraries": ode.libraries,
         "resting": ode.resting,
         "following": [name for name, _ in ode.following],
-        "statements": [
-            {
-                "texts": s.texts,
-                "digits": [digits for _, digits in s.values],
-                "error": s.is_error,
-                "start": s.at_start,
-            }
-            for s in ode.statements
-        ],
+        "statements": [_about_statement(statement) for statement in ode.statements],
         "expressions": packer.encode(),
     }
     return json.dumps(about).encode()
+
+
+def _about_statement(statement: Statement) -> dict[str, Any]:
+    """What a statement says, without its expressions."""
+    return {
+        "texts": statement.texts,
+        "digits": [digits for _, digits in statement.values],
+        "error": statement.is_error,
+        "start": statement.at_start,
+    }
 
 
 def _further(ode: Ode) -> Iterator[ca.SX]:

@@ -11,6 +11,7 @@ from pam_cosim.compiler.compile import instantiate
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.part import Part, component_nodes, parts_of
+from pam_cosim.compiler.redeclaration import followed
 from pam_cosim.compiler.syntax import ClassDefinition
 
 
@@ -59,7 +60,8 @@ def _slots(node: Instance, instantiator: Instantiator) -> list[Slot]:
     for ancestor in node.ancestors:
         for name, nested in ancestor.definition.classes.items():
             if "replaceable" in nested.prefixes and name in node.classes:
-                current = instantiator.followed(node.classes[name]).definition.qualified_name
+                current_class = followed(instantiator.lookup, node.classes[name])
+                current = current_class.definition.qualified_name
                 slots.append(Slot(node.name, name, _constraint(nested, instantiator), current))
     return slots
 
@@ -67,7 +69,7 @@ def _slots(node: Instance, instantiator: Instantiator) -> list[Slot]:
 def _constraint(nested: ClassDefinition, instantiator: Instantiator) -> str:
     lookup = instantiator.lookup
     if nested.constraint is None:
-        return instantiator.followed(lookup.of(nested)).definition.qualified_name
+        return followed(instantiator.lookup, lookup.of(nested)).definition.qualified_name
     assert nested.parent is not None
     scope = lookup.static_scope(nested.parent)
     return lookup.require(scope, nested.constraint.type, nested).definition.qualified_name

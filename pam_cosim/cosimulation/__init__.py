@@ -1,5 +1,6 @@
 """FMUs driven step by step, alone (``Rig``) and coupled (``System``)."""
 
+from pam_cosim.cosimulation.coupled_run import CoupledRun
 from pam_cosim.cosimulation.network import CouplingFailure
 from pam_cosim.cosimulation.parts import (
     Connection,
@@ -11,7 +12,7 @@ from pam_cosim.cosimulation.parts import (
 )
 from pam_cosim.cosimulation.rig import Readings, Rig, RigState
 from pam_cosim.cosimulation.sampling import ControllerError
-from pam_cosim.cosimulation.system import CoupledRun, System, couple_values
+from pam_cosim.cosimulation.system import System, couple_values
 
 __all__ = [
     "Connection",

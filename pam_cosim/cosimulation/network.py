@@ -124,19 +124,15 @@ class Network:
         start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
-        self.sampling = {name: c.seconds for name, c in components.items() if c.seconds is not None}
+        self.sampling = _sampling(components)
         fmus = [name for name, c in components.items() if isinstance(c, CoupledFmu)]
         self.parts = [name for name in (order or fmus) if name not in self.sampling]
         self._sampled_fmus = [name for name in fmus if name in self.sampling]
         self.signals = sorted({c.source for c in connections}, key=str)
         self.work = RunCost(dict.fromkeys(fmus, 0))
         self._sequential, self._linear = method == "gauss-seidel", extrapolation == "linear"
-        kept, cut = torn(components, connections) if loops != "refuse" else (list(connections), [])
-        self._loop = list(dict.fromkeys(c.source for c in cut)) if loops == "iterate" else []
-        self._passes = evaluation_order(components, kept, cut)
-        self._feeds = {
-            name: [c for c in connections if c.target.component == name] for name in components
-        }
+        self._loop, self._passes = _loop_and_passes(components, connections, loops)
+        self._feeds = _feeds(components, connections)
         self._courses = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self._read = _to_read(components, observed)
@@ -222,10 +218,8 @@ class Network:
         guess = np.array([self.now.values[source] for source in self._loop])
         for _ in range(_ITERATIONS):
             error = self._residual(guess)
-            if np.all(
-                np.abs(error)
-                <= _LOOP_TOLERANCE * (np.abs(guess) + np.abs(guess + error)) + _SMALLEST
-            ):
+            size = np.abs(guess) + np.abs(guess + error)
+            if np.all(np.abs(error) <= _LOOP_TOLERANCE * size + _SMALLEST):
                 return
             try:
                 guess = guess - np.linalg.solve(self._slope(guess, error), error)
@@ -282,10 +276,8 @@ class Network:
         if changes:
             self._settle_all()
         for signal in self.signals:
-            if (
-                self.now.values[signal] != before[signal]
-            ):  # how fast it went on before says nothing now
-                self.now.slopes[signal] = 0.0
+            if self.now.values[signal] != before[signal]:
+                self.now.slopes[signal] = 0.0  # how fast it went on before says nothing now
         return jumps or changes
 
     def _sample(self, time: float) -> bool:
@@ -355,6 +347,34 @@ class Network:
             raise CouplingFailure(
                 name, self.components[name].model, self.now.time, reason
             ) from failure
+
+
+def _sampling(components: Mapping[str, Component]) -> dict[str, float]:
+    """Of the components that sample, the distance of two samples [s]."""
+    distances = {name: component.seconds for name, component in components.items()}
+    return {name: seconds for name, seconds in distances.items() if seconds is not None}
+
+
+def _loop_and_passes(
+    components: Mapping[str, Component], connections: Sequence[Connection], loops: Loops
+) -> tuple[list[Port], list[str]]:
+    """The outputs for which algebraic loops are solved, and the order in which components are read at one time."""
+    kept, cut = list(connections), list[Connection]()
+    if loops != "refuse":
+        kept, cut = torn(components, connections)
+    sources = dict.fromkeys(connection.source for connection in cut)
+    passes = evaluation_order(components, kept, cut)
+    return (list(sources) if loops == "iterate" else []), passes
+
+
+def _feeds(
+    components: Mapping[str, Component], connections: Sequence[Connection]
+) -> dict[str, list[Connection]]:
+    """The connections that end at each component."""
+    feeds: dict[str, list[Connection]] = {name: [] for name in components}
+    for connection in connections:
+        feeds[connection.target.component].append(connection)
+    return feeds
 
 
 def _to_read(components: Mapping[str, Component], observed: Sequence[Port]) -> dict[str, list[str]]:

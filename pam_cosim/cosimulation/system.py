@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
+from pam_cosim.cosimulation.coupled_run import CoupledRun
 from pam_cosim.cosimulation.loops import algebraic_loop, refuse_loop
 from pam_cosim.cosimulation.master import StepControl, integrate
 from pam_cosim.cosimulation.network import (
@@ -39,7 +40,6 @@ from pam_cosim.simulation import (
     Inputs,
     IsolatedSimulator,
     Simulator,
-    Trajectory,
 )
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import Printed, did_you_mean, shown
@@ -49,41 +49,6 @@ EXTRAPOLATIONS = ("constant", "linear")
 LOOPS = ("refuse", "delay", "iterate")
 _STEPS = 1000  # of a run for which nobody has said how long a step is
 MOST_STEPS = 10_000_000
-
-
-@dataclass(frozen=True)
-class CoupledRun(Printed):
-    """What came of a run of a coupled system.
-
-    Attributes:
-        trajectory: the outputs of all components and the inputs of the system, as ``component.variable``, at every
-            communication point; where something jumps, a time stands twice.
-        method: "jacobi" or "gauss-seidel".
-        steps: communication steps that stand.
-        rejected: those that were taken back because their error was too large.
-        component_steps: steps that each FMU has made, for error estimates and in rejected steps too.
-        rollbacks: how often the system went back to a saved state.
-        smallest, largest: step [s].
-    """
-
-    trajectory: Trajectory
-    method: str
-    steps: int
-    rejected: int
-    component_steps: Mapping[str, int]
-    rollbacks: int
-    smallest: float
-    largest: float
-
-    def __repr__(self) -> str:
-        low, high = f"{self.smallest:.3g}", f"{self.largest:.3g}"
-        spread = f"{low} s" if low == high else f"{low} to {high} s"
-        cost = ", ".join(f"{name} {count}" for name, count in self.component_steps.items())
-        taken_back = f", {self.rejected} taken back" if self.rejected else ""
-        return (
-            f"{self.method} up to {self.trajectory.time[-1]:.6g} s: {self.steps} steps of {spread}{taken_back}; "
-            f"steps of the components: {cost}; {self.rollbacks} rollbacks"
-        )
 
 
 @dataclass(frozen=True)

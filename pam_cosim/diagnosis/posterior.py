@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
-from math import exp, isnan, nan
+from math import exp, nan
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
@@ -22,6 +22,7 @@ from pam_cosim.diagnosis.evidence import (
     refuted_by_unfitted_signals,
 )
 from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting import Fit
 
 
@@ -41,11 +42,7 @@ class Explanation:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {
-            "families": list(self.families),
-            "evidence": self.evidence,
-            "probability": self.probability,
-        }
+        return plain_fields(self)
 
 
 @dataclass(frozen=True)
@@ -73,12 +70,13 @@ class Posterior:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {
-            "explanations": [one.as_dict() for one in self.explanations],
+        content = {
+            "explanations": self.explanations,
             "families": self.by_family,
-            "something_else": None if isnan(self.something_else) else self.something_else,
-            "doubts": list(self.doubts),
+            "something_else": self.something_else,
+            "doubts": self.doubts,
         }
+        return dict(plain(content))
 
 
 DOUBTS = ("structure", "form_open", "nothing", "unchecked", "several", "general")

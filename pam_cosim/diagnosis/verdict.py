@@ -26,6 +26,7 @@ from pam_cosim.diagnosis.evidence import (
 from pam_cosim.diagnosis.implausible import implausible
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.diagnosis.posterior import Posterior, doubts_of, posterior
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed
@@ -91,19 +92,7 @@ class Verdict:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {
-            "kind": self.kind,
-            "families": list(self.families),
-            "effects": list(self.effects),
-            "reason": self.reason,
-            "remainder": self.remainder,
-            "probability": None if isnan(self.probability) else self.probability,
-            "off": list(self.off),
-            "refuted": list(self.refuted),
-            "bending": list(self.bending),
-            "implausible": list(self.implausible),
-            "posterior": self.posterior.as_dict(),
-        }
+        return plain_fields(self)
 
 
 _MOST_LISTED = 3  # sets of families

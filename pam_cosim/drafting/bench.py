@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -11,7 +11,8 @@ from pam_cosim.catalogue.bench_parts import rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting.bench_choice import MECHANICAL, BenchChoice, choose, meaning_of
+from pam_cosim.drafting.bench_choice import choose
+from pam_cosim.drafting.feeding import MECHANICAL, BenchChoice, meaning_of
 from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings
@@ -64,22 +65,12 @@ def take_bench(
     """
     suited = [_suited(one, known.points) for one in ports(tree)]
     ready = [one for one in suited if one is not None]
-    composed = {one.name: one for one in ready if one.parts}
-    if wishes.model is not None and wishes.model not in composed:
-        if wishes.muscle is not None:
-            raise InputError(
-                f"a muscle is named for a bench that is put together, and {wishes.model} is there already"
-            )
-        return _named(place, wishes.model, known, describe)
+    if _is_there_already(wishes, ready):
+        return _named(place, str(wishes.model), known, describe)
     recorded = _recorded_muscle(wishes, known, tree)
     muscle = wishes.muscle if recorded is None else recorded.name
-    candidates = ready if muscle is None else list(composed.values())
-    if wishes.model is not None:
-        candidates = [composed[wishes.model]]
-    elif known.points:
-        candidates = [one for one in candidates if _all_imposed(one)]
     choice = choose(
-        candidates,
+        _candidates(ready, wishes.model, muscle, known.points),
         known.columns,
         known.asked,
         known.formulas,
@@ -91,6 +82,32 @@ def take_bench(
             place / f"{name}.mo", choice, muscle, recorded, wishes, known, tree, describe
         )
     return Bench(choice, choice.ports.name, describe(choice.ports.name), _why(choice), None, True)
+
+
+def _is_there_already(wishes: DraftRequests, ready: Sequence[Ports]) -> bool:
+    """Whether the user names a bench that is not put together from parts.
+
+    Raises:
+        InputError: and names a muscle besides.
+    """
+    composed = {one.name for one in ready if one.parts}
+    if wishes.model is None or wishes.model in composed:
+        return False
+    if wishes.muscle is not None:
+        raise InputError(
+            f"a muscle is named for a bench that is put together, and {wishes.model} is there already"
+        )
+    return True
+
+
+def _candidates(
+    ready: Sequence[Ports], model: str | None, muscle: str | None, points: bool
+) -> list[Ports]:
+    """The benches among which the recordings choose; only one that is put together can have another muscle."""
+    if model is not None:
+        return [one for one in ready if one.parts and one.name == model]
+    chosen = [one for one in ready if one.parts or muscle is None]
+    return [one for one in chosen if _all_imposed(one)] if points else chosen
 
 
 def _put_together(

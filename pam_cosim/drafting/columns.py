@@ -9,8 +9,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
-from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.time_column import with_time
 from pam_cosim.drafting.vocabulary import Meaning, read_heading

@@ -103,13 +103,15 @@ def common_direction(inputs: Mapping[str, Array], units: Mapping[str, str]) -> i
 
 def directions_in_names(files: Sequence[Path]) -> list[str]:
     """up or down for each file, where every name says one of them, and both are said; none where they do not."""
-    said = [
-        {w for word in split_words(file.stem) if len(word) > 1 and (w := direction_word(word))}
-        for file in files
-    ]
+    said = [_directions_said(file.stem) for file in files]
     if not all(len(own) == 1 for own in said) or len(set.union(*said)) != 2:
         return []
     return [SENSES[own.pop()] for own in said]
+
+
+def _directions_said(stem: str) -> set[int]:
+    words = [word for word in split_words(stem) if len(word) > 1]
+    return {said for said in map(direction_word, words) if said}
 
 
 def _directions_of_rows(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:

@@ -11,7 +11,7 @@ from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
 from pam_cosim.drafting.values import StatedValue, text_of
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface, Variable
 
@@ -261,11 +261,8 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         if one.why:
             yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
-    own = [
-        e
-        for e in draft.entries.values()
-        if _own(draft, e) and i in draft.having.get(e.name, ()) and _told(e)
-    ]
+    having = [e for e in draft.entries.values() if i in draft.having.get(e.name, ())]
+    own = [entry for entry in having if _own(draft, entry) and _told(entry)]
     if own:
         yield "[runs.columns]"
     for entry in own:

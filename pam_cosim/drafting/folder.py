@@ -15,6 +15,8 @@ from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.model.interface import Interface
 from pam_cosim.wording import shown
 
+_NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
+
 
 def check_place(folder: Path) -> None:
     """Raises InputError where there is something already, or nothing can be made."""
@@ -54,10 +56,8 @@ def copy_files(files: Sequence[Path], place: Path) -> list[str]:
     made = []
     taken = {one.stem.casefold() for one in place.iterdir()} | {Path(FILE_NAME).stem}
     for file in files:
-        stem = (
-            "".join(c if c.isprintable() and c not in '\\/:*?"<>|@' else "_" for c in file.stem)
-            or "run"
-        )
+        letters = [c if c.isprintable() and c not in _NOT_IN_NAMES else "_" for c in file.stem]
+        stem = "".join(letters) or "run"
         name, number = stem, 2
         while name.casefold() in taken:
             name, number = f"{stem}-{number}", number + 1

@@ -2,30 +2,23 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.bench_choice import BenchChoice, meaning_of
-from pam_cosim.drafting.direction import words_of
+from pam_cosim.drafting.column_entry import named_entry, signed_entry, unit_to_state
+from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import ReadRecordings
-from pam_cosim.drafting.rest import correlation, rests
+from pam_cosim.drafting.rest import rests
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.drafting.zeros import with_zero, without_offsets
-from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import convert, parse_quantity
-
-_C = CRITERIA.recognition
-_REFERABLE = re.compile(r"[^'\\\n]+")
-_GRAVITY = "9.80665 m/s2"
 
 
 def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings) -> Mapped:
@@ -34,11 +27,13 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
     entries: dict[str, ColumnEntry] = {}
     if known.time is not None:
         entries["time"] = ColumnEntry(
-            "time", known.time.name, _unit(known.time), why=known.time.why
+            "time", known.time.name, unit_to_state(known.time), why=known.time.why
         )
     arrays: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
-        entries[name], arrays[name] = _named(name, column, variables[name], interface, known.stated)
+        entries[name], arrays[name] = named_entry(
+            name, column, variables[name], interface, known.stated
+        )
         if column.in_names:
             held = {i: float(values[0]) for i, values in arrays[name].items()}
             entries[name] = ColumnEntry(name, why=entries[name].why, held=held)
@@ -49,7 +44,7 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
     }
     pressure = _pressure(interface, arrays)
     for name in arrays:
-        entries[name], arrays[name] = _signed(
+        entries[name], arrays[name] = signed_entry(
             entries[name], arrays[name], choice, variables[name], pressure
         )
     courses = _courses(interface, times, arrays, moving=not known.points)
@@ -60,132 +55,10 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
     return Mapped(entries, _courses(interface, times, without_offsets(arrays, entries, times)))
 
 
-def _unit(column: RecordedColumn) -> str | None:
-    return None if column.stated else column.unit or None
-
-
-def _named(
-    name: str,
-    column: RecordedColumn,
-    variable: Variable,
-    interface: Interface,
-    stated: Mapping[str, str],
-) -> tuple[ColumnEntry, dict[int, Array]]:
-    """The entry that renames a column or makes it what the bench calls so, and its numbers."""
-    kind = column.meaning.kind if column.meaning else ""
-    if kind == "direction":
-        return _direction(name, column)
-    wanted = meaning_of(variable)
-    if wanted and wanted.kind == "contraction" and kind in ("length", "ratio"):
-        return _contraction(name, column, interface, stated)
-    if kind == "force" and fits(column.unit, "mass"):
-        return _weight(name, column)
-    numbers = {i: convert(v, column.unit, variable.unit) for i, v in column.values.items()}
-    if column.absolute and kind == "pressure" and _REFERABLE.fullmatch(column.name):
-        return _gauge_pressure(name, column, numbers)
-    return ColumnEntry(name, column.name, _unit(column), why=column.why), numbers
-
-
-def _weight(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A force that was recorded as a mass."""
-    gravity = parse_quantity(_GRAVITY, "m/s2")
-    numbers = {i: convert(v, column.unit, "kg") * gravity for i, v in column.values.items()}
-    why = (*column.why, f"a force in {column.unit}, times gravity")
-    return ColumnEntry(name, formula=f'{_term(column)} * "{_GRAVITY}"', why=why), numbers
-
-
-def _gauge_pressure(
-    name: str, column: RecordedColumn, numbers: dict[int, Array]
-) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A gauge pressure that was recorded as an absolute one [Pa]."""
-    ambient = f"{_C.ambient / 1e3:g} kPa"
-    why = (*column.why, f"its heading says absolute; the ambient is taken as {ambient}")
-    entry = ColumnEntry(name, formula=f'{_term(column)} - "{ambient}"', why=why)
-    return entry, {i: v - _C.ambient for i, v in numbers.items()}
-
-
-def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:
-    """Words for directions, or a formula that gives 1 and -1."""
-    values = {
-        i: np.array([float(column.senses.get(v, 0)) for v in own.tolist()])
-        for i, own in column.values.items()
-    }
-    if column.words:
-        return ColumnEntry(name, column.name, why=column.why, words=words_of(column)), values
-    if all(number == sense for number, sense in column.senses.items()):
-        return ColumnEntry(name, column.name, why=column.why), values
-    up, down = (
-        next((n for n, s in column.senses.items() if s == sense), None) for sense in (1, -1)
-    )
-    if up is None or down is None or len(column.senses) > 2:
-        hint = f"leave it out: --recording ignore={column.name}"
-        raise InputError(f"the values of {column.name} are no directions; {hint}")
-    scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
-    return ColumnEntry(
-        name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why
-    ), values
-
-
-def _contraction(
-    name: str, column: RecordedColumn, interface: Interface, stated: Mapping[str, str]
-) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A contraction made of a length or of a ratio."""
-    at_rest = _length_at_rest(interface, stated)
-    if column.meaning and column.meaning.kind == "ratio":
-        value, source = at_rest or ("1 m", "")
-        length = parse_quantity(value, "m")
-        numbers = {i: convert(v, column.unit, "1") * length for i, v in column.values.items()}
-        why = f"it is a ratio, times the length at rest, {value}: {source}"
-        return ColumnEntry(
-            name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)
-        ), numbers
-    lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
-    longest = max(float(np.nanmax(v)) for v in lengths.values())
-    value, source = f"{longest:.6g} m", "the longest in any recording"
-    if at_rest is not None and at_rest[1] == "stated":
-        value, source = at_rest
-    length = parse_quantity(value, "m")
-    why = f"it is a length: the contraction is what is missing to {value}, {source}"
-    entry = ColumnEntry(name, formula=f'"{value}" - {_term(column)}', why=(*column.why, why))
-    return entry, {i: length - v for i, v in lengths.items()}
-
-
-def _length_at_rest(interface: Interface, stated: Mapping[str, str]) -> tuple[str, str] | None:
-    """The value of the parameter that is a muscle's length at rest, and where it comes from."""
-    name = length_parameter(interface)
-    if name is None:
-        return None
-    if name in stated:
-        return stated[name], "stated"
-    return (
-        f"{interface.parameters[name].start:g} m",
-        f"the bench's default of {name}, state yours and change it here",
-    )
-
-
-def length_parameter(interface: Interface) -> str | None:
-    """The parameter that is a muscle's length at rest, by what is said of it."""
-    for name, variable in interface.parameters.items():
-        said = variable.description.casefold()
-        if (
-            variable.unit == "m"
-            and "length" in said
-            and any(word in said for word in ("rest", "initial"))
-        ):
-            return name
-    return None
-
-
 def longest_of(choice: BenchChoice) -> float | None:
     """The longest length [m] in any recording of a column that is one; None: there is none."""
     lengths = [c for c in choice.fed.values() if c.of("length") and not c.in_names]
     return max((float(np.nanmax(convert(c.every, c.unit, "m"))) for c in lengths), default=None)
-
-
-def _term(column: RecordedColumn) -> str:
-    """The column in a formula."""
-    name = f"'{column.name}'" if _REFERABLE.fullmatch(column.name) else "value"
-    return name if column.stated or not column.unit else f'{name} * "1 {column.unit}"'
 
 
 def _time(
@@ -210,42 +83,6 @@ def _pressure(
             if meaning is not None and (meaning.kind, meaning.roles) == ("pressure", roles):
                 return arrays[name]
     return None
-
-
-def _signed(
-    entry: ColumnEntry,
-    values: dict[int, Array],
-    choice: BenchChoice,
-    variable: Variable,
-    pressure: dict[int, Array] | None,
-) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
-    meaning = meaning_of(variable)
-    if (
-        meaning is None
-        or entry.formula is not None
-        or entry.column is None
-        or not _REFERABLE.fullmatch(entry.column)
-    ):
-        return entry, values
-    why = ""
-    if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
-        if correlation(pressure, values) < -_C.follows:
-            why = "it falls where the pressure rises: its sign is turned round"
-    elif meaning.kind == "force" and _mostly_negative(np.concatenate(list(values.values()))):
-        why = "it is below zero: its sign is turned round, so that a pull is positive"
-    if not why:
-        return entry, values
-    scale = f' * "1 {entry.unit}"' if entry.unit else ""
-    turned = ColumnEntry(entry.name, formula=f"-'{entry.column}'{scale}", why=(*entry.why, why))
-    return turned, {i: -v for i, v in values.items()}
-
-
-def _mostly_negative(values: Array) -> bool:
-    """Whether values are below zero on average, and farther below than above."""
-    return float(np.nanmean(values)) < 0.0 and abs(float(np.nanmin(values))) > abs(
-        float(np.nanmax(values))
-    )
 
 
 def _courses(

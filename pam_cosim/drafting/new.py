@@ -12,18 +12,19 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting import values
+from pam_cosim.drafting import open_parameters, values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.bench_choice import MECHANICAL, meaning_of
+from pam_cosim.drafting.column_entry import length_parameter
+from pam_cosim.drafting.column_statistics import is_held, is_switch, span
 from pam_cosim.drafting.document import Draft, document
+from pam_cosim.drafting.feeding import MECHANICAL, meaning_of
 from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
-from pam_cosim.drafting.mapping import length_parameter, longest_of, map_columns
+from pam_cosim.drafting.mapping import longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
 from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
-from pam_cosim.drafting.rest import is_held, is_switch, span
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
@@ -128,10 +129,10 @@ def _content(
     told = _recorded_values(bench, recorded, mapped)
     guessed = _guessed_roles(bench, recorded, mapped, told)
     by_run = any(role.role == "holdout" for role in guessed) or bool(stated)
-    outputs = [
-        name for name in interface.outputs if name in choice.outputs or name in recorded.formulas
-    ]
+    measured = {*choice.outputs, *recorded.formulas}
+    outputs = [name for name in interface.outputs if name in measured]
     shown = _only_shown(outputs, interface)
+    fitted = [name for name in outputs if name not in shown]
     columns = {name: column for name, column in choice.fed.items() if not column.in_names}
     return Draft(
         title=title,
@@ -141,15 +142,13 @@ def _content(
         recording=recorded.recording,
         entries=mapped.entries,
         ignored=_ignored(bench, recorded, mapped),
-        sigmas={
-            name: _sigma(name, bench, recorded, mapped) for name in outputs if name not in shown
-        },
+        sigmas={name: _sigma(name, bench, recorded, mapped) for name in fitted},
         shown=shown,
         stated=recorded.stated,
         unfed=_stated_nowhere(choice.unfed, told),
-        free=values.free(interface, recorded.points),
-        perhaps=values.perhaps(interface, recorded.points),
-        to_state=values.to_state(interface, recorded.points),
+        free=open_parameters.free(interface, recorded.points),
+        perhaps=open_parameters.perhaps(interface, recorded.points),
+        to_state=open_parameters.to_state(interface, recorded.points),
         files=copies,
         roles=stated_roles(guessed, [file.stem for file in recorded.files], stated),
         told=told,
@@ -224,14 +223,12 @@ def _no_size(recorded: ReadRecordings, interface: Interface) -> bool:
 
 def _unknown_mechanics(bench: Bench, recorded: ReadRecordings) -> bool:
     """Whether several recordings were taken at lengths or loads that nobody says, and that may differ."""
-    variables = [(name, meaning_of(bench.interface.inputs[name])) for name in bench.choice.unfed]
-    return len(recorded.sources) > 1 and any(
-        meaning is not None
-        and meaning.kind in MECHANICAL
-        and name not in recorded.stated
-        and not all(name in own for own in recorded.own)
-        for name, meaning in variables
-    )
+    if len(recorded.sources) < 2:
+        return False
+    by_name = {name: meaning_of(bench.interface.inputs[name]) for name in bench.choice.unfed}
+    mechanical = [name for name, one in by_name.items() if one and one.kind in MECHANICAL]
+    unstated = [name for name in mechanical if name not in recorded.stated]
+    return any(name not in own for name in unstated for own in recorded.own)
 
 
 def _is_temperature(variable: Variable) -> bool:

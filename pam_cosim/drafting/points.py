@@ -10,6 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.direction import (
     common_direction,
     directions_in_names,
@@ -17,7 +18,6 @@ from pam_cosim.drafting.direction import (
     order_tells_direction,
 )
 from pam_cosim.drafting.mapped import MappedRecording
-from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.values import text_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import curves, levels

@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.rest import is_constant, is_held, is_switch, span
+from pam_cosim.drafting.column_statistics import is_constant, is_held, is_switch, span
 from pam_cosim.drafting.vocabulary import Meaning, usual_unit
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.table import Column
@@ -64,11 +64,9 @@ class RecordedColumn:
             return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
         whole = span(self.every)
         own = max(span(one) for one in self.values.values())
-        return (
-            whole == 0.0
-            or own <= _C.imposed * whole
-            or all(is_held(one) or is_constant(one) for one in self.values.values())
-        )
+        if whole == 0.0 or own <= _C.imposed * whole:
+            return True
+        return all(is_held(one) or is_constant(one) for one in self.values.values())
 
     @cached_property
     def whole(self) -> bool:

@@ -11,16 +11,16 @@ from pathlib import Path
 
 from pydantic import ValidationError
 
+from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns
 from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.recorded_column import RecordedColumn
-from pam_cosim.drafting.rest import span
 from pam_cosim.drafting.sources import RecordingSource, read_sources
 from pam_cosim.drafting.time_column import check_time
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.wording import did_you_mean, shown
 
 

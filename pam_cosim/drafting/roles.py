@@ -9,8 +9,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.column_statistics import is_constant, span
 from pam_cosim.drafting.mapped import MappedRecording
-from pam_cosim.drafting.rest import is_constant, span
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
 from pam_cosim.model.interface import Interface

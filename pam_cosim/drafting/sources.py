@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim.drafting.vocabulary import direction_word, read_heading
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.table import Layout, Table
 from pam_cosim.measurement.text_table import text_columns

@@ -7,10 +7,10 @@ from dataclasses import dataclass
 from pathlib import Path
 from shlex import quote
 
-from pam_cosim.drafting import values
-from pam_cosim.drafting.bench_choice import BenchChoice
+from pam_cosim.drafting import open_parameters
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
+from pam_cosim.drafting.feeding import BenchChoice
 from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import begins_still
@@ -178,7 +178,7 @@ def _unknown_muscle(made: Draft) -> Iterator[str]:
 def _unknown_geometry(made: Draft) -> Iterator[str]:
     told = [name for name in made.to_state if all(name in run for run in made.told)]
     unknown = [name for name in made.to_state if name not in made.stated and name not in told]
-    names = [name for name in unknown if values.is_geometry(made.to_state[name])]
+    names = [name for name in unknown if open_parameters.is_geometry(made.to_state[name])]
     if names:
         yield f"geometry and load are the bench's own until you state yours under [parameters]: {listed(names)}"
 

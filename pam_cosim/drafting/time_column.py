@@ -7,12 +7,13 @@ from dataclasses import replace
 
 import numpy as np
 
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
@@ -78,10 +79,14 @@ def _fits_time(column: RecordedColumn) -> bool:
 
 
 def _rises(column: RecordedColumn) -> bool:
-    return bool(column.values) and all(
-        len(one) > 1 and bool((np.diff(one) >= 0).all()) and one[-1] > one[0]
-        for one in column.values.values()
-    )
+    recordings = list(column.values.values())
+    return bool(recordings) and all(map(_grows, recordings))
+
+
+def _grows(values: Array) -> bool:
+    if len(values) < 2:
+        return False
+    return bool((np.diff(values) >= 0).all()) and bool(values[-1] > values[0])
 
 
 def _runs(column: RecordedColumn) -> bool:
@@ -135,12 +140,8 @@ def check_time(
 
 def may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> bool:
     """Whether tables without time are of points at rest: so few rows that somebody waited for each, and no valve."""
-    driven = any(
-        c.meaning is not None and c.meaning.kind in ("command", "current") for c in columns
-    )
+    kinds = {c.meaning.kind for c in columns if c.meaning is not None}
+    is_driven = bool(kinds & {"command", "current"})
+    has_pressure = any(c.of("pressure") or c.of("pressure", "set") for c in columns)
     rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
-    return (
-        not driven
-        and rows <= _C.most_points
-        and any(c.of("pressure") or c.of("pressure", "set") for c in columns)
-    )
+    return has_pressure and not is_driven and rows <= _C.most_points

@@ -19,7 +19,7 @@ from pam_cosim.drafting.vocabulary import (
     usual_unit,
 )
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import RecordingTable
+from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.table import Column, Table
 
 _NAMES = {"pressure": "p", "force": "F", "contraction": "x", "ratio": "eps", "length": "L"}

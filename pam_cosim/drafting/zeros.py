@@ -10,9 +10,9 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.bench_choice import BenchChoice, meaning_of
+from pam_cosim.drafting.column_statistics import noise_of, span
+from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry, MappedRecording
-from pam_cosim.drafting.rest import noise_of, span
 from pam_cosim.drafting.vocabulary import Meaning
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
@@ -86,17 +86,14 @@ def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
     at_rest = [_at_rest(course, course.every[name]) for course in courses]
     moved = max((span(course.every[name]) for course in courses), default=0.0)
     low, high = _C.atmosphere
+    errors = [_error(course, name) for course in courses]
+    magnitudes = [float(np.nanmax(np.abs(course.every[name]))) for course in courses]
     return _Begin(
         reading=max(at_rest, key=abs),
-        far=any(
-            abs(one) > _C.away * _error(course, name)
-            for one, course in zip(at_rest, courses, strict=True)
-        ),
+        far=any(abs(one) > _C.away * e for one, e in zip(at_rest, errors, strict=True)),
         slight=all(abs(one) <= _C.offset * moved for one in at_rest),
         absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
-        largest=max(
-            (float(np.nanmax(np.abs(course.every[name]))) for course in courses), default=0.0
-        ),
+        largest=max(magnitudes, default=0.0),
     )
 
 

@@ -8,14 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.initial_state import (
-    InitialState,
-    StartProbe,
-    initial_state,
-    inputs_of_run,
-    measured_initial_state,
-    start_time,
-)
+from pam_cosim.comparison.initial_state import InitialState, initial_state, measured_initial_state
+from pam_cosim.comparison.run_start import inputs_of_run, start_time
+from pam_cosim.comparison.start_probe import StartProbe
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.first_offsets import FirstOffset, first_offsets

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import itertools
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from math import exp
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting.estimate import Estimate, standard_deviations
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.units import product, quotient
@@ -37,7 +38,7 @@ class Combination:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON."""
-        return {**asdict(self), "names": list(self.names)}
+        return plain_fields(self)
 
     def __str__(self) -> str:
         sign = "*" if self.kind == "product" else "/"
@@ -78,12 +79,10 @@ def combinations(
     for i, j in itertools.combinations(open_ones, 2):
         for kind, sign in (("product", 1.0), ("ratio", -1.0)):
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
-            if apart < CRITERIA.fit.parallel * size[i] and _changes_nothing(
-                objective, z, i, j, -sign
-            ):
-                deviation = spread * _deviation(
-                    by_logarithm, i, [j, *(k for k in open_ones if k != i)]
-                )
+            is_parallel = apart < CRITERIA.fit.parallel * size[i]
+            if is_parallel and _changes_nothing(objective, z, i, j, -sign):
+                others = [j, *(k for k in open_ones if k != i)]
+                deviation = spread * _deviation(by_logarithm, i, others)
                 made.append(_combination(list(parameters.items()), i, j, kind, deviation))
     return tuple(made)
 

@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pam_cosim.comparison.initial_state import StartProbe, first_of_run
+from pam_cosim.comparison.run_start import first_of_run
+from pam_cosim.comparison.start_probe import StartProbe
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, FirstSamples, Run
 from pam_cosim.simulation import AnySimulator

@@ -34,18 +34,36 @@ def with_free(
     data, starts = _beginning(data, interface, start or {})
     declared = {f.name: f for f in base_parameters(data, interface)}
     names = tuple(declared) if free is None else tuple(dict.fromkeys(free))
-    further = [n for n in (*names, *starts) if n not in declared]
-    every = declared | {n: model_parameter(n, interface) for n in further}
+    started = _started(declared, names, starts, interface)
+    held = {name: f for name, f in started.items() if name not in names}
+    return replace(
+        data,
+        fit={name: _fit_entry(data, started[name], name in starts) for name in names},
+        runs=tuple(_holding(run, held) for run in data.runs),
+    )
+
+
+def _started(
+    declared: Mapping[str, Free],
+    names: Sequence[str],
+    starts: Mapping[str, float],
+    interface: Interface,
+) -> dict[str, Free]:
+    """All parameters that the data set declares or the user names, each where it starts."""
+    further = [name for name in (*names, *starts) if name not in declared]
+    every = dict(declared) | {name: model_parameter(name, interface) for name in further}
     for name in starts:
         if name not in names and name not in declared:
-            raise InputError(
-                f"'{name}' has a start and is not free; {did_you_mean(name, [*names, *declared])}"
-            )
-    started = {n: f.starting_at(starts.get(n, f.start)) for n, f in every.items()}
-    fit = {n: _declared(started[n]) for n in names}
-    fit |= {n: data.fit[n] for n in names if n in data.fit and n not in starts}
-    held = {n: f for n, f in started.items() if n not in names}
-    return replace(data, fit=fit, runs=tuple(_holding(run, held) for run in data.runs))
+            similar = did_you_mean(name, [*names, *declared])
+            raise InputError(f"'{name}' has a start and is not free; {similar}")
+    return {name: f.starting_at(starts.get(name, f.start)) for name, f in every.items()}
+
+
+def _fit_entry(data: DataSet, started: Free, has_start: bool) -> FreeParameter:
+    """As the data set declares it, unless the user says where it starts."""
+    if started.name in data.fit and not has_start:
+        return data.fit[started.name]
+    return _declared(started)
 
 
 def _beginning(

@@ -10,6 +10,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.files import plain
 from pam_cosim.fitting.fit import Fit, spread_of
 from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.objective import Objective
@@ -50,14 +51,15 @@ class ParameterPosterior:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
-            "names": list(self.names),
+        content = {
+            "names": self.names,
             "units": self.units,
-            "samples": self.samples.tolist(),
-            "weights": self.weights.tolist(),
+            "samples": self.samples,
+            "weights": self.weights,
             "effective": self.effective,
             "fixed": self.fixed,
         }
+        return dict(plain(content))
 
 
 def parameter_posterior(

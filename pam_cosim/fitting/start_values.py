@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import measured_initial_state, start_time
-from pam_cosim.comparison.initial_state import inputs_of_run
+from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run

@@ -169,15 +169,13 @@ def model_structure(
     ode: Ode, entries: Sequence[VariableEntry], *, dependencies: bool = True
 ) -> ModelStructure:
     """Outputs, derivatives in the order of the states, and initial unknowns."""
-    numbered = list(enumerate(entries, 1))
-    outputs = [i for i, e in numbered if e.causality == "output"]
-    rates = {e.derivative_of: i for i, e in numbered if e.derivative_of is not None}
+    numbered = dict(enumerate(entries, 1))
+    outputs = [i for i, e in numbered.items() if e.causality == "output"]
+    rates = {e.derivative_of: i for i, e in numbered.items() if e.derivative_of is not None}
     derivatives = [rates[state] for state in range(len(ode.states))]
-    initial = sorted(
-        {i for i, e in numbered if e.causality == "output" and e.initial in _FOLLOWING}
-        | {i for i in derivatives if entries[i - 1].initial in _FOLLOWING}
-        | {i for i, e in numbered if e.kind is Kind.STATE and e.initial in _FOLLOWING}
-    )
+    states = [i for i, e in numbered.items() if e.kind is Kind.STATE]
+    unknowns = sorted({*outputs, *derivatives, *states})
+    initial = [i for i in unknowns if numbered[i].initial in _FOLLOWING]
     if not dependencies:
         return ModelStructure(outputs, derivatives, initial, {}, {})
     return ModelStructure(

@@ -9,107 +9,14 @@ from typing import Any
 
 import casadi as ca
 
-from pam_cosim.compiler.ode import Ode
-from pam_cosim.compiler.sensitivities import sensitivity_symbols
+from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_array, c_string
+from pam_cosim.fmu.functions import model_functions
 from pam_cosim.fmu.table import table
 
 # A model whose equations mention time may change without notice: never step over more of the run than this.
 _STEPS_OF_TIMED_MODEL = 100
-
-
-def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
-    """The functions the runtime calls, with the inputs and outputs listed in ``pam_model.h``.
-
-    ``pam_check`` is there only where the model states something of itself; directional derivatives are not there in
-    a ``lean`` model.
-
-    Raises:
-        ModelError: an expression holds a symbol that is neither time, state, input, delayed input nor parameter.
-    """
-    t, x, u, d, p = ode.t, ode.x, ode.u, ode.d, ode.p
-    f, y, w = (ca.densify(ca.SX(e)) for e in (ode.derivatives, ode.outputs, ode.locals))
-    x0 = ca.densify(ca.SX(ode.initial))
-    delays = ca.vertcat(ca.SX(0, 1), *[ca.SX(delay.time) for delay in ode.delays])
-    du, dd = ca.SX.sym("du", u.numel()), ca.SX.sym("dd", d.numel())
-    known = [t, x, u, d, p]
-    # One seed for everything at once: the derivative along (st, sx, su, sd, sp).
-    seed = [
-        ca.SX.sym(n, s.numel()) for n, s in zip(("st", "sx", "su", "sd", "sp"), known, strict=True)
-    ]
-    sp = seed[-1]
-    core, own = f[: ode.core], x[: ode.core]
-    chosen = sensitivity_symbols(ode)
-    total = ca.jtimes(core, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
-    conditions = ca.vertcat(ca.SX(0, 1), *[ca.SX(s.condition) for s in ode.statements])
-    shown = ca.vertcat(
-        ca.SX(0, 1), *[ca.SX(value) for s in ode.statements for value, _ in s.values]
-    )
-    check = [_function("pam_check", known, [conditions, shown])] if ode.statements else []
-    return [
-        _function("pam_rhs", known, [f]),
-        _function("pam_out", known, [y]),
-        _function("pam_loc", known, [w]),
-        _function("pam_core_rhs", [t, own, u, d, p], [core]),
-        _function("pam_lin", [t, own, u, d, du, dd, p], [core, ca.jacobian(core, own), total]),
-        _function(
-            "pam_variation",
-            [t, own, u, d, p],
-            [ca.jacobian(core, own), ca.jacobian(core, chosen).T],
-        ),
-        _function("pam_init", [p, u], [x0]),
-        _function("pam_delay", [p, sp], [delays, ca.jtimes(delays, p, sp)]),
-        *check,
-        *([] if lean else _directional(known, seed, (f, y, w), x0)),
-        *(
-            _at_start(ode, [t, own, u, d, du, dd, p], chosen, None if lean else seed)
-            if ode.following
-            else []
-        ),
-    ]
-
-
-def _at_start(
-    ode: Ode, given: Sequence[ca.SX], chosen: ca.SX, seed: Sequence[ca.SX] | None
-) -> list[ca.Function]:
-    """As ``pam_lin``, ``pam_variation`` and ``pam_jvp``, of what vanishes where the model begins."""
-    (t, own, u, d, du, dd, p), rates = given, ode.start_rates
-    total = ca.jtimes(rates, ca.vertcat(t, u, d), ca.vertcat(ca.SX(1), du, dd))
-    slopes = ca.jacobian(rates, own)
-    known = [t, ode.x, u, d, p]
-    along = [] if seed is None else [ca.jtimes(rates, ca.vertcat(*known), ca.vertcat(*seed))]
-    return [
-        _function("pam_start_lin", given, [rates, slopes, total]),
-        _function("pam_start_variation", [t, own, u, d, p], [slopes, ca.jacobian(rates, chosen).T]),
-        *([] if seed is None else [_function("pam_start_jvp", [*known, *seed], along)]),
-    ]
-
-
-def _directional(
-    known: Sequence[ca.SX], seed: Sequence[ca.SX], of: Sequence[ca.SX], start: ca.SX
-) -> list[ca.Function]:
-    """Derivatives along a seed, of what is computed of everything known, and of the initial states."""
-    told, moved = (known[-1], known[2]), (seed[-1], seed[2])  # parameters and inputs
-    along = [ca.jtimes(e, ca.vertcat(*known), ca.vertcat(*seed)) for e in of]
-    return [
-        _function("pam_jvp", [*known, *seed], along),
-        _function(
-            "pam_init_jvp",
-            [*told, *moved],
-            [ca.jtimes(start, ca.vertcat(*told), ca.vertcat(*moved))],
-        ),
-    ]
-
-
-def _function(name: str, inputs: Sequence[ca.SX], outputs: Sequence[ca.SX]) -> ca.Function:
-    dense = [ca.densify(output) for output in ca.cse(list(outputs))]
-    symbols = ca.symvar(ca.vertcat(*[ca.vec(output) for output in dense]))
-    known = {str(s) for i in inputs for s in ca.symvar(i)}
-    foreign = [str(s) for s in symbols if str(s) not in known]
-    if foreign:
-        raise ModelError(f"the model's equations use {', '.join(foreign)}, which has no value here")
-    return ca.Function(name, list(inputs), dense)
 
 
 def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
@@ -155,39 +62,48 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
     """
     interface = ode.interface
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
-    inputs = [entry.start or 0.0 for entry in table(ode) if entry.causality == "input"]
-    sizes = [
-        len(ode.states),
-        *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals)),
-    ]
-    sizes += [
-        ode.core,
-        len(ode.sensitivities),
-        len(ode.statements),
-        sum(len(s.values) for s in ode.statements),
-    ]
-    sizes += [max(f.sz_iw() for f in functions), max(f.sz_w() for f in functions)]
     return {
-        **dict(zip(SIZES, sizes, strict=True)),
+        **_sizes(ode, functions),
         "tolerance": _finite(interface.tolerance),
         "max_step": _finite(interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0),
         "state_names": [s.name for s in ode.states],
         "state_nominals": [_nominal(s.nominal) for s in ode.states],
-        "input_starts": [_finite(v) for v in inputs],
+        "input_starts": _input_starts(ode),
         "parameter_starts": [_finite(v.start) for v in interface.parameters.values()],
         "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
         "start_of": _start_of(ode),
         "resting": _resting(ode),
-        "statements": [
-            {
-                "is_error": int(s.is_error),
-                "at_start": int(s.at_start),
-                "texts": list(s.texts),
-                "digits": [digits for _, digits in s.values],
-            }
-            for s in ode.statements
-        ],
+        "statements": [_statement_row(statement) for statement in ode.statements],
+    }
+
+
+def _sizes(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, int]:
+    """How many there are of each, and the working memory that the functions need, in the order of ``SIZES``."""
+    sizes = [
+        len(ode.states),
+        *(part.numel() for part in (ode.u, ode.d, ode.outputs, ode.p, ode.locals)),
+        ode.core,
+        len(ode.sensitivities),
+        len(ode.statements),
+        sum(len(statement.values) for statement in ode.statements),
+        max(function.sz_iw() for function in functions),
+        max(function.sz_w() for function in functions),
+    ]
+    return dict(zip(SIZES, sizes, strict=True))
+
+
+def _input_starts(ode: Ode) -> list[float]:
+    inputs = [entry for entry in table(ode) if entry.causality == "input"]
+    return [_finite(entry.start or 0.0) for entry in inputs]
+
+
+def _statement_row(statement: Statement) -> dict[str, Any]:
+    return {
+        "is_error": int(statement.is_error),
+        "at_start": int(statement.at_start),
+        "texts": list(statement.texts),
+        "digits": [digits for _, digits in statement.values],
     }
 
 

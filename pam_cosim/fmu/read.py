@@ -208,12 +208,8 @@ def interface_of(description: ModelDescription) -> Interface:
         given = {key: value for key, value in values.items() if value}
     outputs, parameters = groups["output"], groups["parameter"]
     states = _states(description, groups["local"] | groups["output"])
-    slopes = {
-        n
-        for o in outputs
-        for p in (*parameters, *states)
-        if (n := sensitivity_name(o, p)) in outputs
-    }
+    by = [*parameters, *states]
+    slopes = {sensitivity_name(output, one) for output in outputs for one in by} & {*outputs}
     return Interface(
         description.modelName,
         groups["input"],
@@ -231,11 +227,8 @@ def _states(description: ModelDescription, known: Mapping[str, Variable]) -> dic
     """The continuous states that a run can be given other start values of, with their rates; no sensitivities."""
     rates = [unknown.variable for unknown in description.derivatives]
     names = {rate.derivative.name: rate.name for rate in rates if rate.derivative is not None}
-    return {
-        n: r
-        for n, r in names.items()
-        if n in known and known[n].start is not None and not is_sensitivity(n)
-    }
+    begun = {name for name, variable in known.items() if variable.start is not None}
+    return {n: r for n, r in names.items() if n in begun and not is_sensitivity(n)}
 
 
 def _float(text: Any) -> float | None:
@@ -245,11 +238,9 @@ def _float(text: Any) -> float | None:
 def _attribute(scalar: Any, name: str) -> Any:
     """An attribute of the variable, or of its declared type."""
     value = getattr(scalar, name)
-    return (
-        getattr(scalar.declaredType, name, None)
-        if value is None and scalar.declaredType is not None
-        else value
-    )
+    if value is None and scalar.declaredType is not None:
+        return getattr(scalar.declaredType, name, None)
+    return value
 
 
 def _variable(scalar: Any) -> Variable:

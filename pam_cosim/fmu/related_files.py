@@ -133,6 +133,5 @@ def _name(source: str) -> str:
     if urlsplit(source).scheme or "\\" in source or "\0" in source:
         return ""
     name = posixpath.normpath(unquote(source))
-    return (
-        "" if name.startswith(("/", "..")) or ":" in name or "\\" in name or "\0" in name else name
-    )
+    leads_elsewhere = name.startswith(("/", "..")) or any(sign in name for sign in ":\\\0")
+    return "" if leads_elsewhere else name

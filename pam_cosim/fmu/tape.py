@@ -19,7 +19,8 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.generate import FUNCTIONS, model_functions, numbers_of
+from pam_cosim.fmu.functions import model_functions
+from pam_cosim.fmu.generate import FUNCTIONS, numbers_of
 
 _OPERATIONS = """
 OUTPUT ASSIGN ADD SUB MUL DIV NEG EXP LOG POW CONSTPOW SQRT SQ TWICE SIN COS TAN ASIN ACOS ATAN LT LE EQ NE NOT

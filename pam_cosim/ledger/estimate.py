@@ -31,10 +31,11 @@ from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import UnknownInput, augmented_models
+from pam_cosim.ledger.entries import balance_entries, sensor_readings
 from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.explanation import Explanation, Rivals
-from pam_cosim.ledger.ledger import BalanceEntry, Ledger, SensorReading
-from pam_cosim.ledger.sensor import SensorFault, Unaugmented, fault_beside, try_sensors
+from pam_cosim.ledger.ledger import BalanceEntry, Ledger
+from pam_cosim.ledger.sensor import Unaugmented, fault_beside, try_sensors
 from pam_cosim.ledger.term_series import term_series
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_fmu, sources_of
@@ -188,7 +189,7 @@ class _Estimation:
         return Ledger(
             model=self.data.model or self.models[0].ode.interface.model,
             entries=tuple(sorted(entries, key=lambda e: (-e.share, -e.explains, e.balance))),
-            readings=tuple(_readings(rivals)),
+            readings=tuple(sensor_readings(rivals)),
             failing=tuple(sorted(failing, key=lambda balance: -losses[balance])),
             closed=bool(after <= CRITERIA.ledger.at_noise),
             before=unaugmented.chi2 / rivals.samples,
@@ -233,7 +234,7 @@ class _Estimation:
         """An entry for each balance: what it explains, its part of the loss, and its course in time."""
         total = sum(losses.values())
         shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
-        entries = _weighed(rivals, shares)
+        entries = balance_entries(rivals, shares)
         shown = rivals.winner or rivals.augmented
         if rivals.best == "sensor" and rivals.fault is not None:
             shown = (
@@ -272,53 +273,3 @@ class _Estimation:
             if shown.augmented.replaced
             else self.explainer.same.get(unknown_input.balance, ()),
         )
-
-
-def _readings(rivals: Rivals) -> list[SensorReading]:
-    """What a fault of each instrument explains, that of the best explanation first."""
-    before, winner = rivals.unaugmented.deviance, rivals.winner
-    readings = [
-        _reading(f, before - f.deviance, rivals.explained(f.chi2))
-        for f in rivals.unaugmented.faults
-    ]
-    if winner is None or winner.fault is None:
-        return readings
-    own = _reading(winner.fault, before - winner.deviance, rivals.explained(winner.chi2))
-    return [own, *(r for r in readings if r.signal != own.signal)]
-
-
-def _weighed(rivals: Rivals, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:
-    """What an unknown input in each balance explains by itself; in the place of a law, where it explains more."""
-    entries: dict[str, BalanceEntry] = {}
-    for explanation in filter(None, (rivals.augmented, rivals.replaced)):
-        for unknown_input in explanation.unknown_inputs:
-            balance = unknown_input.balance
-            if balance in entries and explanation is not rivals.replaced:
-                continue
-            deviance, chi2 = explanation.with_only(unknown_input)
-            entry = BalanceEntry(
-                balance,
-                float(rivals.unaugmented.deviance - deviance),
-                rivals.explained(chi2),
-                shares.get(balance, 0.0),
-                unknown_input.unit,
-                unknown_input.meaning,
-                unknown_input.parameter,
-            )
-            if balance not in entries or entry.gain > entries[balance].gain:
-                entries[balance] = entry
-    return entries
-
-
-def _reading(fault: SensorFault, evidence: float, explains: float) -> SensorReading:
-    return SensorReading(
-        fault.signal,
-        fault.unit,
-        fault.offset,
-        fault.offset_deviation,
-        fault.gain,
-        fault.gain_deviation,
-        fault.lag,
-        evidence,
-        explains,
-    )

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.initial_state import start_time
+from pam_cosim.comparison.run_start import start_time
 from pam_cosim.compiler import Ode
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation.inputs import Pieces, pieces

@@ -88,21 +88,20 @@ class BalanceEntry:
 
     def as_dict(self, courses: bool = True) -> dict[str, object]:
         """Plain data for JSON, SI units; without the courses it is short."""
-        entry: dict[str, object] = {
+        entry = {
             "balance": self.balance,
             "gain": self.gain,
             "explains": self.explains,
             "share": self.share,
             "unit": self.unit,
             "meaning": self.meaning,
-            "size": plain(self.size),
-            "outside": plain(self.outside),
+            "size": self.size,
+            "outside": self.outside,
             "note": self.note,
-            "same_as": list(self.same_as),
+            "same_as": self.same_as,
         }
-        if courses:
-            entry["courses"] = [c.as_dict() for c in self.courses]
-        return entry
+        series = {"courses": self.courses} if courses else {}
+        return dict(plain({**entry, **series}))
 
 
 @dataclass(frozen=True)
@@ -129,7 +128,7 @@ class SensorReading:
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return dict(vars(self))
+        return plain_fields(self)
 
 
 @dataclass(frozen=True)
@@ -170,17 +169,18 @@ class Ledger(Printed):
 
     def as_dict(self, courses: bool = True) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        content = {
             "model": self.model,
-            "entries": [e.as_dict(courses) for e in self.entries],
-            "readings": [r.as_dict() for r in self.readings],
-            "failing": list(self.failing),
+            "entries": [entry.as_dict(courses) for entry in self.entries],
+            "readings": self.readings,
+            "failing": self.failing,
             "closed": self.closed,
             "before": self.before,
             "after": self.after,
             "parameters": self.parameters,
-            "notes": list(self.notes),
+            "notes": self.notes,
         }
+        return dict(plain(content))
 
     def __str__(self) -> str:
         lines = [

@@ -2,23 +2,15 @@
 
 from pam_cosim.measurement.condensing import condensed
 from pam_cosim.measurement.cuts import Cut, Moment, Overrides, overrides_of
-from pam_cosim.measurement.data_set import (
-    ROLES,
-    DataSet,
-    FreeParameter,
-    Prior,
-    Role,
-    Run,
-    Signal,
-    StatedSignal,
-    Transform,
-)
+from pam_cosim.measurement.data_set import ROLES, DataSet, Role, Run
 from pam_cosim.measurement.experiment import error_in
 from pam_cosim.measurement.first_samples import FirstSamples, first_samples
+from pam_cosim.measurement.free_parameter import FreeParameter, Prior, Transform
 from pam_cosim.measurement.further_run import further_run, rows_of
 from pam_cosim.measurement.noise import complete_noise, record_step
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
+from pam_cosim.measurement.signal import Signal, StatedSignal
 from pam_cosim.measurement.start import START_MODES, Start, StartMode
 from pam_cosim.measurement.steps import between_samples, with_step_times
 from pam_cosim.measurement.text_file import any_text

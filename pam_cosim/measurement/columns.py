@@ -11,7 +11,9 @@ import numpy as np
 
 from pam_cosim.compiler.elementwise import evaluate, with_place
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, KeyPath
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_errors import KeyPath
+from pam_cosim.measurement.experiment_tables import ColumnTable
 from pam_cosim.measurement.table import TIME, Column, Table
 from pam_cosim.units import UnitError, convert, parse_quantity, quantity, registry_errors, with_unit
 from pam_cosim.wording import did_you_mean, shown

@@ -8,8 +8,11 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.cuts import Cut, Overrides, cut_run
-from pam_cosim.measurement.data_set import Along, FreeParameter, Run
-from pam_cosim.measurement.experiment import ExperimentFile, KeyPath, RunTable
+from pam_cosim.measurement.data_set import Along, Run
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_errors import KeyPath
+from pam_cosim.measurement.experiment_tables import RunTable
+from pam_cosim.measurement.free_parameter import FreeParameter
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import pieces_of

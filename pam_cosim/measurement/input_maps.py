@@ -6,7 +6,14 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from pam_cosim.measurement.experiment import ColumnTable, ExperimentFile, FreeTable, RunTable, Value
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_tables import (
+    ColumnTable,
+    Experiment,
+    FreeTable,
+    RunTable,
+    Value,
+)
 from pam_cosim.model.input_map import InputMap, constant_of, gain_of, offset_of, raw_of
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, parse_quantity, quotient
@@ -48,20 +55,10 @@ def with_names_of_maps(document: ExperimentFile, interface: Interface) -> Experi
     content = document.content
     mapped = {name: table for name, table in content.columns.items() if table.fit}
     raw = {name: raw_of(name) for name in mapped}
-    constants = {
-        name: constant_of(name)
-        for name in {
-            **content.parameters,
-            **content.fit,
-            **{n: 0 for run in content.runs for n in run.fit},
-        }
-        if name not in interface.inputs and constant_of(name) in interface.parameters
-    }
-    free = {
-        key: one
-        for name, table in mapped.items()
-        for key, one in _free(document, name, table, interface).items()
-    }
+    constants = _constants(content, interface)
+    free: dict[str, Any] = {}
+    for name, table in mapped.items():
+        free |= _free(document, name, table, interface)
     runs = [_run(run, raw, constants) for run in content.runs]
     return replace(
         document,
@@ -74,6 +71,14 @@ def with_names_of_maps(document: ExperimentFile, interface: Interface) -> Experi
             }
         ),
     )
+
+
+def _constants(content: Experiment, interface: Interface) -> dict[str, str]:
+    """What the maps call a parameter that the document states or leaves free."""
+    of_runs = [name for run in content.runs for name in run.fit]
+    stated = dict.fromkeys([*content.parameters, *content.fit, *of_runs])
+    names = {name: constant_of(name) for name in stated if name not in interface.inputs}
+    return {name: constant for name, constant in names.items() if constant in interface.parameters}
 
 
 def _run(run: RunTable, raw: Mapping[str, str], constants: Mapping[str, str]) -> RunTable:
@@ -92,16 +97,17 @@ def _run(run: RunTable, raw: Mapping[str, str], constants: Mapping[str, str]) ->
 
 def _columns(columns: Mapping[str, ColumnTable], raw: Mapping[str, str]) -> dict[str, ColumnTable]:
     """Columns of inputs with a map are read as they were recorded."""
-    plain = {"gain": None, "offset": None, "fit": False}
-    return {
-        raw.get(name, name): table.model_copy(
-            update=plain
-            | ({} if table.formula else {"column": name if table.column is None else table.column})
-        )
-        if name in raw
-        else table
-        for name, table in columns.items()
-    }
+    renamed: dict[str, ColumnTable] = {}
+    for name, table in columns.items():
+        renamed[raw.get(name, name)] = _as_recorded(name, table) if name in raw else table
+    return renamed
+
+
+def _as_recorded(name: str, table: ColumnTable) -> ColumnTable:
+    update: dict[str, Any] = {"gain": None, "offset": None, "fit": False}
+    if not table.formula:
+        update["column"] = name if table.column is None else table.column
+    return table.model_copy(update=update)
 
 
 def _renamed(table: Mapping[str, Any], names: Mapping[str, str]) -> dict[str, Any]:

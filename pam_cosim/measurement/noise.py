@@ -11,8 +11,9 @@ from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.data_set import Run, Signal, StatedSignal
+from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.repeatability import with_repeatability
+from pam_cosim.measurement.signal import Signal, StatedSignal
 from pam_cosim.measurement.white_noise import estimate_noise, quantum_of, robust_scale
 
 

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import inf
 
-from pam_cosim.measurement.data_set import FreeParameter, Prior
-from pam_cosim.measurement.experiment import ExperimentFile, FreeTable
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_tables import FreeTable
+from pam_cosim.measurement.free_parameter import FreeParameter, Prior
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import did_you_mean, shown

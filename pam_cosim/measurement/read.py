@@ -8,19 +8,21 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Overrides
-from pam_cosim.measurement.data_set import DataSet, Run, StatedSignal
+from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.declared_runs import (
     check_branches,
     check_runs,
     parameters_of_run,
     runs_of_table,
 )
-from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, Value, read_experiment
+from pam_cosim.measurement.experiment import FILE_NAME, ExperimentFile, read_experiment
+from pam_cosim.measurement.experiment_tables import Value
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.noise import complete_noise
 from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.resampling import with_noise_of_means
+from pam_cosim.measurement.signal import StatedSignal
 from pam_cosim.model.input_map import InputMap
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_file, is_fmu

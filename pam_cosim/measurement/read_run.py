@@ -11,13 +11,9 @@ import numpy as np
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
 from pam_cosim.measurement.columns import Renaming, with_columns
-from pam_cosim.measurement.experiment import (
-    ExperimentFile,
-    KeyPath,
-    LoggerTable,
-    RecordingTable,
-    RunTable,
-)
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_errors import KeyPath
+from pam_cosim.measurement.experiment_tables import LoggerTable, RecordingTable, RunTable
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import with_time_going_on

@@ -7,7 +7,9 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.measurement.data_set import Run
-from pam_cosim.measurement.experiment import Experiment, ExperimentFile, KeyPath, RunTable
+from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.experiment_errors import KeyPath
+from pam_cosim.measurement.experiment_tables import Experiment, RunTable
 from pam_cosim.measurement.parameters import known_values
 from pam_cosim.measurement.start import Start, StartMode
 from pam_cosim.model.interface import Interface

@@ -16,7 +16,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement.data_set import Run, Signal
+from pam_cosim.measurement.data_set import Run
+from pam_cosim.measurement.signal import Signal
 from pam_cosim.measurement.white_noise import estimate_noise
 
 

@@ -14,9 +14,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.measurement.data_set import Run, StatedSignal
+from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.noise import record_step
 from pam_cosim.measurement.recording import Averaged, Recording, locked
+from pam_cosim.measurement.signal import StatedSignal
 from pam_cosim.measurement.steps import jumps as jumps_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity

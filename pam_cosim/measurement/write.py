@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_text
-from pam_cosim.measurement.data_set import DataSet, FreeParameter, Run
+from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.free_parameter import FreeParameter
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.table import TIME
 from pam_cosim.measurement.toml_text import toml_key, toml_string

@@ -105,19 +105,14 @@ def is_sensitivity(name: str) -> bool:
 
 def _line(variable: Variable) -> str:
     start = "" if variable.start is None else f" = {variable.start:g}"
-    low, high = ("" if end is None else f"{end:g}" for end in (variable.min, variable.max))
-    within = (
-        f"{low} to {high}"
-        if low and high
-        else f"at least {low}"
-        if low
-        else f"at most {high}"
-        if high
-        else ""
-    )
-    within = f", {within}" if within else ""
-    return (
-        f"{variable.name}{start} [{variable.unit or '1'}]{within}: {variable.description}".rstrip(
-            ": "
-        )
-    )
+    head = f"{variable.name}{start} [{variable.unit or '1'}]{_bounds(variable)}"
+    return f"{head}: {variable.description}".rstrip(": ")
+
+
+def _bounds(variable: Variable) -> str:
+    low, high = variable.min, variable.max
+    if low is not None and high is not None:
+        return f", {low:g} to {high:g}"
+    if low is not None:
+        return f", at least {low:g}"
+    return "" if high is None else f", at most {high:g}"

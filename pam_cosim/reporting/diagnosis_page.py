@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
@@ -54,11 +55,9 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     signals = list(diagnosis.data.signals.values())
     layers = layers_of(diagnosis)
     fitted = diagnosis.candidates
-    shown = [i < _MOST_ROWS or was_added(diagnosis.path, c) for i, c in enumerate(fitted)]
-    palette = balance_colours(
-        diagnosis.data.domain.balances,
-        [*diagnosis.balance, *(c.balance for c in diagnosis.candidates)],
-    )
+    rows, further = _candidate_rows(diagnosis)
+    acting = [*diagnosis.balance, *(candidate.balance for candidate in fitted)]
+    palette = balance_colours(diagnosis.data.domain.balances, acting)
     rules = diagnosis.base.comparison.where
     return render(
         "diagnosis.html",
@@ -85,16 +84,8 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         rules=rule_rows(rules),
         ranking=_ranking_picture(diagnosis, fitted, palette),
         very_strong=number(CRITERIA.evidence.very_strong, 2),
-        candidates=[
-            candidate_row(diagnosis.base, c, diagnosis.path)
-            for c, s in zip(fitted, shown, strict=True)
-            if s
-        ],
-        others=[
-            candidate_row(diagnosis.base, c, diagnosis.path)
-            for c, s in zip(fitted, shown, strict=True)
-            if not s
-        ],
+        candidates=rows,
+        others=further,
         failed=[
             {
                 "effect": " + ".join(c.effects),
@@ -121,6 +112,17 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         equations=diagnosis.path[-1].equations if diagnosis.path else "",
         provenance=provenance(diagnosis.data, diagnosis.model),
     )
+
+
+def _candidate_rows(diagnosis: Diagnosis) -> tuple[list[dict[str, Any]], list[dict[str, Any]]]:
+    """Of the best candidates and those that were added, and of the others."""
+    rows: list[dict[str, Any]] = []
+    further: list[dict[str, Any]] = []
+    for i, candidate in enumerate(diagnosis.candidates):
+        is_shown = i < _MOST_ROWS or was_added(diagnosis.path, candidate)
+        row = candidate_row(diagnosis.base, candidate, diagnosis.path)
+        (rows if is_shown else further).append(row)
+    return rows, further
 
 
 def layers_of(diagnosis: Diagnosis) -> tuple[Layer, ...]:

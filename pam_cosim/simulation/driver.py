@@ -5,8 +5,6 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cache
-from pathlib import Path
 from typing import Any, Literal, Protocol
 
 import numpy as np
@@ -18,7 +16,7 @@ from fmpy.fmi2 import (
 )
 
 from pam_cosim.arrays import Array
-from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.simulation.native import SLOTS, DriverRun, MessageLog, address, driver_library
 from pam_cosim.simulation.plan import CommunicationPlan
 from pam_cosim.wording import printable
 
@@ -51,93 +49,18 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         "pam_settle",
     ),
 }
-_SLOTS = (
-    "reset",
-    "setup",
-    "enter",
-    "leave",
-    "set_real",
-    "get_real",
-    "set_slopes",
-    "do_step",
-    "terminate",
-    "settle",
-)
 Settle = Literal["none", "others", "all"]
 _SETTLING: dict[Settle, int] = {"none": 0, "others": 1, "all": 2}  # as the loop numbers them
 # Named instead of a function where the run took too long.
 TOO_SLOW = "time limit"
 
 
-class _Log(ctypes.Structure):
-    _fields_ = [("used", ctypes.c_size_t), ("text", ctypes.c_char * 8192)]
-
-
-class _Run(ctypes.Structure):
-    _fields_ = [
-        *((name, ctypes.c_void_p) for name in _SLOTS),
-        ("instance", ctypes.c_void_p),
-        ("version", ctypes.c_int32),
-        ("must_reset", ctypes.c_int32),
-        ("tolerance_defined", ctypes.c_int32),
-        ("tolerance", ctypes.c_double),
-        ("max_seconds", ctypes.c_double),
-        ("follow", ctypes.c_void_p),
-        ("keep_starts", ctypes.c_void_p),
-        ("plain", ctypes.c_int32),
-        ("settle_start", ctypes.c_int32),
-        ("settle_at", ctypes.c_void_p),
-        ("at_rest", ctypes.c_int32),
-        ("n_parameters", ctypes.c_size_t),
-        ("parameters", ctypes.c_void_p),
-        ("parameter_values", ctypes.c_void_p),
-        ("n_inputs", ctypes.c_size_t),
-        ("inputs", ctypes.c_void_p),
-        ("input_values", ctypes.c_void_p),
-        ("input_slopes", ctypes.c_void_p),
-        ("orders", ctypes.c_void_p),
-        ("n_outputs", ctypes.c_size_t),
-        ("outputs", ctypes.c_void_p),
-        ("output_values", ctypes.c_void_p),
-        ("n_points", ctypes.c_size_t),
-        ("times", ctypes.c_void_p),
-        ("knots", ctypes.c_void_p),
-        ("rows_before", ctypes.c_void_p),
-        ("rows_after", ctypes.c_void_p),
-        ("time_reached", ctypes.c_double),
-        ("calls", ctypes.c_uint64),
-        ("active", ctypes.c_int32),
-        ("stage", ctypes.c_int32),
-        ("status", ctypes.c_int32),
-    ]
-
-
-def prepare_driver() -> Path:
-    """Compiles the loop, where that was not done before; the library."""
-    return compile_library(("pam_driver.c",), {}, native_platform())
-
-
-@cache
-def _library() -> ctypes.CDLL:
-    library = ctypes.CDLL(str(prepare_driver()))
-    library.pam_driver_run.argtypes = [ctypes.POINTER(_Run)]
-    library.pam_driver_run.restype = None
-    return library
-
-
-def _address(library: Any, name: str | None) -> int | None:
-    """Of a function; None: the library does not have it."""
-    if name is None or not hasattr(library, name):
-        return None
-    return ctypes.cast(getattr(library, name), ctypes.c_void_p).value
-
-
 class Callbacks:
     """Memory, and a log in C that keeps the FMU's warnings and errors; must outlive the instance."""
 
     def __init__(self) -> None:
-        library = _library()
-        self._log = _Log()
+        library = driver_library()
+        self._log = MessageLog()
         self.functions = fmi2CallbackFunctions()
         self.functions.logger = ctypes.cast(library.pam_driver_logger, fmi2CallbackLoggerTYPE)
         self.functions.allocateMemory = ctypes.cast(
@@ -244,15 +167,15 @@ class Driver:
     """
 
     def __init__(self, library: Any, instance: int, slopes: bool, version: int = 2) -> None:
-        names = dict(zip(_SLOTS, FUNCTIONS[version], strict=True))
+        names = dict(zip(SLOTS, FUNCTIONS[version], strict=True))
         self._names = [name or "" for name in names.values()]
-        self._addresses = {slot: _address(library, name) for slot, name in names.items()}
-        self._follow = _address(library, "pam_follow_sensitivities")
-        self._keep_starts = _address(library, "pam_keep_starts")
-        self._settle_at = _address(library, "pam_settle_start")
+        self._addresses = {slot: address(library, name) for slot, name in names.items()}
+        self._follow = address(library, "pam_follow_sensitivities")
+        self._keep_starts = address(library, "pam_keep_starts")
+        self._settle_at = address(library, "pam_settle_start")
         self._instance, self._slopes, self._version = instance, slopes, version
         self.settles = self._addresses["settle"] is not None
-        self._running: _Run | None = None
+        self._running: DriverRun | None = None
 
     @property
     def progress(self) -> RunProgress | None:
@@ -277,7 +200,7 @@ class Driver:
         values = np.array(parameters[1], dtype=np.float64)
         orders = np.ones(len(inputs), dtype=np.int32)
         result = np.empty((plan.row_count, len(outputs)))
-        run = _Run(
+        run = DriverRun(
             **self._addresses,
             instance=self._instance,
             version=self._version,
@@ -310,7 +233,7 @@ class Driver:
         )
         self._running = run
         try:
-            _library().pam_driver_run(ctypes.byref(run))
+            driver_library().pam_driver_run(ctypes.byref(run))
         finally:
             self._running = None
         failed = (*self._names, TOO_SLOW)[run.stage] if run.stage >= 0 else None

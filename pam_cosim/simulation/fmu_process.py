@@ -14,8 +14,9 @@ from typing import Any
 
 from pam_cosim.processes import watchdog
 from pam_cosim.processes.memory import MOST_MEMORY
-from pam_cosim.simulation.driver import RunProgress, prepare_driver
+from pam_cosim.simulation.driver import RunProgress
 from pam_cosim.simulation.failure import RunFailure
+from pam_cosim.simulation.native import prepare_driver
 
 CO_SIMULATION, MODEL_EXCHANGE = (
     "pam_cosim.simulation.worker",

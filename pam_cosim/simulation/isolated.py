@@ -14,11 +14,11 @@ from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import has_co_simulation, has_exchange, read_interface
 from pam_cosim.model.interface import Interface
+from pam_cosim.simulation.any_stepper import Abilities
 from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.fmu_process import MODEL_EXCHANGE, FmuProcess, ProcessFailure
 from pam_cosim.simulation.inputs import Inputs
-from pam_cosim.simulation.stepper import Abilities
 from pam_cosim.simulation.trajectory import Trajectory
 
 TIME_LIMIT = (

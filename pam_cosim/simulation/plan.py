@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -105,18 +105,21 @@ def _laid_out(
     known = ~np.isnan(evaluated) if lines else np.zeros(points.size, dtype=bool)
     at = evaluated[known]
     columns = [line.at(at) for line in lines]
-    shape = (at.size, len(lines))
+    values, slopes = _stacked(columns, 0, at.size), _stacked(columns, 1, at.size)
     return CommunicationPlan(
         points,
         np.where(known, np.cumsum(known) - 1, -1).astype(np.int64),
-        np.ascontiguousarray(np.stack([v for v, _ in columns], axis=1))
-        if columns
-        else np.zeros(shape),
-        np.ascontiguousarray(np.stack([s for _, s in columns], axis=1))
-        if columns
-        else np.zeros(shape),
+        values,
+        slopes,
         *_rows(point_of_time, points.size),
     )
+
+
+def _stacked(columns: Sequence[tuple[Array, Array]], place: int, count: int) -> Array:
+    """The arrays at one place of each pair, as columns of a matrix of so many rows."""
+    if not columns:
+        return np.zeros((count, 0))
+    return np.ascontiguousarray(np.stack([pair[place] for pair in columns], axis=1))
 
 
 def _check(times: Array, start: float) -> None:

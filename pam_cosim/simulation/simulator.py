@@ -20,6 +20,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.model.interface import Interface
+from pam_cosim.simulation.any_stepper import Abilities, abilities_of
 from pam_cosim.simulation.driver import (
     TOO_SLOW,
     AnyDriver,
@@ -41,7 +42,7 @@ from pam_cosim.simulation.instance import (
     takes_slopes,
 )
 from pam_cosim.simulation.plan import CommunicationPlan, plan, points
-from pam_cosim.simulation.stepper import Abilities, Stepper, abilities_of
+from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean

@@ -88,14 +88,10 @@ def read(
 
 def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
-    if (
-        model in (None, data.bench, data.unmapped)
-        or not data.bench
-        or is_fmu(model)
-        or all(f.start is None for f in data.fit.values())
-    ):
+    if model is None or model in (data.bench, data.unmapped) or is_fmu(model):
         return data
-    return with_own_values(data, model, as_paths(files))
+    has_starts = any(free.start is not None for free in data.fit.values())
+    return with_own_values(data, model, as_paths(files)) if data.bench and has_starts else data
 
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:

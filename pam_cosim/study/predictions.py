@@ -119,9 +119,8 @@ def _run(
     course, times = _course(interface, inputs, stop_time, interval)
     values = resolve(parameters, interface)
     first = data.runs[0].parameters
-    open_ones = [
-        n for n in first if len({r.parameters.get(n) for r in data.runs}) > 1 and n not in values
-    ]
+    recorded = {name: {run.parameters.get(name) for run in data.runs} for name in first}
+    open_ones = [name for name, own in recorded.items() if len(own) > 1 and name not in values]
     if open_ones:
         raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
     if course is None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 from collections.abc import Iterator
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -60,12 +60,12 @@ def _csv(sweep: Sweep, path: Path) -> None:
         for i, part in enumerate(_tables(sweep)):
             if i == 0:
                 table.writerow(part.columns)
-            columns = [
-                values.tolist() if name == FAILURE else [_cell(v) for v in values.tolist()]
-                for name in part.columns
-                for values in [part[name].to_numpy()]
-            ]
+            columns = [_cells(name, part[name].to_numpy().tolist()) for name in part.columns]
             table.writerows(zip(*columns, strict=True))
+
+
+def _cells(name: str, values: list[Any]) -> list[Any]:
+    return values if name == FAILURE else [_cell(value) for value in values]
 
 
 def _cell(value: float | str) -> str:

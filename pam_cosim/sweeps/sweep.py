@@ -84,6 +84,7 @@ class SweepPlan:
 
     def identity(self) -> dict[str, Any]:
         """What tells this sweep from others; numbers by their bytes."""
+        patterns = [[p.name, _digest(_bytes_of(p.inputs))] for p in self.design.patterns]
         return {
             "model": {"name": self.interface.model, "file": _digest(self.fmu.read_bytes())},
             "varied": {
@@ -93,11 +94,7 @@ class SweepPlan:
             },
             "settings": dict(sorted(self.fixed.items())),
             "inputs": None if self.inputs is None else _digest(_bytes_of(self.inputs)),
-            **(
-                {"patterns": [[p.name, _digest(_bytes_of(p.inputs))] for p in self.design.patterns]}
-                if self.design.patterns
-                else {}
-            ),
+            **({"patterns": patterns} if patterns else {}),
             "times": _digest(self.times.tobytes()),
             "outputs": list(self.outputs) if self.keep else None,
             "scalars": [[s.name, s.function, s.variable, s.argument] for s in self.scalars],

@@ -86,18 +86,18 @@ class Guard:
         except ValueError:
             return "the request names no host"
         server = scope.get("server")
-        if name not in NAMES or (server and server[1] and port is not None and port != server[1]):
+        own_port = server[1] if server else None
+        is_other_port = bool(own_port) and port is not None and port != own_port
+        if name not in NAMES or is_other_port:
             return "the request is for another host"
         origin = headers.get("origin")
         if origin is None:
             if scope["type"] == "websocket" or scope.get("method") not in ("GET", "HEAD"):
                 return "the request does not say from which page it comes"
             return None
-        return (
-            None
-            if origin == f"http://{host}"
-            else "the request comes from the page of another site"
-        )
+        if origin != f"http://{host}":
+            return "the request comes from the page of another site"
+        return None
 
 
 def new_token() -> str:

@@ -10,7 +10,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.protocol import PlottedCurve
+from pam_cosim.workbench.frames import PlottedCurve
 
 MOST_POINTS = 4000  # of a curve, one for each pixel of the widest screens
 

@@ -7,8 +7,9 @@ from tempfile import TemporaryDirectory
 
 from pam_cosim.errors import InputError
 from pam_cosim.study.tables import write_next_run
-from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.script import python_of
 from pam_cosim.workbench.session import Session
+from pam_cosim.workbench.shell_script import commands_of
 
 NAMES = {
     "next.csv": "text/csv",

@@ -141,9 +141,8 @@ _BY_NAME = ("columns", "parameters", "recording", "roles")
 
 
 def _texts_by_name(value: Any, key: str) -> dict[str, str]:
-    if not isinstance(value, Mapping) or not all(
-        isinstance(one, str) for pair in value.items() for one in pair
-    ):
+    said = [*value, *value.values()] if isinstance(value, Mapping) else [value]
+    if not isinstance(value, Mapping) or not all(isinstance(one, str) for one in said):
         raise InputError(f"{key} wants texts by name")
     return {name: text for name, text in value.items() if text}
 

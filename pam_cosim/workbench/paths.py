@@ -18,9 +18,7 @@ def safe_name(name: str) -> str:
         InputError: nothing is left of it.
     """
     last = re.split(r"[\\/]", name)[-1]
-    made = "".join(
-        c if c.isascii() and (c.isalnum() or c in "_.()+- ") else "_" for c in last
-    ).lstrip(". -")[-100:]
+    made = re.sub(r"[^A-Za-z0-9_.()+ -]", "_", last).lstrip(". -")[-100:]
     if not _NAME.fullmatch(made):
         raise InputError(f"{shown(name)} cannot be the name of a file")
     return made.rstrip(" .")

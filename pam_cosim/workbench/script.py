@@ -5,8 +5,6 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
-from shlex import quote
-from types import MappingProxyType
 from typing import Any
 
 from pam_cosim.model.references import is_modelica
@@ -17,7 +15,7 @@ from pam_cosim.workbench.steps import Step
 
 
 @dataclass
-class _Place:
+class Place:
     """Where the steps have come to: the base model, its effects, and how the standing model is called.
 
     Attributes:
@@ -71,9 +69,9 @@ class _Place:
 
 def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> str:
     """The study as a script, from the base model that it began with."""
-    place = _Place(base, catalogue)
+    place = Place(base, catalogue)
     lines = [
-        f"# {_comment(state.data.title)}: what was done in the workbench, to be done again.",
+        f"# {comment(state.data.title)}: what was done in the workbench, to be done again.",
         "import pam_cosim as pam",
         "",
         f"folder = {str(folder)!r}",
@@ -84,7 +82,7 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
         "comparison = pam.compare(data, model, values, files=files)",
     ]
     for step in state.steps:
-        lines += ["", f"# {_comment(step)}", *_python_step(step, place)]
+        lines += ["", f"# {comment(step)}", *_python_step(step, place)]
     lines += ["", "print(comparison)"]
     return "\n".join(lines) + "\n"
 
@@ -99,7 +97,7 @@ _DIAGNOSED = (
 _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
 
 
-def _python_step(step: Step, place: _Place) -> list[str]:
+def _python_step(step: Step, place: Place) -> list[str]:
     arguments = step.arguments
     match step.do:
         case "set" | "start":
@@ -155,13 +153,13 @@ def _python_step(step: Step, place: _Place) -> list[str]:
     return []
 
 
-def _python_read(place: _Place) -> str:
+def _python_read(place: Place) -> str:
     known = {"roles": place.roles, "cuts": place.cuts, "starts": place.starts}
     said = "".join(f", {name}={value!r}" for name, value in known.items() if value)
     return f"data = pam.read(folder, model={place.base!r}, files=files{said})"
 
 
-def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:
+def _python_effects(effects: Sequence[str], place: Place) -> list[str]:
     file = place.with_effects(effects)
     if file is None:
         return [f"model, files = {place.base!r}, {place.files!r}"]
@@ -176,140 +174,6 @@ def _python_effects(effects: Sequence[str], place: _Place) -> list[str]:
 # commands
 
 
-def commands_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> str:
-    """The study as commands for a shell, from the base model that it began with."""
-    place = _Place(base, catalogue)
-    data = quote(str(folder))
-    lines = [
-        "#!/bin/sh",
-        f"# {_comment(state.data.title)}: what was done in the workbench, to be done again.",
-        "set -eu",
-        _command("compare", data, place),
-    ]
-    for step in state.steps:
-        lines += ["", f"# {_comment(step)}", *_command_step(step, place, data)]
-    return "\n".join(lines) + "\n"
-
-
-def _command_step(step: Step, place: _Place, data: str) -> list[str]:
-    arguments = step.arguments
-    match step.do:
-        case "set" | "start":
-            place.held |= arguments["values"]
-            return [_compare(data, place)]
-        case "switch":
-            place.held, place.fitted = dict(arguments["values"]), ""
-            return [*_command_effects(arguments["effects"], place), _compare(data, place)]
-        case "choose":
-            place.base, place.held, place.fitted = arguments["model"], {}, ""
-            return [*_command_effects((), place), _compare(data, place)]
-        case "roles":
-            place.roles |= arguments["roles"]
-            return [_compare(data, place)]
-        case "cut" | "begin":
-            place.take_runs(arguments)
-            place.held, place.fitted = dict(arguments["values"]), ""
-            return [_compare(data, place)]
-        case "fit":
-            place.fits += 1
-            file = f"fit-{place.fits}.json"
-            options = [
-                f"--method {quote(arguments['method'])}",
-                *_free_words(arguments),
-                f"-o {file}",
-            ]
-            place.fitted = file
-            place.held = {
-                n: v
-                for n, v in {**place.held, **arguments["start"]}.items()
-                if n not in arguments["free"]
-            }
-            return [_command("fit", data, place, *options), _compare(data, place)]
-        case "diagnose":
-            place.diagnosed = place.effects
-            place.diagnoses += 1
-            words = [
-                f"--{key} {quote(name)}"
-                for key in ("exclude", "expect")
-                for name in arguments.get(key, ())
-            ]
-            limit = (
-                [f"--time-limit {quote(str(arguments['time_limit']))}"]
-                if arguments.get("time_limit") is not None
-                else []
-            )
-            report = f"--report diagnosis-{place.diagnoses}.html"
-            return [
-                _command("diagnose", data, place, *limit, *words, *_free_words(arguments), report)
-            ]
-        case "take":
-            place.held, place.fitted = {**arguments["kept"], **arguments["values"]}, ""
-            return [
-                *_command_effects((*place.diagnosed, *arguments["effects"]), place),
-                _compare(data, place),
-            ]
-        case "add":
-            return [
-                _add(arguments["effects"], arguments["file"], place, arguments.get("values", {}))
-            ]
-    return []
-
-
-def _free_words(arguments: Mapping[str, Any]) -> list[str]:
-    free = [f"--free {quote(name)}" for name in arguments.get("free", ())]
-    return [
-        *free,
-        *(
-            f"--start {quote(f'{name}={value!r}')}"
-            for name, value in arguments.get("start", {}).items()
-        ),
-    ]
-
-
-def _compare(data: str, place: _Place) -> str:
-    fitted = [f"--params {quote(place.fitted)}"] if place.fitted else []
-    return _command(
-        "compare",
-        data,
-        place,
-        *fitted,
-        *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()),
-    )
-
-
-def _command(name: str, data: str, place: _Place, *options: str) -> str:
-    model = [f"--model {quote(place.model)}"]
-    further = [f"--file {quote(file)}" for file in place.further]
-    roles = [f"--role {quote(f'{run}={role}')}" for run, role in place.roles.items()]
-    cuts = [
-        f"--cut {quote(f'{run}={_moment(first)}:{_moment(last)}')}"
-        for run, (first, last) in place.cuts.items()
-    ]
-    begins = [f"--begin {quote(f'{run}={mode}')}" for run, mode in place.starts.items()]
-    return " ".join(["pam-cosim", name, data, *model, *further, *roles, *cuts, *begins, *options])
-
-
-def _moment(time: float | None) -> str:
-    return "" if time is None else repr(time)
-
-
-def _add(
-    effects: Sequence[str],
-    file: str,
-    place: _Place,
-    values: Mapping[str, float] = MappingProxyType({}),
-) -> str:
-    stated = [f"--set {quote(f'{name}={value!r}')}" for name, value in values.items()]
-    further = [f"--file {quote(f)}" for f in place.files]
-    words = [*map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}"]
-    return " ".join(["pam-cosim add", *words, *stated, *further])
-
-
-def _command_effects(effects: Sequence[str], place: _Place) -> list[str]:
-    file = place.with_effects(effects)
-    return [] if file is None else [_add(without_ratios(effects), file, place)]
-
-
 def _numbers(values: Mapping[str, float]) -> str:
     return "{" + ", ".join(f"{name!r}: {value!r}" for name, value in values.items()) + "}"
 
@@ -318,6 +182,6 @@ def _value(value: Any) -> str:
     return _numbers(value) if isinstance(value, Mapping) else repr(value)
 
 
-def _comment(text: object) -> str:
+def comment(text: object) -> str:
     """A text that stays in its line, whatever is in it."""
     return "".join(c if c.isprintable() else " " for c in str(text))

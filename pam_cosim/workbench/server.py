@@ -26,10 +26,11 @@ from pam_cosim.errors import InputError
 from pam_cosim.workbench.authentication import Guard, new_token
 from pam_cosim.workbench.documents import NAMES, document
 from pam_cosim.workbench.drop import MOST_BYTES
+from pam_cosim.workbench.frames import is_model
 from pam_cosim.workbench.host import Workbench
 from pam_cosim.workbench.job_process import Worker
 from pam_cosim.workbench.job_queue import failed_by
-from pam_cosim.workbench.protocol import FailedEvent, answer, is_model
+from pam_cosim.workbench.protocol import FailedEvent, answer
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"

@@ -20,10 +20,11 @@ from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.commands import COMMANDS
 from pam_cosim.workbench.curves import measured_curves, model_curves
+from pam_cosim.workbench.frames import frame
 from pam_cosim.workbench.job_process import Worker
 from pam_cosim.workbench.job_queue import JobQueue, failed_by
 from pam_cosim.workbench.opened_model import Opened, open_model
-from pam_cosim.workbench.protocol import Json, StudyEvent, frame
+from pam_cosim.workbench.protocol import Json, StudyEvent
 from pam_cosim.workbench.saving import FILE as SAVED
 from pam_cosim.workbench.saving import lean_fit
 from pam_cosim.workbench.simulators import Simulated

@@ -3,11 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from pam_cosim.comparison import Comparison, SignalScore, chi2_reduced, score
 from pam_cosim.comparison import Rule as FoundRule
-from pam_cosim.fitting import METHODS, Free
+from pam_cosim.fitting import METHODS, Estimate, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
 from pam_cosim.reporting.account import estimate_texts, percent, quantity_text, remark, unit_text
 from pam_cosim.units import readable_factor
@@ -99,9 +99,7 @@ def _parameter(free: Free, state: State, opened: Opened) -> ShownParameter:
     if estimate is not None and estimate.value != value:
         estimate = None
     text, interval = estimate_texts(estimate) if estimate else ("", "")
-    known = (
-        estimate is not None and estimate.determined and math.isfinite(estimate.high - estimate.low)
-    )
+    low95, high95 = _interval(estimate, factor)
     return ShownParameter(
         name=free.name,
         unit=unit_text(free.unit),
@@ -112,11 +110,20 @@ def _parameter(free: Free, state: State, opened: Opened) -> ShownParameter:
         description=variable.description if variable else "",
         effect=opened.origin.get(free.name),
         logarithmic=free.logarithmic,
-        low95=estimate.low * factor if estimate and known else None,
-        high95=estimate.high * factor if estimate and known else None,
+        low95=low95,
+        high95=high95,
         text=f"{text} ({interval})" if interval else text,
         remark=remark(estimate) if estimate else "",
     )
+
+
+def _interval(estimate: Estimate | None, factor: float) -> tuple[float | None, float | None]:
+    """The interval of an estimate in the shown unit; nothing where the data do not determine it."""
+    if estimate is None or not estimate.determined:
+        return None, None
+    if not math.isfinite(estimate.high - estimate.low):
+        return None, None
+    return estimate.low * factor, estimate.high * factor
 
 
 def rung_of(label: str, comparison: Comparison) -> LadderStep:
@@ -146,6 +153,18 @@ def _levels(scores: dict[str, SignalScore], data: DataSet) -> dict[str, Level]:
     return levels
 
 
+def _shown_errors(scores: Mapping[str, SignalScore], data: DataSet) -> dict[str, float]:
+    """Root mean square errors in the shown units."""
+    factors = {name: readable_factor(data.signals[name].unit) for name in scores}
+    return {name: one.rmse * factors[name] for name, one in scores.items()}
+
+
+def _size(scores: Mapping[str, SignalScore], data: DataSet) -> float | None:
+    """Of the error of the fitted signals, in noise standard deviations."""
+    fitted = {name: one for name, one in scores.items() if data.signals[name].fitted}
+    return _root(chi2_reduced(fitted))
+
+
 def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> ScoresEvent:
     """How far the standing model is from the measurement."""
     data = comparison.data
@@ -154,14 +173,8 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
     return ScoresEvent(
         version=version,
         scores={"fit": now.fit, "holdout": now.holdout},
-        runs={
-            run: {n: s.rmse * readable_factor(data.signals[n].unit) for n, s in scores.items()}
-            for run, scores in by_run.items()
-        },
-        sizes={
-            run: _root(chi2_reduced({n: s for n, s in scores.items() if data.signals[n].fitted}))
-            for run, scores in by_run.items()
-        },
+        runs={run: _shown_errors(scores, data) for run, scores in by_run.items()},
+        sizes={run: _size(scores, data) for run, scores in by_run.items()},
         ladder=with_rung(state.rungs, now),
         values={
             f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()

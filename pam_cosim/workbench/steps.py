@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -38,40 +38,52 @@ class Step:
         return {"do": self.do, **self.arguments}
 
     def __str__(self) -> str:
-        arguments = self.arguments
-        match self.do:
-            case "set":
-                return "set " + ", ".join(
-                    f"{name} = {value:.4g}" for name, value in arguments["values"].items()
-                )
-            case "switch":
-                return (
-                    "with " + " + ".join(arguments["effects"])
-                    if arguments["effects"]
-                    else "without effects"
-                )
-            case "choose":
-                return f"model {arguments['model']}"
-            case "fit":
-                return f"fit ({arguments['method']}): {', '.join(arguments['free'])}"
-            case "take":
-                return f"took {' + '.join(arguments['effects'])} from the ranking"
-            case "add":
-                return f"added {' + '.join(arguments['effects'])}: {arguments['file']}"
-            case "roles":
-                return "roles: " + ", ".join(
-                    f"{run} {role}" for run, role in arguments["roles"].items()
-                )
-            case "cut":
-                return f"cut {arguments['run']}: {_ends(*arguments['cuts'][arguments['run']])}"
-            case "begin":
-                mode = arguments["starts"].get(arguments["run"])
-                return f"begin {arguments['run']}: {mode or 'as the data set says'}"
-            case "start":
-                return "start " + ", ".join(
-                    f"{name} = {arguments['values'][name]:.4g}" for name in arguments["moved"]
-                )
-        return self.do
+        text = _TEXTS.get(self.do)
+        return text(self.arguments) if text is not None else self.do
+
+
+_Arguments = Mapping[str, Any]
+
+
+def _with_effects(arguments: _Arguments) -> str:
+    return f"with {_sum(arguments)}" if arguments["effects"] else "without effects"
+
+
+def _new_roles(arguments: _Arguments) -> str:
+    return "roles: " + ", ".join(f"{run} {role}" for run, role in arguments["roles"].items())
+
+
+def _new_cut(arguments: _Arguments) -> str:
+    run = arguments["run"]
+    return f"cut {run}: {_ends(*arguments['cuts'][run])}"
+
+
+def _new_beginning(arguments: _Arguments) -> str:
+    mode = arguments["starts"].get(arguments["run"])
+    return f"begin {arguments['run']}: {mode or 'as the data set says'}"
+
+
+def _sum(arguments: _Arguments) -> str:
+    return " + ".join(arguments["effects"])
+
+
+def _numbers(values: Mapping[str, float]) -> str:
+    return ", ".join(f"{name} = {value:.4g}" for name, value in values.items())
+
+
+# How a step reads; one that is not here reads as its name.
+_TEXTS: Mapping[str, Callable[[_Arguments], str]] = {
+    SET: lambda a: f"set {_numbers(a['values'])}",
+    SWITCH: _with_effects,
+    CHOOSE: lambda a: f"model {a['model']}",
+    FIT: lambda a: f"fit ({a['method']}): {', '.join(a['free'])}",
+    TAKE: lambda a: f"took {_sum(a)} from the ranking",
+    ADD: lambda a: f"added {_sum(a)}: {a['file']}",
+    ROLES_STEP: _new_roles,
+    CUT: _new_cut,
+    BEGIN: _new_beginning,
+    START: lambda a: f"start {_numbers({name: a['values'][name] for name in a['moved']})}",
+}
 
 
 def _ends(begin: float | None, end: float | None) -> str:

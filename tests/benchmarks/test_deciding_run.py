@@ -9,7 +9,7 @@ from benchmarks.deciding_run import muscle, tuning
 from benchmarks.deciding_run.play import played
 from benchmarks.deciding_run.table import table
 from blind_cases import many
-from pam_cosim.comparison.initial_state import inputs_of_run
+from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.measurement import further_run, rows_of
 from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle

@@ -20,7 +20,7 @@ from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
 from pam_cosim.fmu.cache import cache_dir, is_whole
 from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.simulation import Simulator
-from pam_cosim.simulation.driver import prepare_driver
+from pam_cosim.simulation.native import prepare_driver
 from tests.fmu import models
 from tests.hostile.small_disk import disks_can_be_made, on_disk
 

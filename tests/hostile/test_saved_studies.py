@@ -17,7 +17,8 @@ import pytest
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.saving import FILE, load_state, save_state
-from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.script import python_of
+from pam_cosim.workbench.shell_script import commands_of
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.state_events import steps_event
 from pam_cosim.workbench.steps import Step

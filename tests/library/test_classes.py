@@ -10,7 +10,7 @@ import pytest
 
 from pam_cosim.catalogue.place import is_connector
 from pam_cosim.compiler import compile_model
-from pam_cosim.compiler.class_tree import ClassInfo
+from pam_cosim.compiler.class_info import ClassInfo
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu import build_model
 from pam_cosim.resources import modelica_root

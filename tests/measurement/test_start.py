@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.comparison import start_time
-from pam_cosim.comparison.initial_state import inputs_of_run
+from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, first_samples, read_data_set
 from pam_cosim.model.interface import Interface, Variable

@@ -14,7 +14,7 @@ from typing import Any
 import pytest
 
 from pam_cosim.workbench import Session
-from pam_cosim.workbench.protocol import read_frame
+from pam_cosim.workbench.frames import read_frame
 from rig.named import effect_of
 from rig.short import write_light_data
 

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.workbench.curves import MOST_POINTS, shown_times, thinned
-from pam_cosim.workbench.protocol import PlottedCurve, frame, is_model, read_frame
+from pam_cosim.workbench.frames import PlottedCurve, frame, is_model, read_frame
 
 
 def test_a_long_curve_keeps_its_peaks_and_its_gaps() -> None:

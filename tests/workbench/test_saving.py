@@ -20,7 +20,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.commands.files import save
 from pam_cosim.workbench.saving import FILE, lean, load_state, save_state
-from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.script import python_of
+from pam_cosim.workbench.shell_script import commands_of
 from pam_cosim.workbench.steps import DIAGNOSE, Step
 from tests.reporting.synthetic import make_data, make_diagnosis, make_fit
 from tests.workbench.conftest import Window

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
 
@@ -176,21 +177,22 @@ class RunPlan(Printed):
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
-        return {
+        content = {
             "title": self.title,
             "model": self.model,
             "verdict": self.verdict,
-            "rivals": list(self.rivals),
-            "explanations": [list(models) for models in self.explanations],
-            "families": list(self.families),
+            "rivals": self.rivals,
+            "explanations": self.explanations,
+            "families": self.families,
             "chi2": self.chi2,
             "decides": self.decides,
             "expectation": self.expectation,
-            "separations": [asdict(one) for one in self.separations],
+            "separations": self.separations,
             "tried": self.tried,
             "units": self.units,
             "runs": [_run(one) for one in self.runs],
         }
+        return dict(plain(content))
 
     def __str__(self) -> str:
         lines = [
@@ -218,9 +220,9 @@ def _run(run: PlannedRun) -> dict[str, object]:
     return {
         "parameters": run.parameters,
         "table": run.table,
-        "separations": [asdict(one) for one in run.separations],
+        "separations": run.separations,
         "chi2": run.chi2,
-        "at_random": run.at_random if run.at_random == run.at_random else None,
+        "at_random": run.at_random,
     }
 
 

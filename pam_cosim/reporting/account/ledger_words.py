@@ -51,11 +51,8 @@ def ledger_line(ledger: Ledger) -> str:
     """The ledger in one line of plain text."""
     if not ledger.failing:
         return "no balance fails for certain"
-    shares = ", ".join(
-        f"{_name(e.balance, ledger)} {percent(e.share)}"
-        for e in ledger.entries
-        if e.share >= _SHOWN
-    )
+    large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
+    shares = ", ".join(f"{_name(one.balance, ledger)} {percent(one.share)}" for one in large)
     rest = "" if ledger.closed else "; something is missing elsewhere too"
     return f"share of the error in {shares}{rest}"
 
@@ -102,9 +99,11 @@ def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
     added = [b for b in dict.fromkeys(balances) if b not in ledger.failing]
     if not added or not ledger.failing:
         return []
+    acting = listed([words(balance) for balance in added])
+    failing = listed([words(balance) for balance in ledger.failing])
     return [
-        f"The effects that were added act in the {listed([words(b) for b in added])} balance; a free term in the "
-        f"{listed([words(b) for b in ledger.failing])} balance explains the same samples. The effects do it with a law "
+        f"The effects that were added act in the {acting} balance; a free term in the "
+        f"{failing} balance explains the same samples. The effects do it with a law "
         "of physics and fewer numbers, the ledger without any law."
     ]
 

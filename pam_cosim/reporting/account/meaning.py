@@ -140,9 +140,8 @@ def error_sentence(diagnosis: Diagnosis) -> str:
     if not names:
         return ""
     final = diagnosis.final is not diagnosis.base
-    name = max(
-        names, key=lambda n: before[n].chi2_reduced - (after[n].chi2_reduced if final else 0.0)
-    )
+    left = {name: after[name].chi2_reduced if final else 0.0 for name in names}
+    name = max(names, key=lambda one: before[one].chi2_reduced - left[one])
     unit = signals[name].unit
     runs = "runs that were never fitted" if role == "holdout" else "the fitted runs"
     noise = f"the {signals[name].scatter} is {quantity_text(before[name].noise_rmse, unit)}"

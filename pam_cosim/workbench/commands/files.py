@@ -17,7 +17,8 @@ from pam_cosim.workbench.opened_model import without_ratios
 from pam_cosim.workbench.paths import inside
 from pam_cosim.workbench.protocol import AddedEvent, SavedEvent
 from pam_cosim.workbench.saving import load_state, save_state
-from pam_cosim.workbench.script import commands_of, python_of
+from pam_cosim.workbench.script import python_of
+from pam_cosim.workbench.shell_script import commands_of
 from pam_cosim.workbench.steps import ADD, Step
 
 if TYPE_CHECKING:

@@ -1,0 +1,168 @@
+"""The cells of a text table as numbers, with one message that names line and column."""
+
+from __future__ import annotations
+
+import csv
+import math
+import re
+from collections.abc import Iterator, Mapping
+from itertools import chain
+from pathlib import Path
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.text_layout import WORDS, TextLayout
+from pam_cosim.measurement.text_rows import Line, split_cells
+from pam_cosim.wording import shown
+
+_BLOCK = 20_000  # Lines that are turned into numbers at once.
+_LONGEST = 1000  # letters of a cell that is looked at as a number
+_NUMBER = re.compile(r"[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+_NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
+_NOT_FINITE = ("nan", "inf", "infinity")
+
+
+class Reader:
+    """Rows of text to columns of numbers: quickly where they are plain, else cell by cell."""
+
+    def __init__(
+        self, layout: TextLayout, names: list[str], keep: list[int], file: Path, decimal: str
+    ) -> None:
+        self.separator, self.names, self.keep, self.file = layout.separator, names, keep, file
+        self.decimal = decimal
+        self.words: list[Mapping[str, float]] = [{} for _ in names]
+        self.missing: frozenset[str] = frozenset()
+        self.met: dict[str, None] = {}
+
+    def cells(self, lines: list[Line]) -> Iterator[Line]:
+        """Line and text of every cell that holds a sign for decimals."""
+        for number, line in lines:
+            if "." in line or "," in line:
+                cells = self._split(number, line)
+                for i in self.keep:
+                    yield number, cells[i] if i < len(cells) else ""
+
+    def columns(self, lines: list[Line]) -> list[NDArray[np.float64]]:
+        """(n,) of each column that is kept; NaN where a cell is empty."""
+        blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
+        return [np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))]
+
+    def _block(self, lines: list[Line]) -> list[NDArray[np.float64]]:
+        plain = self._plain(lines)
+        if plain is not None:
+            return plain
+        rows = [(number, self._row(number, line)) for number, line in lines]
+        return [
+            np.array([self._number(number, cells[i], i) for number, cells in rows])
+            for i in self.keep
+        ]
+
+    def _plain(self, lines: list[Line]) -> list[NDArray[np.float64]] | None:
+        """The block, when every row has as many cells and every cell is a number or empty."""
+        texts = [line for _, line in lines]
+        count, ends = len(self.names), len(self.names) - 1
+        if self.separator == " ":
+            split = [line.split() for line in texts]
+            if any(len(cells) != count for cells in split):
+                return None
+            cells = list(chain.from_iterable(split))
+        else:
+            if any(line.count(self.separator) != ends for line in texts):
+                return None
+            joined = self.separator.join(texts)
+            if '"' in joined:
+                return None
+            cells = joined.split(self.separator)
+        columns = [_floats(cells[i::count], self.decimal) for i in self.keep]
+        numbers = [column for column in columns if column is not None]
+        return numbers if len(numbers) == len(columns) else None
+
+    def _split(self, number: int, line: str) -> list[str]:
+        try:
+            return split_cells(line, self.separator)
+        except csv.Error as error:
+            message = f"this line is not text separated by {WORDS[self.separator]}: {error}"
+            raise InputError(message, self.file, number) from None
+
+    def _row(self, number: int, line: str) -> list[str]:
+        cells = self._split(number, line)
+        count = len(self.names)
+        if len(cells) >= count and not any(cells[count:]):
+            return cells[:count]
+        hint = "; write decimal points, not commas" if len(cells) == 2 * len(self.names) else ""
+        raise InputError(
+            f"this row has {len(cells)} cells, the header has {len(self.names)}{hint}",
+            self.file,
+            number,
+        )
+
+    def _number(self, line: int, cell: str, column: int) -> float:
+        if not cell:
+            return math.nan
+        if len(cell) > _LONGEST:
+            raise InputError(
+                f"{shown(cell)} has {len(cell)} letters: that is no number",
+                self.file,
+                line,
+                self.names[column],
+            )
+        if cell.casefold() in self.missing:
+            self.met[cell] = None
+            return math.nan
+        words = self.words[column]
+        if cell.casefold() in words:
+            return words[cell.casefold()]
+        number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
+        name = self.names[column]
+        if not _NUMBER.fullmatch(number) or (self.decimal == "," and "." in cell):
+            wrong = (
+                f"{shown(cell)} is none of {', '.join(words)}"
+                if words
+                else self._not_a_number(cell)
+            )
+            raise InputError(wrong, self.file, line, name)
+        value = float(number)
+        if math.isinf(value):
+            raise InputError(f"{shown(cell)} is too large", self.file, line, name)
+        return value
+
+    def _not_a_number(self, cell: str) -> str:
+        if cell.lower().lstrip("+-") in _NOT_FINITE:
+            where = (
+                f', or state the word under [recording]: missing = ["{cell}"]'
+                if "nan" in cell.lower()
+                else ""
+            )
+            return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{where}"
+        if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
+            if self.decimal == ".":
+                stated = 'state decimal = "," under [recording]'
+                return f"{shown(cell)} has a decimal comma; write a decimal point, or {stated} where all numbers do"
+            return f"{shown(cell)} has a decimal point, other numbers have decimal commas"
+        if re.fullmatch(r"[+-]?\d+(?:[.,]\d+)+", cell, re.ASCII):
+            return f"{shown(cell)} is grouped by thousands; write it without"
+        return f"{shown(cell)} is not a number"
+
+
+def _floats(cells: list[str], decimal: str) -> NDArray[np.float64] | None:
+    """(n,) numbers; None where one is not plainly a number."""
+    joined = "".join(cells)
+    if decimal == ",":
+        if "." in joined:
+            return None
+        joined = joined.replace(",", ".")
+        cells = [cell.replace(",", ".") for cell in cells]
+    if _NO_NUMBER.search(joined.replace(" ", "")):
+        return None
+    try:
+        values = np.fromiter(map(float, cells), float, len(cells))
+    except ValueError:
+        try:
+            values = np.array(
+                [float(cell) if cell and not cell.isspace() else math.nan for cell in cells]
+            )
+        except ValueError:
+            return None
+    return None if np.isinf(values).any() else values

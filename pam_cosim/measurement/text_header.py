@@ -1,0 +1,120 @@
+"""The header of a text table: names and units of its columns."""
+
+from __future__ import annotations
+
+import csv
+import re
+from dataclasses import dataclass
+
+from pam_cosim.measurement.table import Layout, is_unit
+from pam_cosim.measurement.text_rows import (
+    COMMENT,
+    Line,
+    Row,
+    split_cells,
+)
+
+
+@dataclass(frozen=True)
+class _Header:
+    line: int
+    names: list[str]
+    units: list[str] | None = None
+
+    def headings(self) -> tuple[tuple[str, str], ...]:
+        """Heading as written and unit from a row of units."""
+        units = (self.units or [])[: len(self.names)]
+        return tuple(zip(self.names, [*units, *[""] * (len(self.names) - len(units))], strict=True))
+
+
+def _ends(count: int, row: list[str]) -> bool:
+    """Whether so many names are those of a row: separators at the end of a line make no column."""
+    return 0 < count <= len(row) and not any(row[count:])
+
+
+def header_of(
+    separator: str, above: list[Row], ends: list[str], comments: list[Line], stated: Layout
+) -> _Header | str:
+    """The header of rows such as ``ends``, or why there is none."""
+    count = len(ends)
+    if stated.names is not None:
+        return _Header(0, list(stated.names))
+    if stated.header_line is not None or stated.units_line is not None:
+        return _stated_header(separator, above, count, stated)
+    if not above:
+        return _header_in_comment(separator, comments, count) or _NO_HEADER
+    last = above[-1]
+    if len(above) > 1 and _are_units(last.cells):
+        names = _names(separator, above[-2].text, count)
+        if _ends(len(names), ends) and _ends(len(names), last.cells) and all(names):
+            return _Header(above[-2].number, names, _bare(last.cells))
+    names = _names(separator, last.text, count)
+    if _ends(len(names), ends):
+        return _Header(last.number, names)
+    decimal = (
+        "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
+    )
+    return f"this row has {count} cells, the header has {len(names)}{decimal}"
+
+
+_NO_HEADER = (
+    "the header is missing; begin with a line such as 'time [s],p [kPa]', or state it under [recording]: "
+    'names = ["time [s]", "p [kPa]"]'
+)
+
+
+def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Header | None:
+    """The last comment above the rows, where it has as many names as they have cells."""
+    if not comments:
+        return None
+    number, text = comments[-1]
+    cells = _names(separator, COMMENT.sub("", text, count=1), count)
+    return _Header(number, cells) if len(cells) == count else None
+
+
+def _stated_header(separator: str, above: list[Row], count: int, stated: Layout) -> _Header | str:
+    by_line = {row.number: row for row in above}
+    units = by_line.get(stated.units_line or 0)
+    if stated.units_line is not None and units is None:
+        return f"units_line = {stated.units_line}, but there is no such line above this first row"
+    earlier = [row for row in above if units is None or row.number < units.number]
+    names = (
+        by_line.get(stated.header_line)
+        if stated.header_line is not None
+        else earlier[-1]
+        if earlier
+        else None
+    )
+    if names is None:
+        return f"header_line = {stated.header_line}, but there is no such line above this first row"
+    cells = _names(separator, names.text, count)
+    if len(cells) not in (count, count - 1) or (
+        units is not None and len(units.cells) < len(cells)
+    ):
+        return f"this row has {count} cells, the header has {len(cells)}"
+    return _Header(names.number, cells, None if units is None else _bare(units.cells))
+
+
+def _bare(units: list[str]) -> list[str]:
+    """Units without brackets around them."""
+    return [re.sub(r"[\[(](.*)[\])]", r"\1", unit).strip() for unit in units]
+
+
+def _are_units(cells: list[str]) -> bool:
+    bracketed = all(not cell or (cell[0] + cell[-1] in ("[]", "()")) for cell in cells)
+    return any(cells) and (bracketed or all(is_unit(cell) for cell in cells))
+
+
+def _names(separator: str, text: str, count: int) -> list[str]:
+    """Names apart by blanks may have a unit apart from them, or blanks in them where two separate."""
+    try:
+        cells = split_cells(text, separator)
+    except csv.Error:
+        return []
+    if separator == " " and len(cells) != count:
+        cells = [word.strip() for word in re.findall(r"\S+(?:\s+[\[(][^\])]*[\])])?", text)]
+        if len(cells) != count:
+            cells = re.split(r"\s{2,}|\t", text.strip())
+    while len(cells) > 1 and not cells[-1]:
+        cells = cells[:-1]
+    return [" ".join(cell.split()) if "\n" in cell else cell for cell in cells]

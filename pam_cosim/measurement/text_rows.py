@@ -1,0 +1,89 @@
+"""Lines of a text table as cells, and which of them are rows of numbers."""
+
+from __future__ import annotations
+
+import csv
+import re
+from collections.abc import Callable
+from dataclasses import dataclass
+
+LOOKED_AT = 400  # Rows that are looked at; all are checked when they are read.
+_DEEPEST = 400  # Lines above the first row, below what is stated.
+NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+COMMENT = re.compile(r"\s*(#|//|%(?!\s*[;,\t]))\s*")
+Line = tuple[int, str]
+
+
+@dataclass(frozen=True)
+class Row:
+    """A line and its cells; ``index`` among the lines."""
+
+    index: int
+    number: int
+    text: str
+    cells: list[str]
+
+
+def is_comment(line: str) -> bool:
+    """Whether a line says nothing but to people."""
+    return COMMENT.match(line) is not None
+
+
+def split_cells(line: str, separator: str) -> list[str]:
+    """Stripped cells.
+
+    Raises:
+        csv.Error: a quote is not closed.
+    """
+    if '"' in line:
+        cells = next(
+            csv.reader([line.strip(" ")], delimiter=separator, strict=True, skipinitialspace=True)
+        )
+        return [cell.strip() for cell in cells]
+    return line.split() if separator == " " else [cell.strip() for cell in line.split(separator)]
+
+
+def first_row(rows: list[Row], start: int) -> int:
+    """The first row of numbers: a faulty one is no header, a number is among its cells, and a header stands above."""
+    count = len(rows[start].cells)
+    while (
+        start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count
+    ):
+        start -= 1
+    return start
+
+
+def rows_of(
+    separator: str, lines: list[Line], after: int, is_row: Callable[[list[str]], bool]
+) -> tuple[list[Row], int | None]:
+    """The header's lines and some rows, and which is the first row below the line ``after``."""
+    rows: list[Row] = []
+    start = None
+    for index, (number, line) in enumerate(lines):
+        if is_comment(line):
+            continue
+        try:
+            cells = split_cells(line, separator)
+        except csv.Error:
+            cells = []
+        if start is None and number > after and is_row(cells):
+            start = len(rows)
+        rows.append(Row(index, number, line, cells))
+        if len(rows) - start > LOOKED_AT if start is not None else number > after + _DEEPEST:
+            break
+    return rows, start
+
+
+def is_row(cells: list[str]) -> bool:
+    """A row begins with a number; half of its cells at least are numbers or empty."""
+    numbers = sum(1 for cell in cells if not cell or NUMBER.fullmatch(cell))
+    return len(cells) > 1 and bool(NUMBER.fullmatch(cells[0])) and 2 * numbers >= len(cells)
+
+
+def is_dated_row(cells: list[str]) -> bool:
+    """A row that begins with a text, such as a date, has more numbers than texts."""
+    return len(cells) > 2 and 2 * sum(1 for cell in cells if NUMBER.fullmatch(cell)) > len(cells)
+
+
+def _holds_number(row: Row, count: int) -> bool:
+    return len(row.cells) == count and any(NUMBER.fullmatch(cell) for cell in row.cells)
