@@ -4,6 +4,8 @@
 
 Writes report.md and its figures into OUT: hit-rate.png, confusion.png, outcomes.png, and where the results have them
 breakdown.png (by bench, signals, rate and runs) and calibration.png (stated probabilities).
+
+`--sums` names neither forms nor single cases, so that those of a score that is not done stay unknown.
 """
 
 from __future__ import annotations
@@ -296,8 +298,8 @@ def draw_outcomes(results: Sequence[Result], file: Path) -> None:
     plt.close(figure)
 
 
-def report(results: Sequence[Result], note: str = "") -> str:
-    """The page as Markdown, with a note at its top."""
+def report(results: Sequence[Result], note: str = "", *, sums: bool = False) -> str:
+    """The page as Markdown, with a note at its top; of ``sums`` alone, it names neither forms nor single cases."""
     times = [float(r["seconds"]) for r in results if "seconds" in r]
     middle = (
         f"{np.median(times):.0f} s in the middle, {max(times):.0f} s at most"
@@ -337,11 +339,18 @@ def report(results: Sequence[Result], note: str = "") -> str:
         "## What is taken for what", "", "All sizes; the figure shows those of at least 3.", "",
         *confusion_table(results), "",
         "![Confusion](confusion.png)", "",
+        *([] if sums else _singled_out(results)),
+    ]  # fmt: skip
+    return "\n".join(lines)
+
+
+def _singled_out(results: Sequence[Result]) -> list[str]:
+    """Forms and cases by their names."""
+    return [
         "## By form", "", "A star marks forms that the catalogue lacks.", "", *family_table(results), "",
         "## Cases that were not right", "", "Single effects below 3 standard deviations are left out here.", "",
         *failures_table(results), "",
     ]  # fmt: skip
-    return "\n".join(lines)
 
 
 def _broken_down(results: Sequence[Result]) -> list[str]:
@@ -370,13 +379,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--note", default="", help="what else must be known, such as how times were measured"
     )
+    parser.add_argument("--sums", action="store_true", help="name neither forms nor single cases")
     options = parser.parse_args(arguments)
     results = list(read_results(options.results).values())
     if not results:
         parser.error(f"{options.results} holds no results; run score.py first")
     out = options.out or options.results.with_suffix("")
     out.mkdir(parents=True, exist_ok=True)
-    (out / "report.md").write_text(report(results, options.note))
+    (out / "report.md").write_text(report(results, options.note, sums=options.sums))
     draw_hit_rate(results, out / "hit-rate.png")
     draw_confusion(results, out / "confusion.png")
     draw_outcomes(results, out / "outcomes.png")
