@@ -9,7 +9,9 @@ designed for feeds of 0 to 10 l/h with the defaults of ``plan``, played on the s
 feed that is set anew every hour at random within the same limits. Right: the law that the simulator has is identified.
 Wrong: another one is, or nothing is missing. Ambiguous and unknown verdicts count as what they are.
 
-Added after the first 32 cases: where rivals are still left, a second and a third run follow in the same way.
+Added after the first 32 cases: where rivals are still left, a second and a third run follow in the same way. Added
+after 80 cases: with ``--random 8`` random runs alone go on, to tell how many of them a designed one is worth; ``--law``
+takes the cases of one law.
 """
 
 from __future__ import annotations
@@ -35,8 +37,8 @@ MOST = 3  # further runs
 LIMITS = {"Q_in": ("0 l/h", "10 l/h")}
 
 
-def solve(number: int) -> dict[str, Any]:
-    """The verdicts of one case: before, and after each further run of either kind as long as there are rivals."""
+def solve(number: int, most: dict[str, int]) -> dict[str, Any]:
+    """The verdicts of one case: before, and after each further run, so many of a kind, as long as there are rivals."""
     rig = runpy.run_path(str(FOLDER / "rig.py"))
     law = list(rig["RATES"])[number % len(rig["RATES"])]
     rng = np.random.default_rng(number)
@@ -55,9 +57,9 @@ def solve(number: int) -> dict[str, Any]:
             )
             return rig["feed_of"](place / "next.csv")
 
-        def followed(next_feed: Callable[[Any], Any]) -> list[dict[str, Any]]:
+        def followed(next_feed: Callable[[Any], Any], most: int) -> list[dict[str, Any]]:
             feeds, diagnosis, outcomes = list(known), before, []
-            while diagnosis.verdict.kind in ("ambiguous", "unknown") and len(outcomes) < MOST:
+            while diagnosis.verdict.kind in ("ambiguous", "unknown") and len(outcomes) < most:
                 feeds.append(next_feed(diagnosis))
                 diagnosis = diagnosed(feeds)
                 outcomes.append(_outcome(diagnosis, law))
@@ -65,7 +67,10 @@ def solve(number: int) -> dict[str, Any]:
 
         known = [rig["NO_FEED"], rig["CAREFUL"]]
         before = diagnosed(known)
-        further = {"designed": followed(designed), "random": followed(lambda _: rig["drawn"](rng))}
+        further = {
+            "designed": followed(designed, most["designed"]),
+            "random": followed(lambda _: rig["drawn"](rng), most["random"]),
+        }
     return {"number": number, "law": law, "before": _outcome(before, law), **further}
 
 
@@ -86,18 +91,25 @@ def main(arguments: Sequence[str] | None = None) -> int:
     )
     parser.add_argument("--cases", type=int, default=0)
     parser.add_argument("--results", type=Path, required=True)
+    parser.add_argument("--random", type=int, metavar="RUNS", help="random runs alone, so many")
+    parser.add_argument("--law", help="cases of this law alone")
     options = parser.parse_args(arguments)
+    most = {"designed": MOST, "random": MOST}
+    if options.random:
+        most = {"designed": 0, "random": options.random}
+    laws = list(runpy.run_path(str(FOLDER / "rig.py"))["RATES"])
+    numbers = [n for n in range(options.cases) if options.law in (None, laws[n % len(laws)])]
     lines = options.results.read_text().splitlines() if options.results.exists() else []
     results = [json.loads(line) for line in lines]
-    for number in range(len(results), options.cases):
-        results.append(solve(number))
+    for number in numbers[len(results) :]:
+        results.append(solve(number, most))
         with options.results.open("a") as written:
             written.write(json.dumps(results[-1]) + "\n")
         print(results[-1], flush=True)
     print("before", dict(Counter(r["before"]["outcome"] for r in results)))
-    asked = [r for r in results if r["designed"]]
+    asked = [r for r in results if r["random"]]
     for kind in ("designed", "random"):
-        for count in range(1, MOST + 1):
+        for count in range(1, most[kind] + 1):
             print(kind, count, dict(Counter(r[kind][:count][-1]["outcome"] for r in asked)))
     return 0
 

@@ -80,7 +80,7 @@ def scene(number: int) -> Scene:
         description,
         data,
         limits,
-        lambda further: _played(effect, signals, further, [number, 2]),
+        lambda further, *more: _played(effect, signals, further, [number, 2, *more]),
         number,
     )
 

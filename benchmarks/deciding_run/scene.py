@@ -18,12 +18,13 @@ class Scene:
         description: what is hidden, as ``benchmarks.hidden_effects.outcome.judged`` reads it.
         data: the first recording.
         limits: of a further run.
-        play: a planned run with what is recorded when it is made; RuntimeError where the rig cannot play it.
+        play: a planned run with what is recorded when it is made; RuntimeError where the rig cannot play it. Of the
+            muscle, a number beside it gives the run noise of its own.
         seed: of what is drawn at random.
     """
 
     description: Mapping[str, Any]
     data: DataSet
     limits: Limits
-    play: Callable[[Run], Run]
+    play: Callable[..., Run]
     seed: int

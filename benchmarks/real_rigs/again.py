@@ -2,8 +2,9 @@
 
 Fetches the recordings, runs this software and, where the Python of their environment is named, the rival methods, and
 writes ``results.json``, ``TABLE.md`` and the pictures. Without ``--rivals`` their results stay as they are, and the
-pictures are left alone, unless the rivals were run in this folder before. Ends with the diagnoses by named laws alone,
-which are printed and kept nowhere. Takes a quarter of an hour; all processes run one after another.
+pictures are left alone, unless the rivals were run in this folder before. Ends with the diagnoses by named laws alone
+and with how often bands hold, which are printed and kept nowhere. Takes a quarter of an hour; all processes run one
+after another.
 """
 
 from __future__ import annotations
@@ -27,6 +28,7 @@ def steps(folder: Path, mirror: Path | None, rivals: Path | None) -> Iterator[li
     if rivals or any((folder / "results").glob("*.formula.npz")):
         yield _module(sys.executable, "pictures", folder)
     yield _module(sys.executable, "named", folder)
+    yield _module(sys.executable, "bands", folder)
 
 
 def _module(python: str, name: str, folder: Path, *words: str) -> list[str]:

@@ -91,6 +91,7 @@ def run_rig(folder: Path, results: Path) -> None:
         data, files=rows.library, workers=1, say=lambda line: print(f"  {line}", flush=True)
     )
     write_text(place / "verdict.txt", f"{diagnosis}\n")
+    pam.save(diagnosis, place / "verdict.npz")
     pam.add(diagnosis, output=place / "Verdict.mo", files=files)
     families = "+".join(sorted({c.family for c in diagnosis.path})) or "none"
     said = _said(diagnosis.final, 0.0, f"{diagnosis.verdict.kind}: {families}")

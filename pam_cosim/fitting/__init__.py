@@ -3,6 +3,7 @@
 from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
 from pam_cosim.fitting.combinations import Combination
+from pam_cosim.fitting.discrepancy import Discrepancy, discrepancies
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
@@ -38,6 +39,7 @@ __all__ = [
     "Band",
     "Combination",
     "Convergence",
+    "Discrepancy",
     "Estimate",
     "Fit",
     "FitOptions",
@@ -54,6 +56,7 @@ __all__ = [
     "WithoutPriors",
     "base_parameters",
     "check_parameter_file",
+    "discrepancies",
     "bounded_least_squares",
     "bounded_step",
     "estimated_starts",

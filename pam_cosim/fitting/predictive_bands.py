@@ -1,10 +1,11 @@
-"""What a fitted model predicts of a run, with how far the parameters leave it open."""
+"""What a fitted model predicts of a run, with how far parameters, model error and noise leave it open."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from contextlib import suppress
 from dataclasses import dataclass, field
+from math import sqrt
 
 import numpy as np
 
@@ -14,6 +15,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.exports import Exported, Table, headed
 from pam_cosim.files import plain, plain_fields
+from pam_cosim.fitting.discrepancy import Discrepancy
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
@@ -29,8 +31,12 @@ class Band:
         unit: SI unit.
         value: (n,) with the fitted parameters [unit].
         low, high: (n,) between which the signal lies with 95 % [unit], as far as the parameters say.
-        reading_low, reading_high: (n,) between which a reading of it lies with 95 % [unit].
+        reading_low, reading_high: (n,) between which a reading of it lies with 95 % [unit]: what the model is off by
+            and the noise are added to the parameters.
         measured: (n,) readings [unit], NaN where there is none; empty: nobody ran it.
+        discrepancy: what the model is off by; None: not asked for, or no run to tell it from.
+        mean: over time, with the fitted parameters [unit].
+        mean_low, mean_high: between which the mean of the readings lies with 95 % [unit].
     """
 
     unit: str
@@ -40,6 +46,10 @@ class Band:
     reading_low: Array
     reading_high: Array
     measured: Array = field(default_factory=lambda: np.zeros(0))
+    discrepancy: Discrepancy | None = None
+    mean: float = float("nan")
+    mean_low: float = float("nan")
+    mean_high: float = float("nan")
 
     @property
     def coverage(self) -> float:
@@ -118,7 +128,7 @@ class PredictiveBands(Printed, Exported):
             )
             if band.coverage == band.coverage:
                 text += f"; {100 * band.coverage:.1f} % of the readings are within their band"
-            lines.append(text)
+            lines += [text, *_about_discrepancy(band)]
         if self.failed:
             lines.append(f"  {self.failed} samples could not be simulated and are left out")
         return "\n".join(lines)
@@ -131,6 +141,7 @@ def predictive_bands(
     posterior: ParameterPosterior,
     fitted: dict[str, float],
     tell: Callable[[int], None] = lambda done: None,
+    off: Mapping[str, Discrepancy] | None = None,
 ) -> PredictiveBands:
     """Simulates a run with every sample of the parameters.
 
@@ -141,6 +152,7 @@ def predictive_bands(
         posterior: of the parameters.
         fitted: the optimum [SI].
         tell: called with how many samples are done.
+        off: what the model is off by, by signal.
 
     Raises:
         SimulationFailure: the model breaks down at the optimum, or with most of the samples.
@@ -163,24 +175,79 @@ def predictive_bands(
             f"the model breaks down with {failed} of {len(posterior.samples)} samples"
         )
     share = np.array(weights) / sum(weights)
+    off = off or {}
     bands = {
-        n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share) for n in names
+        n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share, off.get(n))
+        for n in names
     }
     return PredictiveBands(
         simulator.interface.model, run.name, run.time, dict(run.inputs), bands, posterior, failed
     )
 
 
-def _band(data: DataSet, run: Run, name: str, best: Array, drawn: Array, weights: Array) -> Band:
-    """Quantiles over the weighted samples; a reading adds the noise to each of them."""
+def _band(
+    data: DataSet,
+    run: Run,
+    name: str,
+    best: Array,
+    drawn: Array,
+    weights: Array,
+    off: Discrepancy | None,
+) -> Band:
+    """Quantiles over the weighted samples; to each of them a reading adds model error and noise."""
     signal, reach = data.signals[name], CRITERIA.fit.interval
     tail = CRITERIA.fit.tail
     low, high = _quantile(drawn, weights, tail), _quantile(drawn, weights, 1 - tail)
     centre = weights @ drawn
-    around = reach * np.sqrt(weights @ (drawn - centre) ** 2 + signal.sigma_at(best) ** 2)
+    spread = weights @ (drawn - centre) ** 2
+    noise = np.broadcast_to(signal.sigma_at(best), best.shape) ** 2
+    around = np.sqrt(reach**2 * (spread + noise) + (off.reach() if off else 0.0) ** 2)
     measured = run.measurements.get(name, np.zeros(0))
     readings = measured if np.isfinite(measured).any() else np.zeros(0)
-    return Band(signal.unit, best, low, high, centre - around, centre + around, readings)
+    # the mean over time: noise goes out of it by the number of readings, the model error by its memory
+    share = _shares(run.time)
+    means = drawn @ share
+    middle = float(weights @ means)
+    squares = reach**2 * (float(weights @ (means - middle) ** 2) + float(share**2 @ noise))
+    of_mean = sqrt(squares + (off.reach(float(np.ptp(run.time))) if off else 0.0) ** 2)
+    return Band(
+        signal.unit,
+        best,
+        low,
+        high,
+        centre - around,
+        centre + around,
+        readings,
+        off,
+        float(share @ best),
+        middle - of_mean,
+        middle + of_mean,
+    )
+
+
+def _shares(time: Array) -> Array:
+    """(n,) of a mean over time by the trapezoidal rule."""
+    if len(time) < 2 or np.ptp(time) == 0.0:
+        return np.full(len(time), 1.0 / len(time))
+    steps = np.diff(time)
+    around = np.concatenate([steps[:1], steps[:-1] + steps[1:], steps[-1:]]) / 2.0
+    return np.asarray(around / np.ptp(time))
+
+
+def _about_discrepancy(band: Band) -> list[str]:
+    """What the model is off by, and the mean over the run, in words."""
+    off = band.discrepancy
+    if off is None:
+        return []
+    unit = band.unit
+    sd, memory = format_quantity(off.sd, unit, 2), format_quantity(off.memory, "s", 2)
+    source = "held-out" if off.held_out else "fitted"
+    count = len(off.runs)
+    middle, width = (band.mean_low + band.mean_high) / 2, (band.mean_high - band.mean_low) / 2
+    return [
+        f"    model error {sd} (sd), memory {memory}, from {count} {source} run{'s' * (count != 1)}; mean over "
+        f"the run {format_quantity(middle, unit, 4)} ± {format_quantity(width, unit, 2)}"
+    ]
 
 
 def _quantile(drawn: Array, weights: Array, level: float) -> Array:

@@ -10,7 +10,14 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Fit, Free, PredictiveBands, base_parameters, model_parameter
+from pam_cosim.fitting import (
+    Fit,
+    Free,
+    PredictiveBands,
+    base_parameters,
+    discrepancies,
+    model_parameter,
+)
 from pam_cosim.fitting import parameter_posterior as _posterior
 from pam_cosim.fitting import predictive_bands as _bands
 from pam_cosim.fmu import build_source
@@ -35,12 +42,14 @@ def predict(
     interval: Setting | None = None,
     samples: int = CRITERIA.fit.samples,
     seed: int = 0,
+    discrepancy: bool = True,
     files: Paths = (),
 ) -> PredictiveBands:
     """What a fitted model predicts of a run, with 95 % bands of what the data leave open of its parameters.
 
     The parameters are drawn from Laplace's approximation of their posterior between their bounds
-    (``fitting.parameter_posterior``), and the run is simulated with each of them.
+    (``fitting.parameter_posterior``), and the run is simulated with each of them. Readings are off by more: by noise,
+    and by what the model is off in other runs (``fitting.discrepancy``).
 
     Args:
         product: what was fitted; of a diagnosis, the model with all effects that were added.
@@ -51,6 +60,8 @@ def predict(
         interval: likewise.
         samples: of the parameters.
         seed: of the random numbers.
+        discrepancy: whether the bands of readings hold what the model is off by, as held-out runs show it, else fitted
+            ones.
         files: further Modelica files, as for the fit.
 
     Raises:
@@ -75,7 +86,12 @@ def predict(
             chosen = _recorded(data, run)
         else:
             chosen = _run(data, simulator.interface, inputs, parameters or {}, stop_time, interval)
-        return _bands(simulator, data, chosen, posterior, fit.values | fit.start_values)
+        off = (
+            discrepancies(fit.comparison.runs, data.signals, fit.freedom, run or "")
+            if discrepancy
+            else {}
+        )
+        return _bands(simulator, data, chosen, posterior, fit.values | fit.start_values, off=off)
 
 
 def _simulator(

@@ -105,4 +105,12 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
     )
     assert len(lines) == 1 + len(TIMES)
     assert len(json.loads(files[2].read_text())["signals"]["p"]["low"]) == len(TIMES)
+    content = json.loads(files[2].read_text())["signals"]["p"]
+    assert content["discrepancy"]["runs"] == ["run"]
+    assert content["mean_low"] < content["mean"] < content["mean_high"]
+    without = ["--no-discrepancy", "--json", str(tmp_path / "without.json")]
+    assert main([*words, *without]) == 0
+    assert (
+        json.loads((tmp_path / "without.json").read_text())["signals"]["p"]["discrepancy"] is None
+    )
     assert main(["predict", str(saved), "--set", "tank.V=0 kg"]) == 2

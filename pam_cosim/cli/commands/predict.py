@@ -48,6 +48,13 @@ def predict(
         int, typer.Option(help="Of the parameters, each of which is simulated.", min=2)
     ] = 200,
     seed: Annotated[int, typer.Option(help="Of the samples.", min=0)] = 0,
+    discrepancy: Annotated[
+        bool,
+        typer.Option(
+            help="Add to the bands of readings what the model is off by beside the noise: sd in the signal's unit, "
+            "memory in s, estimated from held-out runs, else from fitted ones."
+        ),
+    ] = True,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write values and bands as CSV, SI.")
     ] = None,
@@ -71,6 +78,7 @@ def predict(
             interval=interval,
             samples=samples,
             seed=seed,
+            discrepancy=discrepancy,
             files=files or [],
         )
     tell_and_write(bands, output, json, plot)

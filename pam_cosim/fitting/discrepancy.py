@@ -1,0 +1,151 @@
+"""What a fitted model is off by beside the noise: a stationary course with a memory, from the residuals that it leaves.
+
+A model that lacks something errs for a while in one direction. Beside white noise, a residual then holds a course about
+zero, here of one variance and one memory in all runs, and independent from run to run (Kennedy and O'Hagan, Journal of
+the Royal Statistical Society B 63, 2001, with a first-order autoregressive course). What the residuals of a few
+independent pieces say of its variance is little, so that bands are those of Student's distribution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from math import exp, sqrt
+
+import numpy as np
+from scipy.signal import correlate
+from scipy.stats import t as student
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import RunComparison
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.measurement import Signal
+
+
+@dataclass(frozen=True)
+class Discrepancy:
+    """What a model is off by in one signal, beside the noise.
+
+    Attributes:
+        sd: standard deviation [unit of the signal].
+        memory: time over which its autocorrelation falls to 1/e, if that is an exponential [s].
+        pieces: degrees of freedom of ``sd``: independent pieces of the residuals, less what was fitted to them.
+        runs: names of the runs that it was estimated from.
+        held_out: whether these were held out, not fitted.
+    """
+
+    sd: float
+    memory: float
+    pieces: float
+    runs: tuple[str, ...]
+    held_out: bool
+
+    def reach(self, duration: float = 0.0) -> float:
+        """Half width of the 95 % interval of its mean over so many seconds; 0: of its value [unit of the signal]."""
+        factor = float(student.ppf(1.0 - CRITERIA.fit.tail, self.pieces))
+        return factor * self.sd * sqrt(_of_mean(duration / self.memory))
+
+
+def discrepancies(
+    runs: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    freedom: int,
+    predicted: str = "",
+) -> dict[str, Discrepancy]:
+    """The discrepancy of each signal, from held-out runs where any has readings of it, else from fitted ones.
+
+    Args:
+        runs: of the fitted model.
+        signals: by name.
+        freedom: number of parameters that the fitted runs determine.
+        predicted: name of the run that is predicted: it says nothing of its own error, unless it is the only one.
+    """
+    found = {name: _residuals(runs, signal, predicted) for name, signal in signals.items()}
+    pieces = {name: sum(own.pieces for own in parts) for name, parts in found.items()}
+    fitted = {name for name, parts in found.items() if parts and signals[name].fitted}
+    every = sum(pieces[name] for name in fitted if not found[name][0].held_out)
+    result = {}
+    for name, parts in found.items():
+        if parts:
+            mixed = name in fitted and not parts[0].held_out
+            spent = freedom * pieces[name] / every if mixed else 0.0
+            result[name] = _estimate(parts, pieces[name], spent)
+    return result
+
+
+@dataclass(frozen=True)
+class _Residual:
+    """Of a signal in a run: sum of squares beyond the noise, samples, duration and memory [s]."""
+
+    run: str
+    held_out: bool
+    excess: float
+    samples: int
+    duration: float
+    memory: float
+
+    @property
+    def pieces(self) -> float:
+        return max(1.0, self.duration / (2.0 * self.memory))
+
+
+def _residuals(runs: Sequence[RunComparison], signal: Signal, predicted: str) -> list[_Residual]:
+    """One for each run that says something, held-out ones before fitted ones."""
+    usable = [
+        r
+        for r in runs
+        if not r.run.is_static and r.run.sample_count(signal.name) > CRITERIA.residuals.lags
+    ]
+    for role in ("holdout", "fit"):
+        own = [r for r in usable if r.run.role == role]
+        others = [r for r in own if r.run.name != predicted]
+        if others or (role == "fit" and own):
+            return [_residual(r, signal) for r in others or own]
+    return []
+
+
+def _residual(compared: RunComparison, signal: Signal) -> _Residual:
+    error = compared.residual(signal.name)
+    at = np.isfinite(error)
+    noise = np.broadcast_to(signal.sigma_at(compared.model[signal.name]), error.shape)
+    excess = float(np.sum(error[at] ** 2 - noise[at] ** 2))
+    time = compared.run.time[at]
+    duration = float(time[-1] - time[0]) * len(time) / (len(time) - 1)
+    memory = _memory(time, error[at], excess)
+    held_out = compared.run.role == "holdout"
+    return _Residual(compared.run.name, held_out, excess, int(at.sum()), duration, memory)
+
+
+def _memory(time: Array, error: Array, excess: float) -> float:
+    """Integral of the autocorrelation about zero up to where it is gone, the white part left out [s]."""
+    count = len(time)
+    grid = np.linspace(time[0], time[-1], count)
+    step = float(grid[1] - grid[0])
+    if excess <= 0.0:
+        return step / 2.0
+    even = np.interp(grid, time, error)
+    products = correlate(even, even, method="fft")[count - 1 :]
+    gone = np.flatnonzero(products <= CRITERIA.residuals.memory_gone / sqrt(count) * products[0])
+    summed = float(np.sum(products[1 : gone[0] if len(gone) else count]))
+    return step * (0.5 + summed / max(excess, float(products[1])))
+
+
+def _estimate(parts: Sequence[_Residual], pieces: float, spent: float) -> Discrepancy:
+    """One variance and one memory of all runs; what was fitted has taken its share of the squares."""
+    samples = sum(p.samples for p in parts)
+    power = [max(p.excess, 0.0) for p in parts]
+    variance = max(sum(p.excess for p in parts), 0.0) / samples
+    weights = power if sum(power) else [1.0] * len(parts)
+    memory = float(np.average([p.memory for p in parts], weights=weights))
+    left = max(pieces - spent, 1.0)
+    names = tuple(p.run for p in parts)
+    return Discrepancy(
+        sqrt(variance * max(pieces / left, 1.0)), memory, left, names, parts[0].held_out
+    )
+
+
+def _of_mean(span: float) -> float:
+    """Variance of the mean of an exponentially correlated course over so many memories, over that of its value."""
+    if span < 1e-4:
+        return 1.0
+    return 2.0 * (span - 1.0 + exp(-span)) / span**2
