@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+import re
 import json
 from collections import Counter
 from dataclasses import replace
@@ -43,7 +44,10 @@ def first(which: str = "tuning2", count: int = COUNT) -> list[many.Case]:
 
 
 def test_cases_of_one_bench_are_what_they_were() -> None:
-    """Draws of the first 60 tuning cases, by their digest: what is added elsewhere must not move a random number."""
+    """Draws of the first 60 tuning cases, by their digest: what is added elsewhere must not move a random number.
+
+    Numbers count with nine digits: processors differ in the last bits of logarithms and powers.
+    """
     drawn = []
     for n in range(60):
         case = cases.case_of("tuning", n)
@@ -59,7 +63,8 @@ def test_cases_of_one_bench_are_what_they_were() -> None:
                 sensors.sigma,
             )
         )
-    assert hashlib.sha256(repr(drawn).encode()).hexdigest()[:16] == "6a5334ff05c1837d"
+    text = re.sub(r"-?\d+\.\d+(e[-+]?\d+)?", lambda number: f"{float(number[0]):.9g}", repr(drawn))
+    assert hashlib.sha256(text.encode()).hexdigest()[:16] == "56267c88b1d37fc0"
 
 
 @pytest.mark.parametrize("which", many.SEEDS)

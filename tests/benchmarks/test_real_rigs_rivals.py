@@ -52,8 +52,8 @@ def test_all_is_made_again_in_order_and_rivals_only_where_they_can_be(tmp_path: 
         listed = again.steps(tmp_path, Path("mirror"), rivals)
         return [command[2].rpartition(".")[2] for command in listed]
 
-    assert modules(None) == ["fetch", "tunnel", "ours", "table", "named"]
-    every = ["fetch", "tunnel", "ours", "rivals", "table", "pictures", "named"]
+    assert modules(None) == ["fetch", "tunnel", "ours", "table", "named", "bands"]
+    every = ["fetch", "tunnel", "ours", "rivals", "table", "pictures", "named", "bands"]
     assert modules(Path("rivals/bin/python")) == every
     first = next(again.steps(tmp_path, Path("mirror"), None))
     assert first[-2:] == ["--mirror", "mirror"]
