@@ -125,11 +125,8 @@ class PredictedEvidence:
         self, c: Candidate, thresholds: Sequence[AcceptanceThreshold], hope: float
     ) -> bool:
         """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
-        is_specific, cost = self.ranking.is_specific(c.effects), self.ranking.cost(c.effects)
         return any(
-            hope < threshold.criterion
-            and (is_specific or not threshold.specific)
-            and (threshold.cost is None or cost < threshold.cost)
+            hope < threshold.criterion and self.ranking.may_be(threshold, c.effects)
             for threshold in thresholds
         )
 
@@ -180,9 +177,7 @@ class PredictedEvidence:
     ) -> bool:
         """Whether a model may come to what is asked of it."""
         e, trust = p.prediction, self._success_share(len(p.prediction.effects))
-        if threshold.specific and not self.ranking.is_specific(e.effects):
-            return False
-        if threshold.cost is not None and self.ranking.cost(e.effects) >= threshold.cost:
+        if not self.ranking.may_be(threshold, e.effects):
             return False
         if threshold.reference is not None and not self._expects_large_reduction(
             threshold.reference, p, trust, noise_floor

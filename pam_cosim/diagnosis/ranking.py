@@ -36,12 +36,14 @@ class AcceptanceThreshold:
         specific: it is made of laws alone.
         cost: of its effects, at most, where it is to replace a model that leaves noise with fewer effects; None: not
             asked.
+        rival_of: families of the answer that it is to rival: it has to lack one of them; None: it need not.
     """
 
     criterion: float
     reference: Candidate | None = None
     specific: bool = False
     cost: float | None = None
+    rival_of: frozenset[str] | None = None
 
 
 class Ranking:
@@ -194,6 +196,15 @@ class Ranking:
             {c.effects: c for c in (best, self.best(specific=True)) if c is not None}.values()
         )
 
+    def may_be(self, threshold: AcceptanceThreshold, effects: Collection[str]) -> bool:
+        """Whether a threshold is for models with these effects."""
+        families = {self.search.family[name] for name in effects}
+        return (
+            (self.is_specific(effects) or not threshold.specific)
+            and (threshold.cost is None or self.cost(effects) < threshold.cost)
+            and (threshold.rival_of is None or not families >= threshold.rival_of)
+        )
+
     def cost(self, effects: Collection[str]) -> float:
         """What effects are charged for what they are made of: their parameters, and the choice of them."""
         return self._cost(effects, sum(self.search.cost[name] for name in effects))
@@ -234,16 +245,16 @@ class Ranking:
                     )
                     for c in self.parents()
                 ]
-            return [
-                AcceptanceThreshold(
-                    self.information_criterion(best, scale) + CRITERIA.evidence.very_strong
-                )
-            ]
+            # what has the same families can replace the answer, but not rival it: as good is not enough
+            own = frozenset(self.search.family[name] for name in best.effects)
+            reached = self.information_criterion(best, scale)
+            rival = AcceptanceThreshold(reached + CRITERIA.evidence.very_strong, rival_of=own)
+            return [AcceptanceThreshold(reached), rival]
         bars = [AcceptanceThreshold(self.information_criterion(best, scale), best)]
         if not self.is_specific(best.effects):
-            own = self.best(specific=True)
+            law = self.best(specific=True)
             bars.append(
-                AcceptanceThreshold(self.information_criterion(own, scale), own, specific=True)
+                AcceptanceThreshold(self.information_criterion(law, scale), law, specific=True)
             )
         return bars
 

@@ -106,7 +106,21 @@ def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
         == 1
     )
     solved = _order(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE))
-    assert [bar.specific for bar in solved.acceptance_thresholds(1, solved.scale)] == [False]
+    assert not any(bar.specific for bar in solved.acceptance_thresholds(1, solved.scale))
+
+
+def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_must_be_better() -> None:
+    best = _model("OrificeLeak", 1.0, 1)
+    order = _order(best, _model("LinearBladder", 9.0, 1, STRUCTURE))
+
+    def reached(effects: str) -> list[float]:
+        bars = order.acceptance_thresholds(1, order.scale)
+        own = order.information_criterion(best)
+        return [b.criterion - own for b in bars if order.may_be(b, effects.split("+"))]
+
+    worth = pytest.approx(CRITERIA.evidence.very_strong)
+    assert reached("LinearBladder") == [0.0, worth]
+    assert reached("LaminarLeak") == reached("LaminarLeak+LinearBladder") == [0.0]
 
 
 @pytest.mark.parametrize(
