@@ -23,6 +23,43 @@ Instance: TypeAlias = (
 )
 
 
+class _TypedOnce:
+    """FMPy reads the types of FMI functions from its own signatures for each library; once for a class will do."""
+
+    def _loadFunctions(self: Any) -> None:
+        kind = type(self)
+        if kind not in _PROTOTYPES:
+            super()._loadFunctions()  # type: ignore[misc]
+            _PROTOTYPES[kind] = {
+                name: (f.argnames, f.argtypes, f.restype) for name, f in self._functions.items()
+            }
+            return
+        for name, (argnames, argtypes, restype) in _PROTOTYPES[kind].items():
+            function = getattr(self.dll, name)
+            function.argnames, function.argtypes = argnames, argtypes
+            function.restype = restype
+            self._functions[name] = function
+
+
+_PROTOTYPES: dict[type, dict[str, tuple[list[str], list[Any], Any]]] = {}
+
+
+class FMU2SlaveTypedOnce(_TypedOnce, FMU2Slave):  # type: ignore[misc]
+    """Co-simulation, FMI 2.0."""
+
+
+class FMU2ModelTypedOnce(_TypedOnce, FMU2Model):  # type: ignore[misc]
+    """Model exchange, FMI 2.0."""
+
+
+class FMU3SlaveTypedOnce(_TypedOnce, FMU3Slave):  # type: ignore[misc]
+    """Co-simulation, FMI 3.0."""
+
+
+class FMU3ModelTypedOnce(_TypedOnce, FMU3Model):  # type: ignore[misc]
+    """Model exchange, FMI 3.0."""
+
+
 def load_instance(
     path: Path, description: ModelDescription, directory: str | None, *, exchange: bool = False
 ) -> Instance:
@@ -53,8 +90,8 @@ def load_instance(
     folder = os.getcwd()
     try:
         if fmi_version(description) == "3.0":
-            return (FMU3Model if exchange else FMU3Slave)(**arguments)
-        made = (FMU2Model if exchange else FMU2Slave)(
+            return (FMU3ModelTypedOnce if exchange else FMU3SlaveTypedOnce)(**arguments)
+        made = (FMU2ModelTypedOnce if exchange else FMU2SlaveTypedOnce)(
             **arguments, libraryPath=own_library(directory, identifier)
         )
         if is_taped(Path(directory)):
