@@ -132,17 +132,25 @@ class Search:
 
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
+        begins = {**fitted.values, **fitted.start_values}
         trials = [
             t.screening()
-            for t in self._trials([FitRequest((*has, name), fitted.values) for name in effects])
+            for t in self._trials([FitRequest((*has, name), begins) for name in effects])
         ]
         trials = [replace(t, reference=fitted.linear) for t in trials]
         self.say(EffectsProbed(len(trials), tuple(has)).message)
         return self._run_probes(run_probe, trials)
 
-    def probe_stated(self, beside: Linear, rows: int) -> list[StatedEffect]:
-        """What each effect does at its stated strength and when it is weaker beside a model, in about so many rows."""
-        values = dict(zip(beside.names, beside.values.tolist(), strict=True))
+    def probe_stated(
+        self, beside: Linear, starts: Mapping[str, float], rows: int
+    ) -> list[StatedEffect]:
+        """What each effect does at its stated strength and when it is weaker, in about so many rows.
+
+        Args:
+            beside: the model without it. starts: its start values that were estimated.
+            rows: how many.
+        """
+        values = {**dict(zip(beside.names, beside.values.tolist(), strict=True)), **starts}
         wanted = [FitRequest((e.name,), values) for e in self.available_effects]
         trials = [
             replace(t.screening().fitted_with(rows=rows), reference=beside)

@@ -46,7 +46,7 @@ class Trial:
         effects: names of all effects in the model, ``effect`` last.
         composition: the model with these effects.
         data: the measurement, with noise levels.
-        start: values to start from, by name [SI].
+        start: values to start from, by name [SI]; start values of runs are where a probe has them.
         files: further Modelica files.
         options: how it is fitted.
         further_start: values to start from besides, such as those where a briefer trial ended.
@@ -190,8 +190,16 @@ def _fitted(trial: Trial, simulator: Simulator) -> Candidate:
 
 def _objective(trial: Trial, simulator: Simulator) -> Objective:
     moved, _ = free_parameters(trial, simulator.interface)
+    names = {f.name for f in moved}
+    begins = {n: v for n, v in trial.start.items() if "@" in n and n not in names}
     return Objective(
-        simulator, trial.data, trial.data.fit_runs, moved, None, trial.options.tolerance
+        simulator,
+        trial.data,
+        trial.data.fit_runs,
+        moved,
+        begins,
+        trial.options.tolerance,
+        starts_to_first_order=True,
     )
 
 

@@ -13,7 +13,12 @@ from pam_cosim.comparison import RunComparison, simulate_run, slope, usual_squar
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
-from pam_cosim.fitting.start_values import StartValues, eliminate, start_values
+from pam_cosim.fitting.start_values import (
+    StartValues,
+    eliminate,
+    eliminate_to_first_order,
+    start_values,
+)
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import sensitivity_name
@@ -36,6 +41,12 @@ class Objective:
         failures: the first message of each kind of breakdown.
         starts: start values that are parameters of their runs, by number of the run.
         tolerance: relative, of the solver.
+
+    Args:
+        simulator, data, runs, free: as above, and the measurement.
+        fixed: further parameters; start values among them are where estimates of these begin [SI].
+        tracker, tolerance: as above.
+        starts_to_first_order: start values are eliminated by one linear step from where they begin, and stay there.
     """
 
     def __init__(
@@ -47,7 +58,10 @@ class Objective:
         fixed: Mapping[str, float] | None = None,
         tolerance: float | None = None,
         tracker: Tracker | None = None,
+        *,
+        starts_to_first_order: bool = False,
     ) -> None:
+        self._eliminate = eliminate_to_first_order if starts_to_first_order else eliminate
         self.tracker = tracker or Tracker()
         self._priors = [(i, f.prior) for i, f in enumerate(free) if f.prior is not None]
         self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
@@ -195,7 +209,7 @@ class Objective:
                 runs += self._simulate(z, self._outputs, [i])
                 parts.append(self._weighted(runs[-1:], [i]))
                 continue
-            run, left = eliminate(starts[i], lambda i=i: self._run_with_start_slopes(z, i))  # type: ignore[misc]
+            run, left = self._eliminate(starts[i], lambda i=i: self._run_with_start_slopes(z, i))  # type: ignore[misc]
             runs.append(run)
             parts.append(left)
         return runs, np.concatenate(parts) if parts else np.zeros(0)

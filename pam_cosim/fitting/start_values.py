@@ -174,6 +174,23 @@ def eliminate(
     return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
 
 
+def eliminate_to_first_order(
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
+) -> tuple[Result, Array]:
+    """As ``eliminate``, by one linear step: the start values stay where they are, and so does the result.
+
+    Args:
+        of, simulate: as for ``eliminate``.
+
+    Raises:
+        SimulationFailure: the run does not reach its end.
+    """
+    here = _Point(of, *simulate())
+    moved = np.clip(here.values + here.step, of.low, of.high) - here.values
+    of.slopes = here.slopes
+    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ moved
+
+
 def _tried(
     of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
 ) -> _Point[Result] | None:
@@ -201,4 +218,4 @@ class _Point(Generic[Result]):
         ) and bool(np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd))
 
 
-__all__ = ["StartValues", "eliminate", "start_values"]
+__all__ = ["StartValues", "eliminate", "eliminate_to_first_order", "start_values"]

@@ -224,3 +224,33 @@ def test_an_offset_of_an_instrument_is_the_same_in_all_runs(
     ]
     compared = pam.compare(replace(whole, runs=tuple(runs)))
     assert [one.run.start.mode for one in compared.runs] == [mode] * 3
+
+
+def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
+    data: Callable[..., DataSet],
+) -> None:
+    """From starts that settled: the same there, nearly the same a little farther, and the starts stay."""
+    data_set = pam.read(data().folder)
+    free = (Free("valve.C_A", 0.5, 0.9, 0.7, "1"), Free("muscle.mu_fb", 0.005, 0.05, 0.018, "1"))
+    path = build_model(
+        "Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True
+    )
+    with Simulator(path) as simulator:
+        begun = with_starts(simulator, data_set)
+        whole = Objective(simulator, begun, begun.fit_runs, free, tolerance=1e-9)
+        z = np.array([f.to_z(f.start) for f in free])
+        for _ in range(3):
+            whole._latest = None
+            settled = whole.residuals(z)
+        begins = whole.start_values
+        first = Objective(
+            simulator, begun, begun.fit_runs, free, begins, 1e-9, starts_to_first_order=True
+        )
+        samples = slice(whole.size)
+        assert first.residuals(z)[samples] == pytest.approx(settled[samples], abs=1e-3)
+        far = z * [1.05, 1.0]
+        one, other = first.residuals(far)[samples], whole.residuals(far)[samples]
+        change = np.linalg.norm(other - settled[samples])
+        assert change > 0.1 * np.linalg.norm(settled[samples])
+        assert np.linalg.norm(one - other) < 0.1 * change
+        assert first.start_values == begins != whole.start_values
