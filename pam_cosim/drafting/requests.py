@@ -12,7 +12,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from pam_cosim.drafting.column_statistics import span
-from pam_cosim.drafting.columns import find_columns
+from pam_cosim.drafting.columns import find_columns, with_known_units
 from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.recorded_column import RecordedColumn
@@ -85,6 +85,7 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     formulas = {name: text for name, text in wanted.items() if text not in names}
     _check_asked(formulas, names)
     columns = find_columns(sources, asked)
+    columns = with_known_units(columns, formulas.values(), sources)
     columns += quantities(files, columns, list(map(_rows, sources)))
     time = check_time(columns, sources, recording)
     points = time is None and recording.interval is None

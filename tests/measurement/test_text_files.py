@@ -45,6 +45,7 @@ VARIANTS = {
     "byte order mark": PLAIN.encode("utf-8-sig"),
     "UTF-16": PLAIN.encode("utf-16"),
     "UTF-16, big-endian": b"\xfe\xff" + PLAIN.encode("utf-16-be"),
+    "UTF-32": PLAIN.encode("utf-32"),
     "Latin-1": PLAIN.encode("latin-1"),
     "units in their own row": units_below(PLAIN).encode(),
     "units in brackets in their own row": units_below(PLAIN)
@@ -73,6 +74,22 @@ def test_variants_hold_the_same_numbers(tmp_path, content):
     for name, (unit, values) in EXPECTED.items():
         assert table.columns[name].unit.replace("degC", "°C") == unit
         np.testing.assert_array_equal(table.columns[name].values, values)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_utf_16_without_a_mark_is_named(tmp_path, encoding):
+    file = tmp_path / "run.csv"
+    file.write_bytes(PLAIN.encode(encoding))
+    with pytest.raises(InputError, match=f'encoding = "{encoding}"'):
+        read_table(file)
+    assert list(read_table(file, Layout(encoding=encoding)).columns) == list(EXPECTED)
+
+
+def test_a_row_of_units_may_name_an_absolute_pressure(tmp_path):
+    text = units_below(PLAIN).replace("kPa", "kPa abs").encode()
+    file = tmp_path / "run.csv"
+    file.write_bytes(text)
+    assert read_table(file).columns["p"].unit == "kPa abs"
 
 
 def written(tmp_path, text: str | bytes, **stated) -> dict[str, list[float]]:
