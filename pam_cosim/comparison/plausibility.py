@@ -39,9 +39,9 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "still": a signal never moves, where the model does; "far_off": the model explains little of it;
-            "one_sided": the measurement never passes zero where the model does; "contradiction": runs differ the other
-            way than in the model.
+        kind: "copy": two runs have the same samples; "still": a signal never moves, where the model does; "far_off":
+            the model explains little of it; "one_sided": the measurement never passes zero where the model does;
+            "contradiction": runs differ the other way than in the model.
         signal: which it is seen in.
         text: a sentence.
     """
@@ -76,7 +76,26 @@ def doubts(
                 *_one_sided(signal, measured, modelled),
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
-    return tuple(every)
+    return (*_copies(runs), *every)
+
+
+def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
+    """Runs of the same samples, noise and all: one file under two names checks nothing and counts twice."""
+    seen: dict[tuple[str, bytes], str] = {}
+    for r in runs:
+        for name, values in r.run.measurements.items():
+            samples = values[np.isfinite(values)]
+            if len(samples) < CRITERIA.doubts.fewest or not np.ptp(samples):
+                continue
+            first = seen.setdefault((name, samples.tobytes()), r.run.name)
+            if first != r.run.name:
+                yield Doubt(
+                    "copy",
+                    name,
+                    f"{first} and {r.run.name} have the same samples of {name}, noise and all: "
+                    "is one a copy of the other?",
+                )
+                break
 
 
 def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:

@@ -77,6 +77,7 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     """
     if not files:
         raise InputError("name the recordings, as data/*.csv")
+    _check_different(files)
     recording = recording_table(wishes.recording or {})
     sources = read_sources(files, recording)
     names = {name for source in sources for name in source.table.columns}
@@ -96,6 +97,13 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     return ReadRecordings(
         tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points
     )
+
+
+def _check_different(files: Sequence[Path]) -> None:
+    """Raises InputError where a file is named twice: its samples would count twice."""
+    for i, file in enumerate(files):
+        if file.resolve() in {other.resolve() for other in files[:i]}:
+            raise InputError("the file is named twice", file)
 
 
 def _rows(source: RecordingSource) -> int:

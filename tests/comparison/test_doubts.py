@@ -75,6 +75,15 @@ def test_a_sensor_that_is_not_connected_is_told() -> None:
     assert asked(compared(np.full_like(TIME, 3.0), np.full_like(TIME, 4.0))) == []
 
 
+def test_a_copy_under_another_name_is_told() -> None:
+    measured = noisy(PRESSURE)
+    one, other = compared(measured, PRESSURE), compared(measured, PRESSURE, name="run-02")
+    (doubt,) = asked(one, other)
+    assert doubt.kind == "copy" and "run-01 and run-02 have the same samples of p" in doubt.text
+    repeated = compared(noisy(measured), PRESSURE, name="run-02")
+    assert asked(one, repeated) == []
+
+
 def test_a_large_error_without_a_simple_cause_waits_for_the_fit() -> None:
     run = compared(noisy(np.random.default_rng(1).permutation(PRESSURE)), PRESSURE)
     signals = {"p": Signal("p", "Pa", SIGMA)}

@@ -115,6 +115,13 @@ def test_days_of_a_spreadsheet(tmp_path: Path) -> None:
     assert float(np.ptp(data.runs[0].time)) == pytest.approx(3.99, rel=1e-4)
 
 
+def test_a_file_named_twice_does_not_count_twice(tmp_path: Path) -> None:
+    file = tmp_path / "run.csv"
+    file.write_text("time [s],p_set [bar],p [bar],x [mm]\n0,1,0,0\n1,1,1,9\n")
+    with pytest.raises(InputError, match="named twice"):
+        pam.new(tmp_path / "rig", [file, tmp_path / "." / "run.csv"])
+
+
 def test_times_of_day_beside_two_valves_are_refused_in_words(tmp_path: Path) -> None:
     file = tmp_path / "run.csv"
     file.write_text("time,u_in [A],u_out [A],p [kPa],x [mm]\n" + "12:00:01.5,0.1,0,5,1\n" * 9)
