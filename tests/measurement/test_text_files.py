@@ -85,6 +85,18 @@ def test_utf_16_without_a_mark_is_named(tmp_path, encoding):
     assert list(read_table(file, Layout(encoding=encoding)).columns) == list(EXPECTED)
 
 
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_a_number_may_stand_for_a_missing_sample(tmp_path, decimal):
+    """It was read as a sample, whatever was stated; a clock that passes the number keeps it."""
+    text = "t;x\n0;1.5\n1;-999\n2;-999.0\n3;-9.99e2\n4;3\n".replace(".", decimal)
+    file = tmp_path / "run.csv"
+    file.write_text(text)
+    table = read_table(file, Layout(missing=frozenset({"-999", "3"})))
+    np.testing.assert_array_equal(table.columns["x"].values, [1.5, np.nan, np.nan, np.nan, np.nan])
+    np.testing.assert_array_equal(table.columns["t"].values, [0, 1, 2, 3, 4])
+    assert set(table.missing) == {"-999", "3"}
+
+
 def test_a_row_of_units_may_name_an_absolute_pressure(tmp_path):
     text = units_below(PLAIN).replace("kPa", "kPa abs").encode()
     file = tmp_path / "run.csv"
