@@ -100,10 +100,16 @@ class _Command:
 
 def run() -> None:
     """Entry point of the command line."""
+    _print_somewhere()
     _print_what_can_be_printed()
     command = _Command()
     try:
         status = command.run()
+        sys.stdout.flush()
+    except OSError as problem:
+        if problem.filename is not None:
+            raise
+        status = _could_not_print(problem)
     finally:
         for number in _SIGNALS:
             signal.signal(number, signal.SIG_IGN)
@@ -111,6 +117,21 @@ def run() -> None:
     if command.number:  # threads of libraries may wait for processes that have been ended
         _later(_LAST, os._exit, status)
     sys.exit(status)
+
+
+def _print_somewhere() -> None:
+    """Where whoever called closed the output, what is printed goes nowhere."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - until the process ends
+
+
+def _could_not_print(problem: OSError) -> int:
+    """What is printed went to a full disk, or to a program that ended: one line, and no second try at the end."""
+    if not isinstance(problem, BrokenPipeError):
+        print(f"pam-cosim: what is printed cannot be written: {problem.strerror}", file=sys.stderr)
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    return 2
 
 
 def _print_what_can_be_printed() -> None:

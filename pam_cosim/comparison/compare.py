@@ -17,7 +17,7 @@ from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, did_you_mean
+from pam_cosim.wording import Printed, did_you_mean, listed
 
 
 @dataclass(frozen=True)
@@ -138,9 +138,10 @@ class Comparison(Printed):
                     if s.noise_rmse != s.noise_rmse
                     else f", {scatter} {format_quantity(s.noise_rmse, unit)}"
                 )
-                share = f"{100 * s.nrmse:.1f} % of range{noise}"
+                moves = s.nrmse == s.nrmse
+                share = f"{100 * s.nrmse:.1f} % of range" if moves else "it does not move"
                 lines.append(
-                    f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share})"
+                    f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share}{noise})"
                 )
         for rule in self.where[:5]:
             lines.append(
@@ -176,9 +177,14 @@ def compare(
 
     Raises:
         SimulationFailure: a run did not reach its end.
-        InputError: a parameter that the model does not have.
+        InputError: a parameter that the model does not have; no run has a sample.
     """
     known = dict(parameters or {})
+    if not any(run.sample_count(name) for run in data.runs for name in data.signals):
+        files = listed(dict.fromkeys(run.file.name for run in data.runs))
+        outputs = listed(simulator.interface.outputs)
+        message = f"no recording ({files}) has a sample of an output of {simulator.interface.model}: {outputs}"
+        raise InputError(message, data.folder)
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
     return scored(simulator.interface, data, known, runs, rules=rules)
 

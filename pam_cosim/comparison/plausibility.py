@@ -39,8 +39,9 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "far_off": the model explains little of a signal; "one_sided": the measurement never passes zero where the
-            model does; "contradiction": runs differ the other way than in the model.
+        kind: "copy": two runs have the same samples; "still": a signal never moves, where the model does; "far_off":
+            the model explains little of it; "one_sided": the measurement never passes zero where the model does;
+            "contradiction": runs differ the other way than in the model.
         signal: which it is seen in.
         text: a sentence.
     """
@@ -70,11 +71,31 @@ def doubts(
         measured, modelled = _samples(runs, name)
         if len(measured):
             every += [
+                *_still(signal, measured, modelled),
                 *_far_off(signal, measured, modelled, fitted),
                 *_one_sided(signal, measured, modelled),
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
-    return tuple(every)
+    return (*_copies(runs), *every)
+
+
+def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
+    """Runs of the same samples, noise and all: one file under two names checks nothing and counts twice."""
+    seen: dict[tuple[str, bytes], str] = {}
+    for r in runs:
+        for name, values in r.run.measurements.items():
+            samples = values[np.isfinite(values)]
+            if len(samples) < CRITERIA.doubts.fewest or not np.ptp(samples):
+                continue
+            first = seen.setdefault((name, samples.tobytes()), r.run.name)
+            if first != r.run.name:
+                yield Doubt(
+                    "copy",
+                    name,
+                    f"{first} and {r.run.name} have the same samples of {name}, noise and all: "
+                    "is one a copy of the other?",
+                )
+                break
 
 
 def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
@@ -92,11 +113,29 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
+def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
+    """A signal that is one number in every sample, as of a sensor that is not connected, where the model moves."""
+    moves = float(np.ptp(modelled))
+    if len(measured) < CRITERIA.doubts.fewest or np.ptp(measured) or moves < signal.sigma:
+        return
+    value, span = (
+        format_quantity(float(measured[0]), signal.unit),
+        format_quantity(moves, signal.unit),
+    )
+    yield Doubt(
+        "still",
+        signal.name,
+        f"{signal.name}: every sample is {value}, where the model moves by {span}: the sensor is not connected, or "
+        "it is another column; leave it out, or fits follow it alone, for it shows no noise",
+    )
+
+
 def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> Iterator[Doubt]:
     """A model that misses a signal by much of what it moves, and what would mend it at once."""
     error, moves = _rms(measured - modelled), _rms(measured - measured.mean())
     if (
-        error < CRITERIA.doubts.far_off * moves
+        not np.ptp(measured)
+        or error < CRITERIA.doubts.far_off * moves
         or error < CRITERIA.doubts.beyond_noise * signal.sigma
     ):
         return
@@ -118,8 +157,13 @@ def _mended(signal: Signal, measured: Array, modelled: Array, error: float) -> s
     """The simple mistake that explains most of an error, in words; "" where none does."""
     enough = CRITERIA.doubts.mended * error
     offset = float(np.mean(measured - modelled))
+    zero, why = _ZEROS.get(signal.unit, (math.inf, ""))
+    if signal.unit == "Pa" and _from_atmosphere(measured, modelled):
+        lowest, highest = (
+            format_quantity(float(v), "Pa") for v in (measured.min(), measured.max())
+        )
+        return f"It goes from {lowest} to {highest}, one atmosphere above the model: {why}"
     if _rms(measured - modelled - offset) < enough:
-        zero, why = _ZEROS.get(signal.unit, (math.inf, ""))
         mixed = abs(abs(offset) - zero) < CRITERIA.doubts.alike * zero
         likely = why if mixed else "its zero is wrong, or a start value"
         return f"It would fit if {format_quantity(offset, signal.unit)} were taken off: {likely}"
@@ -136,6 +180,19 @@ def _mended(signal: Signal, measured: Array, modelled: Array, error: float) -> s
                 "rig's does this, and so does a wrong factor of the instrument"
             )
     return ""
+
+
+def _from_atmosphere(measured: Array, modelled: Array) -> bool:
+    """Whether a pressure begins at one atmosphere and ends that much above the model.
+
+    Where the start of the model was estimated from the same reading, no constant is what the two differ by.
+    """
+    low, high = CRITERIA.recognition.atmosphere
+    above, atmosphere = float(measured.max() - modelled.max()), _ZEROS["Pa"][0]
+    return bool(
+        low <= measured.min() <= high
+        and abs(above - atmosphere) < CRITERIA.doubts.alike * atmosphere
+    )
 
 
 def _as_units(unit: str, gain: float) -> str:

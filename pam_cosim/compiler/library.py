@@ -95,16 +95,22 @@ class Library:
                         f"'within {'.'.join(within)}': there is no such package", file, 1, 1
                     )
                 node.parent = parent
-                self.inserted[node.qualified_name] = node
+                place = node.qualified_name
+                known = self.inserted.get(place, parent.classes.get(node.name))
+                if known is not None and not _is_copy(node, known):
+                    raise _exists(node, place)
+                self.inserted[place] = node
             elif node.name in self.top and _is_copy(node, self.top[node.name]):
                 continue
             elif node.name in self.top:
-                raise node.source.error(
-                    f"a class '{node.name}' exists already: choose another name", node.at
-                )
+                raise _exists(node, node.name)
             else:
                 self.top[node.name] = node
         return classes
+
+
+def _exists(node: ClassDefinition, name: str) -> ModelError:
+    return node.source.error(f"a class '{name}' exists already: choose another name", node.at)
 
 
 def _is_copy(node: ClassDefinition, known: ClassDefinition) -> bool:
@@ -212,15 +218,21 @@ def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefin
     package.parent = parent
     for entry in sorted(directory.iterdir()):
         if entry.is_dir() and (entry / "package.mo").exists():
-            child = _read_package(entry, package)
-            package.classes[child.name] = child
+            _put(_read_package(entry, package), package)
         elif entry.suffix == ".mo" and entry.name != "package.mo":
             within, children = parse_source(_read(entry))
             _check_within(within, package, entry)
             for child in children:
                 child.parent = package
-                package.classes[child.name] = child
+                _put(child, package)
     return package
+
+
+def _put(child: ClassDefinition, package: ClassDefinition) -> None:
+    """Files of a folder hold different classes: which of two of a name is meant, nobody knows."""
+    if child.name in package.classes:
+        raise _exists(child, child.qualified_name)
+    package.classes[child.name] = child
 
 
 def _check_within(within: tuple[str, ...], parent: ClassDefinition | None, file: Path) -> None:

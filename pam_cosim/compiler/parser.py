@@ -55,9 +55,12 @@ class Parser(EquationParser):
             if self.kind == "name":
                 within = self.type_name().names
             self.expect(";")
-        classes = []
+        classes: list[ClassDefinition] = []
         while self.kind != "end of file":
-            classes.append(self.class_definition(None, self.class_prefixes()))
+            made = self.class_definition(None, self.class_prefixes())
+            if any(made.name == one.name for one in classes):
+                raise self.source.error(f"'{made.name}' is declared twice", made.at)
+            classes.append(made)
             self.expect(";")
         return within, classes
 

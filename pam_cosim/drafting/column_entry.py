@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 import numpy as np
@@ -20,7 +19,6 @@ from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, parse_quantity
 
 _C = CRITERIA.recognition
-_REFERABLE = re.compile(r"[^'\\\n]+")
 _GRAVITY = "9.80665 m/s2"
 
 
@@ -46,7 +44,7 @@ def named_entry(
     if kind == "force" and fits(column.unit, "mass"):
         return _weight(name, column)
     numbers = {i: convert(v, column.unit, variable.unit) for i, v in column.values.items()}
-    if column.absolute and kind == "pressure" and _REFERABLE.fullmatch(column.name):
+    if column.absolute and kind == "pressure":
         return _gauge_pressure(name, column, numbers)
     return ColumnEntry(name, column.name, unit_to_state(column), why=column.why), numbers
 
@@ -56,7 +54,7 @@ def _weight(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, A
     gravity = parse_quantity(_GRAVITY, "m/s2")
     numbers = {i: convert(v, column.unit, "kg") * gravity for i, v in column.values.items()}
     why = (*column.why, f"a force in {column.unit}, times gravity")
-    return ColumnEntry(name, formula=f'{_term(column)} * "{_GRAVITY}"', why=why), numbers
+    return _scaled(name, column, _GRAVITY, None, why), numbers
 
 
 def _gauge_pressure(
@@ -65,8 +63,9 @@ def _gauge_pressure(
     """A gauge pressure that was recorded as an absolute one [Pa]."""
     ambient = f"{_C.ambient / 1e3:g} kPa"
     why = (*column.why, f"its heading says absolute; the ambient is taken as {ambient}")
-    entry = ColumnEntry(name, formula=f'{_term(column)} - "{ambient}"', why=why)
-    return entry, {i: v - _C.ambient for i, v in numbers.items()}
+    return _scaled(name, column, None, f"-{ambient}", why), {
+        i: v - _C.ambient for i, v in numbers.items()
+    }
 
 
 def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:
@@ -85,9 +84,13 @@ def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int
         hint = f"leave it out: --recording ignore={column.name}"
         raise InputError(f"the values of {column.name} are no directions; {hint}")
     scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
-    return ColumnEntry(
-        name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why
-    ), values
+    if not column.readable:
+        turned = ColumnEntry(
+            name, column.name, gain=f"{scale:g}", offset=f"{offset:g}", why=column.why
+        )
+        return turned, values
+    formula = f"{scale:g} * '{column.name}' + ({offset:g})"
+    return ColumnEntry(name, formula=formula, why=column.why), values
 
 
 def _contraction(
@@ -100,9 +103,7 @@ def _contraction(
         length = parse_quantity(value, "m")
         numbers = {i: convert(v, column.unit, "1") * length for i, v in column.values.items()}
         why = f"it is a ratio, times the length at rest, {value}: {source}"
-        return ColumnEntry(
-            name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)
-        ), numbers
+        return _scaled(name, column, value, None, (*column.why, why)), numbers
     lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
     longest = max(float(np.nanmax(v)) for v in lengths.values())
     value, source = f"{longest:.6g} m", "the longest in any recording"
@@ -110,8 +111,9 @@ def _contraction(
         value, source = at_rest
     length = parse_quantity(value, "m")
     why = f"it is a length: the contraction is what is missing to {value}, {source}"
-    entry = ColumnEntry(name, formula=f'"{value}" - {_term(column)}', why=(*column.why, why))
-    return entry, {i: length - v for i, v in lengths.items()}
+    return _scaled(name, column, "-1", value, (*column.why, why)), {
+        i: length - v for i, v in lengths.items()
+    }
 
 
 def _length_at_rest(interface: Interface, stated: Mapping[str, str]) -> tuple[str, str] | None:
@@ -137,10 +139,21 @@ def length_parameter(interface: Interface) -> str | None:
     return None
 
 
-def _term(column: RecordedColumn) -> str:
-    """The column in a formula."""
-    name = f"'{column.name}'" if _REFERABLE.fullmatch(column.name) else "value"
-    return name if column.stated or not column.unit else f'{name} * "1 {column.unit}"'
+def _scaled(
+    name: str, column: RecordedColumn, gain: str | None, offset: str | None, why: tuple[str, ...]
+) -> ColumnEntry:
+    """The entry of a column times a gain, plus an offset: as a formula, where one can hold the column."""
+    if not column.readable:
+        return ColumnEntry(name, column.name, column.unit, gain=gain or "1", offset=offset, why=why)
+    term = f"'{column.name}'"
+    if not column.stated and column.unit:
+        term += f' * "1 {column.unit}"'
+    if gain == "-1":
+        formula = f'"{offset}" - {term}' if offset else f"-{term}"
+    else:
+        formula = term + (f' * "{gain}"' if gain else "")
+        formula += f' - "{offset.removeprefix("-")}"' if offset else ""
+    return ColumnEntry(name, formula=formula, why=why)
 
 
 def signed_entry(
@@ -152,9 +165,7 @@ def signed_entry(
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
     meaning = meaning_of(variable)
-    if meaning is None or entry.formula is not None or entry.column is None:
-        return entry, values
-    if not _REFERABLE.fullmatch(entry.column):
+    if meaning is None or entry.formula is not None or entry.gain is not None:
         return entry, values
     why = ""
     if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
@@ -164,8 +175,7 @@ def signed_entry(
         why = "it is below zero: its sign is turned round, so that a pull is positive"
     if not why:
         return entry, values
-    scale = f' * "1 {entry.unit}"' if entry.unit else ""
-    turned = ColumnEntry(entry.name, formula=f"-'{entry.column}'{scale}", why=(*entry.why, why))
+    turned = _scaled(entry.name, choice.fed[entry.name], "-1", None, (*entry.why, why))
     return turned, {i: -v for i, v in values.items()}
 
 

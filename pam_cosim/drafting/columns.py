@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
 import numpy as np
@@ -13,13 +13,14 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.time_column import with_time
-from pam_cosim.drafting.vocabulary import Meaning, read_heading
+from pam_cosim.drafting.vocabulary import Meaning, is_count, read_heading
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
 
 _C = CRITERIA.recognition
 
+_SHARES = ("command", "ratio")  # need no unit: what is written there, such as on/off, is none
 _MOST = 400  # columns; each is held against each
 
 
@@ -41,6 +42,39 @@ def find_columns(
     columns = with_time(_valves(_supply(columns)), asked.get("time"))
     _check_alike(columns, sources)
     return columns
+
+
+def with_known_units(
+    columns: Sequence[RecordedColumn], formulas: Iterable[str], sources: Sequence[RecordingSource]
+) -> list[RecordedColumn]:
+    """The columns, of which those whose unit nobody knows serve formulas alone.
+
+    Raises:
+        InputError: a unit is written that nobody knows, and no formula holds the column: no other one is guessed.
+    """
+    in_formulas = " ".join(formulas)
+    for one in columns:
+        if _lacks_unit(one) and one.name not in in_formulas:
+            source = sources[min(one.places)]
+            raise InputError(_unknown(one), source.file, source.table.header_line, one.name)
+    return [replace(c, meaning=None) if _lacks_unit(c) else c for c in columns]
+
+
+def _lacks_unit(one: RecordedColumn) -> bool:
+    """Whether the unit that is written is none, and its numbers need one: a command that is on or off needs none."""
+    if not one.unknown or one.unit or one.meaning is None:
+        return False
+    kind = one.meaning.kind
+    shares = is_count(one.unknown) if kind in _SHARES else True
+    return shares and kind not in ("count", "direction")
+
+
+def _unknown(one: RecordedColumn) -> str:
+    left_out = f"or leave it out: --recording ignore={one.name}"
+    if not is_count(one.unknown):
+        return f"unit {shown(one.unknown)} is unknown; correct it in the file, {left_out}"
+    scaled = f"as in --column 'x={one.name} * \"0.02 mm\"'"
+    return f"how large its {one.unknown} are is not said; scale it, {scaled}, {left_out}"
 
 
 def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> None:
@@ -69,6 +103,7 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
         reading.written,
         reading.meaning,
         {i: column.values for i, column in places.items() if np.isfinite(column.values).any()},
+        unknown=first.unit.strip() if reading.unknown else "",
         absolute=reading.absolute,
         known=reading.known,
         places=places,
@@ -78,10 +113,13 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
     words = _words_in(sources, name, first.heading)
     if words:
         return replace(one, meaning=Meaning("direction"), words=words, unit="", stated=True)
-    if one.meaning is None:
+    meaning = one.meaning
+    if meaning is None:
         return one
     if reading.known == 0.0:
         one = replace(one, why=(f"its unit is {reading.unit}",))
+    if one.unknown and meaning.kind not in _SHARES:
+        return one
     if not reading.unit:
         return with_usual_unit(one)
     if not one.stated:

@@ -137,7 +137,7 @@ def _own(draft: Draft, entry: ColumnEntry) -> bool:
 
 def _told(entry: ColumnEntry) -> bool:
     renamed = entry.column is not None and entry.column != entry.name
-    return bool(renamed or entry.unit or entry.formula or entry.zero or entry.words)
+    return bool(renamed or entry.unit or entry.formula or entry.zero or entry.words or entry.gain)
 
 
 def _entry(entry: ColumnEntry, zero: tuple[float, float] | None) -> Iterator[str]:
@@ -152,6 +152,9 @@ def _entry(entry: ColumnEntry, zero: tuple[float, float] | None) -> Iterator[str
         cells.append(f"column = {toml_string(entry.column)}")
     if entry.unit and entry.formula is None:
         cells.append(f"unit = {toml_string(entry.unit)}")
+    for key, value in (("gain", entry.gain), ("offset", entry.offset)):
+        if value is not None:
+            cells.append(f"{key} = {toml_string(value)}")
     if entry.words:
         words = ", ".join(
             f"{toml_key(word)} = {toml_string(way)}" for word, way in entry.words.items()

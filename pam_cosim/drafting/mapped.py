@@ -10,9 +10,10 @@ from pam_cosim.drafting.rest import Rest
 
 @dataclass(frozen=True)
 class ColumnEntry:
-    """One key of ``[columns]``: ``column``, ``unit``, ``formula`` as stated; ``zero`` in seconds by recording.
+    """One key of ``[columns]``: ``column``, ``unit``, ``formula``, ``gain``, ``offset`` as stated; ``zero`` in seconds.
 
     Attributes:
+        zero: by recording.
         words: of a direction, up, down or none by the words of the column.
         held: one value for each recording [SI], of which the name of its file tells: no column has it.
         why: what was guessed, in sentences.
@@ -22,6 +23,8 @@ class ColumnEntry:
     column: str | None = None
     unit: str | None = None
     formula: str | None = None
+    gain: str | None = None
+    offset: str | None = None
     zero: dict[int, tuple[float, float]] = field(default_factory=dict)
     why: tuple[str, ...] = ()
     words: dict[str, str] = field(default_factory=dict)

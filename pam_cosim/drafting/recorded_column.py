@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -11,11 +12,14 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import is_constant, is_held, is_switch, span
 from pam_cosim.drafting.vocabulary import Meaning, usual_unit
+from pam_cosim.drafting.words import USUAL_UNITS
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
 
 _C = CRITERIA.recognition
+_LARGEST_COMMAND = USUAL_UNITS["command"][-1][0]
+_REFERABLE = re.compile(r"[^'\\\n]+")
 
 
 @dataclass(frozen=True)
@@ -25,6 +29,7 @@ class RecordedColumn:
     Attributes:
         unit: as the registry of units has it; stated in the file, or guessed.
         stated: the file states it so that it can be read.
+        unknown: the unit that the file states, where nobody knows it; else "".
         meaning: None: nobody knows.
         why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
         known: share of its words that are known.
@@ -41,6 +46,7 @@ class RecordedColumn:
     meaning: Meaning | None
     values: dict[int, Array]
     why: tuple[str, ...] = ()
+    unknown: str = ""
     absolute: bool = False
     known: float = 0.0
     places: dict[int, Column] = field(default_factory=dict)
@@ -48,6 +54,12 @@ class RecordedColumn:
     in_names: bool = False
     words: tuple[str, ...] = ()
     senses: dict[float, int] = field(default_factory=dict)
+
+    @property
+    def readable(self) -> bool:
+        """Whether a formula can hold it: by its name, and by the unit beside it in the files, if there is one."""
+        written = any(column.unit.strip() for column in self.places.values())
+        return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not written)
 
     @property
     def every(self) -> Array:
@@ -86,7 +98,8 @@ def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
     """A column without a unit, which its numbers suggest."""
     assert one.meaning is not None
     kind = one.meaning.kind
-    if kind == "current" and is_switch(one.every):
+    largest = float(np.nanmax(np.abs(one.every))) if np.isfinite(one.every).any() else 0.0
+    if kind == "current" and is_switch(one.every) and largest <= _LARGEST_COMMAND:
         one = replace(
             one, meaning=Meaning("command", one.meaning.roles), why=(*one.why, "it has two values")
         )
@@ -95,7 +108,8 @@ def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
         return one
     if kind == "voltage":
         return replace(one, meaning=None)
-    largest = float(np.nanmax(np.abs(one.every))) if np.isfinite(one.every).any() else 0.0
+    if kind == "command" and largest > _LARGEST_COMMAND:
+        return replace(one, unknown="counts")
     unit = usual_unit(kind, largest)
     why = f"no unit is written; numbers up to {largest:.4g} are taken as {unit}" if unit else ""
     return replace(one, unit=unit, why=(*one.why, why) if why else one.why)

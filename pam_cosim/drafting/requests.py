@@ -12,7 +12,7 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from pam_cosim.drafting.column_statistics import span
-from pam_cosim.drafting.columns import find_columns
+from pam_cosim.drafting.columns import find_columns, with_known_units
 from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.recorded_column import RecordedColumn
@@ -77,6 +77,7 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     """
     if not files:
         raise InputError("name the recordings, as data/*.csv")
+    _check_different(files)
     recording = recording_table(wishes.recording or {})
     sources = read_sources(files, recording)
     names = {name for source in sources for name in source.table.columns}
@@ -85,6 +86,7 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     formulas = {name: text for name, text in wanted.items() if text not in names}
     _check_asked(formulas, names)
     columns = find_columns(sources, asked)
+    columns = with_known_units(columns, formulas.values(), sources)
     columns += quantities(files, columns, list(map(_rows, sources)))
     time = check_time(columns, sources, recording)
     points = time is None and recording.interval is None
@@ -95,6 +97,13 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     return ReadRecordings(
         tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points
     )
+
+
+def _check_different(files: Sequence[Path]) -> None:
+    """Raises InputError where a file is named twice: its samples would count twice."""
+    for i, file in enumerate(files):
+        if file.resolve() in {other.resolve() for other in files[:i]}:
+            raise InputError("the file is named twice", file)
 
 
 def _rows(source: RecordingSource) -> int:

@@ -12,6 +12,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits
+from pam_cosim.drafting.words import DAYS, SHORTEST_STEP, USUAL_EPOCHS, USUAL_STEPS
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.units import seconds
@@ -99,14 +100,23 @@ def _runs(column: RecordedColumn) -> bool:
 
 
 def _unit_of_time(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
-    """``ms`` of a long recording whose numbers are whole, else ``s``; and why."""
+    """``ms`` to ``ns`` of a long recording whose numbers are whole, days of a spreadsheet, else ``s``; and why."""
     steps = np.concatenate([np.diff(one) for one in column.values.values()] or [np.empty(0)])
     known = steps[np.isfinite(steps)]
     step = float(np.median(known)) if known.size else 0.0
     whole = bool((column.every == np.round(column.every)).all())
     longest = max((len(one) for one in column.values.values()), default=0)
-    unit = "ms" if whole and longest >= CRITERIA.noise.fewest_samples else "s"
+    first = float(column.every[0]) if column.every.size else 0.0
+    unit = "s"
+    if whole and longest >= CRITERIA.noise.fewest_samples:
+        unit = _first_above(abs(first), USUAL_EPOCHS) or _first_above(step, USUAL_STEPS)
+    elif DAYS[0] <= first <= DAYS[1] and 0.0 < step < SHORTEST_STEP:
+        unit = "d"
     return unit, (f"no unit is written; steps of {step:.4g} are taken as {unit}",)
+
+
+def _first_above(number: float, table: Sequence[tuple[float, str]]) -> str:
+    return next((unit for most, unit in table if number < most), "")
 
 
 def check_time(

@@ -27,7 +27,7 @@ from pam_cosim.drafting.words import (
     WITHOUT_ROLES,
 )
 from pam_cosim.measurement.table import is_unit
-from pam_cosim.units import UnitError, convert
+from pam_cosim.units import UnitError, convert, is_dimensionless, pressure_reference
 
 
 @dataclass(frozen=True)
@@ -53,6 +53,7 @@ class Heading:
         meaning: None where no word is known.
         unit: as pint reads it; "" where none is written.
         written: the unit as it stands in the file's place for units is ``unit``.
+        unknown: a unit is written that nobody knows.
         absolute: it says that the pressure is absolute.
         known: how many of its words are known, of all: the larger share names it better.
     """
@@ -60,6 +61,7 @@ class Heading:
     meaning: Meaning | None
     unit: str
     written: bool
+    unknown: bool = False
     absolute: bool = False
     known: float = 0.0
 
@@ -72,15 +74,17 @@ def folded(text: str) -> str:
 
 def read_heading(name: str, unit: str) -> Heading:
     """What a column is, by its name and unit."""
-    stated = known_unit(unit)
+    stated = "" if is_count(unit) else known_unit(unit)
     if not unit.strip():
         stated, name = _unit_in_name(name)
     small = [folded(word) for word in split_words(name)]
     meaning = _meaning(small, stated)
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
-    absolute = bool(ABSOLUTE.search(f"{name} {unit}"))
-    return Heading(meaning, stated, bool(stated) and stated == unit.strip(), absolute, share)
+    unknown = not stated and not is_dimensionless(unit)
+    absolute = pressure_reference(unit)[1] == "absolute" or any(map(ABSOLUTE.fullmatch, small))
+    written = bool(stated) and stated == unit.strip()
+    return Heading(meaning, stated, written, unknown, absolute, share)
 
 
 def direction_word(word: str) -> int:
@@ -109,12 +113,20 @@ def read_variable(name: str, description: str, unit: str) -> Meaning | None:
 
 
 def known_unit(unit: str) -> str:
-    """The unit as the registry of units has it; "" where it is none."""
-    text = unit.strip()
+    """The unit as the registry of units has it, without what a pressure is counted from; "" where it is none.
+
+    Where only capitals tell units apart, the usual one is meant: nobody measures muscles in Mbar or mPa.
+    """
+    text = pressure_reference(unit.strip())[0]
     usual = SPELLINGS.get(folded(text), "")
-    if usual and not (is_unit(text) and folded(usual) == folded(text)):
+    if usual:
         return usual
-    return text if text and is_unit(text) and not text.isdigit() else usual
+    return text if text and is_unit(text) and not text.isdigit() else ""
+
+
+def is_count(unit: str) -> bool:
+    """Whether a unit counts steps of a converter, of which nobody but the lab knows how large they are."""
+    return folded(unit.strip()) in ("count", "counts", "bit", "bits", "digit", "digits", "lsb")
 
 
 @lru_cache(maxsize=4096)
@@ -164,7 +176,9 @@ def _unit_in_name(name: str) -> tuple[str, str]:
 
 def _unit_beside(part: str, rest: Sequence[str]) -> str:
     """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
-    unit = known_unit(part) if len(part) > 1 or is_unit(part) else ""
+    unit = known_unit(part)
+    if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
+        return ""
     kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
     is_role = bool(_roles_of([folded(part)]))
     if not unit or (is_role and "length" not in kinds):

@@ -60,7 +60,7 @@ def tidied(file: Path, folder: Path, stated: RecordingTable) -> Path:
     if "time" in kinds or not rest or source.words or not _alike(tops):
         return file
     kind = tops[0].kind or _missing(tops[0].key, kinds)
-    if kind is None or kind == tops[0].key:
+    if kind not in _NAMES or kind == tops[0].key:
         return file
     made = folder / f"{file.stem}.csv"
     made.write_text(_long(table, rest, tops, kind), encoding="utf-8", newline="\n")

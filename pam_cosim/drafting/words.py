@@ -28,7 +28,7 @@ UNITS = {
 
 KINDS = {
     "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
-    "pressure": "=p =pm =pk pressure druck pression press",
+    "pressure": "=p =pm =pk =ps =psup =psupply =psource pressure druck pression press",
     "temperature": "=temp temperature temperatur thermo",
     "current": "=i =u =strom =courant current strom courant intensite",
     "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
@@ -45,7 +45,7 @@ KINDS = {
     "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
 }
 ROLES = {
-    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src",
+    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src =ps",
     "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
     "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
@@ -81,25 +81,32 @@ NO_LOAD = (
     "zeroload",
 )
 _WRITTEN = {
-    "bar": "bara, bar(a), bar(g), bar a, bar g, bar abs, bar rel, bar abs., bar (abs), bar",
-    "kPa": "kpaa, kpa abs, kpa",
-    "psi": "psia, psi",
+    "bar": "bar",
+    "kPa": "kpa",
+    "hPa": "hpa",
+    "Pa": "pa",
+    "psi": "psi",
+    "kgf/cm2": "kgf/cm2, kg/cm2, kg/cm^2, kp/cm2",
+    "lbf/in2": "lb/in2, lbs/in2, lb/in^2, lbs/in^2",
     "s": "sec, sek, sek., secs, seconds, sekunden, secondes",
     "ms": "msec",
     "MPa": "mpa",
     "mbar": "mbar",
     "N": "newton, n",
     "degC": "celsius, c, degc, grad c, deg c",
+    "degF": "fahrenheit, f, degf, grad f, deg f",
     "A": "ampere, amp, a",
     "V": "volt, volts, v",
     "mm": "mm, millimeter",
+    "inch": "inch, in., zoll, \", ''",
     "cm": "cm",
     "%": "prozent, percent, pct",
     "K": "kelvin",
 }
 """How units are written beside their own way, folded."""
 SPELLINGS = {written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")}
-ABSOLUTE = re.compile(r"\babs|\b(bar|psi|kpa)\s*\(?a\b", re.IGNORECASE)
+ABSOLUTE = re.compile(r"abs|pabs|absol.*")
+"""A word, folded, that says of a pressure that it is absolute; "Absperrventil" and "Abstand" do not."""
 
 
 # Unit that numbers without one most likely have, by their largest magnitude: of a laboratory's muscle.
@@ -108,9 +115,17 @@ USUAL_UNITS: dict[str, tuple[tuple[float, str], ...]] = {
     "contraction": ((0.7, "m"), (inf, "mm")),
     "length": ((0.7, "m"), (inf, "mm")),
     "ratio": ((1.0, ""), (inf, "%")),
-    "command": ((1.0, ""), (inf, "%")),
+    "command": ((1.0, ""), (120.0, "%")),  # more is in steps of a converter
     "force": ((inf, "N"),),
     "mass": ((inf, "kg"),),
     "temperature": ((200.0, "degC"), (inf, "K")),
     "current": ((2.0, "A"), (inf, "mA")),
 }
+
+# Unit of whole numbers of time, by what they begin with, since 1970, or else by the step from row to row: a recording
+# of a muscle has several rows a second.
+USUAL_EPOCHS = ((1e11, ""), (1e14, "ms"), (1e17, "us"), (inf, "ns"))
+USUAL_STEPS = ((1e3, "ms"), (1e6, "us"), (inf, "ns"))
+# Days since 1900, as spreadsheets count them, of recordings since 1982.
+DAYS = (30e3, 80e3)
+SHORTEST_STEP = 1e-5  # [s] of such numbers, if they were seconds

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from math import sqrt
 
 import numpy as np
@@ -45,7 +45,7 @@ def with_zero(
     reading = format_quantity(begin.reading, variable.unit)
     zero = _common({i: _times(courses[i]) for i in having}, courses)
     why = (*entry.why, f"{reason.format(reading=reading)}: its zero")
-    return ColumnEntry(entry.name, entry.column, entry.unit, entry.formula, zero, why)
+    return replace(entry, zero=zero, why=why)
 
 
 def _reason_of_gauge(begin: _Begin) -> str:

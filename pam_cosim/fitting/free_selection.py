@@ -9,7 +9,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting.free import Free, base_parameters, model_parameter
 from pam_cosim.measurement import DataSet, FreeParameter, Run
 from pam_cosim.model.interface import Interface
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import did_you_mean, shown
 
 
 def with_free(
@@ -31,6 +31,8 @@ def with_free(
     Raises:
         InputError: the model has no such parameter, it has no bounds, or a start is of none of these.
     """
+    if isinstance(free, str | Mapping):
+        raise InputError(f"free is a list of names, as free=['valve.C_A'], not {shown(free)}")
     data, starts = _beginning(data, interface, start or {})
     declared = {f.name: f for f in base_parameters(data, interface)}
     names = tuple(declared) if free is None else tuple(dict.fromkeys(free))

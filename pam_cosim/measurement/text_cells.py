@@ -47,7 +47,20 @@ class Reader:
     def columns(self, lines: list[Line]) -> list[NDArray[np.float64]]:
         """(n,) of each column that is kept; NaN where a cell is empty."""
         blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
-        return [np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))]
+        whole = [np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))]
+        return [self._without_missing(column) for column in whole]
+
+    def _without_missing(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
+        """NaN where a number stands that is stated to mean a missing sample, however written; a clock has none."""
+        for word in sorted(self.missing):
+            number = word.replace(",", ".") if self.decimal == "," else word
+            if not _NUMBER.fullmatch(number) or bool((np.diff(values) >= 0.0).all()):
+                continue
+            there = values == float(number)
+            if there.any():
+                self.met[word] = None
+                values = np.where(there, np.nan, values)
+        return values
 
     def _block(self, lines: list[Line]) -> list[NDArray[np.float64]]:
         plain = self._plain(lines)

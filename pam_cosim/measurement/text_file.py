@@ -12,6 +12,8 @@ from pam_cosim.wording import shown
 
 _MARKS = (
     (codecs.BOM_UTF8, "utf-8-sig"),
+    (codecs.BOM_UTF32_LE, "utf-32"),  # begins as that of UTF-16 does
+    (codecs.BOM_UTF32_BE, "utf-32"),
     (codecs.BOM_UTF16_LE, "utf-16"),
     (codecs.BOM_UTF16_BE, "utf-16"),
 )
@@ -52,16 +54,19 @@ def any_text(data: bytes, path: Path, encoding: str | None = None) -> tuple[str,
     for mark, name in _MARKS:
         if data.startswith(mark):
             return _decoded(data, name, path), name
+    other = _NO_TEXT.search(data)
     try:
-        return data.decode("utf-8"), "utf-8"
+        if b"\0" not in data[:4]:
+            return data.decode("utf-8"), "utf-8"
     except UnicodeDecodeError:
-        other = _NO_TEXT.search(data)
+        pass
     if other is None:
         return data.decode(WESTERN), WESTERN
     line = data.count(b"\n", 0, other.start()) + 1
     message = f"byte 0x{other[0][0]:02x} is no text, neither UTF-8 nor Western European"
+    likely = "utf-16-be" if data.startswith(b"\0") else "utf-16-le"
     raise InputError(
-        f'{message}; state the encoding under [recording], such as encoding = "utf-16-le"',
+        f'{message}; state the encoding under [recording], such as encoding = "{likely}"',
         path,
         line,
     )

@@ -43,6 +43,7 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
     present = np.isfinite(np.asarray(values, dtype=float))
     times: Array = np.asarray(time, dtype=float)[present]
     samples: Array = np.asarray(values, dtype=float)[present]
+    times, samples = _without_repeats(times, samples)
     quantum = quantum_of(samples)
     if len(samples) < CRITERIA.noise.fewest_samples or quantum == 0.0:
         return nan
@@ -51,6 +52,21 @@ def estimate_noise(time: ArrayLike, values: ArrayLike) -> float:
     dither = np.random.default_rng(0).uniform(-quantum / 2.0, quantum / 2.0, len(samples))
     variance = _white_level(times, samples + dither) ** 2 - rounding
     return nan if np.isnan(variance) else sqrt(max(variance, rounding))
+
+
+def _without_repeats(time: Array, values: Array) -> tuple[Array, Array]:
+    """Rows of which most stand at the time of the one before: repeated ones are left out, others spread evenly.
+
+    A logger that writes each row twice says no more than one that does not; one whose clock is coarse goes on between.
+    """
+    steps = np.diff(time)
+    if not steps.size or float(np.median(steps)) > 0.0 or time[-1] == time[0]:
+        return time, values
+    new = np.concatenate([[True], (steps > 0.0) | (np.diff(values) != 0.0)])
+    time, values = time[new], values[new]
+    first = np.concatenate([[True], np.diff(time) > 0.0])
+    rows = np.arange(len(time))
+    return np.interp(rows, rows[first], time[first]), values
 
 
 def quantum_of(values: Array) -> float:

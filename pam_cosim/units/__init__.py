@@ -4,7 +4,12 @@ from pam_cosim.units.algebra import product, quotient
 from pam_cosim.units.base import BaseUnit, base_unit
 from pam_cosim.units.conversion import LARGEST, convert, examples, parse_quantity, seconds
 from pam_cosim.units.display import format_quantity, readable_factor, readable_unit
-from pam_cosim.units.grammar import UnitError, is_dimensionless, registry_errors
+from pam_cosim.units.grammar import (
+    UnitError,
+    is_dimensionless,
+    pressure_reference,
+    registry_errors,
+)
 from pam_cosim.units.reckoning import quantity, with_unit
 
 __all__ = [
@@ -17,6 +22,7 @@ __all__ = [
     "format_quantity",
     "is_dimensionless",
     "parse_quantity",
+    "pressure_reference",
     "product",
     "quantity",
     "quotient",

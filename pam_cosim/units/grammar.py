@@ -1,7 +1,8 @@
 """Texts of units as people and Modelica write them, read for pint.
 
-Both spellings are read by one small grammar: ``W/(m2.K)``, ``N.s/m``, ``m/s^2``, ``kg*m``, ``degC``, ``%``.
-Pressures carry no reference: ``kPa`` on a gauge pressure is gauge.
+Both spellings are read by one small grammar: ``W/(m2.K)``, ``N.s/m``, ``m/s^2``, ``kg*m``, ``N/mm²``, ``degC``, ``%``.
+Pressures carry no reference: ``kPa`` on a gauge pressure is gauge, and so are ``kPag`` and ``bar(g)``; what says
+that it is absolute, such as ``psia``, is refused, for its numbers are others.
 """
 
 from __future__ import annotations
@@ -19,16 +20,22 @@ _ALIASES = {
     "°F": "degF",
     "°": "degree",
     "μm": "um",
-    "barg": "bar",
-    "psig": "psi",
-    "kPag": "kPa",
     "rev": "revolution",
+    "mil": "thou",
+    "mils": "thou",
+    "kp": "kilogram_force",
 }
 _DIMENSIONLESS = ("", "1", "-")
 _TOKEN = re.compile(
     r"\s*(?:(?P<symbol>[cm]mH2O|inH2O|[A-Za-zµμ°Ω%_]+)|(?P<number>\d{1,2}(?!\d))|(?P<sign>\*\*|[-+*/.·^()]))"
 )
 _LONGEST = 60
+_RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+_REFERENCE = re.compile(
+    r"(?P<unit>[mkhM]?(?:bar|Pa|psi)|mmHg|inHg|[cm]mH2O|inH2O|torr)"
+    r"[\s_]*(?:(?P<gauge>g|\(g\)|\(?(?:gauge|rel\.?)\)?)|(?P<absolute>a|\(a\)|\(?(?:abs\.?|absolute)\)?))",
+    re.IGNORECASE,
+)
 
 
 class UnitError(ValueError):
@@ -57,6 +64,14 @@ def is_dimensionless(unit: str) -> bool:
     return unit.strip() in _DIMENSIONLESS
 
 
+def pressure_reference(unit: str) -> tuple[str, str]:
+    """A unit of pressure without its reference, and that: "gauge", "absolute", or "" where it states none."""
+    match = _REFERENCE.fullmatch(unit.strip())
+    if match is None:
+        return unit, ""
+    return match["unit"], "gauge" if match["gauge"] else "absolute"
+
+
 class _Parser:
     """Recursive descent: ``product = factor {("*" | "." | "/") factor}``, ``factor = atom [exponent]``."""
 
@@ -68,7 +83,7 @@ class _Parser:
         self.alone = len(self.tokens) == 1
 
     def _split(self) -> list[tuple[str, str]]:
-        tokens, at, text = [], 0, self.text.strip()
+        tokens, at, text = [], 0, self.text.strip().translate(_RAISED)
         while at < len(text):
             match = _TOKEN.match(text, at)
             if match is None or len(text) > _LONGEST:
@@ -146,6 +161,11 @@ def _offset_units() -> tuple[str, ...]:
     return tuple(f"{registry().Unit(name):D}" for name in ("degC", "degF", "degRe"))
 
 
+def _composed(text: str) -> str:
+    """Signs that hold a degree and a letter, as the two."""
+    return text.replace("℃", "°C").replace("℉", "°F")
+
+
 @lru_cache(maxsize=512)
 def read_unit(text: str, difference: bool) -> Any:
     """pint's unit for a text; one with an origin of its own (degC) is without it where a ``difference`` is meant.
@@ -155,7 +175,13 @@ def read_unit(text: str, difference: bool) -> Any:
     """
     if is_dimensionless(text):
         return registry().Unit("")
+    plain, reference = pressure_reference(_composed(text))
+    if reference == "absolute":
+        hint = f'state unit = "{plain}", offset = "-101.325 kPa" under [columns], or {plain!r} of an ambient'
+        raise UnitError(
+            f"unit {shown(text)} says that a pressure is absolute, those of models are gauge; {hint}"
+        )
     try:
-        return _Parser(text, difference).parse()
+        return _Parser(plain, difference).parse()
     except registry_errors(OverflowError, ZeroDivisionError):
         raise UnitError(f"unit {shown(text)} cannot be read") from None

@@ -40,3 +40,22 @@ def test_interrupt_within_a_destructor_comes_again() -> None:
         128 + signal.SIGINT,
         "pam-cosim: interrupted; nothing was written\n",
     )
+
+
+@pytest.mark.skipif(os.name != "posix", reason="/dev/full, and a shell that closes its output")
+@pytest.mark.parametrize(
+    ("output", "status", "said"),
+    [
+        (">/dev/full", 2, "pam-cosim: what is printed cannot be written: No space left on device\n"),
+        (">&-", 0, ""),
+        ("| true; exit ${PIPESTATUS[0]}", None, ""),
+    ],
+)
+def test_an_output_that_takes_nothing_ends_in_words(
+    output: str, status: int | None, said: str
+) -> None:
+    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
+    words = ["bash", "-c", f"'{sys.executable}' -m pam_cosim effects {output}"]
+    completed = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=240)
+    assert completed.stderr == said
+    assert status is None or completed.returncode == status

@@ -59,6 +59,31 @@ def test_a_usual_mistake_is_named(measured: np.ndarray, words: str) -> None:
     assert "explains little" in doubt.text
 
 
+def test_absolute_pressure_is_named_beside_a_model_that_begins_with_it() -> None:
+    """The start is estimated from the same wrong reading, so that no constant is what the two differ by."""
+    rest = 1e5 * np.clip(TIME - 2.0, 0.0, 2.0)
+    modelled = np.maximum(rest, 101325.0 * np.exp(-TIME))
+    (doubt,) = [
+        d for d in asked(compared(rest + 101325.0, modelled)) if d.kind == "far_off"
+    ]
+    assert "absolute and gauge pressure mixed up" in doubt.text
+
+
+def test_a_sensor_that_is_not_connected_is_told() -> None:
+    (doubt,) = asked(compared(np.full_like(TIME, 3.0), PRESSURE))
+    assert doubt.kind == "still" and "the sensor is not connected" in doubt.text
+    assert asked(compared(np.full_like(TIME, 3.0), np.full_like(TIME, 4.0))) == []
+
+
+def test_a_copy_under_another_name_is_told() -> None:
+    measured = noisy(PRESSURE)
+    one, other = compared(measured, PRESSURE), compared(measured, PRESSURE, name="run-02")
+    (doubt,) = asked(one, other)
+    assert doubt.kind == "copy" and "run-01 and run-02 have the same samples of p" in doubt.text
+    repeated = compared(noisy(measured), PRESSURE, name="run-02")
+    assert asked(one, repeated) == []
+
+
 def test_a_large_error_without_a_simple_cause_waits_for_the_fit() -> None:
     run = compared(noisy(np.random.default_rng(1).permutation(PRESSURE)), PRESSURE)
     signals = {"p": Signal("p", "Pa", SIGMA)}

@@ -10,6 +10,7 @@ import pytest
 
 from pam_cosim.comparison import chi2_reduced, compare, score, simulate_run, start_time
 from pam_cosim.comparison.scores import score_signal
+from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
 from tests.comparison.fake import FakeSimulator, data_set, run
 
@@ -40,6 +41,17 @@ def test_bias_is_measured_minus_model() -> None:
     """A rig that reads less than the model has a negative bias."""
     data = data_set([run("one", TIME, p=[0.0, 0.0, 0.0, 0.0])], {"p": 1.0})
     assert compare(_simulator(), data).scores["all"]["p"].bias == pytest.approx(-1.25)
+
+
+def test_a_signal_that_does_not_move_has_no_range() -> None:
+    data = data_set([run("one", TIME, p=[0.0, 0.0, 0.0, 0.0])], {"p": 1.0})
+    assert "(it does not move, noise 0.001 kPa)" in str(compare(_simulator(), data))
+
+
+def test_recordings_without_a_sample_are_refused() -> None:
+    data = data_set([run("one", TIME, p=[NAN] * 4)], {"p": 1.0})
+    with pytest.raises(InputError, match="one.csv.*has a sample of an output of Test.Fake: p, x"):
+        compare(_simulator(), data)
 
 
 def test_roles_are_scored_apart_and_together() -> None:

@@ -78,3 +78,20 @@ def test_a_folder_that_is_no_package_and_a_name_that_is_taken(tmp_path: Path) ->
         read_library(files=[tmp_path / "Own.mo", package])
     with pytest.raises(ModelError, match="within"):
         read_library(files=[package / "Benches"])
+
+
+def test_two_classes_of_one_name_are_refused_wherever_they_stand(tmp_path: Path) -> None:
+    """The last one used to be taken, without a word."""
+    (tmp_path / "Two.mo").write_text("model Two\nend Two;\nmodel Two\n  Real x = 1;\nend Two;\n")
+    with pytest.raises(ModelError, match="'Two' is declared twice") as raised:
+        read_library(files=[tmp_path / "Two.mo"])
+    assert raised.value.line == 3
+    package = make_package(tmp_path)
+    other = package / "Benches" / "Other.mo"
+    other.write_text("within Own.Benches;\nmodel Fall\nend Fall;\n")
+    with pytest.raises(ModelError, match="a class 'Own.Benches.Fall' exists already"):
+        read_library(files=[package])
+    other.rename(tmp_path / "Other.mo")
+    with pytest.raises(ModelError, match="a class 'Own.Benches.Fall' exists already"):
+        read_library(files=[package, tmp_path / "Other.mo"])
+    assert read_library(files=[package, package / "Benches" / "Fall.mo"])  # the same file once more

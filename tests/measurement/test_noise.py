@@ -81,6 +81,14 @@ def test_missing_samples_uneven_times_and_double_rows():
     assert estimate_noise(double, values) == pytest.approx(0.01, rel=0.1)
 
 
+def test_rows_written_twice_and_a_coarse_clock_change_nothing():
+    signal = CURVES["oscillation"] + 0.01 * white(3)
+    twice = estimate_noise(np.repeat(TIME, 2), np.repeat(signal, 2))
+    assert twice == estimate_noise(TIME, signal)
+    coarse = np.repeat(TIME[::2], 2)  # a clock of half the pace
+    assert estimate_noise(coarse, signal) == pytest.approx(0.01, rel=0.1)
+
+
 def test_what_cannot_be_estimated_is_nan():
     few = np.linspace(0, 1, 15)
     uneven = np.logspace(-3, 1, 40)

@@ -45,6 +45,7 @@ VARIANTS = {
     "byte order mark": PLAIN.encode("utf-8-sig"),
     "UTF-16": PLAIN.encode("utf-16"),
     "UTF-16, big-endian": b"\xfe\xff" + PLAIN.encode("utf-16-be"),
+    "UTF-32": PLAIN.encode("utf-32"),
     "Latin-1": PLAIN.encode("latin-1"),
     "units in their own row": units_below(PLAIN).encode(),
     "units in brackets in their own row": units_below(PLAIN)
@@ -73,6 +74,34 @@ def test_variants_hold_the_same_numbers(tmp_path, content):
     for name, (unit, values) in EXPECTED.items():
         assert table.columns[name].unit.replace("degC", "°C") == unit
         np.testing.assert_array_equal(table.columns[name].values, values)
+
+
+@pytest.mark.parametrize("encoding", ["utf-16-le", "utf-16-be"])
+def test_utf_16_without_a_mark_is_named(tmp_path, encoding):
+    file = tmp_path / "run.csv"
+    file.write_bytes(PLAIN.encode(encoding))
+    with pytest.raises(InputError, match=f'encoding = "{encoding}"'):
+        read_table(file)
+    assert list(read_table(file, Layout(encoding=encoding)).columns) == list(EXPECTED)
+
+
+@pytest.mark.parametrize("decimal", [".", ","])
+def test_a_number_may_stand_for_a_missing_sample(tmp_path, decimal):
+    """It was read as a sample, whatever was stated; a clock that passes the number keeps it."""
+    text = "t;x\n0;1.5\n1;-999\n2;-999.0\n3;-9.99e2\n4;3\n".replace(".", decimal)
+    file = tmp_path / "run.csv"
+    file.write_text(text)
+    table = read_table(file, Layout(missing=frozenset({"-999", "3"})))
+    np.testing.assert_array_equal(table.columns["x"].values, [1.5, np.nan, np.nan, np.nan, np.nan])
+    np.testing.assert_array_equal(table.columns["t"].values, [0, 1, 2, 3, 4])
+    assert set(table.missing) == {"-999", "3"}
+
+
+def test_a_row_of_units_may_name_an_absolute_pressure(tmp_path):
+    text = units_below(PLAIN).replace("kPa", "kPa abs").encode()
+    file = tmp_path / "run.csv"
+    file.write_bytes(text)
+    assert read_table(file).columns["p"].unit == "kPa abs"
 
 
 def written(tmp_path, text: str | bytes, **stated) -> dict[str, list[float]]:

@@ -16,6 +16,8 @@ from pam_cosim.units import UnitError, convert, parse_quantity
         ("mA", "A", 1e-3), ("percent", "1", 0.01), ("%", "", 0.01), ("-", "1", 1.0), ("ms", "s", 1e-3),
         ("W/(m2.K)", "W/(m2.K)", 1.0), ("mW/(cm2.K)", "W/(m2.K)", 10.0), ("W/(m^2*degC)", "W/(m2.K)", 1.0),
         ("N.s/m", "N.s/m", 1.0), ("N s/mm", "N.s/m", 1e3), ("kg/(m.s2)", "Pa", 1.0), ("m2", "m2", 1.0),
+        ("N/mm²", "Pa", 1e6), ("m·s⁻¹", "m/s", 1.0), ("bar(g)", "Pa", 1e5), ("mbar g", "Pa", 100.0),
+        ("MPag", "Pa", 1e6), ("mil", "m", 2.54e-5), ("kp", "N", 9.80665),
         ("1/s", "Hz", 1.0), ("s-1", "1/s", 1.0), ("m**2", "m2", 1.0), ("J/(kg.K)", "J/(kg.K)", 1.0),
     ],
 )  # fmt: skip
@@ -28,10 +30,17 @@ def test_factors(unit, target, factor):
 def test_temperatures_have_an_origin_and_differences_none():
     assert float(convert(20.0, "degC", "K")) == pytest.approx(293.15)
     assert float(convert(68.0, "degF", "K")) == pytest.approx(293.15)
+    assert float(convert(68.0, "℉", "K")) == pytest.approx(float(convert(20.0, "℃", "K")))
     assert parse_quantity("20 °C", "K") == pytest.approx(293.15)
     assert parse_quantity("0.5 degC", "K", difference=True) == pytest.approx(0.5)
     assert parse_quantity("0.5 K", "K", difference=True) == pytest.approx(0.5)
     assert parse_quantity("0.9 degF", "K", difference=True) == pytest.approx(0.5)
+
+
+@pytest.mark.parametrize("unit", ["psia", "bara", "bar(a)", "kPa abs", "mbar (abs)", "MPa_abs"])
+def test_absolute_pressures_are_refused_with_a_way_out(unit):
+    with pytest.raises(UnitError, match=r'absolute.*offset = "-101.325 kPa" under \[columns\]'):
+        convert(1.0, unit, "Pa")
 
 
 def test_numbers():
