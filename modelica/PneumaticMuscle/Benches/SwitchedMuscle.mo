@@ -19,7 +19,7 @@ model SwitchedMuscle "A muscle of imposed contraction that on-off valves fill fr
   Mechanics.Components.ImposedPosition drive(tau=1e-3) "What moves the load end"
     annotation (Placement(transformation(extent={{30,-95},{70,-55}})));
 protected
-  constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";
+  constant Types.Current u_open = Functions.openingCurrent(1e-5) "Current at which DP (62) opens 10 mm2";
 equation
   connect(line.port_b, muscle.port)
     annotation (Line(points={{-10,0}, {30,0}}, color={0,90,160}));
