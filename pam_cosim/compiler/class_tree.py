@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from pathlib import Path
 from typing import TypeAlias
@@ -105,11 +106,12 @@ class ClassTree:
         return [name for name in of_packages if name != base and base in self.bases(name)]
 
     def components(self, name: str) -> list[ComponentInfo]:
-        """Components with inherited ones, in the order in which the compiler has them."""
+        """Components with inherited ones, redeclared as they are, in the order in which the compiler has them."""
         components: dict[str, ComponentInfo] = {}
         for part in reversed([name, *self._in_order(name)]):
             for component in self.classes[part].components:
                 components.setdefault(component.name, component)
+            components |= self._redeclared(part, components)
         return list(components.values())
 
     def replaceables(self, name: str) -> list[ReplaceableInfo]:
@@ -133,6 +135,26 @@ class ClassTree:
         if name not in self._definitions:
             raise ModelError(f"there is no class '{name}'")
         return self._lookup.of(self._definitions[name])
+
+    def _redeclared(
+        self, name: str, inherited: Mapping[str, ComponentInfo]
+    ) -> dict[str, ComponentInfo]:
+        """Components that a class inherits and redeclares, in ``extends`` or in its body."""
+        node = self._definitions[name]
+        arguments = [a for clause in node.extends for a in clause.modification.arguments]
+        every = [*(a.redeclaration for a in arguments), *node.redeclared]
+        new = [c for c in every if isinstance(c, ComponentDeclaration) and c.name in inherited]
+        return {c.name: self._in_place_of(inherited[c.name], self._component(node, c)) for c in new}
+
+    @staticmethod
+    def _in_place_of(old: ComponentInfo, new: ComponentInfo) -> ComponentInfo:
+        """A redeclared component: what it does not say is as it was (Modelica 3.6, section 7.3)."""
+        return replace(
+            new,
+            prefixes=new.prefixes - {"redeclare"} | old.prefixes - {"replaceable"},
+            description=new.description or old.description,
+            position=new.position or old.position,
+        )
 
     def _in_order(self, name: str) -> list[str]:
         """All bases such that, read backwards, a base comes before what extends it."""

@@ -45,6 +45,26 @@ def test_inheritance(tree):
     assert tree.constant("Language.Big", "a") == 10
 
 
+@pytest.mark.parametrize(
+    "written", ["extends Bench(redeclare {});", "extends Bench; redeclare {};"]
+)
+def test_a_redeclared_component_has_its_new_class_and_its_old_place(tmp_path, written):
+    """An heir of the heir has it so too."""
+    file = tmp_path / "Mine.mo"
+    file.write_text(
+        "package Mine model Old end Old; model New extends Old; end New;"
+        ' partial model Bench replaceable Old o constrainedby Old "What stands there"'
+        " annotation (Placement(transformation(extent={{10,0},{30,20}}))); Real r; end Bench;"
+        f" model Own {written.format('New o')} end Own; model Last extends Own; end Last; end Mine;"
+    )
+    tree = read_library(root=MODELS, files=[file])
+    for name in ("Mine.Own", "Mine.Last"):
+        one, other = tree.components(name)
+        assert (one.name, one.type, other.name) == ("o", "Mine.New", "r")
+        assert (one.description, one.position) == ("What stands there", (20, 10))
+    assert [c.type for c in tree.components("Mine.Bench")] == ["Mine.Old", "Real"]
+
+
 def test_replaceables(tree):
     (gas,) = tree.replaceables("Muscles.Muscle")
     assert (gas.name, gas.default, gas.constraint) == (

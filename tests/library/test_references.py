@@ -12,7 +12,7 @@ from tests.library.shelf import check_each, tree
 BIBLIOGRAPHY = "PneumaticMuscle.UsersGuide.References"
 NAME = r"[A-Z][A-Za-z]+(?:-[A-Z][a-z]+)?"
 CITATION = re.compile(
-    rf"\b((?:{NAME}, )*{NAME}(?: and (?:others|{NAME}))? (?:18|19|20)\d\d|ISO \d+|EN \d+-\d+|DP|DY|AM)\b"
+    rf"\b((?:{NAME}, )*{NAME}(?: and (?:others|{NAME}))? (?:18|19|20)\d\d|(?:ISO|IEC) \d+|EN \d+-\d+|DP|DY|AM)\b"
 )
 LOOSE = {
     "a year apart from its authors": re.compile(r"[(,] ?(?:18|19|20)\d\d\b"),
@@ -69,7 +69,7 @@ def test_entries_are_whole() -> None:
     for entry in re.findall(r"<li>(.*?)</li>", plain(tree().classes[BIBLIOGRAPHY].documentation)):
         key, rest = re.match(r"<b>(.*?)</b>: (.*)", entry, re.DOTALL).groups()  # type: ignore[union-attr]
         assert re.search(r"<i>.{10,}</i>, .{5,}\.$", rest, re.DOTALL), key
-        if (year := re.search(r"\d{4}$", key)) and not key.startswith("ISO"):
+        if (year := re.search(r"\d{4}$", key)) and not key.startswith(("ISO", "IEC")):
             authors, _, place = rest.partition("<i>")
             assert year.group() in place
             first = re.split(r",| and ", key.removesuffix(year.group()).strip())[0]

@@ -1,32 +1,22 @@
 within PneumaticMuscle.Benches;
 model QuasiStaticIsometric "Pull of a muscle at rest under an imposed pressure, at an imposed contraction"
   extends Interfaces.QuasiStaticRig;
-  Interfaces.Signals.GaugePressureInput p(start=200e3, min=-101e3) "Gauge pressure in the muscle"
-    annotation (Placement(transformation(extent={{-200,20},{-180,40}}),
-      iconTransformation(extent={{-110,30},{-90,50}})));
+  extends BaseClasses.PressurisedMuscle(muscle(F_start=drive.F_start));
   Interfaces.Signals.LengthInput x(start=0.02) "Imposed contraction"
     annotation (Placement(transformation(extent={{-200,-100},{-180,-80}}),
       iconTransformation(extent={{-110,-50},{-90,-30}})));
   Interfaces.Signals.ForceOutput F "Pull of the muscle"
     annotation (Placement(transformation(extent={{150,-40},{170,-20}}),
       iconTransformation(extent={{90,-10},{110,10}})));
-  Pneumatics.ImposedPressure source(resistance(R(min=1) = 1)) "The measured pressure"
-    annotation (Placement(transformation(extent={{-110,-20},{-70,20}})));
-  Muscles.Physical muscle(F_start=drive.F_start) "Muscle"
-    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   Mechanics.ImposedLength drive(x_start=muscle.x_start) "What holds the load end"
     annotation (Placement(transformation(extent={{30,-160},{70,-120}})));
   Instruments.Force force "Load cell"
     annotation (Placement(transformation(extent={{30,-90},{70,-50}})));
 equation
-  connect(muscle.port, source.port)
-    annotation (Line(points={{30,0}, {-70,0}}, color={0,90,160}));
   connect(muscle.flange_a, force.flange_a)
     annotation (Line(points={{50,-20}, {50,-50}}, color={0,110,60}));
   connect(force.flange_b, drive.flange)
     annotation (Line(points={{50,-90}, {50,-120}}, color={0,110,60}));
-  connect(p, source.p)
-    annotation (Line(points={{-190,30}, {-115,30}, {-115,0}, {-110,0}}, color={0,0,127}));
   connect(x, drive.s)
     annotation (Line(points={{-190,-90}, {25,-90}, {25,-140}, {30,-140}}, color={0,0,127}));
   connect(force.F, F)

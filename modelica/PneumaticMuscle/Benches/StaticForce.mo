@@ -1,37 +1,30 @@
 within PneumaticMuscle.Benches;
 model StaticForce "Pull of a muscle by pressure and contraction ratio, without any motion, AM Figs. 4-6"
-  extends Icons.Bench;
+  extends Interfaces.Rig;
   Interfaces.Signals.GaugePressureInput p(start=6e5) "Gauge pressure in the muscle"
-    annotation (Placement(transformation(extent={{-110,0},{-90,20}}),
+    annotation (Placement(transformation(extent={{-200,20},{-180,40}}),
       iconTransformation(extent={{-110,30},{-90,50}})));
   Interfaces.Signals.RealInput eps(start=0.1, unit="1") "Contraction ratio"
-    annotation (Placement(transformation(extent={{-110,-70},{-90,-50}}),
+    annotation (Placement(transformation(extent={{-200,-70},{-180,-50}}),
       iconTransformation(extent={{-110,-50},{-90,-30}})));
   Interfaces.Signals.ForceOutput F "Pull of the muscle"
-    annotation (Placement(transformation(extent={{90,-35},{110,-15}}),
+    annotation (Placement(transformation(extent={{220,-10},{240,10}}),
       iconTransformation(extent={{90,-10},{110,10}})));
   replaceable model ForceChannel = Instruments.Sensors.DirectForce constrainedby Interfaces.ForceChannel
     "Measuring channel of the force"
     annotation (choicesAllMatching=true);
-  replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
-    "Recorder of the readings"
-    annotation (choicesAllMatching=true);
-  inner Ambient ambient "Surroundings"
-    annotation (Placement(transformation(extent={{-70,-20},{-30,20}})));
   Muscles.Components.HeldMuscle muscle "Muscle"
-    annotation (Placement(transformation(extent={{10,-20},{50,20}})));
+    annotation (Placement(transformation(extent={{30,-20},{70,20}})));
   ForceChannel channel_F(u=muscle.F, dynamics=ambient.dynamics) "Measuring channel of the force"
-    annotation (Placement(transformation(extent={{-80,-100},{-40,-60}})));
-  Recorder recorder "Recorder of the readings"
-    annotation (Placement(transformation(extent={{-20,-100},{20,-60}})));
+    annotation (Placement(transformation(extent={{100,-20},{140,20}})));
 equation
   connect(p, muscle.p_gauge)
-    annotation (Line(points={{-100,10}, {-75,10}, {-75,25}, {5,25}, {5,8}, {10,8}}, color={0,0,127}));
+    annotation (Line(points={{-190,30}, {10,30}, {10,8}, {30,8}}, color={0,0,127}));
   connect(eps, muscle.eps)
-    annotation (Line(points={{-100,-60}, {-85,-60}, {-85,-25}, {5,-25}, {5,-8}, {10,-8}}, color={0,0,127}));
+    annotation (Line(points={{-190,-60}, {10,-60}, {10,-8}, {30,-8}}, color={0,0,127}));
   connect(channel_F.y, F)
-    annotation (Line(points={{-40,-80}, {-25,-80}, {-25,-29}, {95,-29}, {95,-25}, {100,-25}}, color={0,0,127}));
-  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-100,-110},{100,60}})),
+    annotation (Line(points={{140,0}, {230,0}}, color={0,0,127}));
+  annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-110},{230,120}})),
     experiment(StopTime=1, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">AM</a>, theoretical force equations 1 to 3: Kang's force
 with q = 1 + 3 exp(-2e-6 P), D0 = 1 cm, 23 degrees, 30 cm. Each sample of the inputs is a point of a data sheet's grid

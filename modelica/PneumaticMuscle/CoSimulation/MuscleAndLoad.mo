@@ -1,6 +1,7 @@
 within PneumaticMuscle.CoSimulation;
 model MuscleAndLoad "A muscle without its gas that lifts a hanging mass; the pressure comes from outside"
   extends Icons.Bench;
+  extends Benches.BaseClasses.LiftedMass(redeclare Sleeve muscle);
   input Types.GaugePressure p(start=0) "Gauge pressure in the muscle";
   output Types.Length x "Contraction";
   output Types.Volume V "Volume of the gas";
@@ -10,25 +11,9 @@ model MuscleAndLoad "A muscle without its gas that lifts a hanging mass; the pre
     annotation (Placement(transformation(extent={{-80,40},{-40,80}})));
   Pneumatics.Components.Supply gas(p_gauge=p) "Gas at the pressure that comes from outside"
     annotation (Placement(transformation(extent={{-80,-20},{-40,20}})));
-  Sleeve muscle "Muscle without its gas"
-    annotation (Placement(transformation(extent={{-20,-20},{20,20}})));
-  Mechanics.Components.Fixed ceiling(s0=muscle.L0) "Where the muscle hangs"
-    annotation (Placement(transformation(extent={{-20,40},{20,80}})));
-  Mechanics.Components.Load load(s_start=-load.m*Constants.g/stop.k) "Hanging mass, at rest on the stop"
-    annotation (Placement(transformation(extent={{-20,-85},{20,-45}})));
-  Mechanics.Components.Stop stop(L0=muscle.L0) "Full extension"
-    annotation (Placement(transformation(extent={{40,-20},{80,20}})));
 equation
   connect(gas.port, muscle.port)
-    annotation (Line(points={{-40,0}, {-20,0}}, color={0,90,160}));
-  connect(muscle.flange_a, load.flange)
-    annotation (Line(points={{0,-20}, {0,-45}}, color={0,110,60}));
-  connect(muscle.flange_b, ceiling.flange)
-    annotation (Line(points={{0,20}, {0,40}}, color={0,110,60}));
-  connect(muscle.flange_a, stop.flange_a)
-    annotation (Line(points={{0,-20}, {0,-25}, {60,-25}, {60,-20}}, color={0,110,60}));
-  connect(muscle.flange_b, stop.flange_b)
-    annotation (Line(points={{0,20}, {0,25}, {60,25}, {60,20}}, color={0,110,60}));
+    annotation (Line(points={{-40,0}, {30,0}}, color={0,90,160}));
   x = load.s;
   V = muscle.braid.V;
   V_flow = der(V);

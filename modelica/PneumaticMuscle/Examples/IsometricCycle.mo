@@ -9,7 +9,7 @@ model IsometricCycle "A held muscle is moved and its pull measured"
     annotation (Placement(transformation(extent={{30,-20},{70,20}})));
 equation
   connect(move.y, bench.s)
-    annotation (Line(points={{-30,0}, {25,0}, {25,-15}, {30,-15}}, color={0,0,127}));
+    annotation (Line(points={{-30,0}, {25,0}, {25,-18}, {30,-18}}, color={0,0,127}));
   annotation (experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
 <p>The pull falls with contraction, and the motion pushes gas back through the open valve.</p>
 </html>"));

@@ -1,5 +1,5 @@
 within PneumaticMuscle.Interfaces;
-partial model Rig "What stands around the parts of a rig: the surroundings and the recorder"
+partial model Rig "What stands around a bench: the surroundings and the recorder"
   extends Icons.Bench;
   replaceable model Recorder = Instruments.Sensors.SharedClock constrainedby Interfaces.Recorder
     "Recorder of the readings"
@@ -10,9 +10,10 @@ partial model Rig "What stands around the parts of a rig: the surroundings and t
     annotation (Placement(transformation(extent={{-110,70},{-70,110}})));
   annotation (Diagram(coordinateSystem(preserveAspectRatio=true, extent={{-190,-180},{160,120}})),
     experiment(StopTime=10, Interval=0.01, Tolerance=1e-6), Documentation(info="<html>
-<p>A bench that is put together from <a href=\"modelica://PneumaticMuscle.Pneumatics\">Pneumatics</a>,
+<p>A bench extends it: those of <a href=\"modelica://PneumaticMuscle.Benches\">Benches</a>, and one that is put together
+from <a href=\"modelica://PneumaticMuscle.Pneumatics\">Pneumatics</a>,
 <a href=\"modelica://PneumaticMuscle.Muscles\">Muscles</a>,
 <a href=\"modelica://PneumaticMuscle.Mechanics\">Mechanics</a> and
-<a href=\"modelica://PneumaticMuscle.Instruments\">Instruments</a> extends it.</p>
+<a href=\"modelica://PneumaticMuscle.Instruments\">Instruments</a>.</p>
 </html>"));
 end Rig;

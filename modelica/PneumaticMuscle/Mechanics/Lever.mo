@@ -26,7 +26,8 @@ equation
   (J + m*l^2)*der(w) = (r*flange.f - l*m*Constants.g)*cos(phi) - d*w;
   annotation (Documentation(info="<html>
 <p>(J + m l^2) phi_ddot = (r F - l m g) cos(phi) - d phi_dot, with the contraction r sin(phi): Newton's law about the
-pivot of a lever that is level while the muscle is at its length at rest, and to which the muscle stays upright
-(its own tilt is left out). Values are for illustration.</p>
+pivot of a lever that is level while the muscle is at its length at rest, and to which the muscle stays upright (its own
+tilt is left out). The lever itself has a moment of inertia and no weight: it is balanced about its pivot. Values are
+for illustration.</p>
 </html>"));
 end Lever;

@@ -1,8 +1,9 @@
 within PneumaticMuscle.Pneumatics;
 model ProportionalDirectionalValve
   "A proportional valve whose opening to the supply or to the exhaust a voltage commands"
-  extends Interfaces.PneumaticsWithLine(shows="p");
-  extends Icons.Valve;
+  extends Components.PneumaticsWithSpool(
+    inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap))),
+    outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap))));
   Interfaces.Signals.VoltageInput u(start=6) "Command of the valve"
     annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
   Interfaces.Signals.GaugePressureInput p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply"
@@ -13,24 +14,8 @@ model ProportionalDirectionalValve
   parameter Real overlap(unit="1", min=0, max=0.5) = 0.02 "Part of the stroke, either way, on which it stays closed"
     annotation (Dialog(group="Flow"));
   parameter Types.Time tau(min=1e-4, max=10) = 5e-3 "Time constant of the spool" annotation (Dialog(group="Dynamics"));
-  parameter Types.Area A_open(min=1e-9, max=1e-4, nominal=1e-6) = 2e-6 "Effective area of the open valve, either way"
-    annotation (Dialog(group="Flow"));
-  replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
-    annotation (choicesAllMatching=true);
   Real y(unit="1", start=0, fixed=dynamics == Types.Dynamics.FixedInitial)
     "Place of the spool, 1: open to the supply, -1: to the exhaust";
-  Components.Supply supply "Air supply"
-    annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
-  Components.Atmosphere atmosphere "Outlet"
-    annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
-  Feed feed "What lies before the valve"
-    annotation (Placement(transformation(extent={{-50,45},{-20,75}})));
-  Components.Orifice inlet(A=A_open*(y - overlap + sqrt((y - overlap)^2 + closed^2))/(2*(1 - overlap)))
-    "From the supply"
-    annotation (Placement(transformation(extent={{-10,45},{20,75}})));
-  Components.Orifice outlet(A=A_open*(sqrt((y + overlap)^2 + closed^2) - y - overlap)/(2*(1 - overlap)))
-    "To the exhaust"
-    annotation (Placement(transformation(extent={{5,-75},{-25,-45}})));
 protected
   constant Real closed(unit="1") = 1e-3 "Part of the stroke on which corners are rounded";
   Real told(unit="1") "Place that the command asks for";
@@ -43,16 +28,6 @@ equation
   told = (u - u_mid)/u_full;
   wanted = (sqrt((told + 1)^2 + closed^2) - sqrt((told - 1)^2 + closed^2))/2;
   tau*der(y) = wanted - y;
-  connect(supply.port, feed.port_a)
-    annotation (Line(points={{-60,60}, {-50,60}}, color={0,90,160}));
-  connect(feed.port_b, inlet.port_a)
-    annotation (Line(points={{-20,60}, {-10,60}}, color={0,90,160}));
-  connect(inlet.port_b, line.port_a)
-    annotation (Line(points={{20,60}, {25,60}, {25,0}, {30,0}}, color={0,90,160}));
-  connect(line.port_a, outlet.port_a)
-    annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
-  connect(outlet.port_b, atmosphere.port)
-    annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
   connect(p_supply, supply.p_gauge)
     annotation (Line(points={{-100,-40}, {-95,-40}, {-95,60}, {-90,60}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>

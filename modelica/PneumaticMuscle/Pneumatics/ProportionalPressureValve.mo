@@ -1,7 +1,7 @@
 within PneumaticMuscle.Pneumatics;
 model ProportionalPressureValve "A proportional valve that holds the pressure which a voltage commands"
-  extends Interfaces.PneumaticsWithLine(shows="p");
-  extends Icons.Valve;
+  extends Components.PneumaticsWithSpool(inlet(A=A_open*(y + sqrt(y^2 + closed^2))/2),
+    outlet(A=A_open*(sqrt(y^2 + closed^2) - y)/2));
   Interfaces.Signals.VoltageInput u(start=3) "Command of the valve"
     annotation (Placement(transformation(extent={{-110,30},{-90,50}})));
   Interfaces.Signals.GaugePressureInput p_supply(start=600e3, min=-101e3) "Gauge pressure of the supply"
@@ -14,25 +14,11 @@ model ProportionalPressureValve "A proportional valve that holds the pressure wh
   parameter Types.Pressure p_band(min=100, max=1e6, nominal=1e4) = 10e3
     "Deviation that opens three quarters of the valve"
     annotation (Dialog(group="Flow"));
-  parameter Types.Area A_open(min=1e-9, max=1e-4, nominal=1e-6) = 2e-6 "Effective area of the open valve, either way"
-    annotation (Dialog(group="Flow"));
   parameter Types.GaugePressure p_start(min=-1.01e5, max=1e7) = 0 "Command at the start"
     annotation (Dialog(group="Start"));
-  replaceable model Feed = Laws.Lines.DirectFeed constrainedby Interfaces.Feed "What lies before the valve"
-    annotation (choicesAllMatching=true);
   Types.GaugePressure p_wanted(start=p_start, fixed=dynamics == Types.Dynamics.FixedInitial)
     "Pressure that the valve works towards";
   Real y(unit="1") "Opening, 1: to the supply, -1: to the exhaust";
-  Components.Supply supply "Air supply"
-    annotation (Placement(transformation(extent={{-90,45},{-60,75}})));
-  Components.Atmosphere atmosphere "Outlet"
-    annotation (Placement(transformation(extent={{-90,-75},{-60,-45}})));
-  Feed feed "What lies before the valve"
-    annotation (Placement(transformation(extent={{-50,45},{-20,75}})));
-  Components.Orifice inlet(A=A_open*(y + sqrt(y^2 + closed^2))/2) "From the supply"
-    annotation (Placement(transformation(extent={{-10,45},{20,75}})));
-  Components.Orifice outlet(A=A_open*(sqrt(y^2 + closed^2) - y)/2) "To the exhaust"
-    annotation (Placement(transformation(extent={{5,-75},{-25,-45}})));
 protected
   constant Real closed(unit="1") = 1e-3 "Opening on which the corner of the closed valve is rounded";
 initial equation
@@ -42,16 +28,6 @@ initial equation
 equation
   tau*der(p_wanted) = k_u*(u - u_0) - p_wanted;
   y = tanh((p_wanted + ambient.p - line.port_a.p)/p_band);
-  connect(supply.port, feed.port_a)
-    annotation (Line(points={{-60,60}, {-50,60}}, color={0,90,160}));
-  connect(feed.port_b, inlet.port_a)
-    annotation (Line(points={{-20,60}, {-10,60}}, color={0,90,160}));
-  connect(inlet.port_b, line.port_a)
-    annotation (Line(points={{20,60}, {25,60}, {25,0}, {30,0}}, color={0,90,160}));
-  connect(line.port_a, outlet.port_a)
-    annotation (Line(points={{30,0}, {10,0}, {10,-60}, {5,-60}}, color={0,90,160}));
-  connect(outlet.port_b, atmosphere.port)
-    annotation (Line(points={{-25,-60}, {-60,-60}}, color={0,90,160}));
   connect(p_supply, supply.p_gauge)
     annotation (Line(points={{-100,-40}, {-95,-40}, {-95,60}, {-90,60}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>

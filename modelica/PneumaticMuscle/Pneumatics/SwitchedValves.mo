@@ -1,7 +1,6 @@
 within PneumaticMuscle.Pneumatics;
 model SwitchedValves "An inlet and an exhaust valve that are open or shut, from a supply whose pressure is known"
-  extends Interfaces.PneumaticsWithLine(shows="p, T");
-  extends Icons.Valve;
+  extends Components.PneumaticsWithPair(pair(u_in=u_open*u_in, u_out=u_open*u_out, C_A=C_A));
   Interfaces.Signals.RealInput u_in(unit="1", start=1) "Command of the inlet valve, 0 shut, 1 open"
     annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
   Interfaces.Signals.RealInput u_out(unit="1", start=0) "Command of the exhaust valve, 0 shut, 1 open"
@@ -12,19 +11,11 @@ model SwitchedValves "An inlet and an exhaust valve that are open or shut, from 
     annotation (Dialog(group="Flow"));
   Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-90,35},{-60,65}})));
-  Components.Atmosphere atmosphere "Outlet"
-    annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
-  Components.ValvePair pair(u_in=u_open*u_in, u_out=u_open*u_out, C_A=C_A) "Inlet and exhaust valve"
-    annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 protected
-  constant Types.Current u_open = (1e-5 + 2.61e-7)/1.80e-6 "Current at which DP (62) opens 10 mm2";
+  constant Types.Current u_open = Functions.openingCurrent(1e-5) "Current at which DP (62) opens 10 mm2";
 equation
   connect(supply.port, pair.supply)
     annotation (Line(points={{-60,50}, {-45,50}, {-45,12}, {-40,12}}, color={0,90,160}));
-  connect(pair.exhaust, atmosphere.port)
-    annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
-  connect(pair.port, line.port_a)
-    annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   connect(p_supply, supply.p_gauge)
     annotation (Line(points={{-100,-60}, {-95,-60}, {-95,50}, {-90,50}}, color={0,0,127}));
   annotation (defaultComponentName="valve", Documentation(info="<html>

@@ -1,7 +1,6 @@
 within PneumaticMuscle.Pneumatics;
 model Tank "Valves driven by currents, from a tank that droops and is refilled through a throttle"
-  extends Interfaces.PneumaticsWithLine(shows="p, T");
-  extends Icons.Valve;
+  extends Components.PneumaticsWithPair(pair(C_A=C_A));
   Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
     annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
   Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
@@ -21,10 +20,6 @@ model Tank "Valves driven by currents, from a tank that droops and is refilled t
     annotation (Placement(transformation(extent={{-45,45},{-15,75}})));
   Components.Tank tank(V=V, p_start=p_start, startIsReference=true) "Tank"
     annotation (Placement(transformation(extent={{10,45},{40,75}})));
-  Components.Atmosphere atmosphere "Outlet"
-    annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
-  Components.ValvePair pair(C_A=C_A) "Inlet and exhaust valve"
-    annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 equation
   connect(supply.port, throttle.port_a)
     annotation (Line(points={{-60,60}, {-45,60}}, color={0,90,160}));
@@ -32,10 +27,6 @@ equation
     annotation (Line(points={{-15,60}, {10,60}}, color={0,90,160}));
   connect(tank.port, pair.supply)
     annotation (Line(points={{10,60}, {-10,60}, {-10,25}, {-45,25}, {-45,12}, {-40,12}}, color={0,90,160}));
-  connect(pair.exhaust, atmosphere.port)
-    annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
-  connect(pair.port, line.port_a)
-    annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   connect(p_supply, supply.p_gauge)
     annotation (Line(points={{-100,-60}, {-95,-60}, {-95,29}, {-91,29}, {-91,60}, {-90,60}}, color={0,0,127}));
   connect(u_in, pair.u_in)

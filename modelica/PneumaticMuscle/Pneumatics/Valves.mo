@@ -1,7 +1,6 @@
 within PneumaticMuscle.Pneumatics;
 model Valves "An inlet and an exhaust valve driven by currents, from a supply whose pressure is known"
-  extends Interfaces.PneumaticsWithLine(shows="p, T");
-  extends Icons.Valve;
+  extends Components.PneumaticsWithPair(pair(C_A=C_A));
   Interfaces.Signals.CurrentInput u_in(start=0.35) "Current of the inlet valve"
     annotation (Placement(transformation(extent={{-110,50},{-90,70}})));
   Interfaces.Signals.CurrentInput u_out(start=0) "Current of the exhaust valve"
@@ -12,17 +11,9 @@ model Valves "An inlet and an exhaust valve driven by currents, from a supply wh
     annotation (Dialog(group="Flow"));
   Components.Supply supply "Air supply"
     annotation (Placement(transformation(extent={{-90,35},{-60,65}})));
-  Components.Atmosphere atmosphere "Outlet"
-    annotation (Placement(transformation(extent={{-90,-65},{-60,-35}})));
-  Components.ValvePair pair(C_A=C_A) "Inlet and exhaust valve"
-    annotation (Placement(transformation(extent={{-40,-20},{0,20}})));
 equation
   connect(supply.port, pair.supply)
     annotation (Line(points={{-60,50}, {-45,50}, {-45,12}, {-40,12}}, color={0,90,160}));
-  connect(pair.exhaust, atmosphere.port)
-    annotation (Line(points={{-40,-12}, {-55,-12}, {-55,-50}, {-60,-50}}, color={0,90,160}));
-  connect(pair.port, line.port_a)
-    annotation (Line(points={{0,0}, {30,0}}, color={0,90,160}));
   connect(p_supply, supply.p_gauge)
     annotation (Line(points={{-100,-60}, {-95,-60}, {-95,25}, {-91,25}, {-91,50}, {-90,50}}, color={0,0,127}));
   connect(u_in, pair.u_in)

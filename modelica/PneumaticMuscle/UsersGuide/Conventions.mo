@@ -46,6 +46,9 @@ whatever its family can is called <code>General...</code>.</li>
 <li>One class a file, with a description of every class, component and variable. Lines have 120 characters at most.</li>
 <li>A parameter has a unit, bounds, a default value and a group of the dialog; where it has no default, its owner gives
 it.</li>
+<li>What several classes share is a partial model that they extend: of benches in
+<a href=\"modelica://PneumaticMuscle.Benches.BaseClasses\">Benches.BaseClasses</a>, of components beside them, what a
+place asks for in <a href=\"modelica://PneumaticMuscle.Interfaces\">Interfaces</a>.</li>
 <li>An equation names its source in the documentation, with the number that it has there; the work is in
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">References</a>. The first mention of a work and every name
 of another class are links.</li>

@@ -16,11 +16,16 @@ absolute inside the components and gauge pressures in the signals of a bench.</p
 <a href=\"modelica://PneumaticMuscle.Muscles.Components\">Muscles.Components</a>,
 <a href=\"modelica://PneumaticMuscle.Mechanics.Components\">Mechanics.Components</a> and
 <a href=\"modelica://PneumaticMuscle.Instruments.Sensors\">Instruments.Sensors</a>. Every law of a load, a valve or a
-vessel stands in one of them. The benches of the library are wired from components, because data sets and fitted models
-say the names that these have there, <code>load.m</code> or <code>thermometer.tau</code>; a rig that is put together
-from parts has the same equations. Around all is an <a href=\"modelica://PneumaticMuscle.Ambient\">Ambient</a>. Gas
-flows through <a href=\"modelica://PneumaticMuscle.Interfaces.GasPort\">Interfaces.GasPort</a>: volumes and sources set
-pressure and temperature, resistances set mass and enthalpy flow; the two alternate. Muscles end in
+vessel stands in one of them. What several benches have in common, valves with their supply, a muscle that hangs, each
+reading with its channel, stands once in
+<a href=\"modelica://PneumaticMuscle.Benches.BaseClasses\">Benches.BaseClasses</a>, and a bench extends what it needs:
+so its components have the short names that data sets and fitted models say, <code>load.m</code> or
+<code>thermometer.tau</code>. In a rig that is put together from parts, which may hold several muscles, these are names
+inside a part, <code>temperature.thermometer.tau</code>. Both have the same frame,
+<a href=\"modelica://PneumaticMuscle.Interfaces.Rig\">Interfaces.Rig</a>, components and equations. Around all is an
+<a href=\"modelica://PneumaticMuscle.Ambient\">Ambient</a>. Gas flows through
+<a href=\"modelica://PneumaticMuscle.Interfaces.GasPort\">Interfaces.GasPort</a>: volumes and sources set pressure and
+temperature, resistances set mass and enthalpy flow; the two alternate. Muscles end in
 <a href=\"modelica://PneumaticMuscle.Interfaces.Flange\">Interfaces.Flange</a> as the Modelica Standard Library has it,
 positive in contraction.</p>
 <p>Where the papers differ, a component has a replaceable law with a constraining class: the <code>Gas</code>, the

@@ -47,6 +47,10 @@ American Control Conference, Portland 2005, 680-685.</li>
 <li><b>Hunt, Graber-Tilton and Quinn 2017</b>: A. Hunt, A. Graber-Tilton, R. Quinn, <i>Modeling length effects of
 braided pneumatic actuators</i>, ASME International Design Engineering Technical Conferences, Cleveland 2017,
 V05AT08A008.</li>
+<li><b>IEC 60584</b>: <i>Thermocouples, part 1: EMF specifications and tolerances</i>, International Electrotechnical
+Commission, 2013.</li>
+<li><b>IEC 61298</b>: <i>Process measurement and control devices, general methods and procedures for evaluating
+performance</i>, International Electrotechnical Commission, 2008.</li>
 <li><b>ISO 10041</b>: <i>Pneumatic fluid power: electro-pneumatic continuous flow control valves</i>, International
 Organization for Standardization.</li>
 <li><b>ISO 10094</b>: <i>Pneumatic fluid power: electro-pneumatic continuous pressure control valves</i>, International

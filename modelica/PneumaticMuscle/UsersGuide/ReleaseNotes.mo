@@ -5,6 +5,11 @@ class ReleaseNotes "What changed in the library from version to version"
 <p>What concerns the library; <code>CHANGELOG.md</code> lists all changes of the software around it.</p>
 <p><b>Unreleased</b></p>
 <ul>
+<li>What several benches share stands once, in
+<a href=\"modelica://PneumaticMuscle.Benches.BaseClasses\">Benches.BaseClasses</a>; every bench with surroundings
+extends <a href=\"modelica://PneumaticMuscle.Interfaces.Rig\">Interfaces.Rig</a>. The muscle of a bench is a replaceable
+component: <code>Benches.Isotonic(redeclare Muscles.Components.ButylMuscle muscle)</code>. Names and trajectories are
+what they were.</li>
 <li>Errors of instruments state what is typical of them in an annotation,
 <a href=\"modelica://PneumaticMuscle.Interfaces.Effect\">Interfaces.Effect</a>.</li>
 <li>Components stand with the parts that are made of them, in

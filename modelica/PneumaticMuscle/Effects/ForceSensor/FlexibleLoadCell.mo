@@ -14,8 +14,9 @@ equation
   y = offset + u*(gain + bend*u/reference);
   annotation (Documentation(info="<html>
 <p>y = offset + gain d + bend d^2/(100 N), d = u. Source: zero, span and linearity error, the three lines of a
-transducer's data sheet (IEC 61298-2); typical 0.02 to 1 % of full scale, 0.02 to 5 %, 0.02 to 0.5 %: of
-a full scale of 1 kN the first, of 100 N the last, whose bend is greatest.</p>
+transducer's data sheet (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.02 to
+1 % of full scale, 0.02 to 5 %, 0.02 to 0.5 %: of a full scale of 1 kN the first, of 100 N the last, whose bend is
+greatest.</p>
 <p>Fingerprint: the force is off by a smooth curve of itself, at rest too; pressure and temperature are right.</p>
 </html>"));
 end FlexibleLoadCell;

@@ -7,7 +7,8 @@ model ForceGain "The force reading is off by a factor"
 equation
   y = gain*u;
   annotation (Documentation(info="<html>
-<p>y = gain u. Source: span error, the second line of a transducer's data sheet (IEC 61298-2); typical 0.02 to 5 %.</p>
+<p>y = gain u. Source: span error, the second line of a transducer's data sheet
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.02 to 5 %.</p>
 <p>Fingerprint: the force is off in proportion to itself; pressure and temperature are right.</p>
 </html>"));
 end ForceGain;

@@ -7,8 +7,9 @@ model ForceOffset "The force reading is off by a constant"
 equation
   y = u + offset;
   annotation (Documentation(info="<html>
-<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet (IEC 61298-2); typical 0.02 to 1 % of
-full scale, and full scale 1 kN: 10 N at most; more where the load cell was not tared.</p>
+<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.02 to 1 % of full scale, and
+full scale 1 kN: 10 N at most; more where the load cell was not tared.</p>
 <p>Fingerprint: the force is off by the same amount everywhere, at rest before the start too; pressure and temperature
 are right.</p>
 </html>"));

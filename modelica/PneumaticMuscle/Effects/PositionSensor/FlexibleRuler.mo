@@ -14,8 +14,8 @@ equation
   y = offset + u*(gain + bend*u/reference);
   annotation (Documentation(info="<html>
 <p>y = offset + gain d + bend d^2/(50 mm), d = u. Source: zero, span and linearity error, the three lines of a
-transducer's data sheet (IEC 61298-2); typical 0.1 to 5 mm, 0.1 to 5 %, 0.1 to 1 % of a full scale
-of 100 mm.</p>
+transducer's data sheet (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.1 to 5
+mm, 0.1 to 5 %, 0.1 to 1 % of a full scale of 100 mm.</p>
 <p>Fingerprint: the position is off by a smooth curve of itself, at rest too; pressure and temperature are right.</p>
 </html>"));
 end FlexibleRuler;

@@ -7,8 +7,9 @@ model PositionGain "The position reading is off by a factor"
 equation
   y = gain*u;
   annotation (Documentation(info="<html>
-<p>y = gain u. Source: span error, the second line of a transducer's data sheet (IEC 61298-2); typical 0.1 to 5 %; more
-where the string of a transducer runs at an angle.</p>
+<p>y = gain u. Source: span error, the second line of a transducer's data sheet
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.1 to 5 %; more where the
+string of a transducer runs at an angle.</p>
 <p>Fingerprint: the position is off in proportion to itself; pressure and temperature are right.</p>
 </html>"));
 end PositionGain;

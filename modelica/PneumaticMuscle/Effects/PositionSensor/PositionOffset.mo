@@ -7,8 +7,9 @@ model PositionOffset "The position reading is off by a constant"
 equation
   y = u + offset;
   annotation (Documentation(info="<html>
-<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet (IEC 61298-2); typical 0.1 to 5 mm,
-where the muscle was mounted or the string of a transducer hooked in.</p>
+<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.1 to 5 mm, where the muscle
+was mounted or the string of a transducer hooked in.</p>
 <p>Fingerprint: the position is off by the same amount everywhere, at rest before the start too; pressure and
 temperature are right.</p>
 </html>"));

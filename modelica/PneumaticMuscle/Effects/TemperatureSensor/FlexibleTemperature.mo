@@ -15,7 +15,8 @@ equation
   y = ambient.T + offset + (u - ambient.T)*(gain + bend*(u - ambient.T)/reference);
   annotation (Documentation(info="<html>
 <p>y = T_atm + offset + gain d + bend d^2/(20 K), d = (u - T_atm). Source: zero, span and linearity error, the three
-lines of a transducer's data sheet (IEC 61298-2); typical 0.5 to 2.5 K, 0.4 to 5 %, 0.1 to 1 % over 40 K.</p>
+lines of a transducer's data sheet (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2);
+typical 0.5 to 2.5 K, 0.4 to 5 %, 0.1 to 1 % over 40 K.</p>
 <p>Fingerprint: the temperature is off by a smooth curve of itself, at rest too; pressure and contraction are right.</p>
 </html>"));
 end FlexibleTemperature;

@@ -21,9 +21,10 @@ equation
   y = ambient.T + offset + reference*w*(gain + w*(bend + w*(c + d*w)));
   annotation (Documentation(info="<html>
 <p>y = T_atm + offset + 20 K (gain w + bend w^2 + c w^3 + d w^4), w = (u - T_atm)/20 K. Source: zero, span and linearity
-error of a transducer's data sheet, the last as a polynomial, as the tables of IEC 60584-1 are. Typical as
-<a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.FlexibleTemperature\">FlexibleTemperature</a>, each
-power 1 % of 40 K at most.</p>
+error of a transducer's data sheet, the last as a polynomial, as the tables of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 60584</a>-1 are. Typical as
+<a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.FlexibleTemperature\">FlexibleTemperature</a>, each power
+1 % of 40 K at most.</p>
 <p>Fingerprint: as
 <a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.FlexibleTemperature\">FlexibleTemperature</a>.</p>
 </html>"));

@@ -9,8 +9,9 @@ protected
 equation
   y = ambient.T + gain*(u - ambient.T);
   annotation (Documentation(info="<html>
-<p>y = T_atm + gain (u - T_atm). Source: span error, the second line of a transducer's data sheet (IEC 61298-2); typical
-0.4 to 5 %; more where a stem carries heat to the surroundings.</p>
+<p>y = T_atm + gain (u - T_atm). Source: span error, the second line of a transducer's data sheet
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.4 to 5 %; more where a stem
+carries heat to the surroundings.</p>
 <p>Fingerprint: the temperature is off in proportion to its difference from ambient; pressure and contraction are
 right.</p>
 </html>"));

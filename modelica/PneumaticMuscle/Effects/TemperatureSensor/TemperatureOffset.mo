@@ -7,8 +7,10 @@ model TemperatureOffset "The temperature reading is off by a constant"
 equation
   y = u + offset;
   annotation (Documentation(info="<html>
-<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet (IEC 61298-2); typical 0.5 to 2.5 K
-(class 1 and 2 of IEC 60584-1), and what the reference junction is off.</p>
+<p>y = u + offset. Source: zero error, the first line of a transducer's data sheet
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2); typical 0.5 to 2.5 K (class 1 and 2 of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 60584</a>-1), and what the reference junction is
+off.</p>
 <p>Fingerprint: the temperature is off by the same amount everywhere, at rest before the start too; pressure and
 contraction are right.</p>
 </html>"));

@@ -13,11 +13,11 @@ equation
     A[i] = C_A*Functions.openingArea(u[i])*(1 - beta*(1 - sqrt(z[i]^2 + z_smooth^2)));
   end for;
   annotation (Documentation(info="<html>
-<p>A = A(u) (1 - beta p_down/p_up), the ratio of absolute pressures rounded at equal pressures. Source: the
-discharge coefficient of a sharp orifice falls with the pressure ratio, from 0.84 to 0.60
-(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Perry 1949</a>), and pressure on the plunger of a
-proportional valve moves it; <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62) was measured at
-one pressure. Typical 0.05 to 0.35.</p>
+<p>A = A(u) (1 - beta p_down/p_up), the ratio of absolute pressures rounded at equal pressures. Source: the discharge
+coefficient of a sharp orifice falls with the pressure ratio, from 0.84 to 0.60
+(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Perry 1949</a>), which is beta = 0.29, and pressure on the
+plunger of a proportional valve moves it; <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (62) was
+measured at one pressure. Typical 0.05 to 0.35.</p>
 <p>Fingerprint: the beginning of filling is right and its end too slow; venting is too slow at low pressure.</p>
 </html>"));
 end BackPressureArea;

@@ -21,8 +21,11 @@ equation
 <p>Film, half the wall, store of heat, half the wall, film. Source:
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (44)-(45) with the films of Laws.Heat.FilmWall;
 typical C as for <a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>, r 0.2 to 2. Without a
-heat capacity and with r = 1 it is Laws.Heat.FilmWall; with a large one only the film inside resists.</p>
-<p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>, and twice the heat
-flow at the beginning of a filling. A vessel whose gas takes no heat from its wall does not feel it.</p>
+heat capacity and with r = 1 it is Laws.Heat.FilmWall; with a large one only the film inside and the inner half of the
+wall resist.</p>
+<p>Fingerprint: twice the heat flow at the beginning of a filling, so that pressure and temperature are at first lower
+than with a wall that stores nothing; then, and in venting, as
+<a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>. A vessel whose gas takes no heat from its
+wall does not feel it.</p>
 </html>"));
 end StorageWall;

@@ -21,8 +21,9 @@ equation
 heat; C is mass times specific heat capacity, typical 0.5 to 6 J/K for 0.254 mm of latex, of which the fibres leave a
 part bare, and 5e3 J/K for a steel vessel of 16 L. G is area times an outer film of 5 to 20 W/(m2.K): 0.02 to 0.3 W/K
 for a muscle. At C = 1e5 J/K the wall stays cold.</p>
-<p>Fingerprint: pressure and temperature stay higher after filling and lower after venting than with a cold
-wall, the more so the sooner fillings follow each other. A vessel whose gas takes no heat from its wall does not
+<p>Fingerprint: pressure and temperature stay higher in a hold after filling than with a cold wall, the more so the
+sooner fillings follow each other, and higher in and after the venting that follows, as long as the wall is warm and
+gives its heat back; lower only once vented gas has cooled it. A vessel whose gas takes no heat from its wall does not
 feel it.</p>
 </html>"));
 end WarmWall;

@@ -10,7 +10,7 @@ equation
   m_flow = C_q*A*sqrt(2*rho)*dp/(dp^2 + dp_laminar^2)^0.25;
   annotation (Documentation(info="<html>
 <p>Q = f_v C_q A_v sqrt(2/rho) sqrt(|P_in - P_out|), <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a>
-(10); the mass flow rate is rho Q with the density upstream. Laminar below 20 Pa. It does not choke: DP remark that it
-holds for small pressure drops only.</p>
+(10), with f_v for the sign of the drop; the mass flow rate is rho Q with the density upstream. Laminar below 20 Pa. It
+does not choke: DP remark that it holds at low velocities only, where the density hardly changes.</p>
 </html>"));
 end Bernoulli;

@@ -1,15 +1,13 @@
 within PneumaticMuscle.Pneumatics.Components;
 model Regulator "A pressure regulator: the pressure follows the input with a short lag"
+  extends Interfaces.PressureSource;
   extends Icons.GasSource;
-  Interfaces.GasPort port "Gas port"
-    annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   Interfaces.Signals.GaugePressureInput p_wanted "Gauge pressure wanted"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Time tau(min=1e-4, max=10) = 2e-3 "Time constant" annotation (Dialog(group="Dynamics"));
   parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.GaugePressure p(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Gauge pressure";
-  outer Ambient ambient "Surroundings";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
     der(p) = 0;
@@ -17,7 +15,6 @@ initial equation
 equation
   tau*der(p) = p_wanted - p;
   port.p = ambient.p + p;
-  port.T = ambient.T;
   annotation (Documentation(info="<html>
 <p>tau p_dot = p_wanted - p. It gives whatever mass the pressure needs. The lag, below what is sampled, lets volumes be
 attached, whose flow depends on the rate of the pressure.</p>

@@ -39,7 +39,9 @@ equation
   connect(wall.outside, surroundings.heatPort)
     annotation (Line(points={{40,-50}, {55,-50}}, color={190,30,0}));
   annotation (Documentation(info="<html>
-<p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (63)-(66). The base gas takes no heat from the
-wall: its polytropic exponent stands for the heat.</p>
+<p>p_dot = n R T/V (m_in - m_out), <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (63)-(66), in
+<a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicVesselGas\">Laws.Gases.PolytropicVesselGas</a>, which takes no
+heat from the wall: its polytropic exponent stands for the heat. Where a law of the gas asks for a wall, it is steel of
+10 mm around a cylinder twice as long as wide, of which DP say nothing: A = 5/2 pi (2 V/pi)^(2/3), k = 50 W/(m.K).</p>
 </html>"));
 end Tank;
