@@ -1,26 +1,24 @@
-"""The entry of one column: named, scaled and signed as the bench has it, and the numbers that it gives."""
+"""The entry of one column: named and scaled as the bench has it, and the numbers that it gives."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import correlation
+from pam_cosim.drafting.contraction import contraction_entry
 from pam_cosim.drafting.direction import words_of
-from pam_cosim.drafting.feeding import BenchChoice, meaning_of
+from pam_cosim.drafting.feeding import meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry
-from pam_cosim.drafting.recorded_column import RecordedColumn
+from pam_cosim.drafting.recorded_column import RecordedColumn, is_referable
 from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, parse_quantity
 
 _C = CRITERIA.recognition
-_REFERABLE = re.compile(r"[^'\\\n]+")
 _GRAVITY = "9.80665 m/s2"
 
 
@@ -42,11 +40,11 @@ def named_entry(
         return _direction(name, column)
     wanted = meaning_of(variable)
     if wanted and wanted.kind == "contraction" and kind in ("length", "ratio"):
-        return _contraction(name, column, interface, stated)
+        return contraction_entry(name, column, interface, stated)
     if kind == "force" and fits(column.unit, "mass"):
         return _weight(name, column)
     numbers = {i: convert(v, column.unit, variable.unit) for i, v in column.values.items()}
-    if column.absolute and kind == "pressure" and _REFERABLE.fullmatch(column.name):
+    if column.absolute and kind == "pressure" and is_referable(column.name):
         return _gauge_pressure(name, column, numbers)
     return ColumnEntry(name, column.name, unit_to_state(column), why=column.why), numbers
 
@@ -56,7 +54,7 @@ def _weight(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, A
     gravity = parse_quantity(_GRAVITY, "m/s2")
     numbers = {i: convert(v, column.unit, "kg") * gravity for i, v in column.values.items()}
     why = (*column.why, f"a force in {column.unit}, times gravity")
-    return ColumnEntry(name, formula=f'{_term(column)} * "{_GRAVITY}"', why=why), numbers
+    return ColumnEntry(name, formula=f'{column.term} * "{_GRAVITY}"', why=why), numbers
 
 
 def _gauge_pressure(
@@ -65,7 +63,7 @@ def _gauge_pressure(
     """A gauge pressure that was recorded as an absolute one [Pa]."""
     ambient = f"{_C.ambient / 1e3:g} kPa"
     why = (*column.why, f"its heading says absolute; the ambient is taken as {ambient}")
-    entry = ColumnEntry(name, formula=f'{_term(column)} - "{ambient}"', why=why)
+    entry = ColumnEntry(name, formula=f'{column.term} - "{ambient}"', why=why)
     return entry, {i: v - _C.ambient for i, v in numbers.items()}
 
 
@@ -86,90 +84,5 @@ def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int
         raise InputError(f"the values of {column.name} are no directions; {hint}")
     scale, offset = 2.0 / (up - down), -(up + down) / (up - down)
     return ColumnEntry(
-        name, formula=f"{scale:g} * {_term(column)} + ({offset:g})", why=column.why
+        name, formula=f"{scale:g} * {column.term} + ({offset:g})", why=column.why
     ), values
-
-
-def _contraction(
-    name: str, column: RecordedColumn, interface: Interface, stated: Mapping[str, str]
-) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A contraction made of a length or of a ratio."""
-    at_rest = _length_at_rest(interface, stated)
-    if column.meaning and column.meaning.kind == "ratio":
-        value, source = at_rest or ("1 m", "")
-        length = parse_quantity(value, "m")
-        numbers = {i: convert(v, column.unit, "1") * length for i, v in column.values.items()}
-        why = f"it is a ratio, times the length at rest, {value}: {source}"
-        return ColumnEntry(
-            name, formula=f'{_term(column)} * "{value}"', why=(*column.why, why)
-        ), numbers
-    lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
-    longest = max(float(np.nanmax(v)) for v in lengths.values())
-    value, source = f"{longest:.6g} m", "the longest in any recording"
-    if at_rest is not None and at_rest[1] == "stated":
-        value, source = at_rest
-    length = parse_quantity(value, "m")
-    why = f"it is a length: the contraction is what is missing to {value}, {source}"
-    entry = ColumnEntry(name, formula=f'"{value}" - {_term(column)}', why=(*column.why, why))
-    return entry, {i: length - v for i, v in lengths.items()}
-
-
-def _length_at_rest(interface: Interface, stated: Mapping[str, str]) -> tuple[str, str] | None:
-    """The value of the parameter that is a muscle's length at rest, and where it comes from."""
-    name = length_parameter(interface)
-    if name is None:
-        return None
-    if name in stated:
-        return stated[name], "stated"
-    return (
-        f"{interface.parameters[name].start:g} m",
-        f"the bench's default of {name}, state yours and change it here",
-    )
-
-
-def length_parameter(interface: Interface) -> str | None:
-    """The parameter that is a muscle's length at rest, by what is said of it."""
-    for name, variable in interface.parameters.items():
-        said = variable.description.casefold()
-        is_length = variable.unit == "m" and "length" in said
-        if is_length and ("rest" in said or "initial" in said):
-            return name
-    return None
-
-
-def _term(column: RecordedColumn) -> str:
-    """The column in a formula."""
-    name = f"'{column.name}'" if _REFERABLE.fullmatch(column.name) else "value"
-    return name if column.stated or not column.unit else f'{name} * "1 {column.unit}"'
-
-
-def signed_entry(
-    entry: ColumnEntry,
-    values: dict[int, Array],
-    choice: BenchChoice,
-    variable: Variable,
-    pressure: dict[int, Array] | None,
-) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
-    meaning = meaning_of(variable)
-    if meaning is None or entry.formula is not None or entry.column is None:
-        return entry, values
-    if not _REFERABLE.fullmatch(entry.column):
-        return entry, values
-    why = ""
-    if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
-        if correlation(pressure, values) < -_C.follows:
-            why = "it falls where the pressure rises: its sign is turned round"
-    elif meaning.kind == "force" and _mostly_negative(np.concatenate(list(values.values()))):
-        why = "it is below zero: its sign is turned round, so that a pull is positive"
-    if not why:
-        return entry, values
-    scale = f' * "1 {entry.unit}"' if entry.unit else ""
-    turned = ColumnEntry(entry.name, formula=f"-'{entry.column}'{scale}", why=(*entry.why, why))
-    return turned, {i: -v for i, v in values.items()}
-
-
-def _mostly_negative(values: Array) -> bool:
-    """Whether values are below zero on average, and farther below than above."""
-    lowest, highest = float(np.nanmin(values)), float(np.nanmax(values))
-    return float(np.nanmean(values)) < 0.0 and abs(lowest) > abs(highest)

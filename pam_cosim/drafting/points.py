@@ -18,7 +18,7 @@ from pam_cosim.drafting.direction import (
     order_tells_direction,
 )
 from pam_cosim.drafting.mapped import MappedRecording
-from pam_cosim.drafting.values import text_of
+from pam_cosim.drafting.stated_value import text_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import curves, levels
 from pam_cosim.model.interface import Interface

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
@@ -16,6 +17,7 @@ from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
 
 _C = CRITERIA.recognition
+_REFERABLE = re.compile(r"[^'\\\n]+")
 
 
 @dataclass(frozen=True)
@@ -73,6 +75,12 @@ class RecordedColumn:
         """It lacks so few samples that it may be meant as an input."""
         return float(np.mean(np.isnan(self.every))) <= _C.gaps
 
+    @property
+    def term(self) -> str:
+        """The column in a formula."""
+        name = f"'{self.name}'" if is_referable(self.name) else "value"
+        return name if self.stated or not self.unit else f'{name} * "1 {self.unit}"'
+
     def text_of(self, value: float) -> str:
         """One of its numbers, or the word that it stands for."""
         return shown(self.words[int(value)]) if self.words else f"{value:g}"
@@ -80,6 +88,11 @@ class RecordedColumn:
     def of(self, kind: str, *roles: str) -> bool:
         """Whether it is of a kind, with just these roles."""
         return self.meaning == Meaning(kind, frozenset(roles))
+
+
+def is_referable(name: str) -> bool:
+    """Whether a formula can name a column so."""
+    return _REFERABLE.fullmatch(name) is not None
 
 
 def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
