@@ -21,10 +21,10 @@ class Limits:
 
     Attributes:
         inputs: lowest and highest value of each input.
-        constant: inputs that keep one value through a run, such as a supply that nobody may move.
-        rates: the steepest change of each input a second; infinite: it can step.
+        constant: inputs that keep one value through a run, such as a supply at a fixed pressure.
+        rates: the steepest slope of each input [its unit per second]; infinite: it can step.
         start: value of each input when a run begins, from which an input with a finite rate departs.
-        parameters: ranges of what is set before a run, such as a load.
+        parameters: ranges of parameters that are set before a run, such as a load.
         outputs: ranges that the predicted signals must keep.
         seconds: length of a run.
         interval: time between two samples [s].
@@ -46,7 +46,7 @@ class Limits:
 
     @property
     def is_fixed(self) -> bool:
-        """Whether nothing can be chosen."""
+        """Whether every range is a single value."""
         return all(low == high for low, high in (*self.inputs.values(), *self.parameters.values()))
 
 
@@ -58,9 +58,8 @@ def limits_of(
 ) -> Limits:
     """The limits of the recordings, but for those that are stated.
 
-    An input is as fast as it was recorded at its fastest. One that kept its value through every run keeps one value,
-    unless limits are stated for it: then it moves within them, and can step. A parameter that differs between runs can
-    be set.
+    An input has the steepest slope that was recorded. An input that was constant in every run stays constant, unless
+    limits are stated for it: then it moves within them, and can step. A parameter that differs between runs can be set.
 
     Args:
         data: the measurement; not of points at rest.
