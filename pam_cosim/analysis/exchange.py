@@ -8,7 +8,6 @@ import zipfile
 from collections.abc import Callable, Mapping, Sequence
 from ctypes import c_double
 from pathlib import Path
-from types import TracebackType
 from typing import Any, TypeVar
 from xml.etree.ElementTree import fromstring
 
@@ -90,12 +89,7 @@ class ExchangeModel:
     def __enter__(self) -> ExchangeModel:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:

@@ -8,6 +8,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
+from scipy.special import chdtri, ndtri
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
@@ -17,6 +18,7 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean
 
 LEVEL = 0.95
+DEVIATIONS = float(ndtri((1 + LEVEL) / 2))  # half the width of a band of that probability
 
 
 @dataclass(frozen=True)
@@ -78,13 +80,11 @@ class Observation(Exported):
 
     @property
     def nis_range(self) -> tuple[float, float]:
-        """In which ``nis`` lies with 95 % probability if everything that the filter was told is true."""
+        """In which ``nis`` lies with 95 % probability if what the filter assumes is true."""
         count = float(self.sizes[:, 1].sum())
         if not count:
             return float("nan"), float("nan")
-        from scipy.stats import chi2  # half a second, which few need
-
-        low, high = chi2.ppf([(1 - LEVEL) / 2, (1 + LEVEL) / 2], count)
+        low, high = chdtri(count, [(1 + LEVEL) / 2, (1 - LEVEL) / 2])  # by the probability above
         return float(low / count), float(high / count)
 
     @property
@@ -126,8 +126,6 @@ class Observation(Exported):
         return {name: self._error(name, self.time >= self.time[0] + since) for name in self.truth}
 
     def _error(self, name: str, chosen: Array) -> Error:
-        from scipy.stats import norm
-
         off = (self.values[name] - self.truth[name])[chosen]
         size = self.deviations[name][chosen]
         return Error(
@@ -135,7 +133,7 @@ class Observation(Exported):
             float(off.mean()),
             float(np.abs(off).max()),
             float(np.mean((off / size) ** 2)),
-            float(np.mean(np.abs(off) <= norm.ppf((1 + LEVEL) / 2) * size)),
+            float(np.mean(np.abs(off) <= DEVIATIONS * size)),
         )
 
     def as_dict(self) -> dict[str, Any]:

@@ -44,7 +44,7 @@ class Sines:
 
 
 @dataclass(frozen=True)
-class _Answer:
+class _SineResponse:
     """At one frequency: complex gains, distortions and shifts of the mean (p,), periods done, whether settled."""
 
     gain: Array
@@ -103,7 +103,7 @@ def _swing(
     at: int,
     frequency: float,
     sines: Sines,
-) -> _Answer:
+) -> _SineResponse:
     omega = 2 * np.pi * frequency
     unit = np.zeros(len(held))
     unit[at] = sines.amplitude
@@ -128,7 +128,7 @@ def _swing(
         assert before is not None and known is not None
         settled = known.agrees(before)
         if settled or periods >= sines.most_periods:
-            return _Answer(known.gain, known.distortion, known.shift, periods, settled)
+            return _SineResponse(known.gain, known.distortion, known.shift, periods, settled)
 
 
 def _periods(
@@ -202,7 +202,7 @@ def _swing_from_start(
     middle: float,
     frequency: float,
     sines: Sines,
-) -> _Answer:
+) -> _SineResponse:
     periods = min(_FIRST_PERIODS, sines.most_periods)
     while True:
         times = np.arange(periods * SAMPLES + 1) / (SAMPLES * frequency)
@@ -220,12 +220,12 @@ def _swing_from_start(
         before, known = (_Spectrum(p, amplitude, mean) for p in np.split(values, periods)[-2:])
         settled = known.agrees(before)
         if settled or periods >= sines.most_periods:
-            return _Answer(known.gain, known.distortion, known.shift, periods, settled)
+            return _SineResponse(known.gain, known.distortion, known.shift, periods, settled)
         periods = min(2 * periods, sines.most_periods)
 
 
 def _collected(
-    answers: Sequence[_Answer],
+    answers: Sequence[_SineResponse],
     sines: Sines,
     model: str,
     units: Mapping[str, str],

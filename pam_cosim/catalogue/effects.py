@@ -1,4 +1,4 @@
-"""The catalogue of effects: every class of the library and the user's files that calls itself one."""
+"""The catalogue of effects: every class of the library and the user's files that extends the base class of effects."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import ModelError
 
 _TYPICAL = "typical"
-UNKNOWN = "unknown"  # the family of terms without a law, which are no hypotheses
+UNKNOWN = "unknown"  # the family of unknown inputs, which are no hypotheses
 
 
 @dataclass(frozen=True)
@@ -22,13 +22,13 @@ class EffectClass:
 
     Attributes:
         name: the class's own name; ``qualified_name`` with its packages.
-        family, balance: what it says of itself.
+        family, balance: as constants of the class.
         description: one line.
         documentation: HTML.
         parameters: its own public parameters that have both a minimum and a maximum: those that a diagnosis fits.
         component_name: name that its instance takes.
         file: where it is written.
-        general: it says whatever its family can, and waits until the others of the family leave something.
+        general: it contains the other forms of its family as special cases, and is tried where these leave structure.
         library: the package whose effect it is.
         absent: values of its parameters at which it vanishes; empty where there are none.
         typical: ends of the range in which 95 % of all rigs have a parameter, of those whose class states it.
@@ -53,13 +53,13 @@ def effect_classes(tree: ClassTree, of: Collection[str] | None = None) -> list[E
     """Every effect that is not partial, by library, family and name; those of the libraries ``of`` alone if given.
 
     Raises:
-        ModelError: an effect does not say its family or balance, or two of a library have the same name.
+        ModelError: an effect lacks its family or balance, or two of a library have the same name.
     """
     return [e for e in _declared(tree) if e.family != UNKNOWN and (of is None or e.library in of)]
 
 
 def unknown_terms(tree: ClassTree, of: Collection[str] | None = None) -> list[EffectClass]:
-    """Every term without a law: what attaches as an effect does and says that its family is unknown.
+    """Every unknown input: a class that attaches as an effect does, of the family "unknown".
 
     Raises:
         ModelError: as for ``effect_classes``.

@@ -16,6 +16,7 @@ from pam_cosim.comparison.reproducibility import Reproducibility, reproducibilit
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
     Series,
+    autocorrelation,
     lag_one,
     residual_statistics,
     series_of,
@@ -48,6 +49,7 @@ __all__ = [
     "measured_initial_state",
     "outliers",
     "reproducibility",
+    "autocorrelation",
     "residual_statistics",
     "score",
     "scored",

@@ -204,7 +204,7 @@ def _correlation_time(series: Sequence[Series]) -> float:
         if len(e) < 3 or own <= 0:
             continue
         most = max(2, int(CRITERIA.residuals.longest_memory * len(e)))
-        r = _autocorrelation(e, most)[1:]
+        r = autocorrelation(e, most)[1:]
         gone = np.flatnonzero(r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)))
         time = 1 + 2 * float(np.sum(r[: gone[0]] if len(gone) else r))
         total += own * time
@@ -212,8 +212,8 @@ def _correlation_time(series: Sequence[Series]) -> float:
     return max(1.0, total / power) if power else 1.0
 
 
-def _autocorrelation(e: Array, lags: int) -> Array:
-    """(lags,) about zero, over the sum of squares."""
+def autocorrelation(e: Array, lags: int) -> Array:
+    """(lags,) autocorrelation of a series about zero, from lag 0 on; 1 at lag 0."""
     size = next_fast_len(len(e) + lags, real=True)
     products: Array = np.asarray(irfft(np.abs(rfft(e, size)) ** 2, size)[:lags])
     correlation: Array = products / products[0]

@@ -1,4 +1,4 @@
-"""What the model gives at the very start of a run."""
+"""The model at the very start of a run."""
 
 from __future__ import annotations
 
@@ -17,7 +17,15 @@ from pam_cosim.simulation import AnySimulator, Settle, Trajectory
 
 @dataclass(frozen=True)
 class ObservedState:
-    """What shows a state: row ``row`` of what is computed shall have a value; its slope there by the state."""
+    """A state that a signal or a rate determines.
+
+    Attributes:
+        row: of the signals and rates, that determines it.
+        aim: value of that row.
+        spread: standard deviation of the aim; zero where it follows from another state.
+        signal: that was measured.
+        rate: of the state [its unit per second].
+    """
 
     row: int
     aim: float
@@ -38,7 +46,7 @@ class Dependences:
 
 
 class StartProbe:
-    """What the model gives at the very start of a run, for start values of its states."""
+    """Signals, rates and states of the model at the very start of a run, by start values of its states."""
 
     def __init__(
         self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
@@ -51,6 +59,10 @@ class StartProbe:
         ]
         self._parameters = {n: v for n, v in parameters.items() if n not in self.states}
         self._start, self._inputs = start_time(run), inputs_of_run(run)
+
+    def changed(self, parameters: Mapping[str, float]) -> StartProbe:
+        """The same with other values of some parameters [SI]."""
+        return StartProbe(self.simulator, self.data, self.run, {**self._parameters, **parameters})
 
     def first_samples(self) -> dict[str, FirstSamples]:
         """Of the signals that are fitted."""
@@ -87,12 +99,10 @@ class StartProbe:
 
     def signals_of_one_state(self) -> list[str]:
         """The signals that depend on one state alone."""
-        count = (
-            np.count_nonzero(self.dependences({}).matrix[: len(self.signals)], axis=1)
-            if self.states
-            else ()
-        )
-        return [name for name, n in zip(self.signals, count, strict=False) if n == 1]
+        if not self.states:
+            return []
+        count = np.count_nonzero(self.dependences({}).matrix[: len(self.signals)], axis=1)
+        return [name for name, n in zip(self.signals, count, strict=True) if n == 1]
 
     def dependences(self, values: Mapping[str, float]) -> Dependences:
         """About a state; by central differences, which are exactly zero where there is no dependence."""
@@ -127,7 +137,7 @@ class StartProbe:
         dependences: Dependences,
         values: Mapping[str, float],
     ) -> dict[str, float]:
-        """Start values of the states that are shown, at which what shows them is as it was measured."""
+        """Start values of the observed states at which the signals that determine them are as measured."""
         _, state = self.at({})
         starts = {name: values.get(name, state[self.states.index(name)]) for name in shown}
         rows = [one.row for one in shown.values()]
@@ -137,10 +147,8 @@ class StartProbe:
             miss = aims - self.at(starts)[0][rows]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
             starts = {name: float(starts[name] + s) for name, s in zip(starts, step, strict=True)}
-            if np.all(
-                np.abs(step)
-                <= CRITERIA.starts.step * np.array([self._size(n, v) for n, v in starts.items()])
-            ):
+            sizes = np.array([self._size(n, v) for n, v in starts.items()])
+            if np.all(np.abs(step) <= CRITERIA.starts.step * sizes):
                 break
         return starts
 

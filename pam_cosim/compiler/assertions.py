@@ -19,13 +19,13 @@ _ARGUMENTS = ("condition", "message", "level")
 
 @dataclass(frozen=True)
 class Assertion:
-    """A condition that a model states of itself; symbolic, or it would have been decided already.
+    """An assertion whose condition depends on variables: the compiler decides constant ones.
 
     Attributes:
         condition: not zero where it holds.
-        message: what is said where it does not.
-        is_error: whether the model cannot go on then; otherwise it is a warning.
-        at_start: it says something of the start alone.
+        message: printed where it does not.
+        is_error: whether a failure ends the simulation; otherwise it is a warning.
+        at_start: the condition is checked at the start alone.
     """
 
     condition: ca.SX
@@ -37,10 +37,10 @@ class Assertion:
 def check(
     evaluator: Evaluator, call: Call, scope: Scope, names: Environment, at_start: bool = False
 ) -> None:
-    """Evaluates a call of ``assert``; what is not known to hold is noted by the evaluator.
+    """Evaluates a call of ``assert``; the evaluator keeps a condition that is not constant.
 
     Raises:
-        ModelError: it is known to fail, or its arguments cannot be used.
+        ModelError: the condition is false for all values, or the arguments cannot be used.
     """
     given = _arguments(call)
     condition = evaluator.evaluate(given["condition"], scope, names)

@@ -24,7 +24,7 @@ R = TypeVar("R")
 
 
 @dataclass(frozen=True)
-class Limits:
+class CompilerLimits:
     """The limits.
 
     Attributes:
@@ -60,7 +60,7 @@ class Limits:
     objects: int = 100_000
 
 
-LIMITS = Limits()
+LIMITS = CompilerLimits()
 LARGEST_INTEGER = 2**63 - 1  # Modelica leaves the range to the tool
 _LOOK = 1000  # steps between two looks at the clock
 DEFECTS = (

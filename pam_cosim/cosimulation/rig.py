@@ -6,7 +6,6 @@ import json
 import struct
 from collections.abc import Iterator, Mapping, Sequence
 from math import isclose
-from types import TracebackType
 
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.errors import InputError, SimulationFailure
@@ -109,12 +108,7 @@ class Rig(Printed):
     def __enter__(self) -> Rig:
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.close()
 
     def close(self) -> None:

@@ -293,15 +293,9 @@ def diagnose(
     search, base, data, selection = result.search, result.base, result.search.data, result.selection
     candidates = _ranked(answer.judged, data)
     tell(Judged(verdict, base, candidates, result.path))
-    over_time = not any(run.is_static for run in data.runs)  # balances are kept over time
-    ledger = (
-        ledger_of(search, (), base)
-        if explain and over_time and verdict.kind != "none_missing"
-        else None
-    )
-    if ledger is not None:
-        tell(LedgerKept(ledger))
-    learned, unexplained = None, verdict.kind == "unknown" or verdict.remainder
+    ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
+    unexplained = verdict.kind == "unknown" or verdict.remainder
+    learned = None
     if explain and unexplained:
         learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
     balance = _balance(base, [c for c in selection.tried if len(c.effects) == 1])
@@ -425,6 +419,16 @@ def _effects_named(
     return effects_named(available_effects, stated, wrong_key) | effects_named(
         available_effects, named, wrong_word
     )
+
+
+def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:
+    """The ledger of the base model; None where nothing is missing, or at rest: balances are kept over time."""
+    if verdict.kind == "none_missing" or any(run.is_static for run in search.data.runs):
+        return None
+    ledger = ledger_of(search, (), base)
+    if ledger is not None:
+        tell(LedgerKept(ledger))
+    return ledger
 
 
 def _not_tried(

@@ -1,4 +1,4 @@
-"""What can still be said where no effect says it all: the balances, and a description of what is missing."""
+"""The explanation of data that no effect explains: the ledger, and a learned formula for the missing term."""
 
 from __future__ import annotations
 
@@ -59,16 +59,7 @@ def learned_term(
             why = f"nothing explains the {term.balance} term"
             search.say(Remark(f"no formula could be found for what is missing: {why}").message)
             return None
-        with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
-            attempt = try_learned(
-                term,
-                search.data,
-                Path(folder),
-                search.model,
-                effects=effects,
-                start=present.values,
-                files=search.files,
-            )
+        attempt = _fitted(search, term, effects, present)
     except (InputError, ArithmeticError, ValueError) as problem:
         search.say(Remark(f"no formula could be found for what is missing: {problem}").message)
         return None
@@ -86,22 +77,13 @@ def learned_term(
 
 
 def directly_learned(search: Search, effects: Sequence[str], present: Fit) -> LearnedModel | None:
-    """The same from what the samples feel of a term, without a ledger; None where it takes nothing away."""
+    """The same from sensitivities of the samples to a term, without a ledger; None where it reduces nothing."""
     direct = learn_directly(search, effects, present)
     if direct is None:
         return None
     for part in CRITERIA.learning.parts_to_start_from:
         term = with_coefficients(direct, search.tree, part)
-        with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
-            attempt = try_learned(
-                term,
-                search.data,
-                Path(folder),
-                search.model,
-                effects=effects,
-                start=present.values,
-                files=search.files,
-            )
+        attempt = _fitted(search, term, effects, present)
         if isinstance(attempt, FailedTrial):
             continue
         best = rank(present, [attempt])[0]
@@ -110,3 +92,19 @@ def directly_learned(search: Search, effects: Sequence[str], present: Fit) -> Le
             search.say(Remark(f"described, not explained: {term}").message)
             return LearnedModel(term, best)
     return None
+
+
+def _fitted(
+    search: Search, term: LearnedTerm, effects: Sequence[str], present: Fit
+) -> Candidate | FailedTrial:
+    """The model with effects and a learned term, fitted from the present values."""
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+        return try_learned(
+            term,
+            search.data,
+            Path(folder),
+            search.model,
+            effects=effects,
+            start=present.values,
+            files=search.files,
+        )

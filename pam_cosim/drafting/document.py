@@ -10,7 +10,7 @@ from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
-from pam_cosim.drafting.values import StatedValue, text_of
+from pam_cosim.drafting.stated_value import StatedValue, text_of
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface, Variable

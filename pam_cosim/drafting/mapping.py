@@ -7,12 +7,13 @@ from collections.abc import Mapping
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.drafting.column_entry import named_entry, signed_entry, unit_to_state
+from pam_cosim.drafting.column_entry import named_entry, unit_to_state
 from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import ReadRecordings
 from pam_cosim.drafting.rest import rests
+from pam_cosim.drafting.signs import signed_entry
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.drafting.zeros import with_zero, without_offsets

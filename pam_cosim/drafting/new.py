@@ -14,8 +14,8 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters, values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.column_entry import length_parameter
 from pam_cosim.drafting.column_statistics import is_held, is_switch, span
+from pam_cosim.drafting.contraction import length_parameter
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.feeding import MECHANICAL, meaning_of
 from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
@@ -26,6 +26,7 @@ from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
 from pam_cosim.drafting.roles import Role, roles, stated_roles
+from pam_cosim.drafting.stated_value import StatedValue, check_stated, stated_values, text_of
 from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
@@ -67,7 +68,7 @@ def draft(
         copies = copy_files(files, place)
         try:
             for stated in (recorded.stated, *recorded.own):
-                values.check(stated, bench.interface)
+                check_stated(stated, bench.interface)
         except UnitError as error:
             raise InputError(f"--parameter {error}") from None
         if recorded.points:
@@ -105,14 +106,14 @@ def _with_length(recorded: ReadRecordings, bench: Bench) -> ReadRecordings:
         return recorded
     column = next((c for c in recorded.columns if c.meaning == AT_REST), None)
     if column is not None and span(column.every) == 0.0:
-        length = values.text_of(float(convert(column.every[0], column.unit, "m")), "m")
+        length = text_of(float(convert(column.every[0], column.unit, "m")), "m")
         return replace(recorded, stated={**recorded.stated, name: length})
     if bench.muscle is None or not bench.muscle.length:
         return recorded
     length = bench.muscle.length
     nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
     if longest is not None and abs(longest - nominal) <= CRITERIA.recognition.nominal * nominal:
-        length = values.text_of(longest, "m")  # As it was measured.
+        length = text_of(longest, "m")  # As it was measured.
     return replace(recorded, stated={**recorded.stated, name: length})
 
 
@@ -168,9 +169,7 @@ def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:
     return temperatures if len(outputs) > 1 else []
 
 
-def _stated_nowhere(
-    unfed: Sequence[str], told: Sequence[Mapping[str, values.StatedValue]]
-) -> list[str]:
+def _stated_nowhere(unfed: Sequence[str], told: Sequence[Mapping[str, StatedValue]]) -> list[str]:
     """Inputs without a column whose values not every recording tells."""
     return [name for name in unfed if not all(name in run for run in told)]
 
@@ -179,7 +178,7 @@ def _guessed_roles(
     bench: Bench,
     recorded: ReadRecordings,
     mapped: Mapped,
-    told: Sequence[Mapping[str, values.StatedValue]],
+    told: Sequence[Mapping[str, StatedValue]],
 ) -> list[Role]:
     """Which recordings are held out; none, where nobody knows yet what differs between them."""
     if _unknown_mechanics(bench, recorded):
@@ -190,7 +189,7 @@ def _guessed_roles(
 
 def _recorded_values(
     bench: Bench, recorded: ReadRecordings, mapped: Mapped
-) -> list[dict[str, values.StatedValue]]:
+) -> list[dict[str, StatedValue]]:
     """What each recording tells of itself, as far as the user does not state it."""
     interface = bench.interface
     left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
@@ -200,7 +199,7 @@ def _recorded_values(
         {**names, **values.constant_values(mapped, i, interface)}
         for i, names in enumerate(of_names)
     ]
-    own = [values.stated(one, interface) for one in recorded.own]
+    own = [stated_values(one, interface) for one in recorded.own]
     told = [
         {
             **({} if recorded.points else values.starts(course, interface)),

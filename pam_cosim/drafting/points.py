@@ -1,4 +1,4 @@
-"""Tables of points at rest: what must be known of each row, its direction, and the rows that are held out."""
+"""Tables of points at rest: imposed values and direction of each row, and the rows that are held out."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pam_cosim.drafting.direction import (
     order_tells_direction,
 )
 from pam_cosim.drafting.mapped import MappedRecording
-from pam_cosim.drafting.values import text_of
+from pam_cosim.drafting.stated_value import text_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import curves, levels
 from pam_cosim.model.interface import Interface
@@ -30,11 +30,11 @@ _C = CRITERIA.recognition
 
 @dataclass(frozen=True)
 class PointsDraft:
-    """What ``experiment.toml`` says of tables of points at rest.
+    """Keys of ``experiment.toml`` for tables of points at rest.
 
     Attributes:
-        branch: by recording, "" where a column says it, or nobody.
-        hold_out: by recording, values by the input that they are of.
+        branch: direction by recording, "" where a column has it or it is unknown.
+        hold_out: by recording, values that are held out, by input.
     """
 
     branch: tuple[str, ...]
@@ -44,11 +44,15 @@ class PointsDraft:
 def check_imposed(
     unfed: Sequence[str], known: Sequence[Collection[str]], interface: Interface
 ) -> None:
-    """Raises InputError where something is imposed in each row and nobody says what: the one thing to ask for.
+    """Checks that every imposed input has a value in each row.
 
     Args:
-        unfed: inputs that neither a column nor a file's name tells.
-        known: by recording, names of what the user states.
+        unfed: inputs without a column, and without a value in the names of the files.
+        known: by recording, names of the values that the user states.
+        interface: of the bench.
+
+    Raises:
+        InputError: an imposed input has no value; the message names the option that states it.
     """
     missing = [name for name in unfed if not all(name in own for own in known)]
     if missing:
@@ -64,7 +68,7 @@ def check_imposed(
 def drafted(
     courses: Sequence[MappedRecording], interface: Interface, files: Sequence[Path], by_run: bool
 ) -> PointsDraft:
-    """Directions by the names of the files or the order of the rows where no column tells them, and rows to hold out.
+    """Directions by the names of the files or the order of the rows where no column has them, and rows to hold out.
 
     Args:
         by_run: whole recordings are held out.
@@ -89,7 +93,7 @@ def _by_order(rows: Sequence[Mapping[str, Array]], units: Mapping[str, str]) -> 
 
 
 def _imposed(course: MappedRecording) -> dict[str, Array]:
-    """What is imposed, in the rows that say all of it."""
+    """The imposed inputs, in the rows that have a value of each."""
     inputs = {name: values for name, values in course.inputs.items() if name != BRANCH}
     whole = np.all([np.isfinite(values) for values in inputs.values()], axis=0)
     return {name: values[whole] for name, values in inputs.items()}
@@ -98,7 +102,7 @@ def _imposed(course: MappedRecording) -> dict[str, Array]:
 def _held_out(
     inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface
 ) -> dict[str, list[str]]:
-    """Values within the others' span, of what was imposed in the finest steps: where these are few, no value is."""
+    """Values of the input with the most levels, within the span of the others; none where there are few levels."""
     found = curves(
         inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))}
     )
@@ -117,7 +121,7 @@ def _held_out(
 
 
 def _levels(values: Array) -> list[float]:
-    """The values that come again, each as it was read; none where they are not clearly these."""
+    """The levels that readings repeat, each as it was read; none where the readings do not cluster."""
     exact = np.unique(values)
     if CRITERIA.static.shared * len(exact) <= len(values):
         return [float(value) for value in exact]

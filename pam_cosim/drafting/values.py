@@ -1,10 +1,9 @@
-"""Parameters: what the user states, and what the files say of a run."""
+"""Values of parameters that the files tell of a run: start values, loads, ambient conditions."""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,30 +13,14 @@ from pam_cosim.drafting.column_statistics import is_constant, noise_of, span
 from pam_cosim.drafting.feeding import meaning_of
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
+from pam_cosim.drafting.stated_value import StatedValue, text_of
 from pam_cosim.drafting.vocabulary import Meaning, fits, read_variable
 from pam_cosim.drafting.words import UNITS
 from pam_cosim.model.interface import Interface
-from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
+from pam_cosim.units import convert, parse_quantity
 
 _C = CRITERIA.recognition
 _IN_NAME = re.compile(r"(?<![A-Za-z0-9])(\d+(?:[.,]\d+)?)[ _-]?([A-Za-z]+)(?![A-Za-z])")
-
-
-@dataclass(frozen=True)
-class StatedValue:
-    """A value that is known of one recording: as text for the file, and why."""
-
-    value: str
-    number: float
-    why: str
-
-
-def text_of(value: float, unit: str) -> str:
-    """A value [SI] as ``experiment.toml`` has it, in a unit that is easy to read."""
-    number = f"{value * readable_factor(unit):.6g}"
-    shown = readable_unit(unit)
-    shown = {"mm²": "mm2", "L": "l"}.get(shown, shown)
-    return f"{number} {shown}".strip()
 
 
 def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedValue]:
@@ -118,17 +101,6 @@ def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dic
     return told
 
 
-def stated(own: Mapping[str, str], interface: Interface) -> dict[str, StatedValue]:
-    """What the user states of one recording."""
-    variables = {**interface.parameters, **interface.inputs}
-    return {
-        name: StatedValue(
-            value, parse_quantity(value, variables[name].unit) if name in variables else 0.0, ""
-        )
-        for name, value in own.items()
-    }
-
-
 def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, StatedValue]]:
     """Loads that the names of the files tell, where they differ and one parameter only can be meant."""
     in_kg = {name: v for name, v in interface.parameters.items() if v.unit == "kg"}
@@ -145,14 +117,3 @@ def _mass(stem: str) -> str | None:
         if unit in ("kg", "g") and fits(unit, "mass"):
             return f"{number.replace(',', '.')} {unit}"
     return None
-
-
-def check(stated: Mapping[str, str], interface: Interface) -> None:
-    """Raises UnitError where a stated value has a unit that does not fit; names are checked when all is read."""
-    for name, value in stated.items():
-        variable = {**interface.parameters, **interface.inputs}.get(name)
-        if variable is not None:
-            try:
-                parse_quantity(value, variable.unit)
-            except UnitError as error:
-                raise UnitError(f"{name}: {error}") from None

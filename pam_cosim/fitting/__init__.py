@@ -18,7 +18,7 @@ from pam_cosim.fitting.linear import (
     residual_rows,
     rows_of_series,
 )
-from pam_cosim.fitting.methods import METHODS, Record, summary
+from pam_cosim.fitting.methods import METHODS, GlobalSearch, summary
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.parameter_file import (
     check_parameter_file,
@@ -44,6 +44,7 @@ __all__ = [
     "Fit",
     "FitOptions",
     "Free",
+    "GlobalSearch",
     "HoldoutUncertainty",
     "Linear",
     "ParameterPosterior",
@@ -51,7 +52,6 @@ __all__ = [
     "Profile",
     "Profiles",
     "Progress",
-    "Record",
     "FitProgress",
     "WithoutPriors",
     "base_parameters",

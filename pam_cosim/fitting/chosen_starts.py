@@ -1,4 +1,4 @@
-"""How runs begin that do not say it: as the model does by itself, where their first samples agree with that."""
+"""The start of runs that state none: the model's own, where first samples agree with it, else an estimated one."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.initial_state import InitialState, initial_state, measured_initial_state
-from pam_cosim.comparison.run_start import inputs_of_run, start_time
+from pam_cosim.comparison.initial_state import InitialState, measured_initial_state
 from pam_cosim.comparison.start_probe import StartProbe
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
@@ -17,9 +16,10 @@ from pam_cosim.fitting.first_offsets import FirstOffset, first_offsets
 from pam_cosim.fitting.free import base_parameters
 from pam_cosim.fitting.linear import Linear, bounded_step, linearised, reduction_by, rows_of_series
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.fitting.periods import with_periods
+from pam_cosim.fitting.start_parameters import start_is_fitted, start_is_stated
 from pam_cosim.measurement import DataSet, Run, StartMode
 from pam_cosim.simulation import AnySimulator
-from pam_cosim.units import format_quantity
 
 _MODES: tuple[StartMode, ...] = ("rest", "estimated")
 
@@ -58,7 +58,7 @@ def _begun(run: Run, mode: StartMode, reason: str = "") -> Run:
 
 
 class _Choice:
-    """Of the starts of one data set, by one model with its parameters."""
+    """Chooses the starts of the runs of one data set, by one model with its parameters."""
 
     def __init__(
         self, simulator: AnySimulator, data: DataSet, parameters: Mapping[str, float]
@@ -111,14 +111,17 @@ class _Choice:
     def _by_itself(self, run: Run) -> Run:
         """The run with its start; unchanged where its first samples alone do not decide it."""
         try:
-            return self._repeated(run) if run.start.periodic else self._by_first_samples(run)
+            if run.start.periodic:
+                parameters = self._parameters[run.name]
+                return with_periods(self._simulator, self._data, run, parameters)
+            return self._by_first_samples(run)
         except SimulationFailure:
             return _begun(run, "rest")
 
     def _by_first_samples(self, run: Run) -> Run:
         first = self._offsets[run.name] or []
         differing = [one for one in first if one.exceeds_noise]
-        if not differing or self._start_is_fitted(run):
+        if not differing or start_is_fitted(self._probe(run), self._data.fit.values()):
             return _begun(run, "rest")
         start = self._measured(run)
         if start.shown and not any(
@@ -152,10 +155,8 @@ class _Choice:
 
         return squares(InitialState()) > CRITERIA.starts.worth * squares(start)
 
-    def _probe(self, run: Run, **changed: float) -> StartProbe:
-        return StartProbe(
-            self._simulator, self._data, run, {**self._parameters[run.name], **changed}
-        )
+    def _probe(self, run: Run) -> StartProbe:
+        return StartProbe(self._simulator, self._data, run, self._parameters[run.name])
 
     def _as_others(self, run: Run) -> Run:
         """A run of a recording that begins in the middle: one that agrees with rest may move all the same."""
@@ -172,11 +173,22 @@ class _Choice:
         if first is None:
             return run
         try:
-            if self._start_is_fitted(run) or not self._measured(run).shown:
+            if (
+                start_is_fitted(self._probe(run), self._data.fit.values())
+                or not self._measured(run).shown
+            ):
                 return run
         except SimulationFailure:
             return run
         return _begun(run, "estimated", f"{_first_samples_text(run, first)}: estimated, {reason}")
+
+    def _start_is_stated(self, run: Run) -> bool:
+        """Whether the run's parameters are the start values of all states that its signals show."""
+        try:
+            shown = self._measured(run).shown
+            return start_is_stated(self._probe(run), shown, self._parameters[run.name])
+        except SimulationFailure:
+            return False
 
     def _leaves_less(self, runs: Sequence[Run]) -> bool:
         """Whether estimated starts explain much of the residuals, which an offset of each instrument does not.
@@ -203,74 +215,6 @@ class _Choice:
         if linear is None:
             raise SimulationFailure(objective.first_failure)
         return linear, _offset_slopes(objective)
-
-    def _repeated(self, run: Run) -> Run:
-        """The run with so many periods before it that one more would change nothing that is measured."""
-        most = CRITERIA.starts.periods
-        signals = {
-            n: s.sigma for n, s in self._data.signals.items() if s.fitted and run.sample_count(n)
-        }
-        longest = replace(run, start=replace(run.start, periods=most))
-        parameters = self._parameters[run.name]
-        begin = initial_state(self._simulator, self._data, longest, parameters)
-        period = (float(run.time[0]) - start_time(longest)) / most
-        ends = start_time(longest) + period * np.arange(most + 1)
-        course = self._simulator.run(
-            ends,
-            parameters={**parameters, **begin.values},
-            inputs=inputs_of_run(longest),
-            outputs=list(signals),
-            start_time=start_time(longest),
-            settle=begin.settle,
-        )
-        difference = np.max(
-            [np.abs(course[n] - course[n][-1]) / sigma for n, sigma in signals.items()], axis=0
-        )
-        differing = np.flatnonzero(difference > CRITERIA.starts.round)
-        count = max(int(differing[-1]) + 1 if differing.size else 0, 1)
-        reason = f"{run.name} is periodic: {count} periods of {format_quantity(period, 's', 4)} are simulated before it"
-        if count >= most:
-            reason += ", and it is not periodic by then"
-        return replace(run, start=replace(run.start, periods=count, reason=reason, chosen=True))
-
-    def _start_is_stated(self, run: Run) -> bool:
-        """Whether parameters of the run are the start values of all states that its signals show, as ``tank.p_start``.
-
-        Such a parameter has the unit of its state, which begins higher by as much as the parameter is raised.
-        """
-        interface = self._simulator.interface
-        try:
-            shown = set(self._measured(run).shown)
-            states = self._probe(run).at({})[1]
-            for name in run.parameters.keys() & interface.parameters.keys():
-                parameter, value = interface.parameters[name], self._parameters[run.name][name]
-                step = CRITERIA.starts.step * max(abs(value), abs(parameter.nominal or 0.0), 1.0)
-                slopes = (self._probe(run, **{name: value + step}).at({})[1] - states) / step
-                follows = np.abs(slopes - 1.0) < CRITERIA.starts.same
-                following = {interface.states[i] for i in np.flatnonzero(follows)}
-                shown -= {
-                    s for s in shown & following if interface.start_values[s].unit == parameter.unit
-                }
-        except SimulationFailure:
-            return False
-        return not shown
-
-    def _start_is_fitted(self, run: Run) -> bool:
-        """Whether a free parameter determines where the run begins."""
-        for free in self._data.fit.values():
-            if free.run and free.run != run.name:
-                continue
-            low, high = (
-                self._probe(run, **{free.parameter: value}).at({})[1]
-                for value in (free.min, free.max)
-            )
-            size = np.maximum(np.maximum(np.abs(low), np.abs(high)), 1.0)
-            if (
-                float(np.max(np.abs(high - low) / size, initial=0.0))
-                > CRITERIA.starts.own_parameter
-            ):
-                return True
-        return False
 
 
 def _remaining_squares(linear: Linear, offsets: Array | None = None) -> float:

@@ -1,9 +1,9 @@
-"""What a fitted model is off by beside the noise: a stationary course with a memory, from the residuals that it leaves.
+"""The discrepancy of a fitted model beside the noise: a stationary course with a memory, from its residuals.
 
-A model that lacks something errs for a while in one direction. Beside white noise, a residual then holds a course about
-zero, here of one variance and one memory in all runs, and independent from run to run (Kennedy and O'Hagan, Journal of
-the Royal Statistical Society B 63, 2001, with a first-order autoregressive course). What the residuals of a few
-independent pieces say of its variance is little, so that bands are those of Student's distribution.
+A model that lacks an effect errs for a while in one direction. Beside white noise, its residual then contains a course
+about zero, here of one variance and one memory in all runs, and independent from run to run (Kennedy and O'Hagan,
+Journal of the Royal Statistical Society B 63, 2001, with a first-order autoregressive course). A few independent pieces
+of residuals determine the variance poorly, so that bands are those of Student's distribution.
 """
 
 from __future__ import annotations
@@ -13,18 +13,17 @@ from dataclasses import dataclass
 from math import exp, sqrt
 
 import numpy as np
-from scipy.signal import correlate
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison
+from pam_cosim.comparison import RunComparison, autocorrelation
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
 
 @dataclass(frozen=True)
 class Discrepancy:
-    """What a model is off by in one signal, beside the noise.
+    """The discrepancy of a model in one signal, beside the noise.
 
     Attributes:
         sd: standard deviation [unit of the signal].
@@ -42,7 +41,7 @@ class Discrepancy:
 
     def reach(self, duration: float = 0.0) -> float:
         """Half width of the 95 % interval of its mean over so many seconds; 0: of its value [unit of the signal]."""
-        factor = float(student.ppf(1.0 - CRITERIA.fit.tail, self.pieces))
+        factor = float(stdtrit(self.pieces, 1.0 - CRITERIA.fit.tail))
         return factor * self.sd * sqrt(_of_mean(duration / self.memory))
 
 
@@ -124,10 +123,10 @@ def _memory(time: Array, error: Array, excess: float) -> float:
     if excess <= 0.0:
         return step / 2.0
     even = np.interp(grid, time, error)
-    products = correlate(even, even, method="fft")[count - 1 :]
-    gone = np.flatnonzero(products <= CRITERIA.residuals.memory_gone / sqrt(count) * products[0])
-    summed = float(np.sum(products[1 : gone[0] if len(gone) else count]))
-    return step * (0.5 + summed / max(excess, float(products[1])))
+    power, correlation = float(np.sum(even**2)), autocorrelation(even, count)
+    gone = np.flatnonzero(correlation <= CRITERIA.residuals.memory_gone / sqrt(count))
+    summed = power * float(np.sum(correlation[1 : gone[0] if len(gone) else count]))
+    return step * (0.5 + summed / max(excess, power * float(correlation[1])))
 
 
 def _estimate(parts: Sequence[_Residual], pieces: float, spent: float) -> Discrepancy:

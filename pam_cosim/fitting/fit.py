@@ -25,7 +25,7 @@ from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty, estimate_holdout_uncertainty
 from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.linear import Linear, linearised
-from pam_cosim.fitting.methods import METHODS, Record
+from pam_cosim.fitting.methods import METHODS, GlobalSearch
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
@@ -51,7 +51,7 @@ class Fit(Printed):
         failures: breakdowns of the simulation on the way, in the words of the solver.
         combinations: pairs of parameters of which only the product or the ratio is determined.
         method: how it was fitted.
-        search: what that method did on its own way, where that is worth telling.
+        search: over all of the bounds, before the descents, where the method makes one.
         convergence: how the chi-square came down.
         correlation: (k, k) matrix of the estimates, in the order of ``parameters``; empty: not known.
         linear: the model about the optimum, where the options ask for it.
@@ -67,7 +67,7 @@ class Fit(Printed):
     failures: tuple[str, ...] = ()
     combinations: tuple[Combination, ...] = ()
     method: str = "least-squares"
-    search: Record | None = None
+    search: GlobalSearch | None = None
     convergence: Convergence = field(default_factory=Convergence)
     correlation: Array = field(default_factory=lambda: np.zeros((0, 0)))
     linear: Linear | None = None
@@ -231,7 +231,7 @@ def fit(
         tuple(dict.fromkeys(objective.failures)),
         combinations(objective, end.z, end.jacobian, parameters, spread),
         options.method,
-        solution.record,
+        solution.search,
         tracker.convergence,
         correlations(end.jacobian),
         linear,

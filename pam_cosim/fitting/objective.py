@@ -1,4 +1,4 @@
-"""What a fit makes small: measured minus model in noise standard deviations."""
+"""The objective of a fit: measured minus model in noise standard deviations."""
 
 from __future__ import annotations
 
@@ -13,6 +13,13 @@ from pam_cosim.comparison import RunComparison, simulate_run, slope, usual_squar
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
+from pam_cosim.fitting.sensitivities import (
+    acts_on,
+    has_sensitivities,
+    measured_signals,
+    outputs_of,
+    sensitivities_of_run,
+)
 from pam_cosim.fitting.start_values import (
     StartValues,
     eliminate,
@@ -22,7 +29,6 @@ from pam_cosim.fitting.start_values import (
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import sensitivity_name
-from pam_cosim.model.references import is_ratio
 from pam_cosim.simulation import AnySimulator
 
 Outputs = Sequence[Sequence[str]] | Mapping[int, Sequence[str]]  # by number of the run
@@ -36,7 +42,7 @@ class Objective:
         size: number of samples. samples: how many these count for, fewer where they were rounded to coarse steps.
         ends: (runs + 1,) where the rows of each run begin, and the last ones end.
         series: run and signal of each part of the rows, in their order; ``kept``: which samples of each there are.
-        tracker: is told of every point.
+        tracker: gets a report of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
         starts: start values that are parameters of their runs, by number of the run.
@@ -74,27 +80,24 @@ class Objective:
         self.starts: dict[int, StartValues] | None = (
             None  # by number of the run; None: nothing was simulated yet
         )
-        self._signals = [_measured_signals(run, data) for run in self.runs]
-        self._sensitivities = [self._sensitivities_of_run(i) for i in range(len(self.runs))]
-        self._outputs = [_outputs_of(slopes) for slopes in self._sensitivities]
-        self._exact = self._have_sensitivities()
+        self._signals = [measured_signals(run, data) for run in self.runs]
+        known = simulator.interface.sensitivities
+        self._sensitivities = [
+            sensitivities_of_run(run, names, free, known)
+            for run, names in zip(self.runs, self._signals, strict=True)
+        ]
+        self._outputs = [outputs_of(slopes) for slopes in self._sensitivities]
+        self._exact = has_sensitivities(self._signals, free, known)
         usual = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
         self.tolerance = usual if tolerance is None else tolerance
-        self.series = [
-            (run, name)
-            for run, names in zip(self.runs, self._signals, strict=True)
-            for name in names
-        ]
+        runs_and_signals = list(zip(self.runs, self._signals, strict=True))
+        self.series = [(run, name) for run, names in runs_and_signals for name in names]
         self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
-        counts = [
-            sum(map(run.sample_count, names))
-            for run, names in zip(self.runs, self._signals, strict=True)
-        ]
+        counts = [sum(map(run.sample_count, names)) for run, names in runs_and_signals]
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
-        self.samples = sum(
-            run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series
-        )
+        squares = [run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series]
+        self.samples = sum(squares)
         self._errors: dict[str, float] = {}
 
     @property
@@ -136,33 +139,6 @@ class Objective:
                 self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]
             )
             for i in chosen
-        ]
-
-    def _acts_on(self, free: Free, run: Run) -> bool:
-        """Whether a parameter acts on a run: one that is known for it, or is the run's own, does not."""
-        if free.run:
-            return free.run == run.name
-        if is_ratio(free.name):
-            return free.parameter in run.parameters
-        own = any(f.run == run.name and f.parameter == free.parameter for f in self.free)
-        return free.parameter not in run.parameters and not own
-
-    def _sensitivities_of_run(self, i: int) -> dict[str, list[tuple[int, str]]]:
-        return {name: self._sensitivities_of(self.runs[i], name) for name in self._signals[i]}
-
-    def _sensitivities_of(self, run: Run, signal: str) -> list[tuple[int, str]]:
-        """Number of each free parameter that moves a run, and the model's sensitivity of a signal to it, where told."""
-        known = self.simulator.interface.sensitivities
-        acting = [(i, f) for i, f in enumerate(self.free) if self._acts_on(f, run)]
-        names = [(i, sensitivity_name(signal, f.parameter)) for i, f in acting]
-        return [(i, name) for i, name in names if name in known]
-
-    def _have_sensitivities(self) -> list[bool]:
-        """For each free parameter, whether the model tells its sensitivities."""
-        known = self.simulator.interface.sensitivities
-        return [
-            all(sensitivity_name(s, f.parameter) in known for names in self._signals for s in names)
-            for f in self.free
         ]
 
     def squares(self, z: Array) -> float:
@@ -405,7 +381,7 @@ class Objective:
             1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0
         )
         forward = step if z[i] + step <= high[i] else -step
-        chosen = [k for k, run in enumerate(self.runs) if self._acts_on(self.free[i], run)]
+        chosen = [k for k, run in enumerate(self.runs) if acts_on(self.free[i], run, self.free)]
         for h in (forward, -forward):
             moved = z.copy()
             moved[i] = min(max(z[i] + h, low[i]), high[i])
@@ -422,13 +398,3 @@ class Objective:
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column
         return np.zeros(len(at))
-
-
-def _measured_signals(run: Run, data: DataSet) -> list[str]:
-    """The fitted signals that have samples in a run."""
-    return [name for name in data.fitted_signals if run.sample_count(name)]
-
-
-def _outputs_of(slopes: Mapping[str, Sequence[tuple[int, str]]]) -> list[str]:
-    """What is read from the model in a run: the signals, and their sensitivities."""
-    return [*slopes, *(name for sensitivities in slopes.values() for _, name in sensitivities)]

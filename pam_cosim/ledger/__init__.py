@@ -3,7 +3,7 @@
 from pam_cosim.ledger.estimate import keep_ledger
 from pam_cosim.ledger.ledger import (
     BalanceEntry,
-    Band,
+    BinnedTerm,
     Ledger,
     Map,
     SensorReading,
@@ -13,7 +13,7 @@ from pam_cosim.ledger.ledger import (
 )
 
 __all__ = [
-    "Band",
+    "BinnedTerm",
     "TermSeries",
     "BalanceEntry",
     "Ledger",

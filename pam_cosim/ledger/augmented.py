@@ -19,22 +19,22 @@ from pam_cosim.compiler import ClassTree, Ode, Structure, read_structure
 from pam_cosim.fmu import source_ode
 
 TERM = "missing"
-"""What every class of an unknown input calls its term."""
+"""Name of the term in every class of an unknown input."""
 
 _CLASS = "Augmented"
 
 
 @dataclass(frozen=True)
 class UnknownInput:
-    """A term without a law in a compiled model.
+    """An unknown input of a compiled model.
 
     Attributes:
         parameter: the parameter of the model that is moved over time.
-        balance: as the class of the term says.
+        balance: as its class declares.
         unit: of the term.
-        meaning: the parameter's description: what is positive.
+        meaning: the parameter's description, with the sign convention.
         base: full name of the partial class that declares the term, ``missing``, and leaves its equation open.
-        variables: names that class declares: what a law for the term would be a function of.
+        variables: names that class declares: arguments of a law for the term.
     """
 
     parameter: str
@@ -51,7 +51,7 @@ class AugmentedModel:
 
     Attributes:
         ode: the compiled model.
-        unknown_inputs: its terms without a law, one a balance.
+        unknown_inputs: at most one for each balance.
         replaced: a law of the model was replaced to make place for an unknown input.
     """
 
@@ -67,7 +67,7 @@ class AugmentedModel:
 def augmented_models(
     tree: ClassTree, model: str, effects: Sequence[str] = (), *, files: Sequence[Path] = ()
 ) -> list[AugmentedModel]:
-    """The model with every unknown input that lies beside its components; then once more for each that replaces a law.
+    """The model with every unknown input that replaces no law; then once more for each that replaces one.
 
     Args:
         tree: the library and the user's files.

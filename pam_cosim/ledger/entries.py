@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from pam_cosim.ledger.explanation import Rivals
 from pam_cosim.ledger.ledger import BalanceEntry, SensorReading
 from pam_cosim.ledger.sensor import SensorFault
+from pam_cosim.ledger.smoothed_models import SmoothedModels
 
 
-def sensor_readings(rivals: Rivals) -> list[SensorReading]:
+def sensor_readings(rivals: SmoothedModels) -> list[SensorReading]:
     """What a fault of each instrument explains, that of the best explanation first."""
     before, winner = rivals.unaugmented.deviance, rivals.winner
     readings = [
@@ -22,7 +22,7 @@ def sensor_readings(rivals: Rivals) -> list[SensorReading]:
     return [own, *(r for r in readings if r.signal != own.signal)]
 
 
-def balance_entries(rivals: Rivals, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:
+def balance_entries(rivals: SmoothedModels, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:
     """What an unknown input in each balance explains by itself; in the place of a law, where it explains more."""
     entries: dict[str, BalanceEntry] = {}
     for explanation in filter(None, (rivals.augmented, rivals.replaced)):

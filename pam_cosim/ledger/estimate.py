@@ -33,9 +33,9 @@ from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import UnknownInput, augmented_models
 from pam_cosim.ledger.entries import balance_entries, sensor_readings
 from pam_cosim.ledger.explainer import Explainer
-from pam_cosim.ledger.explanation import Explanation, Rivals
 from pam_cosim.ledger.ledger import BalanceEntry, Ledger
 from pam_cosim.ledger.sensor import Unaugmented, fault_beside, try_sensors
+from pam_cosim.ledger.smoothed_models import SmoothedModel, SmoothedModels
 from pam_cosim.ledger.term_series import term_series
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_fmu, sources_of
@@ -104,9 +104,9 @@ class _Estimation:
         )
         plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
         beside = self._beside() if is_open and not plain else None
-        return self._judged(Rivals(unaugmented, augmented, replaced, beside, samples))
+        return self._judged(SmoothedModels(unaugmented, augmented, replaced, beside, samples))
 
-    def _is_doubtful(self, unaugmented: Unaugmented, augmented: Explanation | None) -> bool:
+    def _is_doubtful(self, unaugmented: Unaugmented, augmented: SmoothedModel | None) -> bool:
         """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
         by_itself = min([unaugmented.deviance, *(f.deviance for f in unaugmented.faults)])
         return (
@@ -115,12 +115,12 @@ class _Estimation:
             and self._swallows(augmented)
         )
 
-    def _replaced(self) -> Explanation | None:
+    def _replaced(self) -> SmoothedModel | None:
         """The best one with a law replaced by an unknown input."""
         found = [one for one in map(self.explainer.explain, self.models[1:]) if one is not None]
         return min(found, key=lambda one: one.smoothed.deviance, default=None)
 
-    def _beside(self) -> Explanation | None:
+    def _beside(self) -> SmoothedModel | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
         if len(self.signals) < 2:
             return None
@@ -129,7 +129,7 @@ class _Estimation:
             (one for one in tried if one is not None), key=lambda one: one.deviance, default=None
         )
 
-    def _beside_fault(self, name: str) -> Explanation | None:
+    def _beside_fault(self, name: str) -> SmoothedModel | None:
         """The unknown inputs of what the other signals show, with a fault of the instrument of this one."""
         explainer, j = self.explainer, self.signals.index(name)
         explanation = explainer.explain(self.models[0], None, name)
@@ -148,7 +148,7 @@ class _Estimation:
         choice = 2 * float(np.log(len(self.signals)))
         return replace(explanation, fault=replace(fault, deviance=fault.deviance + choice))
 
-    def _swallows(self, explanation: Explanation) -> bool:
+    def _swallows(self, explanation: SmoothedModel) -> bool:
         """Whether a term is at work next to a balance without an unknown input, so that it may stand for it."""
         covered = {u.balance for u in explanation.unknown_inputs}
         neighbours = [
@@ -166,7 +166,7 @@ class _Estimation:
 
     # ---- judgement --------------------------------------------------------------------------------------------
 
-    def _judged(self, rivals: Rivals) -> Ledger:
+    def _judged(self, rivals: SmoothedModels) -> Ledger:
         """The ledger that the best explanation leaves."""
         unaugmented, winner = rivals.unaugmented, rivals.winner
         if rivals.is_confused:
@@ -206,7 +206,7 @@ class _Estimation:
             told or f"a law that leaves the balance of {balance} open explains the samples as well"
         )
 
-    def _losses(self, rivals: Rivals) -> dict[str, float]:
+    def _losses(self, rivals: SmoothedModels) -> dict[str, float]:
         """What the best explanation loses without each of its balances."""
         best, winner, deviances = rivals.best, rivals.winner, rivals.deviances
         second = min(deviance for name, deviance in deviances.items() if name != best)
@@ -226,11 +226,11 @@ class _Estimation:
             losses[own] = max(losses.get(own, 0.0), second - deviances[best])
         return losses
 
-    def _replaced_balance(self, winner: Explanation) -> str:
+    def _replaced_balance(self, winner: SmoothedModel) -> str:
         before = {u.parameter for u in self.models[0].unknown_inputs}
         return next(u.balance for u in winner.augmented.unknown_inputs if u.parameter not in before)
 
-    def _entries(self, rivals: Rivals, losses: Mapping[str, float]) -> list[BalanceEntry]:
+    def _entries(self, rivals: SmoothedModels, losses: Mapping[str, float]) -> list[BalanceEntry]:
         """An entry for each balance: what it explains, its part of the loss, and its course in time."""
         total = sum(losses.values())
         shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
@@ -258,7 +258,7 @@ class _Estimation:
         return list(entries.values())
 
     def _with_course(
-        self, entry: BalanceEntry, shown: Explanation, unknown_input: UnknownInput
+        self, entry: BalanceEntry, shown: SmoothedModel, unknown_input: UnknownInput
     ) -> BalanceEntry:
         courses, units = term_series(shown, unknown_input)
         return replace(

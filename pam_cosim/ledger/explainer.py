@@ -11,10 +11,10 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import AugmentedModel, UnknownInput
-from pam_cosim.ledger.explanation import Explanation
 from pam_cosim.ledger.grid import Grid, make_grid
 from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.radau import further_nodes, integrate
+from pam_cosim.ledger.smoothed_models import SmoothedModel
 from pam_cosim.ledger.smoother import smooth
 from pam_cosim.ledger.smoothing_problem import Point, SmoothingProblem, unknown_sizes
 from pam_cosim.measurement import DataSet
@@ -167,7 +167,7 @@ class Explainer:
         augmented: AugmentedModel,
         states: tuple[Array, Array] | None = None,
         hidden: str | None = None,
-    ) -> Explanation | None:
+    ) -> SmoothedModel | None:
         """The model with all unknown inputs that act and can be told apart; None without any, or if it breaks down."""
         problem, states = self.problem(augmented, augmented.unknown_inputs, hidden, states)
         kept = self._distinct(augmented, problem, states[0])
@@ -176,7 +176,7 @@ class Explainer:
         problem, _ = self.problem(augmented, kept, hidden, states)
         start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
         try:
-            return Explanation(augmented, problem, kept, tuple(self.free), smooth(problem, start))
+            return SmoothedModel(augmented, problem, kept, tuple(self.free), smooth(problem, start))
         except (np.linalg.LinAlgError, ValueError):
             self.notes.append(
                 "the balances could not be opened: the model breaks down near the measured course"

@@ -203,7 +203,7 @@ class Ledger(Printed):
 
 
 @dataclass(frozen=True)
-class Band:
+class BinnedTerm:
     """A missing term in one part of what it is looked at against.
 
     Attributes:
@@ -221,7 +221,7 @@ class Band:
     samples: int
 
 
-def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[Band, ...]:
+def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[BinnedTerm, ...]:
     """A missing term against one of its variables, or "time", in bands that hold equally many instants.
 
     Raises:
@@ -246,7 +246,7 @@ def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[Band, ..
         between = float(np.std(means, ddof=1) / np.sqrt(len(means))) if len(means) > 1 else 0.0
         scatter = float(np.std(value[inside]))
         in_bands.append(
-            Band(float(low), float(high), mean, max(own, between), scatter, int(inside.sum()))
+            BinnedTerm(float(low), float(high), mean, max(own, between), scatter, int(inside.sum()))
         )
     return tuple(in_bands)
 

@@ -6,13 +6,13 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.ledger.augmented import TERM, AugmentedModel, UnknownInput
-from pam_cosim.ledger.explanation import Explanation
 from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.ledger import TermSeries
+from pam_cosim.ledger.smoothed_models import SmoothedModel
 
 
 def term_series(
-    explanation: Explanation, unknown_input: UnknownInput
+    explanation: SmoothedModel, unknown_input: UnknownInput
 ) -> tuple[tuple[TermSeries, ...], dict[str, str]]:
     """A term over time in each run, with variables and what free parameters imitate; and units of the variables."""
     problem, smoothed, j = (
@@ -51,7 +51,7 @@ def term_series(
     return tuple(courses), units
 
 
-def _imitated(explanation: Explanation, parameters: Array, j: int) -> Array:
+def _imitated(explanation: SmoothedModel, parameters: Array, j: int) -> Array:
     """(N, Q) [unit of the term per unit of the parameter]: how much of term ``j`` acts as each free parameter does.
 
     Rates only are asked, weighed by the size of their states: what a parameter does to a signal at once, no term does.

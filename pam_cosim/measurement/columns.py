@@ -22,7 +22,7 @@ _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
 
 @dataclass(frozen=True)
-class Renaming:
+class ColumnMapping:
     """``[columns]``, with the place of each entry in the document."""
 
     document: ExperimentFile
@@ -50,7 +50,7 @@ class Renaming:
         return self.document.error(f"column {shown(name)}: {message}", *self.places[name], *key)
 
 
-def with_columns(table: Table, renaming: Renaming) -> Table:
+def with_columns(table: Table, renaming: ColumnMapping) -> Table:
     """The table with the columns that ``[columns]`` describes; those they are made of are left out.
 
     Raises:
@@ -76,7 +76,7 @@ def with_columns(table: Table, renaming: Renaming) -> Table:
     return table
 
 
-def _renamed(table: Table, renaming: Renaming, name: str) -> Column:
+def _renamed(table: Table, renaming: ColumnMapping, name: str) -> Column:
     one = renaming.tables[name]
     wanted = name if one.column is None else one.column
     columns = list(table.columns.values())
@@ -98,7 +98,7 @@ def _renamed(table: Table, renaming: Renaming, name: str) -> Column:
     return Column(name, one.unit or source.unit, source.values, source.heading or source.name)
 
 
-def _mapped(column: Column, renaming: Renaming, name: str) -> Column:
+def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:
     """The column by its stated gain and offset; a fitted map is one of the model (``input_maps``)."""
     one = renaming.tables[name]
     if one.gain is None and one.offset is None:
@@ -124,7 +124,7 @@ def _stated(value: str | float | None, otherwise: float) -> Any:
 
 
 def _derived(
-    table: Table, made: Mapping[str, Column], renaming: Renaming, name: str, formula: str
+    table: Table, made: Mapping[str, Column], renaming: ColumnMapping, name: str, formula: str
 ) -> tuple[Column, set[str]]:
     """The column of a formula, and the headings of what it is made of."""
     one = renaming.tables[name]
@@ -168,7 +168,7 @@ class _Quantities(dict[str, Any]):
             raise UnitError(f"{column.name}: {error}") from None
 
 
-def _zeroed(table: Table, renaming: Renaming, name: str) -> Table:
+def _zeroed(table: Table, renaming: ColumnMapping, name: str) -> Table:
     """The column less its mean in the rest interval."""
     one, column = renaming.tables[name].zero, table.columns[name]
     assert one is not None

@@ -7,6 +7,7 @@ from typing import Any
 from pydantic_core import ErrorDetails
 
 from pam_cosim.measurement.experiment_tables import (
+    CheckedTable,
     ColumnTable,
     EffectsTable,
     Experiment,
@@ -17,7 +18,6 @@ from pam_cosim.measurement.experiment_tables import (
     RecordingTable,
     RunTable,
     SignalTable,
-    Table,
 )
 from pam_cosim.wording import did_you_mean, shown
 
@@ -77,9 +77,9 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
     return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), known)}"
 
 
-def _table_of(path: KeyPath) -> type[Table]:
+def _table_of(path: KeyPath) -> type[CheckedTable]:
     """The table that a key stands in."""
-    within: dict[str | int, type[Table]] = {
+    within: dict[str | int, type[CheckedTable]] = {
         "prior": PriorTable,
         "zero": IntervalTable,
         "recording": RecordingTable,

@@ -42,13 +42,13 @@ Name = Annotated[str, AfterValidator(_visible)]
 Prose = Annotated[str, AfterValidator(_lines)]
 
 
-class Table(BaseModel):
-    """A table; a key that it does not know is an error."""
+class CheckedTable(BaseModel):
+    """A table of known keys, of values that are taken as they are; another key is an error."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
-class SignalTable(Table):
+class SignalTable(CheckedTable):
     """``[signals.NAME]``."""
 
     sigma: Value | None = None
@@ -56,14 +56,14 @@ class SignalTable(Table):
     repeatability: Value | None = None
 
 
-class PriorTable(Table):
+class PriorTable(CheckedTable):
     """``prior = { mean = ..., sd = ... }`` of a free parameter."""
 
     mean: Value
     sd: Value
 
 
-class FreeTable(Table):
+class FreeTable(CheckedTable):
     """``"NAME" = { min = ..., max = ... }`` under ``[fit]`` or ``[runs.fit]``."""
 
     min: Value
@@ -73,7 +73,7 @@ class FreeTable(Table):
     prior: PriorTable | None = None
 
 
-class RecordingTable(Table):
+class RecordingTable(CheckedTable):
     """``[recording]`` or ``[runs.recording]``: how files are written, as far as they do not show it."""
 
     encoding: Name | None = None
@@ -89,14 +89,14 @@ class RecordingTable(Table):
     resample: Value | None = None
 
 
-class IntervalTable(Table):
+class IntervalTable(CheckedTable):
     """``zero = { from = ..., to = ... }`` of a column."""
 
     start: Value = Field(alias="from")
     to: Value
 
 
-class ColumnTable(Table):
+class ColumnTable(CheckedTable):
     """``NAME = { column = ..., ... }`` under ``[columns]`` or ``[runs.columns]``."""
 
     column: Name | int | None = None
@@ -109,7 +109,7 @@ class ColumnTable(Table):
     words: dict[str, Literal["up", "down", "none"]] | None = None
 
 
-class LoggerTable(Table):
+class LoggerTable(CheckedTable):
     """``[[runs.loggers]]``: another file of the same run, by a clock of its own."""
 
     file: Name
@@ -119,7 +119,7 @@ class LoggerTable(Table):
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
 
 
-class RunTable(Table):
+class RunTable(CheckedTable):
     """``[[runs]]``."""
 
     file: Name
@@ -142,14 +142,14 @@ class RunTable(Table):
     end: Value | None = Field(default=None, alias="to")
 
 
-class EffectsTable(Table):
+class EffectsTable(CheckedTable):
     """``[effects]``: families or names of effects."""
 
     exclude: list[Name] = Field(default_factory=list)
     expect: list[Name] = Field(default_factory=list)
 
 
-class Experiment(Table):
+class Experiment(CheckedTable):
     """The whole file."""
 
     runs: list[RunTable]

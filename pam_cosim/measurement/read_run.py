@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
-from pam_cosim.measurement.columns import Renaming, with_columns
+from pam_cosim.measurement.columns import ColumnMapping, with_columns
 from pam_cosim.measurement.experiment import ExperimentFile
 from pam_cosim.measurement.experiment_errors import KeyPath
 from pam_cosim.measurement.experiment_tables import LoggerTable, RecordingTable, RunTable
@@ -128,12 +128,12 @@ def _stated(document: ExperimentFile, entry: RunTable | LoggerTable) -> Recordin
 
 def _renaming(
     document: ExperimentFile, entry: RunTable | LoggerTable, *place: str | int
-) -> Renaming:
+) -> ColumnMapping:
     """Another logger has columns of its own."""
     shared = document.content.columns if isinstance(entry, RunTable) else {}
     places: dict[str, KeyPath] = {name: ("columns", name) for name in shared}
     places |= {name: (*place, "columns", name) for name in entry.columns}
-    return Renaming(document, {**shared, **entry.columns}, places)
+    return ColumnMapping(document, {**shared, **entry.columns}, places)
 
 
 def _offset(
@@ -165,7 +165,7 @@ def _offset(
         raise document.error(message, *place, "match") from None
 
 
-def _layout(stated: RecordingTable, renaming: Renaming, interface: Interface) -> Layout:
+def _layout(stated: RecordingTable, renaming: ColumnMapping, interface: Interface) -> Layout:
     names = None if stated.names is None else tuple(stated.names)
     asked = {
         TIME,

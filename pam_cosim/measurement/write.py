@@ -42,7 +42,7 @@ def write_data_set(
         digits: significant digits in the CSV files.
 
     Raises:
-        InputError: what ``read_data_set`` would refuse, or a folder that cannot be written.
+        InputError: the data set is one that ``read_data_set`` refuses, or the folder cannot be written.
     """
     writer = _Writer(data_set, interface, dict(units or {}), digits)
     texts = {_file_name(run): writer.table(run) for run in data_set.runs}
@@ -78,7 +78,7 @@ def _write_texts(folder: Path, texts: Mapping[str, str]) -> None:
 
 
 class _Writer:
-    """Texts of the files, with the caller's units."""
+    """Renders a data set as texts of files, with the caller's units."""
 
     def __init__(
         self, data_set: DataSet, interface: Interface, units: dict[str, str], digits: int

@@ -5,10 +5,10 @@ from __future__ import annotations
 WORDS = {
     "balance": "of force, mass or energy in the model; *sensor* where an instrument is wrong, not the model",
     "ledger": (
-        "which balance fails: missing terms estimated as unknown inputs by a smoother, with their uncertainty"
+        "the estimate of which balance fails: missing terms as unknown inputs, by a smoother, with their uncertainty"
     ),
     "residual": "measured minus model",
-    "noise floor": "the mean square of residuals that the instruments' noise explains",
+    "noise floor": "the mean square of residuals that the noise of the instruments explains",
     "repeatability": "standard deviation between runs of the same test (ISO 5725), the instrument's noise included",
     "compared but not fitted": (
         "of a signal that the data set records but does not list: no parameter is fitted to it, and it decides only "
@@ -16,8 +16,8 @@ WORDS = {
     ),
     "folds": "runs are left out in turn, the model is fitted to the others and judged on those (cross-validation)",
     "Δ BIC": (
-        "the Bayesian information criterion against the model without the effect; negative is better. Its *penalty* is "
-        "what a parameter costs: the logarithm of the effective number of samples"
+        "the Bayesian information criterion against the model without the effect; negative is better. Its *penalty* "
+        "for a parameter is the logarithm of the effective number of samples"
     ),
 }
 

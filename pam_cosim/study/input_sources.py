@@ -1,4 +1,4 @@
-"""What drives a model, from whatever a script has at hand: arrays, a file, a frame, functions of time."""
+"""Inputs of a model from arrays, a file, a frame, functions or formulas of time."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import did_you_mean
 
-# Inputs over time, or what can be made into them.
+# Inputs over time, or a source of them.
 Source = Inputs | Trajectory | Path | str | Mapping[str, Any] | Any
 _HEADER = re.compile(r"\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 
@@ -28,7 +28,7 @@ _HEADER = re.compile(r"\s*(?P<name>.*?)\s*(?:\[(?P<unit>[^\[\]]*)\])?\s*")
 def inputs_of(
     source: Source | None, interface: Interface, times: Callable[[], Array]
 ) -> Inputs | None:
-    """Inputs from anything that says them.
+    """Inputs from any kind of source.
 
     Args:
         source: ``Inputs``; the name of a CSV file; formulas in time [s] as a text, "u_in = 0.25 + 0.1 * sin(time);

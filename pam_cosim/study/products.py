@@ -18,7 +18,6 @@ from typing import Any, get_args
 import numpy as np
 from cattrs import Converter
 from cattrs.gen import make_dict_structure_fn, make_dict_unstructure_fn, override
-from cattrs.strategies import configure_tagged_union, include_subclasses
 
 from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
 from pam_cosim.comparison import Comparison, ConditionTable
@@ -26,7 +25,7 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, read_file, write_bytes
-from pam_cosim.fitting import Fit, HoldoutUncertainty, PredictiveBands, Profiles, Record
+from pam_cosim.fitting import Fit, GlobalSearch, HoldoutUncertainty, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
@@ -174,7 +173,10 @@ def _converter() -> Converter:
     converter.register_structure_hook(Path, lambda text, _: Path(text))
     for kind in (str, float, int, bool):
         converter.register_structure_hook(kind, plain_value)
-    include_subclasses(Record, converter, union_strategy=configure_tagged_union)
+    read_search = make_dict_structure_fn(GlobalSearch, converter)
+    converter.register_structure_hook(
+        GlobalSearch, lambda search, kind: read_search(_named_search(search), kind)
+    )
     saved_name = override(rename="leeway")  # the key in version 1 of the file
     converter.register_unstructure_hook(
         Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name)
@@ -183,6 +185,13 @@ def _converter() -> Converter:
         Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name)
     )
     return converter
+
+
+def _named_search(search: dict[str, Any]) -> dict[str, Any]:
+    """A search with its name, which that of a swarm lacks in the first files of version 1."""
+    if "name" in search:
+        return search
+    return {**search, "name": f"swarm of {search['particles']} particles"}
 
 
 def _is_array(kind: Any) -> bool:

@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.processes.interrupts import sigint_blocked
 from pam_cosim.processes.workers import local_pool, processors, running_tasks
-from pam_cosim.sweeps.records import Row
+from pam_cosim.sweeps.records import RunResult
 from pam_cosim.sweeps.task import Batch, SweepJob, forget_foreign, make_runs
 
 _BATCH = 0.3  # [s] of work that is handed out at once, and lost at most where the program is killed
@@ -20,7 +20,7 @@ _OPENINGS = 5  # as much work as opening a model takes, at least
 _WORTH = 2.0  # [s] of work from which on further processes are started, which takes a second
 _AHEAD = 2  # batches that wait for each process
 
-Say = Callable[[Sequence[Row]], None]
+Say = Callable[[Sequence[RunResult]], None]
 
 
 def run_all(

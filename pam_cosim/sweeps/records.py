@@ -26,7 +26,7 @@ _LONGEST_HEAD = 10_000_000
 
 
 @dataclass(frozen=True)
-class Row:
+class RunResult:
     """What is kept of one run.
 
     Attributes:
@@ -139,7 +139,7 @@ class Records:
             )
         return len(line)
 
-    def add(self, rows: Sequence[Row]) -> None:
+    def add(self, rows: Sequence[RunResult]) -> None:
         """Writes runs that are done; on the disk when this returns.
 
         Raises:
@@ -178,13 +178,13 @@ class Records:
         """How many runs are kept."""
         return int(np.count_nonzero(self._place >= 0))
 
-    def table(self) -> RunTable:
+    def table(self) -> SweepRuns:
         """All runs, once none is missing; stays readable when the file is removed."""
-        return RunTable(self._mapped(), self._place.copy())
+        return SweepRuns(self._mapped(), self._place.copy())
 
 
 @dataclass(frozen=True)
-class RunTable:
+class SweepRuns:
     """The runs in their order; numbers stay on the disk until they are asked for."""
 
     records: NDArray[Any]

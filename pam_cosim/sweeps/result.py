@@ -15,7 +15,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
 from pam_cosim.sweeps.patterns import INPUTS
-from pam_cosim.sweeps.records import RunTable
+from pam_cosim.sweeps.records import SweepRuns
 from pam_cosim.sweeps.scalars import Scalar
 from pam_cosim.units import format_quantity
 
@@ -64,7 +64,7 @@ class Sweep:
         time: Array,
         outputs: tuple[str, ...],
         scalars: tuple[Scalar, ...],
-        table: RunTable,
+        table: SweepRuns,
     ) -> None:
         self.interface, self.design, self.fixed, self.time = interface, design, dict(fixed), time
         self.outputs, self.scalars, self.table = outputs, scalars, table

@@ -19,7 +19,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Inputs
 from pam_cosim.sweeps.design import Design
 from pam_cosim.sweeps.executors import run_all
-from pam_cosim.sweeps.records import Records, Row
+from pam_cosim.sweeps.records import Records, RunResult
 from pam_cosim.sweeps.result import Sweep
 from pam_cosim.sweeps.scalars import Scalar
 from pam_cosim.sweeps.task import SweepJob
@@ -161,7 +161,7 @@ def make_sweep(
     times = plan.times.size if plan.keep else 0
     with Records(path, plan.identity(), count, len(plan.scalars), outputs, times) as records:
 
-        def say(rows: Sequence[Row]) -> None:
+        def say(rows: Sequence[RunResult]) -> None:
             records.add(rows)
             if progress is not None:
                 progress(records.done, count)

@@ -17,7 +17,7 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.simulation import AnySimulator, Inputs, IsolatedSimulator, Simulator, Trajectory
 from pam_cosim.simulation.models import limited
 from pam_cosim.sweeps.patterns import INPUTS
-from pam_cosim.sweeps.records import Row
+from pam_cosim.sweeps.records import RunResult
 from pam_cosim.sweeps.scalars import Scalar
 
 
@@ -70,7 +70,7 @@ class Batch:
         running: time for the runs [s].
     """
 
-    rows: list[Row]
+    rows: list[RunResult]
     opening: float
     running: float
 
@@ -89,7 +89,7 @@ def make_runs(
     begin = time.perf_counter()
     with _opened(job) as simulator:
         opened = time.perf_counter()
-        rows: list[Row] = []
+        rows: list[RunResult] = []
         for run, point in zip(runs, points, strict=True):
             rows.append(
                 _row(job, simulator, run, dict(zip(job.names, point.tolist(), strict=True)))
@@ -99,15 +99,17 @@ def make_runs(
         return Batch(rows, opened - begin, time.perf_counter() - opened)
 
 
-def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, float]) -> Row:
+def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, float]) -> RunResult:
     inputs = job.patterns[int(varied[INPUTS])] if job.patterns else job.inputs
     own = {name: value for name, value in varied.items() if not (job.patterns and name == INPUTS)}
     try:
         made = simulator.run(job.times, parameters=job.fixed | own, inputs=inputs, outputs=job.read)
     except SimulationFailure as failure:
-        return Row(run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed")
+        return RunResult(
+            run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed"
+        )
     values = np.stack([made[name] for name in job.outputs]) if job.keep else None
-    return Row(run, _numbers(job, made), values)
+    return RunResult(run, _numbers(job, made), values)
 
 
 def _numbers(job: SweepJob, made: Trajectory) -> Array:

@@ -18,8 +18,9 @@ from pydantic import (
 )
 from pydantic_core import ErrorDetails
 
+from pam_cosim.measurement.experiment_tables import CheckedTable
 from pam_cosim.wording import shown
-from pam_cosim.workbench.saved_steps import AnyStep, CheckedTable
+from pam_cosim.workbench.saved_steps import AnyStep
 from pam_cosim.workbench.saved_values import (
     MOST,
     Cuts,

@@ -4,13 +4,9 @@ from __future__ import annotations
 
 from typing import Annotated, Literal
 
-from pydantic import (
-    AfterValidator,
-    BaseModel,
-    ConfigDict,
-    model_validator,
-)
+from pydantic import AfterValidator, model_validator
 
+from pam_cosim.measurement.experiment_tables import CheckedTable
 from pam_cosim.wording import shown
 from pam_cosim.workbench.saved_values import (
     Cuts,
@@ -25,12 +21,6 @@ from pam_cosim.workbench.saved_values import (
     checked_method,
     checked_modelica_file,
 )
-
-
-class CheckedTable(BaseModel):
-    """A table of known keys, of values that are taken as they are."""
-
-    model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
 
 
 class SetStep(CheckedTable):

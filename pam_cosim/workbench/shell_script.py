@@ -1,149 +1,105 @@
-"""What was done on the page as commands of a shell."""
+"""A study of the workbench as commands of a shell that repeat it, step by step, to the same numbers."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from pathlib import Path
 from shlex import quote
-from types import MappingProxyType
 from typing import Any
 
 from pam_cosim.workbench.catalogue import Catalogue
-from pam_cosim.workbench.opened_model import without_ratios
-from pam_cosim.workbench.script import Place, comment
+from pam_cosim.workbench.standing import COMPOSING, WITHOUT_SCORES, Standing, comment
 from pam_cosim.workbench.state import State
-from pam_cosim.workbench.steps import Step
+from pam_cosim.workbench.steps import ADD, DIAGNOSE, FIT, Step
 
 
 def commands_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> str:
     """The study as commands for a shell, from the base model that it began with."""
-    place = Place(base, catalogue)
+    standing = Standing(base, catalogue)
     data = quote(str(folder))
     lines = [
         "#!/bin/sh",
         f"# {comment(state.data.title)}: what was done in the workbench, to be done again.",
         "set -eu",
-        _command("compare", data, place),
+        _compare(data, standing),
     ]
     for step in state.steps:
-        lines += ["", f"# {comment(step)}", *_command_step(step, place, data)]
-    return "\n".join(lines) + "\n"
+        standing.advance(step)
+        lines += ["", f"# {comment(step)}", *_commands(step, standing, data)]
+    return "\n".join([*lines, ""])
 
 
-def _command_step(step: Step, place: Place, data: str) -> list[str]:
-    arguments = step.arguments
-    match step.do:
-        case "set" | "start":
-            place.held |= arguments["values"]
-            return [_compare(data, place)]
-        case "switch":
-            place.held, place.fitted = dict(arguments["values"]), ""
-            return [*_command_effects(arguments["effects"], place), _compare(data, place)]
-        case "choose":
-            place.base, place.held, place.fitted = arguments["model"], {}, ""
-            return [*_command_effects((), place), _compare(data, place)]
-        case "roles":
-            place.roles |= arguments["roles"]
-            return [_compare(data, place)]
-        case "cut" | "begin":
-            place.take_runs(arguments)
-            place.held, place.fitted = dict(arguments["values"]), ""
-            return [_compare(data, place)]
-        case "fit":
-            place.fits += 1
-            file = f"fit-{place.fits}.json"
-            options = [
-                f"--method {quote(arguments['method'])}",
-                *_free_words(arguments),
-                f"-o {file}",
-            ]
-            place.fitted = file
-            place.held = {
-                n: v
-                for n, v in {**place.held, **arguments["start"]}.items()
-                if n not in arguments["free"]
-            }
-            return [_command("fit", data, place, *options), _compare(data, place)]
-        case "diagnose":
-            place.diagnosed = place.effects
-            place.diagnoses += 1
-            words = [
-                f"--{key} {quote(name)}"
-                for key in ("exclude", "expect")
-                for name in arguments.get(key, ())
-            ]
-            limit = (
-                [f"--time-limit {quote(str(arguments['time_limit']))}"]
-                if arguments.get("time_limit") is not None
-                else []
-            )
-            report = f"--report diagnosis-{place.diagnoses}.html"
-            return [
-                _command("diagnose", data, place, *limit, *words, *_free_words(arguments), report)
-            ]
-        case "take":
-            place.held, place.fitted = {**arguments["kept"], **arguments["values"]}, ""
-            return [
-                *_command_effects((*place.diagnosed, *arguments["effects"]), place),
-                _compare(data, place),
-            ]
-        case "add":
-            return [
-                _add(arguments["effects"], arguments["file"], place, arguments.get("values", {}))
-            ]
-    return []
+def _commands(step: Step, standing: Standing, data: str) -> list[str]:
+    arguments, commands = step.arguments, []
+    if step.do == FIT:
+        commands.append(_fit(arguments, standing, data))
+    if step.do == DIAGNOSE:
+        commands.append(_diagnose(arguments, standing, data))
+    if step.do == ADD:
+        stated = arguments.get("values", {})
+        commands.append(_add(arguments["effects"], arguments["file"], standing, stated))
+    if step.do in COMPOSING and standing.composed_effects:
+        commands.append(_add(standing.composed_effects, standing.model, standing, {}))
+    return commands if step.do in WITHOUT_SCORES else [*commands, _compare(data, standing)]
 
 
-def _free_words(arguments: Mapping[str, Any]) -> list[str]:
-    free = [f"--free {quote(name)}" for name in arguments.get("free", ())]
-    return [
-        *free,
-        *(
-            f"--start {quote(f'{name}={value!r}')}"
-            for name, value in arguments.get("start", {}).items()
-        ),
+def _fit(arguments: Mapping[str, Any], standing: Standing, data: str) -> str:
+    method = f"--method {quote(arguments['method'])}"
+    output = f"-o {_file_of_fit(standing)}"
+    return _command("fit", data, standing, method, *_free(arguments), output)
+
+
+def _diagnose(arguments: Mapping[str, Any], standing: Standing, data: str) -> str:
+    limit = arguments.get("time_limit")
+    limits = [] if limit is None else [f"--time-limit {quote(str(limit))}"]
+    families = [
+        *_repeated("exclude", arguments.get("exclude", ())),
+        *_repeated("expect", arguments.get("expect", ())),
     ]
+    report = f"--report diagnosis-{standing.diagnoses}.html"
+    return _command("diagnose", data, standing, *limits, *families, *_free(arguments), report)
 
 
-def _compare(data: str, place: Place) -> str:
-    fitted = [f"--params {quote(place.fitted)}"] if place.fitted else []
-    return _command(
-        "compare",
-        data,
-        place,
-        *fitted,
-        *(f"--set {quote(f'{n}={v!r}')}" for n, v in place.held.items()),
-    )
+def _free(arguments: Mapping[str, Any]) -> list[str]:
+    start = _assignments("start", arguments.get("start", {}))
+    return [*_repeated("free", arguments.get("free", ())), *start]
 
 
-def _command(name: str, data: str, place: Place, *options: str) -> str:
-    model = [f"--model {quote(place.model)}"]
-    further = [f"--file {quote(file)}" for file in place.further]
-    roles = [f"--role {quote(f'{run}={role}')}" for run, role in place.roles.items()]
-    cuts = [
-        f"--cut {quote(f'{run}={_moment(first)}:{_moment(last)}')}"
-        for run, (first, last) in place.cuts.items()
+def _compare(data: str, standing: Standing) -> str:
+    fitted = [f"--params {_file_of_fit(standing)}"] if standing.fitted else []
+    return _command("compare", data, standing, *fitted, *_assignments("set", standing.values))
+
+
+def _file_of_fit(standing: Standing) -> str:
+    return f"fit-{standing.fits}.json"
+
+
+def _command(name: str, data: str, standing: Standing, *options: str) -> str:
+    cuts = {
+        run: f"{_moment(first)}:{_moment(last)}" for run, (first, last) in standing.cuts.items()
+    }
+    about_data = [
+        *_repeated("role", (f"{run}={role}" for run, role in standing.roles.items())),
+        *_repeated("cut", (f"{run}={cut}" for run, cut in cuts.items())),
+        *_repeated("begin", (f"{run}={mode}" for run, mode in standing.starts.items())),
     ]
-    begins = [f"--begin {quote(f'{run}={mode}')}" for run, mode in place.starts.items()]
-    return " ".join(["pam-cosim", name, data, *model, *further, *roles, *cuts, *begins, *options])
+    about_model = [f"--model {quote(standing.model)}", *_repeated("file", standing.further)]
+    return " ".join(["pam-cosim", name, data, *about_model, *about_data, *options])
+
+
+def _add(effects: Sequence[str], file: str, standing: Standing, values: Mapping[str, float]) -> str:
+    words = [*map(quote, effects), f"--to {quote(standing.base)}", f"-o {quote(file)}"]
+    further = _repeated("file", standing.files)
+    return " ".join(["pam-cosim add", *words, *_assignments("set", values), *further])
+
+
+def _assignments(option: str, values: Mapping[str, float]) -> list[str]:
+    return _repeated(option, (f"{name}={value!r}" for name, value in values.items()))
+
+
+def _repeated(option: str, words: Iterable[str]) -> list[str]:
+    return [f"--{option} {quote(word)}" for word in words]
 
 
 def _moment(time: float | None) -> str:
     return "" if time is None else repr(time)
-
-
-def _add(
-    effects: Sequence[str],
-    file: str,
-    place: Place,
-    values: Mapping[str, float] = MappingProxyType({}),
-) -> str:
-    stated = [f"--set {quote(f'{name}={value!r}')}" for name, value in values.items()]
-    further = [f"--file {quote(f)}" for f in place.files]
-    words = [*map(quote, effects), f"--to {quote(place.base)}", f"-o {quote(file)}"]
-    return " ".join(["pam-cosim add", *words, *stated, *further])
-
-
-def _command_effects(effects: Sequence[str], place: Place) -> list[str]:
-    file = place.with_effects(effects)
-    return [] if file is None else [_add(without_ratios(effects), file, place)]

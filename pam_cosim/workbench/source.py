@@ -1,4 +1,4 @@
-"""Where a study's measurement comes from: its folder, read anew wherever runs are cut or begin otherwise."""
+"""The measurement of a study: its folder, read anew after runs are cut or begin otherwise."""
 
 from __future__ import annotations
 
@@ -32,10 +32,10 @@ class MeasurementSource:
         cuts: Mapping[str, Ends] | None = None,
         starts: Mapping[str, str] | None = None,
     ) -> DataSet:
-        """The measurement for a model, with its noise, where every run says how it begins; as ``study.read``.
+        """The measurement for a model, with its noise and the start of every run; as ``study.read``.
 
         Raises:
-            InputError: the data set cannot be read, or not so.
+            InputError: the data set cannot be read, or not with these roles, cuts and starts.
         """
         data = study.read(
             self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts
@@ -43,7 +43,7 @@ class MeasurementSource:
         return data_with_starts(data, data.model_for(model), files=self.files)
 
     def whole(self, data: DataSet) -> DataSet:
-        """The same with all rows that were recorded, without what is known of starts and noise."""
+        """The same with all recorded rows; starts and noise are not completed."""
         cut = {run.name: (None, None) for run in data.runs if run.recorded}
         if not cut:
             return data

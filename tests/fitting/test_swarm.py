@@ -104,13 +104,18 @@ def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
     assert result.values == pytest.approx({"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02)
     plain = json.loads(json.dumps(result.as_dict()))
     assert plain["search"]["chi2_by_generation"] == list(own.chi2_reduced)
-    assert plain["search"]["best_particle"]["orifice.C_d"] == {
+    assert plain["search"]["best_point"]["orifice.C_d"] == {
         "value": own.parameters["orifice.C_d"],
         "unit": "1",
     }
     assert plain["chi2_reduced"] <= plain["search"]["chi2_reduced"]
     text = str(result)
-    for part in ("by generation", "its own best particle", "the descent from there"):
+    for part in (
+        "swarm of 50 particles: chi2",
+        "in 10 generations",
+        "its own best point",
+        "the descent from there",
+    ):
         assert part in text
     assert study.fit(data).search is None
 

@@ -30,11 +30,13 @@ def main() -> int:
     folder.mkdir()
     data = make_data()
     learned, ledger = make_learned(data), make_ledger()
-    fit = pam.fit(pam.read(ROOT / "examples" / "tank-discharge"))
+    vessel = pam.read(ROOT / "examples" / "tank-discharge")
+    fit, swarm = pam.fit(vessel), pam.fit(vessel, method="particle-swarm")
     products = {
         "comparison": make_comparison(data, 2.0),
         "fit": make_fit(data, 2.0),
         "vessel-fit": replace(fit, linear=None),
+        "swarm-fit": replace(swarm, linear=None),
         "ledger": ledger,
         "ambiguous": make_diagnosis("ambiguous", data),
         "unknown": make_diagnosis("unknown", data, learned=learned, ledger=ledger),
@@ -49,7 +51,7 @@ def main() -> int:
     write_parameters(folder / "fitted.ssv", fit)
     write_json(
         folder / "compared.json",
-        pam.compare(pam.read(ROOT / "examples" / "tank-discharge")).as_dict(),
+        pam.compare(vessel).as_dict(),
     )
     shutil.copytree(
         ROOT / "examples" / "tank-discharge",

@@ -24,7 +24,7 @@ from pam_cosim.study import dynamics
 
 def bode(
     model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
-    by: Annotated[str, typer.Option("--by", help="The input that swings.")],
+    by: Annotated[str, typer.Option("--by", help="The input that is a sine.")],
     amplitude: Annotated[str, typer.Option(help='Of the input, such as "20 mA".')],
     of: Annotated[
         list[str] | None, typer.Option("--of", help="An output, or any variable; default: outputs.")
@@ -33,14 +33,14 @@ def bode(
         str, typer.Option(help="FROM:TO:N [Hz], evenly in the logarithm, or A,B,C.")
     ] = "0.1:20:16",
     at: Annotated[
-        str, typer.Option(help='"rest", or values of a rest that --free inputs make possible.')
+        str, typer.Option(help='"rest", or values of a rest that --free inputs are solved for.')
     ] = "rest",
     free: Annotated[
-        list[str] | None, typer.Option(help="An input that is found along with the rest.")
+        list[str] | None, typer.Option(help="An input whose value is solved for with the rest.")
     ] = None,
     settings: SetOption = None,
     most_periods: Annotated[
-        int, typer.Option(help="At each frequency, after which it counts as not settled.")
+        int, typer.Option(help="Most periods at a frequency; after these it counts as not settled.")
     ] = 200,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the response as CSV.")

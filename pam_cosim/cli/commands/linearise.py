@@ -35,7 +35,9 @@ def linearise(
     ] = None,
     free: Annotated[
         list[str] | None,
-        typer.Option(help="An input that is found along: --at is then a rest with these values."),
+        typer.Option(
+            help="An input whose value is solved for: --at is then a rest with these values."
+        ),
     ] = None,
     settings: SetOption = None,
     course: Annotated[
@@ -49,7 +51,7 @@ def linearise(
     ] = None,
     states: Annotated[
         list[str] | None,
-        typer.Option("--state", help="Keep this state, the others follow at once; default: all."),
+        typer.Option("--state", help="Keep this state, the others are quasi-static; default: all."),
     ] = None,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the matrices as CSV.")
@@ -88,7 +90,7 @@ def linearise(
 
 
 def _tell(along: LinearCourse, json: Path | None, plot: Path | None) -> None:
-    """Prints the models along a run and writes them where that was asked for; they make no table."""
+    """Prints the models along a run, and writes them as JSON and as a picture where a file is given."""
     typer.echo(str(along))
     if json:
         write_json(json, along.as_dict())

@@ -1,4 +1,4 @@
-"""Within what a rig can be driven."""
+"""The limits within which a rig can be driven."""
 
 from __future__ import annotations
 
@@ -17,14 +17,14 @@ Range = tuple[float, float]
 
 @dataclass(frozen=True)
 class Limits:
-    """What a run may be made of, SI units.
+    """Limits of a run, SI units.
 
     Attributes:
         inputs: lowest and highest value of each input.
-        constant: inputs that keep one value through a run, such as a supply that nobody may move.
-        rates: the steepest change of each input a second; infinite: it can step.
+        constant: inputs that keep one value through a run, such as a supply at a fixed pressure.
+        rates: the steepest slope of each input [its unit per second]; infinite: it can step.
         start: value of each input when a run begins, from which an input with a finite rate departs.
-        parameters: ranges of what is set before a run, such as a load.
+        parameters: ranges of parameters that are set before a run, such as a load.
         outputs: ranges that the predicted signals must keep.
         seconds: length of a run.
         interval: time between two samples [s].
@@ -46,7 +46,7 @@ class Limits:
 
     @property
     def is_fixed(self) -> bool:
-        """Whether nothing can be chosen."""
+        """Whether every range is a single value."""
         return all(low == high for low, high in (*self.inputs.values(), *self.parameters.values()))
 
 
@@ -56,11 +56,10 @@ def limits_of(
     seconds: float | None = None,
     held: Collection[str] = (),
 ) -> Limits:
-    """What the recordings span, but for what is stated.
+    """The limits of the recordings, but for those that are stated.
 
-    An input is as fast as it was recorded at its fastest. One that kept its value through every run keeps one value,
-    unless limits are stated for it: then it moves within them, and can step. A parameter that differs between runs can
-    be set.
+    An input has the steepest slope that was recorded. An input that was constant in every run stays constant, unless
+    limits are stated for it: then it moves within them, and can step. A parameter that differs between runs can be set.
 
     Args:
         data: the measurement; not of points at rest.
@@ -76,39 +75,57 @@ def limits_of(
         raise InputError(
             "points at rest have no course over time that could be planned", data.folder
         )
-    first = runs[0]
-    inputs = {name: _span(runs, name) for name in first.inputs if name != BRANCH}
-    parameters = _varied_parameters(runs)
-    outputs: dict[str, Range] = {}
-    known = sorted(name for name in first.parameters if name not in data.free_names)
-    # a name that is of several is that of an input first, then of a parameter
-    places = dict.fromkeys(inputs, inputs)
-    for names, ranges in ((known, parameters), (data.fitted_signals, outputs)):
-        places |= {name: ranges for name in names if name not in places}
-    for name, limits in (stated or {}).items():
-        _check_limits(name, limits, list(places))
-        places[name][name] = limits
-    for name in held:
-        if name not in inputs:
-            raise InputError(
-                f"there is no input '{name}' to hold; {did_you_mean(name, list(inputs))}"
-            )
-    free = {name for name, (low, high) in (stated or {}).items() if low < high}
-    still = {name for name in inputs if _is_constant(runs, name) and name not in free}
     length = _usual_length(runs) if seconds is None else seconds
     if not length > 0:
         raise InputError("a run must last longer than nothing")
+    inputs, parameters, outputs = _ranges(data, runs, stated or {})
     interval = float(np.median(np.concatenate([_steps(run) for run in runs])))
     return Limits(
         inputs,
-        frozenset({*held, *still}),
-        {name: _rate(runs, name, inputs[name], interval) for name in inputs},
-        {name: float(first.inputs[name][0]) for name in inputs},
+        _constant_inputs(runs, inputs, stated or {}, held),
+        {name: _rate(runs, name, span, interval) for name, span in inputs.items()},
+        {name: float(runs[0].inputs[name][0]) for name in inputs},
         parameters,
         outputs,
         length,
         min(interval, length),
     )
+
+
+def _ranges(
+    data: DataSet, runs: Sequence[Run], stated: Mapping[str, Range]
+) -> tuple[dict[str, Range], dict[str, Range], dict[str, Range]]:
+    """Ranges of inputs, of parameters and of signals: as recorded, and as stated."""
+    first = runs[0]
+    inputs = {name: _span(runs, name) for name in first.inputs if name != BRANCH}
+    parameters = _varied_parameters(runs)
+    outputs: dict[str, Range] = {}
+    known = sorted(name for name in first.parameters if name not in data.free_names)
+    # a name of several is that of an input first, then of a parameter
+    owners = dict.fromkeys(inputs, inputs)
+    for names, ranges in ((known, parameters), (data.fitted_signals, outputs)):
+        owners |= {name: ranges for name in names if name not in owners}
+    for name, limits in stated.items():
+        _check_limits(name, limits, list(owners))
+        owners[name][name] = limits
+    return inputs, parameters, outputs
+
+
+def _constant_inputs(
+    runs: Sequence[Run],
+    inputs: Collection[str],
+    stated: Mapping[str, Range],
+    held: Collection[str],
+) -> frozenset[str]:
+    """Inputs that keep one value through a run: they are to, or always did and no limits let them move."""
+    for name in held:
+        if name not in inputs:
+            raise InputError(
+                f"there is no input '{name}' to hold; {did_you_mean(name, list(inputs))}"
+            )
+    free = {name for name, (low, high) in stated.items() if low < high}
+    still = {name for name in inputs if name not in free and _is_constant(runs, name)}
+    return frozenset({*held, *still})
 
 
 def _check_limits(name: str, limits: Range, known: Sequence[str]) -> None:

@@ -9,7 +9,8 @@ from __future__ import annotations
 import importlib
 import pkgutil
 
-from pam_cosim.fitting.methods.solution import Method, Record, Solution
+from pam_cosim.fitting.methods.global_search import GlobalSearch
+from pam_cosim.fitting.methods.solution import Method, Solution
 
 _MODULES = {
     module.name.replace("_", "-"): importlib.import_module(f"{__name__}.{module.name}")
@@ -26,4 +27,4 @@ def summary(name: str) -> str:
     return (METHODS[name].__doc__ or "").strip().partition("\n")[0].rstrip(".")
 
 
-__all__ = ["METHODS", "Method", "Record", "Solution", "summary"]
+__all__ = ["METHODS", "GlobalSearch", "Method", "Solution", "summary"]

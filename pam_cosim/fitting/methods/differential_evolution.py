@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 from scipy.optimize import differential_evolution
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.methods.global_search import GlobalSearch, searched
 from pam_cosim.fitting.methods.solution import Solution
@@ -27,18 +28,18 @@ def minimise(problem: FitProblem) -> Solution:
 
 
 def differential_evolution_search(problem: FitProblem) -> GlobalSearch:
-    """What differential evolution finds by itself; the same every time.
+    """Differential evolution before any descent; the same every time.
 
     Raises:
         SimulationFailure: the model breaks down wherever it was tried.
     """
     objective = problem.objective
-    before, lowest = objective.evaluations, [np.inf]
+    before = objective.evaluations
+    costs: list[float] = []
 
-    def cost(z: np.ndarray) -> float:
-        here = objective.cost(z)
-        lowest[-1] = min(lowest[-1], here)
-        return here
+    def cost(z: Array) -> float:
+        costs.append(objective.cost(z))
+        return costs[-1]
 
     solution = differential_evolution(
         cost,
@@ -48,10 +49,11 @@ def differential_evolution_search(problem: FitProblem) -> GlobalSearch:
         init="sobol",
         seed=0,
         polish=False,
-        callback=lambda *_: lowest.append(lowest[-1]),
     )
     if not np.isfinite(solution.fun):
         raise SimulationFailure(
             f"no point within the bounds can be simulated: {objective.first_failure}"
         )
+    members = len(solution.population)  # each generation computes the cost of as many points
+    lowest = np.minimum.accumulate(costs)[members - 1 :: members]
     return searched("differential evolution", objective, np.asarray(solution.x), lowest, before)

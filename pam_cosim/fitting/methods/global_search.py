@@ -1,24 +1,23 @@
-"""What a search over all of the bounds did by itself, before any descent."""
+"""The record of a search over all of the bounds, before any descent."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
-from pam_cosim.fitting.methods.solution import Record
 from pam_cosim.fitting.objective import Objective
 
 
 @dataclass(frozen=True)
-class GlobalSearch(Record):
-    """A search generation by generation.
+class GlobalSearch:
+    """A search by generation, for reports.
 
     Attributes:
         name: of the method, in words.
         parameters: the best point that it has been at, by name [unit].
         units: SI units, by name.
-        chi2_reduced: the lowest so far, after each generation.
+        chi2_reduced: the lowest so far: of the first points, then after each generation.
         evaluations: simulations of the set of fit runs that it took.
     """
 
@@ -27,6 +26,11 @@ class GlobalSearch(Record):
     units: dict[str, str]
     chi2_reduced: tuple[float, ...]
     evaluations: int
+
+    @property
+    def generations(self) -> int:
+        """After the first points."""
+        return len(self.chi2_reduced) - 1
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -37,12 +41,13 @@ class GlobalSearch(Record):
             },
             "chi2_reduced": self.chi2_reduced[-1],
             "chi2_by_generation": list(self.chi2_reduced),
+            "generations": self.generations,
             "evaluations": self.evaluations,
         }
 
     def __str__(self) -> str:
         first, last = (f"{c:.4g}" for c in (self.chi2_reduced[0], self.chi2_reduced[-1]))
-        generations = f"{len(self.chi2_reduced)} generations, {self.evaluations} simulations"
+        generations = f"{self.generations} generations, {self.evaluations} simulations"
         lines = [f"  {self.name}: chi2 {first} to {last} in {generations}; its own best point:"]
         for name, value in self.parameters.items():
             unit = "" if self.units[name] == "1" else self.units[name]
@@ -51,15 +56,15 @@ class GlobalSearch(Record):
 
 
 def searched(
-    name: str, objective: Objective, best: Array, costs: Sequence[float], before: int
+    name: str, objective: Objective, best: Array, costs: Iterable[float], before: int
 ) -> GlobalSearch:
     """The record of a search that ended.
 
     Args:
         name: of the method, in words.
-        objective: what was searched.
+        objective: that was searched.
         best: (k,) the best point, in search coordinates.
-        costs: the lowest sum of squares so far, after each generation.
+        costs: the lowest sum of squares so far: of the first points, then after each generation.
         before: evaluations of the objective when it began.
     """
     parameters = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, best, strict=True)}

@@ -9,7 +9,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting.methods.solution import Record, Solution
+from pam_cosim.fitting.methods.global_search import GlobalSearch, searched
+from pam_cosim.fitting.methods.solution import Solution
 from pam_cosim.fitting.solve import FitProblem, solve
 
 PARTICLES = 50
@@ -21,7 +22,7 @@ INERTIA = 0.73  # not printed; with pulls of 1.5 it is the value that makes a sw
 
 @dataclass(frozen=True)
 class Swarm:
-    """What a swarm saw.
+    """The result of a swarm.
 
     Attributes:
         best: (k,) the best point that any particle has been at.
@@ -70,55 +71,6 @@ def swarm(
     return Swarm(own[int(np.argmin(own_costs))], np.array(lowest))
 
 
-@dataclass(frozen=True)
-class SwarmSearch(Record):
-    """What a particle swarm did by itself, before any descent.
-
-    Attributes:
-        parameters: the swarm's own best particle, by name [unit].
-        units: SI units, by name.
-        chi2_reduced: the lowest so far: of the random particles, then after each generation.
-        particles: size of the swarm.
-        evaluations: simulations of the set of fit runs that it took.
-    """
-
-    parameters: dict[str, float]
-    units: dict[str, str]
-    chi2_reduced: tuple[float, ...]
-    particles: int
-    evaluations: int
-
-    @property
-    def generations(self) -> int:
-        """After the random particles."""
-        return len(self.chi2_reduced) - 1
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return {
-            "best_particle": {
-                n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()
-            },
-            "chi2_reduced": self.chi2_reduced[-1],
-            "chi2_by_generation": list(self.chi2_reduced),
-            "particles": self.particles,
-            "generations": self.generations,
-            "evaluations": self.evaluations,
-        }
-
-    def __str__(self) -> str:
-        first, *later = (f"{c:.4g}" for c in self.chi2_reduced)
-        lines = [
-            f"  swarm of {self.particles} particles: chi2 {first} of the random ones, then by generation "
-            + ", ".join(later),
-            f"  its own best particle, chi2 {self.chi2_reduced[-1]:.4g}:",
-        ]
-        for name, value in self.parameters.items():
-            unit = "" if self.units[name] == "1" else self.units[name]
-            lines.append(f"    {name} = {value:.4g} {unit}".rstrip())
-        return "\n".join(lines)
-
-
 def minimise(problem: FitProblem) -> Solution:
     """From the best particle of a swarm over the bounds, which is reported as the swarm left it.
 
@@ -129,20 +81,17 @@ def minimise(problem: FitProblem) -> Solution:
     return Solution(solve(replace(problem, starts=[search.parameters])), search)
 
 
-def swarm_search(problem: FitProblem) -> SwarmSearch:
-    """What the swarm finds by itself, as Dzahir and Yamamoto (2019), Table 1.
+def swarm_search(problem: FitProblem) -> GlobalSearch:
+    """The search of Dzahir and Yamamoto (2019), Table 1, before any descent.
 
     Raises:
         SimulationFailure: the model breaks down at every particle.
     """
     objective = problem.objective
     before = objective.evaluations
-    seen = swarm(objective.cost, *objective.bounds)
-    if not np.isfinite(seen.costs[-1]):
+    found = swarm(objective.cost, *objective.bounds)
+    if not np.isfinite(found.costs[-1]):
         raise SimulationFailure(
             f"no particle of the swarm can be simulated: {objective.first_failure}"
         )
-    best = {f.name: f.to_value(float(z)) for f, z in zip(objective.free, seen.best, strict=True)}
-    costs = tuple(float(c) / max(objective.samples, 1.0) for c in seen.costs)
-    units = {f.name: f.unit for f in objective.free}
-    return SwarmSearch(best, units, costs, PARTICLES, objective.evaluations - before)
+    return searched(f"swarm of {PARTICLES} particles", objective, found.best, found.costs, before)

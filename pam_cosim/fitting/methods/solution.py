@@ -1,30 +1,26 @@
-"""What a method returns."""
+"""The product of a method of fitting."""
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable
 from dataclasses import dataclass
 
 from pam_cosim.fitting.levenberg_marquardt import Minimum
+from pam_cosim.fitting.methods.global_search import GlobalSearch
 from pam_cosim.fitting.solve import FitProblem
 
 
 @dataclass(frozen=True)
-class Record(ABC):
-    """What a method did on its own way, for reports: it prints itself, and gives plain data for JSON."""
-
-    @abstractmethod
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-
-
-@dataclass(frozen=True)
 class Solution:
-    """The point that a method found, with the slopes there, and what it did on the way where that is worth telling."""
+    """The result of a method.
+
+    Attributes:
+        end: the point that it found, with the slopes there.
+        search: the search over all of the bounds that came before the descents, if there was one.
+    """
 
     end: Minimum
-    record: Record | None = None
+    search: GlobalSearch | None = None
 
 
 Method = Callable[[FitProblem], Solution]

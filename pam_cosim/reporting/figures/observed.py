@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.figure import Figure
 
 from pam_cosim.analysis import Observation
-from pam_cosim.analysis.observation import LEVEL
+from pam_cosim.analysis.observation import DEVIATIONS, LEVEL
 from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.style import AFTER, BALANCES, BAND, INK, new_figure
 from pam_cosim.units import readable_factor
@@ -14,15 +14,15 @@ from pam_cosim.units import readable_factor
 
 def observation_figure(observation: Observation) -> Figure:
     """A panel for each estimate that was asked for or whose truth is known, and one for the innovations."""
-    from scipy.stats import norm  # half a second, which few need
-
     names = list(dict.fromkeys([*observation.outputs, *observation.truth]))
     figure = new_figure(8.0, 0.9 + 1.9 * (len(names) + 1))
     grid = figure.subplots(len(names) + 1, 1, sharex=True)
-    width = float(norm.ppf((1 + LEVEL) / 2))
     for axes, name in zip(grid, names, strict=False):
         factor, unit = readable_factor(observation.units[name]), unit_text(observation.units[name])
-        value, around = observation[name] * factor, width * observation.deviations[name] * factor
+        value, around = (
+            observation[name] * factor,
+            DEVIATIONS * observation.deviations[name] * factor,
+        )
         axes.fill_between(
             observation.time, value - around, value + around, color=AFTER, alpha=0.25, lw=0
         )
@@ -38,7 +38,7 @@ def observation_figure(observation: Observation) -> Figure:
         axes.legend(loc="best", ncols=3)
         axes.grid(True)
     last = grid[-1]
-    last.axhspan(-width, width, color=BAND, zorder=0)
+    last.axhspan(-DEVIATIONS, DEVIATIONS, color=BAND, zorder=0)
     for i, (name, values) in enumerate(observation.innovations.items()):
         last.plot(
             observation.time, values, ".", ms=3, color=BALANCES[i % len(BALANCES)], label=name

@@ -1,4 +1,4 @@
-"""What may explain the samples of a ledger, and which of it explains them best."""
+"""The smoothed models of a ledger, and the one that explains the samples best."""
 
 from __future__ import annotations
 
@@ -14,8 +14,17 @@ from pam_cosim.ledger.smoothing_problem import SmoothingProblem
 
 
 @dataclass(frozen=True)
-class Explanation:
-    """A smoothed augmented model: unknown inputs that act, the estimate; the fault of an instrument not believed."""
+class SmoothedModel:
+    """A smoothed augmented model.
+
+    Attributes:
+        augmented: the model.
+        problem: of smoothing.
+        unknown_inputs: those that act.
+        free: names of the parameters that are estimated along.
+        smoothed: the estimate.
+        fault: of an instrument, where its samples are explained by one and not by the model.
+    """
 
     augmented: AugmentedModel
     problem: SmoothingProblem
@@ -26,7 +35,7 @@ class Explanation:
 
     @property
     def deviance(self) -> float:
-        """Of all samples, those of an instrument that is not believed with its fault."""
+        """Of all samples; those of a faulty instrument about its fault."""
         return self.smoothed.deviance + (self.fault.deviance if self.fault else 0.0)
 
     @property
@@ -48,8 +57,8 @@ class Explanation:
 
 
 @dataclass(frozen=True)
-class Rivals:
-    """All explanations of the samples.
+class SmoothedModels:
+    """All smoothed models of the samples; None where there is none.
 
     Attributes:
         unaugmented: the model as it is, and with a fault of one instrument.
@@ -60,9 +69,9 @@ class Rivals:
     """
 
     unaugmented: Unaugmented
-    augmented: Explanation | None
-    replaced: Explanation | None
-    beside: Explanation | None
+    augmented: SmoothedModel | None
+    replaced: SmoothedModel | None
+    beside: SmoothedModel | None
     samples: int
 
     @property
@@ -90,7 +99,7 @@ class Rivals:
         return "none" if doubtful else best
 
     @property
-    def winner(self) -> Explanation | None:
+    def winner(self) -> SmoothedModel | None:
         """The best one, where it has unknown inputs."""
         return {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}.get(
             self.best

@@ -1,0 +1,44 @@
+"""The sign of a contraction or a force, by the numbers that were recorded."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.column_statistics import correlation
+from pam_cosim.drafting.feeding import BenchChoice, meaning_of
+from pam_cosim.drafting.mapped import ColumnEntry
+from pam_cosim.drafting.scaling import scaled_entry
+from pam_cosim.model.interface import Variable
+
+_C = CRITERIA.recognition
+
+
+def signed_entry(
+    entry: ColumnEntry,
+    values: dict[int, Array],
+    choice: BenchChoice,
+    variable: Variable,
+    pressure: dict[int, Array] | None,
+) -> tuple[ColumnEntry, dict[int, Array]]:
+    """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
+    meaning = meaning_of(variable)
+    if meaning is None or entry.formula is not None or entry.gain is not None:
+        return entry, values
+    why = ""
+    if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
+        if correlation(pressure, values) < -_C.follows:
+            why = "it falls where the pressure rises: its sign is turned round"
+    elif meaning.kind == "force" and _mostly_negative(np.concatenate(list(values.values()))):
+        why = "it is below zero: its sign is turned round, so that a pull is positive"
+    if not why:
+        return entry, values
+    turned = scaled_entry(entry.name, choice.fed[entry.name], "-1", None, (*entry.why, why))
+    return turned, {i: -v for i, v in values.items()}
+
+
+def _mostly_negative(values: Array) -> bool:
+    """Whether values are below zero on average, and farther below than above."""
+    lowest, highest = float(np.nanmin(values)), float(np.nanmax(values))
+    return float(np.nanmean(values)) < 0.0 and abs(lowest) > abs(highest)

@@ -1,0 +1,69 @@
+"""The sensitivities that a fit reads from the model: which free parameter acts on which run, and on which signals."""
+
+from __future__ import annotations
+
+from collections.abc import Collection, Mapping, Sequence
+
+from pam_cosim.fitting.free import Free
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.interface import sensitivity_name
+from pam_cosim.model.references import is_ratio
+
+Slopes = Mapping[str, Sequence[tuple[int, str]]]
+"""By signal: number of a free parameter, and name of the output that is the signal's sensitivity to it."""
+
+
+def acts_on(free: Free, run: Run, every: Sequence[Free]) -> bool:
+    """Whether a parameter acts on a run: one that is known for it, or is the run's own, does not.
+
+    Args:
+        free: the parameter.
+        run: the run.
+        every: all free parameters.
+    """
+    if free.run:
+        return free.run == run.name
+    if is_ratio(free.name):
+        return free.parameter in run.parameters
+    own = any(f.run == run.name and f.parameter == free.parameter for f in every)
+    return free.parameter not in run.parameters and not own
+
+
+def sensitivities_of_run(
+    run: Run, signals: Sequence[str], free: Sequence[Free], known: Collection[str]
+) -> Slopes:
+    """The sensitivities of the signals of a run to the parameters that act on it, where the model has them.
+
+    Args:
+        run: the run.
+        signals: with samples in it.
+        free: the free parameters.
+        known: names of the model's sensitivities.
+    """
+    acting = [(i, one.parameter) for i, one in enumerate(free) if acts_on(one, run, free)]
+    return {
+        signal: [
+            (i, name)
+            for i, parameter in acting
+            if (name := sensitivity_name(signal, parameter)) in known
+        ]
+        for signal in signals
+    }
+
+
+def has_sensitivities(
+    signals: Sequence[Sequence[str]], free: Sequence[Free], known: Collection[str]
+) -> list[bool]:
+    """For each free parameter, whether the model has its sensitivity for each signal of each run."""
+    every = {signal for of_run in signals for signal in of_run}
+    return [all(sensitivity_name(s, one.parameter) in known for s in every) for one in free]
+
+
+def measured_signals(run: Run, data: DataSet) -> list[str]:
+    """The fitted signals that have samples in a run."""
+    return [name for name in data.fitted_signals if run.sample_count(name)]
+
+
+def outputs_of(slopes: Slopes) -> list[str]:
+    """The outputs that are read from the model in a run: the signals, and their sensitivities."""
+    return [*slopes, *(name for of_signal in slopes.values() for _, name in of_signal)]
