@@ -251,8 +251,8 @@ class StartCriteria:
         "by which a free parameter must move where the model begins, to be what says it",
     )
     worth: float = decides(
-        1.5, "1", "times fewer squares that first samples must leave with a start of their own; the whole runs, where "
-        "they are off by no more than an offset of an instrument: that stays",
+        1.5, "1", "sum of squares with the model's own start over that with an estimated one, from which on it is "
+        "estimated; over the first samples, or over whole runs where a constant offset of an instrument could be why",
     )  # fmt: skip
     pause: float = decides(
         10.0, "intervals", "of the usual length; a longer one is a pause of the logger"
@@ -315,7 +315,11 @@ class ResidualCriteria:
     slight_excess: float = decides(
         0.01, "noise variances", "less is not seen by a person, and is no sign of a model"
     )
-    excess: float = decides(0.05, "noise variances", "less is not worth the name of an effect")
+    excess: float = decides(
+        0.05,
+        "noise variances",
+        "mean square beyond the noise, below which residuals count as noise in the search",
+    )
     remaining_excess: float = decides(
         0.2, "noise variances", "more leaves an explanation incomplete, if it comes again", BLIND
     )

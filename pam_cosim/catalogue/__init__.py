@@ -2,7 +2,7 @@
 
 What makes a Modelica package a library is said in ``place``; ``effects`` reads what its effects say of themselves;
 ``compose`` puts them where their types say that they belong;
-``rig_parts`` finds what a bench can be put together from and ``rig`` does so;
+``bench_parts`` finds what a bench can be composed of, and ``composed_bench`` composes it;
 ``input_maps`` gives a model maps of its inputs;
 ``domain`` reads how results are told in the field of the library. No effect and no library has a name here.
 """

@@ -22,7 +22,12 @@ from pam_cosim.comparison.residual_statistics import (
     series_of,
 )
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
-from pam_cosim.comparison.rounding import expected_squares, slope, usual_square, weighted
+from pam_cosim.comparison.rounding import (
+    expected_squares,
+    slope,
+    standardized_residuals,
+    usual_square,
+)
 from pam_cosim.comparison.run_start import start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.comparison.state_course import state_course
@@ -60,7 +65,7 @@ __all__ = [
     "start_time",
     "state_course",
     "usual_square",
-    "weighted",
+    "standardized_residuals",
     "where",
     "without_outliers",
     "write_tables",

@@ -14,7 +14,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
-from pam_cosim.comparison.rounding import expected_squares, weighted
+from pam_cosim.comparison.rounding import expected_squares, standardized_residuals
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
@@ -75,7 +75,9 @@ def _pieces(
     """Features and weighted residuals of each part that has samples, by its number."""
     name = signal.name
     residuals = [
-        None if r is None else weighted(r.residual(name), signal, r.run.measurements[name])
+        None
+        if r is None
+        else standardized_residuals(r.residual(name), signal, r.run.measurements[name])
         for r in runs
     ]
     pieces = {number: _piece(tables, residuals, where) for number, where in enumerate(parts)}

@@ -11,7 +11,7 @@ from scipy.optimize import nnls
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
-from pam_cosim.comparison.rounding import expected_squares, weighted
+from pam_cosim.comparison.rounding import expected_squares, standardized_residuals
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
@@ -105,7 +105,7 @@ def series_of(
             if signal.fitted and r.run.sample_count(name):
                 error = r.residual(name)
                 kept = np.isfinite(error)
-                values = weighted(error[kept], signal, r.run.measurements[name][kept])
+                values = standardized_residuals(error[kept], signal, r.run.measurements[name][kept])
                 if shifts and (r.run.name, name) in shifts:
                     values = values + shifts[r.run.name, name][kept]
                 # Steps are what they are, also where the noise beside them is not known.

@@ -28,8 +28,8 @@ _TAIL = 8.0  # standard deviations, beyond which noise does not carry a reading
 _NODES = 64  # of the table of expected squares, at least, and in a standard deviation
 
 
-def weighted(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
-    """Deviance residuals.
+def standardized_residuals(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
+    """Residuals in standard deviations of the noise; of rounded readings, deviance residuals.
 
     Args:
         error: (n,) measured minus model [unit of the signal], may be NaN.
@@ -44,7 +44,7 @@ def weighted(error: Array, signal: Signal, reading: Array | float = 0.0) -> Arra
 
 
 def slope(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
-    """(n,) derivative of ``weighted`` by the error [1/unit]."""
+    """(n,) derivative of ``standardized_residuals`` by the error [1/unit]."""
     if not signal.step:
         return np.full(len(error), 1.0 / signal.sigma_at(reading))
     steps = signal.step / signal.noise
@@ -61,7 +61,7 @@ def slope(error: Array, signal: Signal, reading: Array | float = 0.0) -> Array:
 
 
 def expected_squares(error: Array, signal: Signal) -> Array:
-    """(n,) mean squares of ``weighted`` that noise alone would have, if the model were right.
+    """(n,) mean squares of ``standardized_residuals`` that noise alone would have, if the model were right.
 
     Which of the steps a reading is at, does not matter; where the model lies between two, does.
     """

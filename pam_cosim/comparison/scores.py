@@ -10,7 +10,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residual_statistics import Series, lag_one
 from pam_cosim.comparison.residuals import RunComparison
-from pam_cosim.comparison.rounding import expected_squares, weighted
+from pam_cosim.comparison.rounding import expected_squares, standardized_residuals
 from pam_cosim.files import plain_fields
 from pam_cosim.measurement import Signal
 
@@ -96,7 +96,7 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
 
 def _series(error: Array, signal: Signal, reading: Array) -> Series:
     """Differences of one run as they count."""
-    return Series(weighted(error, signal, reading), expected_squares(error, signal))
+    return Series(standardized_residuals(error, signal, reading), expected_squares(error, signal))
 
 
 def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[str, SignalScore]:

@@ -27,7 +27,7 @@ class Candidate:
             held-out run: the probability of a verdict is the verdict's.
         equations: the Modelica text of the model.
         brief: it was fitted in a few steps only, and might still come nearer.
-        general: the effect says whatever its family can.
+        general: the effect is the general member of its family, which contains its laws.
         without_priors: what the fit would come to without them, once its slopes are gone.
     """
 

@@ -23,7 +23,7 @@ from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.message import Message
 from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.model_space import effects_named
-from pam_cosim.diagnosis.next_experiment import NextExperiment, RivalPlan, rivals_with_deciding_runs
+from pam_cosim.diagnosis.next_experiment import NextExperiment, RivalPlan, distinguishable_rivals
 from pam_cosim.diagnosis.search import Search
 from pam_cosim.diagnosis.search_result import (
     SearchResult,
@@ -501,7 +501,7 @@ def _rivals_with_runs(
     """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
     if any_structure_for_verdict(best.fit):
         return [(c, None) for c in near]
-    return rivals_with_deciding_runs(data, best, near, files)
+    return distinguishable_rivals(data, best, near, files)
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

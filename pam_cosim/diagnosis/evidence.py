@@ -34,7 +34,7 @@ def has_structure_for_search(
     """Whether residuals hold something that is not noise.
 
     Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
-    variance is not worth a name. A small excess must also come again in other runs: instruments drift, and noise
+    variance counts as noise. A small excess must also come again in other runs: instruments drift, and noise
     may have any colour. Few samples cannot show that; there the level against the stated noise decides too.
 
     Args:
@@ -64,11 +64,11 @@ def may_have_structure(s: ResidualStatistics) -> bool:
 
     Or red noise: where nobody stated a level, residuals of any size may be that, and only a better model tells.
     """
-    sure = min(s.noise_floor, max(1.0, s.white_variance))
+    known_variance = min(s.noise_floor, max(1.0, s.white_variance))
     return has_structure_for_search(s) or (
         s.samples >= CRITERIA.residuals.many_samples
         and _correlated(s)
-        and s.chi2_reduced - sure > CRITERIA.residuals.slight_excess
+        and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
     )
 
 

@@ -107,13 +107,13 @@ def _separation(a: Hypothesis, b: Hypothesis, run: Run) -> float | None:
         return None
 
 
-def rivals_with_deciding_runs(
+def distinguishable_rivals(
     data: DataSet, best: Candidate, rivals: Sequence[Candidate], files: Sequence[Path] = ()
 ) -> list[RivalPlan]:
-    """The rivals that mean something else than ``best``, each with the experiment that would decide.
+    """The rivals that an experiment could distinguish from ``best``, each with that experiment.
 
-    A rival with more parameters that could predict the same in every experiment at hand is ``best`` in another dress,
-    such as creep so slow that it is a spring: the simpler one stands for both.
+    A rival with more parameters that no variation of a run distinguishes is practically equivalent to ``best``, such as
+    creep so slow that it is a spring, and is dropped: the simpler model stands for both.
     """
     plans = [(rival, next_experiment(data, best, rival, files)) for rival in rivals]
     return [(c, plan) for c, plan in plans if not (plan and _is_same_in_practice(best, c, plan))]

@@ -85,7 +85,7 @@ number is there always.
 
 structure: what remains is no noise. form_open: the same, but one family is beyond doubt. nothing: no effect was added,
 and what remains is noise. Where an effect leaves noise: unchecked, no held-out run speaks for it, or a signal that was
-not fitted speaks against it; several, there is more than one; general, one says whatever its family can.
+not fitted speaks against it; several, there is more than one; general, one is a general member.
 """
 
 

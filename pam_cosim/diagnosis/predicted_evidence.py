@@ -35,11 +35,11 @@ class PredictedEvidence:
     """What is known of effects beside the models so far.
 
     Args:
-        order: the models.
+        ranking: the models.
     """
 
-    def __init__(self, order: Ranking) -> None:
-        self.ranking = order
+    def __init__(self, ranking: Ranking) -> None:
+        self.ranking = ranking
         self._base_probes: list[EffectProbe] = []
         self._probes_beside: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
         self._base_additions: tuple[tuple[int, ...], Additions] = ((), Additions([]))
@@ -131,7 +131,7 @@ class PredictedEvidence:
         )
 
     def proposals(self, count: int) -> list[Proposal]:
-        """Untried models of so many effects that may be of interest, the best of each set of families, for each bar."""
+        """Untried models of so many effects that may pass a threshold, the best of each set of families for each."""
         possibly, noise_floor, tried = (
             self.ranking.optimistic_scale(),
             self.ranking.noise_floor(),

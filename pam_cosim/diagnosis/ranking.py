@@ -3,7 +3,7 @@
 The evidence orders them (``diagnosis.evidence``), on the scale of noise that the best leaves. Among models that leave
 noise it would go on rewarding whoever follows the noise closest, so there what a model is made of counts first: as few
 effects as leave noise are enough, unless more get by with fewer parameters. While nothing leaves noise, the
-best model made of laws alone is carried on beside the best one: an effect that says whatever its family can takes away
+best model made of laws alone is carried on beside the best one: a general member takes away
 a part of what another family hides, and no law that is right in the end looks like it then.
 """
 
@@ -96,7 +96,7 @@ class Ranking:
         return information_criterion(fit, scale or self.scale, effects, self.search.model_space, c)
 
     def is_specific(self, effects: Collection[str]) -> bool:
-        """Whether none of them says whatever its family can."""
+        """Whether none of them is the general member of a family."""
         return self.search.general.isdisjoint(effects)
 
     def models(self, most: int, specific: bool = False) -> list[Candidate]:

@@ -126,8 +126,8 @@ def rivals(
     """Models with other families that the data hardly distinguish from the best, one of each set of families.
 
     Neither the evidence nor signals that were compared but not fitted may tell them apart. The same families and one
-    more are no rival: as few as do are enough. What says whatever its family can is a rival only of its like, not of a
-    law.
+    more are no rival: as few as do are enough. A general member is a rival only of
+    general members, not of laws.
 
     Args:
         base: the model without effects, fitted.
@@ -404,7 +404,7 @@ def _far_runs(fit: Fit) -> list[tuple[str, str, float, str]]:
 
 
 def _open_form(selected: Sequence[Candidate]) -> str:
-    """What an effect that says whatever its family can leaves open."""
+    """What a general member of a family leaves open."""
     names = [c.effect for c in selected if c.general]
     if not names:
         return ""

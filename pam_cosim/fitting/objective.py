@@ -9,7 +9,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison, simulate_run, slope, usual_square, weighted
+from pam_cosim.comparison import (
+    RunComparison,
+    simulate_run,
+    slope,
+    standardized_residuals,
+    usual_square,
+)
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import Free
@@ -298,7 +304,7 @@ class Objective:
                 kept = np.isfinite(run.run.measurements[name])
                 error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
                 errors[name].append(error)
-                parts.append(weighted(error, self.data.signals[name], reading))
+                parts.append(standardized_residuals(error, self.data.signals[name], reading))
         self._errors = {
             name: float(np.sqrt(np.mean(np.concatenate(e) ** 2))) for name, e in errors.items()
         }

@@ -12,7 +12,7 @@ from pam_cosim.comparison import (
     expected_squares,
     residual_statistics,
     series_of,
-    weighted,
+    standardized_residuals,
 )
 from pam_cosim.comparison.rounding import slope
 from pam_cosim.measurement import Signal
@@ -42,17 +42,19 @@ def holds(steps: float, seed: int, count: int = 4) -> Array:
 @pytest.mark.parametrize("steps", STEPS)
 def test_slopes_are_those_of_the_residuals(steps: float) -> None:
     error, signal, h = np.linspace(-4.0 * steps - 3.0, 4.0 * steps + 3.0, 300), coarse(steps), 1e-4
-    rise = (weighted(error + h, signal) - weighted(error - h, signal)) / (2 * h)
+    rise = (
+        standardized_residuals(error + h, signal) - standardized_residuals(error - h, signal)
+    ) / (2 * h)
     np.testing.assert_allclose(slope(error, signal), rise, atol=1e-5)
-    assert np.all(np.diff(weighted(error, signal)) >= 0.0)
+    assert np.all(np.diff(standardized_residuals(error, signal)) >= 0.0)
 
 
 def test_fine_steps_are_none_and_far_off_the_noise_alone_counts() -> None:
     error = np.linspace(-5.0, 5.0, 101)
-    np.testing.assert_allclose(weighted(error, coarse(1e-2)), error, atol=1e-3)
+    np.testing.assert_allclose(standardized_residuals(error, coarse(1e-2)), error, atol=1e-3)
     far = np.array([1e3, -1e6])
     np.testing.assert_allclose(
-        weighted(far, coarse(4.0)), far - np.sign(far) * 2.0, rtol=2e-5, atol=0.05
+        standardized_residuals(far, coarse(4.0)), far - np.sign(far) * 2.0, rtol=2e-5, atol=0.05
     )
 
 
@@ -63,7 +65,7 @@ def test_the_right_model_leaves_noise_whatever_it_does(steps: float, seed: int) 
     for course in (20.0 * steps * np.sin(TIME / 7.0), holds(steps, seed)):
         error = readings(course, steps, seed) - course
         squares, expected = (
-            weighted(error, coarse(steps)) ** 2,
+            standardized_residuals(error, coarse(steps)) ** 2,
             expected_squares(error, coarse(steps)),
         )
         assert squares.sum() == pytest.approx(

@@ -9,7 +9,7 @@ from pam_cosim import study
 from pam_cosim.catalogue import compose
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.next_experiment import next_experiment, rivals_with_deciding_runs
+from pam_cosim.diagnosis.next_experiment import distinguishable_rivals, next_experiment
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, read_data_set
@@ -38,8 +38,8 @@ def test_creep_without_end_is_a_spring(data: DataSet) -> None:
     spring = rival("LinearBladder", "elasticity", data, k=250.0)
     slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)
     fast = rival("MaxwellCreep", "creep", data, k=250.0, tau=1.5)
-    assert rivals_with_deciding_runs(data, spring, [slow]) == []
-    ((kept, plan),) = rivals_with_deciding_runs(data, spring, [slow, fast])
+    assert distinguishable_rivals(data, spring, [slow]) == []
+    ((kept, plan),) = distinguishable_rivals(data, spring, [slow, fast])
     assert kept is fast
     assert plan is not None and plan.separation > 5
     assert plan.between == ("elasticity", "creep")
@@ -49,7 +49,7 @@ def test_the_simpler_of_two_stays_a_rival_of_the_richer(data: DataSet) -> None:
     """Which of them leads is decided by evidence; a rival with fewer parameters is not dropped."""
     slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)
     spring = rival("LinearBladder", "elasticity", data, k=250.0)
-    assert len(rivals_with_deciding_runs(data, slow, [spring])) == 1
+    assert len(distinguishable_rivals(data, slow, [spring])) == 1
 
 
 def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:

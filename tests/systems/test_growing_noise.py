@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.comparison import weighted
+from pam_cosim.comparison import standardized_residuals
 from pam_cosim.comparison.rounding import slope
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import base_parameters
@@ -112,7 +112,7 @@ def test_repeated_runs_that_differ_more_take_its_place() -> None:
 def test_weights_of_single_readings() -> None:
     signal = Signal("p", "Pa", 1.0, sigma_of_reading=0.1, sigma_at_zero=3.0)
     reading = np.array([0.0, 40.0])
-    np.testing.assert_allclose(weighted(np.array([3.0, 10.0]), signal, reading), [1.0, 2.0])
+    np.testing.assert_allclose(standardized_residuals(np.array([3.0, 10.0]), signal, reading), [1.0, 2.0])
     np.testing.assert_allclose(slope(np.array([3.0, 10.0]), signal, reading), [1 / 3, 1 / 5])
 
 
