@@ -108,10 +108,8 @@ def test_the_simulation_does_not_import_the_software():
         *(here / "benchmarks/hidden_effects").rglob("*.py"),
         *(here / "refsim").rglob("*.py"),
     ]:
-        if file.name in (
-            "one.py",
-            "posterior.py",
-        ):  # after the case is made: its diagnosis, and what was stated of it
+        # after the case is made: its diagnosis, what was stated of it, and why it was not right
+        if file.name in ("one.py", "posterior.py", "misses.py"):
             continue
         for node in ast.walk(ast.parse(file.read_text())):
             names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
