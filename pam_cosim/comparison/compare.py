@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -135,10 +136,10 @@ class Comparison(Printed):
                 unit, scatter = signal.unit, signal.scatter
                 noise = (
                     ""
-                    if s.noise_rmse != s.noise_rmse
+                    if math.isnan(s.noise_rmse)
                     else f", {scatter} {format_quantity(s.noise_rmse, unit)}"
                 )
-                moves = s.nrmse == s.nrmse
+                moves = not math.isnan(s.nrmse)
                 share = f"{100 * s.nrmse:.1f} % of range" if moves else "it does not move"
                 lines.append(
                     f"  {role:8} {name:4} rms error {format_quantity(s.rmse, unit):>10} ({share}{noise})"
