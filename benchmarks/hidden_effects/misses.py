@@ -237,8 +237,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     out = options.out or options.results.with_suffix(".misses.jsonl")
     results = read_results(options.results)
-    lines = [json.loads(line) for line in out.read_text().splitlines()] if out.exists() else []
-    done = {e["number"] for e in lines}
+    done = read_results(out)
+    lines = list(done.values())
     wrong = [n for n, r in sorted(results.items()) if judged(r) != "right"]
     chosen = [n for n in wrong if n not in done and n in (options.numbers or wrong)]
     tasks = [(results[n]["set"], n, results[n]) for n in chosen]

@@ -55,14 +55,14 @@ class Parser(EquationParser):
             if self.kind == "name":
                 within = self.type_name().names
             self.expect(";")
-        classes: list[ClassDefinition] = []
+        classes: dict[str, ClassDefinition] = {}
         while self.kind != "end of file":
             made = self.class_definition(None, self.class_prefixes())
-            if any(made.name == one.name for one in classes):
+            if made.name in classes:
                 raise self.source.error(f"'{made.name}' is declared twice", made.at)
-            classes.append(made)
+            classes[made.name] = made
             self.expect(";")
-        return within, classes
+        return within, list(classes.values())
 
     def class_prefixes(self) -> frozenset[str]:
         """Words before the kind of a class."""

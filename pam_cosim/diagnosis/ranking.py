@@ -198,11 +198,13 @@ class Ranking:
 
     def may_be(self, threshold: AcceptanceThreshold, effects: Collection[str]) -> bool:
         """Whether a threshold is for models with these effects."""
-        families = {self.search.family[name] for name in effects}
-        return (
-            (self.is_specific(effects) or not threshold.specific)
-            and (threshold.cost is None or self.cost(effects) < threshold.cost)
-            and (threshold.rival_of is None or not families >= threshold.rival_of)
+        if threshold.specific and not self.is_specific(effects):
+            return False
+        if threshold.cost is not None and self.cost(effects) >= threshold.cost:
+            return False
+        # asked of thousands of proposals, so that families are only looked up where they count
+        return threshold.rival_of is None or not threshold.rival_of.issubset(
+            self.search.family[name] for name in effects
         )
 
     def cost(self, effects: Collection[str]) -> float:

@@ -101,9 +101,12 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
 
 def _check_different(files: Sequence[Path]) -> None:
     """Raises InputError where a file is named twice: its samples would count twice."""
-    for i, file in enumerate(files):
-        if file.resolve() in {other.resolve() for other in files[:i]}:
+    seen: set[Path] = set()
+    for file in files:
+        place = file.resolve()
+        if place in seen:
             raise InputError("the file is named twice", file)
+        seen.add(place)
 
 
 def _rows(source: RecordingSource) -> int:

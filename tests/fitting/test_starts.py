@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
@@ -11,6 +12,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import measured_initial_state
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
@@ -53,6 +55,23 @@ def data(tmp_path: Path) -> Callable[..., DataSet]:
 
 def _chi2(fit: pam.Fit, role: str) -> float:
     return fit.comparison.chi2_reduced(role)
+
+
+@contextmanager
+def _settled(data: DataSet) -> Iterator[tuple[Objective, Array, Array]]:
+    """An objective with two free parameters, search coordinates, and the residuals there once the starts settled."""
+    free = (Free("valve.C_A", 0.5, 0.9, 0.7, "1"), Free("muscle.mu_fb", 0.005, 0.05, 0.018, "1"))
+    path = build_model(
+        "Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True
+    )
+    with Simulator(path) as simulator:
+        begun = with_starts(simulator, pam.read(data.folder))
+        objective = Objective(simulator, begun, begun.fit_runs, free, tolerance=1e-9)
+        z = np.array([f.to_z(f.start) for f in free])
+        for _ in range(3):
+            objective._latest = None
+            at = objective.residuals(z)
+        yield objective, z, at
 
 
 def test_a_whole_recording_begins_at_rest(data: Callable[..., DataSet]) -> None:
@@ -157,20 +176,9 @@ def test_slopes_with_the_start_following_are_those_of_the_whole(
     data: Callable[..., DataSet],
 ) -> None:
     """The eliminated slopes are the differences of what is left when the starts are estimated anew."""
-    data_set = pam.read(data().folder)
-    free = (Free("valve.C_A", 0.5, 0.9, 0.7, "1"), Free("muscle.mu_fb", 0.005, 0.05, 0.018, "1"))
-    path = build_model(
-        "Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True
-    )
-    with Simulator(path) as simulator:
-        begun = with_starts(simulator, data_set)
-        objective = Objective(simulator, begun, begun.fit_runs, free, tolerance=1e-9)
-        z = np.array([f.to_z(f.start) for f in free])
-        for _ in range(3):  # the starts settle
-            objective._latest = None
-            at = objective.residuals(z)
+    with _settled(data()) as (objective, z, at):
         jacobian = objective.jacobian(z, at)
-        for i in range(len(free)):
+        for i in range(len(z)):
             low, high = z.copy(), z.copy()
             step = 1e-4 * abs(z[i])
             low[i], high[i] = z[i] - step, z[i] + step
@@ -230,21 +238,16 @@ def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
     data: Callable[..., DataSet],
 ) -> None:
     """From starts that settled: the same there, nearly the same a little farther, and the starts stay."""
-    data_set = pam.read(data().folder)
-    free = (Free("valve.C_A", 0.5, 0.9, 0.7, "1"), Free("muscle.mu_fb", 0.005, 0.05, 0.018, "1"))
-    path = build_model(
-        "Isotonic", sensitivities=(*(f.name for f in free), START_VALUES), where_smooth=True
-    )
-    with Simulator(path) as simulator:
-        begun = with_starts(simulator, data_set)
-        whole = Objective(simulator, begun, begun.fit_runs, free, tolerance=1e-9)
-        z = np.array([f.to_z(f.start) for f in free])
-        for _ in range(3):
-            whole._latest = None
-            settled = whole.residuals(z)
+    with _settled(data()) as (whole, z, settled):
         begins = whole.start_values
         first = Objective(
-            simulator, begun, begun.fit_runs, free, begins, 1e-9, starts_to_first_order=True
+            whole.simulator,
+            whole.data,
+            whole.runs,
+            whole.free,
+            begins,
+            1e-9,
+            starts_to_first_order=True,
         )
         samples = slice(whole.size)
         assert first.residuals(z)[samples] == pytest.approx(settled[samples], abs=1e-3)
