@@ -27,6 +27,7 @@ from typing import Any
 
 import numpy as np
 
+from benchmarks.predictive_bands.half_widths import with_discrepancy
 from blind_cases import many
 from pam_cosim import study
 from pam_cosim.arrays import Array
@@ -62,7 +63,7 @@ def solve(number: int) -> dict[str, Any]:
             sigma = fitted.comparison.data.signals[name].sigma
             half_width = float(np.median(band.high - band.low)) / 2
             off, centre = band.discrepancy, (band.reading_low + band.reading_high) / 2
-            narrow = _less(band.reading_high - centre, off.reach() if off else 0.0)
+            narrow = with_discrepancy(band.reading_high - centre, off, None)
             miss = np.abs(band.measured - centre)[np.isfinite(band.measured)]
             narrow = narrow[np.isfinite(band.measured)]
             runs.append({
@@ -89,11 +90,6 @@ def solve(number: int) -> dict[str, Any]:
     }
 
 
-def _less(width: Array | float, reach: float) -> Array:
-    """Half widths without what the model error adds to them."""
-    return np.sqrt(np.maximum(np.asarray(width) ** 2 - reach**2, 0.0))
-
-
 def _means(band: Band, time: Array) -> dict[str, bool]:
     """Whether the mean of the readings over time is within its interval, with and without the model error."""
     at = np.isfinite(band.measured)
@@ -103,8 +99,8 @@ def _means(band: Band, time: Array) -> dict[str, bool]:
         return {}
     own = float(np.trapezoid(error, time[at])) / float(np.ptp(time[at]))
     off = abs(own + band.mean - centre)
-    reach = band.discrepancy.reach(float(np.ptp(time))) if band.discrepancy else 0.0
-    return {"mean": bool(off <= half), "mean_without": bool(off <= float(_less(half, reach)))}
+    narrow = float(with_discrepancy(half, band.discrepancy, None, float(np.ptp(time))))
+    return {"mean": bool(off <= half), "mean_without": bool(off <= narrow)}
 
 
 def table(results: Sequence[Mapping[str, Any]]) -> str:

@@ -17,7 +17,9 @@ from pathlib import Path
 import numpy as np
 
 import pam_cosim as pam
+from benchmarks.predictive_bands.half_widths import with_discrepancy
 from benchmarks.real_rigs.folders import ROLES, Array
+from benchmarks.real_rigs.rows import library_of
 from benchmarks.real_rigs.table import RIGS
 from pam_cosim.comparison import RunComparison
 from pam_cosim.criteria import CRITERIA
@@ -46,7 +48,7 @@ def shares(folder: Path, name: str) -> list[Share]:
     diagnosis = pam.load(folder / "models" / name / "verdict.npz")
     assert isinstance(diagnosis, Diagnosis)
     about = json.loads((folder / name / "rig.json").read_text(encoding="utf-8"))
-    files = [*_library(about), *(folder / name / "fitted").glob("*.mo")]
+    files = [*library_of(about), *(folder / name / "fitted").glob("*.mo")]
     runs = {role: _runs(folder / name / role, role, about, files) for role in ROLES[1:]}
     every = (*diagnosis.data.runs, *runs["within"], *runs["outside"])
     judged = replace(diagnosis, data=replace(diagnosis.data, runs=every))
@@ -71,12 +73,6 @@ def shares(folder: Path, name: str) -> list[Share]:
         if role == "within" and compared:
             known[HELD_OUT] = discrepancies(compared, data.signals, final.freedom)
     return found
-
-
-def _library(about: Mapping[str, str]) -> list[Path]:
-    from benchmarks.real_rigs.folders import EXAMPLES
-
-    return [EXAMPLES / about["library"]] if about["library"] else []
 
 
 def _runs(
@@ -118,12 +114,12 @@ def _share(
     """The band was made with one discrepancy, which is taken out of it before another one is added."""
     if band is None:
         return Share(role, kind, 0.0, False, np.nan)
-    width = _other_reach((band.reading_high - band.reading_low) / 2, in_band, off, 0.0)
+    width = with_discrepancy((band.reading_high - band.reading_low) / 2, in_band, off)
     centre = (band.reading_high + band.reading_low) / 2
     miss = np.abs(run.measurements[name] - centre)
     at = np.isfinite(miss) & kept
     duration = float(np.ptp(run.time))
-    of_mean = _other_reach((band.mean_high - band.mean_low) / 2, in_band, off, duration)
+    of_mean = with_discrepancy((band.mean_high - band.mean_low) / 2, in_band, off, duration)
     error = run.measurements[name] - centre
     there = np.isfinite(error)
     mean = float(np.trapezoid(error[there], run.time[there])) / float(np.ptp(run.time[there]))
@@ -134,16 +130,6 @@ def _share(
         bool(abs(mean) <= of_mean),
         float(np.median(width[at])) / span[name],
     )
-
-
-def _other_reach(
-    width: Array | float, one: Discrepancy | None, other: Discrepancy | None, duration: float
-) -> Array:
-    """Half widths with another discrepancy than the one that is in them."""
-    squares = np.asarray(width) ** 2
-    squares = squares - (one.reach(duration) ** 2 if one else 0.0)
-    squares = squares + (other.reach(duration) ** 2 if other else 0.0)
-    return np.sqrt(np.maximum(squares, 0.0))
 
 
 def line(name: str, found: Sequence[Share]) -> str:

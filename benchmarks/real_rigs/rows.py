@@ -6,6 +6,7 @@ import json
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -97,8 +98,13 @@ def read_rows(folder: Path) -> Rows:
         names,
         courses,
         repeats=tuple((a, b) for a, b in about["repeats"]),
-        library=(EXAMPLES / about["library"],) if about["library"] else (),
+        library=library_of(about),
     )
+
+
+def library_of(about: Mapping[str, Any]) -> tuple[Path, ...]:
+    """The library that the bench of a rig is from, by what is said about the rig; none: that of the package."""
+    return (EXAMPLES / about["library"],) if about["library"] else ()
 
 
 def score(rows: Rows, predicted: Mapping[str, Mapping[str, Array]]) -> dict[str, dict[str, float]]:

@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from benchmarks.real_rigs.bands import FITTED, Share, _other_reach, _share, line
+from benchmarks.predictive_bands.half_widths import with_discrepancy
+from benchmarks.real_rigs.bands import FITTED, Share, _share, line
 from pam_cosim import study
 from tests.fitting.models import discharge, vessel_data
 
@@ -24,9 +25,9 @@ def test_a_model_error_is_taken_out_of_a_band() -> None:
     assert wide.discrepancy is not None and narrow.discrepancy is None
     widths = [(b.reading_high - b.reading_low) / 2 for b in (wide, narrow)]
     assert np.median(widths[0]) > 1.2 * np.median(widths[1])
-    assert _other_reach(widths[0], wide.discrepancy, None, 0.0) == pytest.approx(widths[1])
+    assert with_discrepancy(widths[0], wide.discrepancy, None, 0.0) == pytest.approx(widths[1])
     half = (wide.mean_high - wide.mean_low) / 2
-    less = _other_reach(half, wide.discrepancy, None, 60.0)
+    less = with_discrepancy(half, wide.discrepancy, None, 60.0)
     assert float(less) == pytest.approx((narrow.mean_high - narrow.mean_low) / 2)
 
     run, kept, span = data.runs[0], np.ones(61, dtype=bool), {"p": 1e6}
