@@ -39,7 +39,8 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "copy": two runs have the same samples; "still": a signal never moves, where the model does; "far_off":
+        kind: "copy": two runs have the same samples; "marker": a value that is no reading, as for missing samples;
+            "still": a signal never moves, where the model does; "far_off":
             the model explains little of it; "one_sided": the measurement never passes zero where the model does;
             "contradiction": runs differ the other way than in the model.
         signal: which it is seen in.
@@ -71,6 +72,7 @@ def doubts(
         measured, modelled = _samples(runs, name)
         if len(measured):
             every += [
+                *_marker(runs, signal, measured),
                 *_still(signal, measured, modelled),
                 *_far_off(signal, measured, modelled, fitted),
                 *_one_sided(signal, measured, modelled),
@@ -111,6 +113,28 @@ def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
 
 def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
+
+
+def _marker(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> Iterator[Doubt]:
+    """One value farther from all others than these are apart, as loggers write where there is no reading."""
+    values, counts = np.unique(measured, return_counts=True)
+    if len(measured) < CRITERIA.doubts.fewest or len(values) < 3:
+        return
+    for i, rest in ((0, values[1:]), (-1, values[:-1])):
+        if np.min(np.abs(rest - values[i])) <= np.ptp(rest):
+            continue
+        first = next(r.run for r in runs if values[i] in r.run.measurements.get(signal.name, ()))
+        at = first.time[np.argmax(first.measurements[signal.name] == values[i])]
+        shown, low, high = (
+            format_quantity(float(v), signal.unit) for v in (values[i], rest[0], rest[-1])
+        )
+        yield Doubt(
+            "marker",
+            signal.name,
+            f"{signal.name}: {counts[i]} of {len(measured)} samples {'is' if counts[i] == 1 else 'are'} {shown}, "
+            f"first at {at:.6g} s of {first.name}; all others lie between {low} and {high}. Where that number marks "
+            'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
+        )
 
 
 def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:

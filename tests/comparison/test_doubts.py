@@ -41,6 +41,18 @@ def test_a_model_with_an_ordinary_error_is_not_doubted() -> None:
     assert asked(compared(noisy(PRESSURE), 1.1 * PRESSURE + 5e3)) == []
 
 
+@pytest.mark.parametrize(("count", "verb"), [(1, "is"), (3, "are")])
+def test_a_number_that_is_no_reading_is_named(count: int, verb: str) -> None:
+    """As loggers write it where there is no reading; a spike that is as high as the rest spans is one."""
+    measured = noisy(PRESSURE)
+    measured[10 : 10 + count] = -999e3
+    doubt = asked(compared(measured, PRESSURE))[0]
+    assert doubt.kind == "marker"
+    assert f"{count} of 401 samples {verb} -999 kPa, first at 0.25 s of run-01" in doubt.text
+    measured[10 : 10 + count] = 1.5 * PRESSURE.max()
+    assert "marker" not in {d.kind for d in asked(compared(measured, PRESSURE))}
+
+
 @pytest.mark.parametrize(
     ("measured", "words"),
     [
