@@ -29,6 +29,7 @@ class Candidate:
         brief: it was fitted in a few steps only, and might still come nearer.
         general: the effect is the general member of its family, which contains its laws.
         without_priors: what the fit would come to without them, once its slopes are gone.
+        parameters_before: names of the parameters that the effects before the tried one brought.
     """
 
     effect: str
@@ -43,11 +44,17 @@ class Candidate:
     brief: bool = False
     general: bool = False
     without_priors: WithoutPriors = WithoutPriors()
+    parameters_before: tuple[str, ...] = ()
 
     @property
     def parameters(self) -> dict[str, Estimate]:
         """Estimates of the effect's own parameters."""
         return {n: self.fit.parameters[n] for n in self.own_parameters}
+
+    @property
+    def effect_parameters(self) -> dict[str, Estimate]:
+        """Estimates of the parameters of all effects."""
+        return {n: self.fit.parameters[n] for n in (*self.parameters_before, *self.own_parameters)}
 
     @property
     def without_slopes(self) -> Candidate:

@@ -192,7 +192,7 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
 
 
 def _undetermined_count(candidate: Candidate) -> int:
-    return sum(not e.determined for e in candidate.parameters.values())
+    return sum(not e.determined for e in candidate.effect_parameters.values())
 
 
 def significantly_better(base: Fit, candidate: Candidate) -> bool:

@@ -120,7 +120,7 @@ def distinguishable_rivals(
 
 
 def _is_same_in_practice(best: Candidate, rival: Candidate, plan: NextExperiment) -> bool:
-    return len(rival.own_parameters) > len(best.own_parameters) and not plan.decides
+    return len(rival.effect_parameters) > len(best.effect_parameters) and not plan.decides
 
 
 def _varied(data: DataSet) -> list[str]:

@@ -103,12 +103,14 @@ class Trial:
 
     def candidate(self, fit: Fit) -> Candidate:
         """The result of this trial."""
+        own = self.composition.parameters
         return Candidate(
             effect=self.effect.name,
             family=self.effect.family,
             balance=self.effect.balance,
             effects=self.effects,
-            own_parameters=tuple(self.composition.parameters[self.effect.name]),
+            own_parameters=tuple(own[self.effect.name]),
+            parameters_before=tuple(n for e in self.effects[:-1] for n in own[e]),
             equations=self.composition.text,
             brief=self.brief,
             general=self.effect.general,

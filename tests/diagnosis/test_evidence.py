@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
 
 import pytest
 
@@ -16,7 +17,7 @@ from pam_cosim.diagnosis.evidence import (
 from pam_cosim.diagnosis.model_space import ModelSpace
 from pam_cosim.fitting import Estimate
 from pam_cosim.measurement import Prior
-from tests.diagnosis.synthetic import LOST, candidate, fitted
+from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted
 
 LOG = math.log(1000)
 
@@ -42,6 +43,28 @@ def test_undetermined_parameters_cost_nothing() -> None:
     assert bic(fitted(1.0, parameters=2, own={"n": dead}), 1.0, 1.0) == bic(
         fitted(1.0, parameters=2), 1.0, 1.0
     )
+
+
+def test_what_an_effect_brings_costs_the_same_whichever_was_added_last() -> None:
+    """Creep so slow that the data tell its stiffness alone pays for its time constant beside any other effect."""
+    volume, stiffness = Estimate(2e-5, 1e-5, 3e-5, "m3"), KNOWN
+    both = fitted(1.0, own={"creep.k": stiffness, "creep.tau": LOST, "volume.V": volume})
+    creep = {"creep.k": stiffness, "creep.tau": LOST}
+    last = replace(
+        candidate("volume", both, own={"volume.V": volume}, before=("creep",)),
+        parameters_before=tuple(creep),
+    )
+    first = replace(
+        candidate("creep", both, own=creep, before=("volume",)), parameters_before=("volume.V",)
+    )
+    space, scale = ModelSpace(10), NoiseScale(1.0, 1.0)
+    costs = [information_criterion(both, scale, c.effects, space, c) for c in (last, first)]
+    assert costs[0] == costs[1]
+    without = information_criterion(both, scale, last.effects, space)
+    assert costs[0] == pytest.approx(without + LOG)
+    base = fitted(1.02, parameters=2)
+    (a,), (b,) = rank(base, [last]), rank(base, [first])
+    assert a.delta_bic == b.delta_bic
 
 
 def test_rank_and_probabilities() -> None:
