@@ -136,12 +136,20 @@ def rivals(
         family: of every effect there is.
         model_space: what a choice among them costs.
     """
+    bends = _with_general_members([best, *tried])
     alike = [
         c
         for c in tried
-        if (best.general or not c.general) and not refuted_by_unfitted_signals(c.fit, best.fit)
+        if (best.effects in bends or c.effects not in bends)
+        and not refuted_by_unfitted_signals(c.fit, best.fit)
     ]
     return _close_alternatives(base, best, tried, alike, family, model_space)
+
+
+def _with_general_members(candidates: Sequence[Candidate]) -> frozenset[tuple[str, ...]]:
+    """The effects of those models that have a general member among them, whichever was added last."""
+    general = {c.effect for c in candidates if c.general}
+    return frozenset(c.effects for c in candidates if not general.isdisjoint(c.effects))
 
 
 def _close_alternatives(
@@ -203,10 +211,13 @@ def with_facts(
     if best is None:
         return replace(verdict, off=off)
     against = [c for c in tried if refuted_by_unfitted_signals(c.fit, fit)]
+    bends = _with_general_members([best, *tried])
     bent = [
         c
         for c in tried
-        if c.general and not best.general and not refuted_by_unfitted_signals(c.fit, fit)
+        if c.effects in bends
+        and best.effects not in bends
+        and not refuted_by_unfitted_signals(c.fit, fit)
     ]
     wrong, bending = (
         tuple(
@@ -219,7 +230,8 @@ def with_facts(
     others = [
         c
         for c in tried
-        if not {family[e] for e in c.effects} >= own and (best.general or not c.general)
+        if not {family[e] for e in c.effects} >= own
+        and (best.effects in bends or c.effects not in bends)
     ]
     unusual = implausible(best, others, noise_scale([base, *(c.fit for c in tried)]), model_space)
     return replace(verdict, off=off, refuted=wrong, bending=bending, implausible=unusual)
