@@ -18,7 +18,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.fitting import Linear, bounded_step, prior_rows, reduction_by
+from pam_cosim.fitting import Linear, bounded_minimum, bounded_step, prior_rows, reduction_by
 from pam_cosim.measurement import Prior
 
 _NOTHING_NEW = (
@@ -140,26 +140,17 @@ def reduction(linear: Linear) -> float:
     return reduction_by(linear, bounded_step(linear))
 
 
-def _boxed(square: Array, along: Array, low: Array, high: Array) -> Array:
-    """The step within a box that makes least of a quadratic form: what would leave the box stays at its side."""
+def _within_bounds(square: Array, along: Array, low: Array, high: Array) -> Array:
+    """The step within bounds that makes least of ``x' square x - 2 along' x``; what moves nothing stays."""
+    step: Array = np.clip(np.zeros(len(along)), low, high)
     size = np.sqrt(np.maximum(np.diag(square), 0.0))
-    free, step = size > 0, np.zeros(len(along))
-    while free.any():
-        at = np.flatnonzero(free)
-        scaled = square[np.ix_(at, at)] / np.outer(size[at], size[at]) + _NOTHING_NEW**2 * np.eye(
-            len(at)
-        )
-        wanted = (
-            np.linalg.solve(
-                scaled, (along[at] - square[np.ix_(at, ~free)] @ step[~free]) / size[at]
-            )
-            / size[at]
-        )
-        step[at] = np.clip(wanted, low[at], high[at])
-        out = step[at] != wanted
-        if not out.any():
-            break
-        free[at[out]] = False
+    moves = (size > 0) & (low < high)
+    size, rest = size[moves], along[moves] - square[np.ix_(moves, ~moves)] @ step[~moves]
+    scaled = square[np.ix_(moves, moves)] / np.outer(size, size) + _NOTHING_NEW**2 * np.eye(
+        len(size)
+    )
+    least = bounded_minimum(scaled, rest / size, low[moves] * size, high[moves] * size)
+    step[moves] = np.clip(least / size, low[moves], high[moves])
     return step
 
 
@@ -277,7 +268,7 @@ class LinearisedNeighbourhood:
         names = (*own.names, *(n for s in shapes for n in s.names))
         priors = {**own.priors, **{n: prior for s in shapes for n, prior in s.priors.items()}}
         known, pull = prior_rows(names, values, priors)
-        step = _boxed(square + np.diag(known**2), along + known * pull, low, high)
+        step = _within_bounds(square + np.diag(known**2), along + known * pull, low, high)
         whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
         gained = whole + float(step @ (2 * along - square @ step))
         by_name = dict(zip(names, (values + step).tolist(), strict=True))

@@ -1,6 +1,6 @@
 """Data set and model -> fitted parameters with intervals."""
 
-from pam_cosim.fitting.bounded_linear import bounded_least_squares
+from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
 from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.discrepancy import Discrepancy, discrepancies
@@ -58,6 +58,7 @@ __all__ = [
     "check_parameter_file",
     "discrepancies",
     "bounded_least_squares",
+    "bounded_minimum",
     "bounded_step",
     "estimated_starts",
     "estimates",

@@ -8,8 +8,11 @@ Kunisch (2003), SIAM J. Optim. 13, 865-888. A few rounds come to the minimum as 
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 from numpy.typing import NDArray
+from scipy.linalg import solve_triangular
 from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
@@ -42,6 +45,30 @@ def bounded_least_squares(matrix: Array, right: Array, low: Array, high: Array) 
     return x
 
 
+def bounded_minimum(square: Array, along: Array, low: Array, high: Array) -> Array:
+    """The x within bounds that minimises ``x' square x - 2 along' x``.
+
+    Args:
+        square: (n, n) positive definite, with ones on the diagonal or of that size: no column is scaled.
+        along: (n,). low, high: (n,) the bounds, ``low <= high``; they may be infinite.
+
+    Returns:
+        (n,).
+    """
+    if not len(along):
+        return np.zeros(0)
+
+    def beside(x: Array, free: NDArray[np.bool_]) -> Array:
+        return np.asarray(np.linalg.solve(square[np.ix_(free, free)], (along - square @ x)[free]))
+
+    x = _active_sets(beside, lambda x: square @ x - along, low, high, float(np.linalg.norm(along)))
+    if x is None:
+        lower = np.linalg.cholesky(square)
+        right = solve_triangular(lower, along, lower=True, check_finite=False)
+        return _one_bound_at_a_time(lower.T, right, low, high)
+    return x
+
+
 def _triangle(rows: Array, right: Array) -> tuple[Array, Array]:
     """The same problem in no more rows than unknowns."""
     n = rows.shape[1]
@@ -52,30 +79,49 @@ def _triangle(rows: Array, right: Array) -> tuple[Array, Array]:
 
 
 def _within(rows: Array, right: Array, low: Array, high: Array) -> Array:
-    """The solution for columns of length one; a side is -1 at the lower bound, 1 at the upper one, 0 between them."""
-    side = np.zeros(rows.shape[1], dtype=int)
-    size = float(np.linalg.norm(right))
+    """The solution for columns of length one."""
+
+    def beside(x: Array, free: NDArray[np.bool_]) -> Array:
+        return np.asarray(np.linalg.lstsq(rows[:, free], right - rows @ x, rcond=None)[0])
+
+    x = _active_sets(
+        beside, lambda x: rows.T @ (rows @ x - right), low, high, float(np.linalg.norm(right))
+    )
+    return _one_bound_at_a_time(rows, right, low, high) if x is None else x
+
+
+def _active_sets(
+    beside: Callable[[Array, NDArray[np.bool_]], Array],
+    slope_at: Callable[[Array], Array],
+    low: Array,
+    high: Array,
+    size: float,
+) -> Array | None:
+    """The minimum within bounds; None: the guesses go in a circle.
+
+    A side is -1 at the lower bound, 1 at the upper one, 0 between them. ``beside`` solves for what is free, given the
+    others.
+    """
+    side = np.zeros(len(low), dtype=int)
     for _ in range(_ROUNDS):
-        x = _beside(rows, right, side, low, high)
-        slope = rows.T @ (rows @ x - right)
-        slope[side == 0] = 0.0
+        x: Array = np.where(side < 0, low, np.where(side > 0, high, 0.0))
+        free = side == 0
+        if free.any():
+            x[free] = beside(x, free)
+        slope = slope_at(x)
+        slope[free] = 0.0
         if _is_minimum(x, slope, side, low, high, size):
             return x
         target = x - slope
         side = np.where(target < low, -1, np.where(target > high, 1, 0))
+    return None
+
+
+def _one_bound_at_a_time(rows: Array, right: Array, low: Array, high: Array) -> Array:
     net: Array = lsq_linear(
         rows, right, (low, high), method="bvls", tol=_STEEPEST, max_iter=100 * len(low)
     ).x
     return net
-
-
-def _beside(rows: Array, right: Array, side: NDArray[np.int_], low: Array, high: Array) -> Array:
-    """The least squares solution between the bounds that are held."""
-    x: Array = np.where(side < 0, low, np.where(side > 0, high, 0.0))
-    free = side == 0
-    if free.any():
-        x[free] = np.linalg.lstsq(rows[:, free], right - rows @ x, rcond=None)[0]
-    return x
 
 
 def _is_minimum(

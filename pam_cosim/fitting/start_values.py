@@ -132,22 +132,20 @@ def _limits(variables: Sequence[Variable]) -> tuple[Array, Array]:
 
 
 def eliminate(
-    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]], guess: Array | None = None
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
 ) -> tuple[Result, Array]:
-    """Moves the start values to where they leave least of the residuals of their run.
+    """Moves the start values to where they leave least of the residuals of their run, or hardly more.
 
+    Beside a model that is far off, the last hundredth of what is left is not worth a run: the next point asks again.
     Returns the result of a simulation there, and (n,) the residuals without what the start values can take away.
 
     Args:
         of: the start values, which are changed.
         simulate: gives a result, the residuals (n,) and their slopes (n, k) for the present values.
-        guess: (k,) where to begin; default: the present ones.
 
     Raises:
         SimulationFailure: the run does not reach its end wherever it begins.
     """
-    if guess is not None:
-        of.values = guess
     here = _tried(of, simulate)
     if here is None:
         of.values = of.mean
@@ -155,10 +153,11 @@ def eliminate(
     for _ in range(CRITERIA.starts.steps):
         if here.is_settled:
             break
+        before = here
         step = here.step / max(
             1.0, float(np.max(np.abs(here.step) / of.sd))
         )  # no farther than they are known
-        for _ in range(CRITERIA.starts.steps):
+        for _ in range(1 if here.is_level else CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)
             if there is not None and there.cost < here.cost:
@@ -167,6 +166,8 @@ def eliminate(
         else:
             break
         here = there
+        if before.is_little(before.cost - here.cost):
+            break
     of.values = (
         np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
     )
@@ -212,10 +213,16 @@ class _Point(Generic[Result]):
         self.step: Array = np.linalg.lstsq(self.slopes * of.sd, -rows, rcond=None)[0] * of.sd
         left = rows + self.slopes @ self.step
         gain = self.cost - float(left @ left)
-        # little is left to gain, and that by the slopes alone
-        self.is_settled = gain <= max(
-            CRITERIA.starts.settled, CRITERIA.starts.linear * self.cost
-        ) and bool(np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd))
+        # little is left to gain; where a step does not gain it, a shorter one will not do so either
+        self.is_level = self.is_little(gain)
+        # ... and that by the slopes alone
+        self.is_settled = self.is_level and bool(
+            np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd)
+        )
+
+    def is_little(self, gain: float) -> bool:
+        """Whether it is not worth a further run to make the squares that much smaller."""
+        return gain <= max(CRITERIA.starts.settled, CRITERIA.starts.linear * self.cost)
 
 
 __all__ = ["StartValues", "eliminate", "eliminate_to_first_order", "start_values"]

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
 import pam_cosim.fitting.bounded_linear as module
-from pam_cosim.fitting.bounded_linear import bounded_least_squares
+from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
 
 Array = NDArray[np.float64]
 Problem = tuple[Array, Array, Array, Array]
@@ -98,6 +98,36 @@ def test_the_net_comes_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
     x = bounded_least_squares(matrix, right, low, high)
     monkeypatch.setattr(module, "_ROUNDS", 0)
     assert bounded_least_squares(matrix, right, low, high) == pytest.approx(x, abs=1e-12)
+
+
+def _scaled(problem: Problem) -> Problem:
+    """Columns of length one, none alike another, and bounds that are apart: what a quadratic form is given as."""
+    matrix, right, low, high = problem
+    size = np.linalg.norm(matrix, axis=0)
+    kept = (size > 0) & (low < high)
+    rows = np.vstack([matrix[:, kept] / size[kept], 1e-4 * np.eye(int(kept.sum()))])
+    whole = np.append(right, np.zeros(int(kept.sum())))
+    return rows, whole, low[kept] * size[kept], high[kept] * size[kept]
+
+
+@settings(max_examples=300, deadline=None)
+@given(problems())
+def test_a_quadratic_form_comes_to_what_its_rows_come_to(problem: Problem) -> None:
+    rows, right, low, high = scaled = _scaled(problem)
+    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high)
+    assert np.all(x >= low - 1e-9 * abs(x)) and np.all(x <= high + 1e-9 * abs(x))
+    least = cost(scaled, bounded_least_squares(*scaled))
+    assert cost(scaled, x) == pytest.approx(least, abs=1e-7 * float(right @ right))
+
+
+def test_a_quadratic_form_has_the_same_net(monkeypatch: pytest.MonkeyPatch) -> None:
+    random = np.random.default_rng(8)
+    rows, right = random.normal(size=(12, 6)), random.normal(size=12)
+    low, high = np.full(6, -0.1), np.full(6, 0.05)
+    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high)
+    monkeypatch.setattr(module, "_ROUNDS", 0)
+    net = bounded_minimum(rows.T @ rows, rows.T @ right, low, high)
+    assert net == pytest.approx(x, abs=1e-9)
 
 
 def test_nothing_to_move() -> None:

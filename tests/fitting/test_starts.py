@@ -17,8 +17,9 @@ from pam_cosim.comparison import measured_initial_state
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.fitting.start_values import StartValues, eliminate
 from pam_cosim.fmu import build_model
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
 from rig import short
@@ -257,3 +258,28 @@ def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
         assert change > 0.1 * np.linalg.norm(settled[samples])
         assert np.linalg.norm(one - other) < 0.1 * change
         assert first.start_values == begins != whole.start_values
+
+
+@pytest.mark.parametrize(("falls", "runs"), [(0.0, 2), (5.0, 2), (300.0, 3)])
+def test_what_is_not_worth_a_run_is_not_run(falls: float, runs: int) -> None:
+    """Beside a model that is far off: a step that gains nothing, little, or enough to take another one."""
+    one = StartValues(
+        Run("run-01", Path("x.csv"), "fit", "linear", {}, np.zeros(2), {}, {}),
+        ("s",),
+        np.zeros(1),
+        np.ones(1),
+        {},
+        np.zeros(1),
+        np.array([-9.0]),
+        np.array([9.0]),
+    )
+    counted = []
+
+    def simulate() -> tuple[str, Array, Array]:
+        """Squares of 1e4 that fall once the state moves, and slopes that promise next to nothing."""
+        counted.append(float(one.values[0]))
+        left = 1e4 - falls * (len(counted) > 1)
+        return "run", np.array([np.sqrt(left), 0.5]), np.array([[0.0], [-1.0]])
+
+    eliminate(one, simulate)
+    assert len(counted) == runs
