@@ -63,7 +63,7 @@ def bounded_minimum(square: Array, along: Array, low: Array, high: Array) -> Arr
 
     x = _active_sets(beside, lambda x: square @ x - along, low, high, float(np.linalg.norm(along)))
     if x is None:
-        lower = np.linalg.cholesky(square)
+        lower: Array = np.asarray(np.linalg.cholesky(square), dtype=float)
         right = solve_triangular(lower, along, lower=True, check_finite=False)
         return _one_bound_at_a_time(lower.T, right, low, high)
     return x
