@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import SignalScore
@@ -77,6 +78,13 @@ class Candidate:
             "own_parameters": self.own_parameters,
         }
         return dict(plain(content))
+
+
+def with_general_members(candidates: Iterable[Candidate]) -> frozenset[tuple[str, ...]]:
+    """The effects of those models that have a general member among them, whichever was added last."""
+    every = list(candidates)
+    general = {c.effect for c in every if c.general}
+    return frozenset(c.effects for c in every if not general.isdisjoint(c.effects))
 
 
 @dataclass(frozen=True)

@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.candidate import Candidate, with_general_members
 from pam_cosim.diagnosis.evidence import (
     NoiseScale,
     any_structure_for_search,
@@ -136,7 +136,7 @@ def rivals(
         family: of every effect there is.
         model_space: what a choice among them costs.
     """
-    bends = _with_general_members([best, *tried])
+    bends = with_general_members([best, *tried])
     alike = [
         c
         for c in tried
@@ -144,12 +144,6 @@ def rivals(
         and not refuted_by_unfitted_signals(c.fit, best.fit)
     ]
     return _close_alternatives(base, best, tried, alike, family, model_space)
-
-
-def _with_general_members(candidates: Sequence[Candidate]) -> frozenset[tuple[str, ...]]:
-    """The effects of those models that have a general member among them, whichever was added last."""
-    general = {c.effect for c in candidates if c.general}
-    return frozenset(c.effects for c in candidates if not general.isdisjoint(c.effects))
 
 
 def _close_alternatives(
@@ -211,7 +205,7 @@ def with_facts(
     if best is None:
         return replace(verdict, off=off)
     against = [c for c in tried if refuted_by_unfitted_signals(c.fit, fit)]
-    bends = _with_general_members([best, *tried])
+    bends = with_general_members([best, *tried])
     bent = [
         c
         for c in tried
