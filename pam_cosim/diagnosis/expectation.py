@@ -140,20 +140,6 @@ def reduction(linear: Linear) -> float:
     return reduction_by(linear, bounded_step(linear))
 
 
-def _within_bounds(square: Array, along: Array, low: Array, high: Array) -> Array:
-    """The step within bounds that makes least of ``x' square x - 2 along' x``; what moves nothing stays."""
-    step: Array = np.clip(np.zeros(len(along)), low, high)
-    size = np.sqrt(np.maximum(np.diag(square), 0.0))
-    moves = (size > 0) & (low < high)
-    size, rest = size[moves], along[moves] - square[np.ix_(moves, ~moves)] @ step[~moves]
-    scaled = square[np.ix_(moves, moves)] / np.outer(size, size) + _NOTHING_NEW**2 * np.eye(
-        len(size)
-    )
-    least = bounded_minimum(scaled, rest / size, low[moves] * size, high[moves] * size)
-    step[moves] = np.clip(least / size, low[moves], high[moves])
-    return step
-
-
 class PredictedFit(NamedTuple):
     """What a model is expected to come to when all parameters keep to their bounds, and to what is known of them.
 
@@ -268,7 +254,9 @@ class LinearisedNeighbourhood:
         names = (*own.names, *(n for s in shapes for n in s.names))
         priors = {**own.priors, **{n: prior for s in shapes for n, prior in s.priors.items()}}
         known, pull = prior_rows(names, values, priors)
-        step = _within_bounds(square + np.diag(known**2), along + known * pull, low, high)
+        step = bounded_minimum(
+            square + np.diag(known**2), along + known * pull, low, high, _NOTHING_NEW**2
+        )
         whole = 2 * float(cross[k, wholes].sum()) - float(gram[np.ix_(wholes, wholes)].sum())
         gained = whole + float(step @ (2 * along - square @ step))
         by_name = dict(zip(names, (values + step).tolist(), strict=True))

@@ -17,6 +17,9 @@ from scipy.optimize import lsq_linear
 
 from pam_cosim.arrays import Array
 
+Moved = NDArray[np.bool_]
+Bounds = tuple[Array, Array]
+
 _ROUNDS = 20  # of guesses; five are many
 _EXACT = 1e-12  # of the right side and of the largest coordinate: rounding
 _STEEPEST = 1e-14  # relative change at which the net ends
@@ -33,39 +36,45 @@ def bounded_least_squares(matrix: Array, right: Array, low: Array, high: Array) 
     Returns:
         (n,).
     """
-    x: Array = np.clip(np.zeros(matrix.shape[1]), low, high)
-    size = np.linalg.norm(matrix, axis=0)
-    moved = (size > 0) & (low < high)
-    if not moved.any():
-        return x
-    rest = right - matrix[:, ~moved] @ x[~moved]
-    rows, rest = _triangle(matrix[:, moved] / size[moved], rest)
-    scaled = _within(rows, rest, low[moved] * size[moved], high[moved] * size[moved])
-    x[moved] = np.clip(scaled / size[moved], low[moved], high[moved])
-    return x
+
+    def solve(moved: Moved, x: Array, size: Array, bounds: Bounds) -> Array:
+        rest = right - matrix[:, ~moved] @ x[~moved]
+        return _of_rows(*_triangle(matrix[:, moved] / size, rest), *bounds)
+
+    return _in_scale(np.linalg.norm(matrix, axis=0), low, high, solve)
 
 
-def bounded_minimum(square: Array, along: Array, low: Array, high: Array) -> Array:
-    """The x within bounds that minimises ``x' square x - 2 along' x``.
+def bounded_minimum(square: Array, along: Array, low: Array, high: Array, ridge: float) -> Array:
+    """The x within bounds that minimises ``x' square x - 2 along' x``; what moves nothing is nearest to zero.
 
     Args:
-        square: (n, n) positive definite, with ones on the diagonal or of that size: no column is scaled.
-        along: (n,). low, high: (n,) the bounds, ``low <= high``; they may be infinite.
+        square: (n, n). along: (n,).
+        low: (n,) the bounds, ``low <= high``; they may be infinite.
+        high: (n,) likewise, the upper ones.
+        ridge: what is added to a diagonal of ones, to which ``square`` is scaled, so that it is positive definite.
 
     Returns:
         (n,).
     """
-    if not len(along):
-        return np.zeros(0)
 
-    def beside(x: Array, free: NDArray[np.bool_]) -> Array:
-        return np.asarray(np.linalg.solve(square[np.ix_(free, free)], (along - square @ x)[free]))
+    def solve(moved: Moved, x: Array, size: Array, bounds: Bounds) -> Array:
+        rest = along[moved] - square[np.ix_(moved, ~moved)] @ x[~moved]
+        scaled = square[np.ix_(moved, moved)] / np.outer(size, size)
+        return _of_square(scaled + ridge * np.eye(len(size)), rest / size, *bounds)
 
-    x = _active_sets(beside, lambda x: square @ x - along, low, high, float(np.linalg.norm(along)))
-    if x is None:
-        lower: Array = np.asarray(np.linalg.cholesky(square), dtype=float)
-        right = solve_triangular(lower, along, lower=True, check_finite=False)
-        return _one_bound_at_a_time(lower.T, right, low, high)
+    return _in_scale(np.sqrt(np.maximum(np.diag(square), 0.0)), low, high, solve)
+
+
+def _in_scale(
+    size: Array, low: Array, high: Array, solve: Callable[[Moved, Array, Array, Bounds], Array]
+) -> Array:
+    """The solution where every column has length one, of those that something moves, in the scale of the problem."""
+    x: Array = np.clip(np.zeros(len(size)), low, high)
+    moved = (size > 0) & (low < high)
+    if moved.any():
+        own = size[moved]
+        scaled = solve(moved, x, own, (low[moved] * own, high[moved] * own))
+        x[moved] = np.clip(scaled / own, low[moved], high[moved])
     return x
 
 
@@ -78,7 +87,7 @@ def _triangle(rows: Array, right: Array) -> tuple[Array, Array]:
     return both[:n, :n], both[:n, n]
 
 
-def _within(rows: Array, right: Array, low: Array, high: Array) -> Array:
+def _of_rows(rows: Array, right: Array, low: Array, high: Array) -> Array:
     """The solution for columns of length one."""
 
     def beside(x: Array, free: NDArray[np.bool_]) -> Array:
@@ -88,6 +97,20 @@ def _within(rows: Array, right: Array, low: Array, high: Array) -> Array:
         beside, lambda x: rows.T @ (rows @ x - right), low, high, float(np.linalg.norm(right))
     )
     return _one_bound_at_a_time(rows, right, low, high) if x is None else x
+
+
+def _of_square(square: Array, along: Array, low: Array, high: Array) -> Array:
+    """The same for a quadratic form, positive definite."""
+
+    def beside(x: Array, free: NDArray[np.bool_]) -> Array:
+        return np.asarray(np.linalg.solve(square[np.ix_(free, free)], (along - square @ x)[free]))
+
+    x = _active_sets(beside, lambda x: square @ x - along, low, high, float(np.linalg.norm(along)))
+    if x is None:
+        lower: Array = np.asarray(np.linalg.cholesky(square), dtype=float)
+        right = solve_triangular(lower, along, lower=True, check_finite=False)
+        return _one_bound_at_a_time(lower.T, right, low, high)
+    return x
 
 
 def _active_sets(

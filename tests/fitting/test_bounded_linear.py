@@ -114,7 +114,7 @@ def _scaled(problem: Problem) -> Problem:
 @given(problems())
 def test_a_quadratic_form_comes_to_what_its_rows_come_to(problem: Problem) -> None:
     rows, right, low, high = scaled = _scaled(problem)
-    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high)
+    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
     assert np.all(x >= low - 1e-9 * abs(x)) and np.all(x <= high + 1e-9 * abs(x))
     least = cost(scaled, bounded_least_squares(*scaled))
     assert cost(scaled, x) == pytest.approx(least, abs=1e-7 * float(right @ right))
@@ -124,9 +124,9 @@ def test_a_quadratic_form_has_the_same_net(monkeypatch: pytest.MonkeyPatch) -> N
     random = np.random.default_rng(8)
     rows, right = random.normal(size=(12, 6)), random.normal(size=12)
     low, high = np.full(6, -0.1), np.full(6, 0.05)
-    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high)
+    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
     monkeypatch.setattr(module, "_ROUNDS", 0)
-    net = bounded_minimum(rows.T @ rows, rows.T @ right, low, high)
+    net = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
     assert net == pytest.approx(x, abs=1e-9)
 
 
