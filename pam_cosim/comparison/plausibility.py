@@ -117,21 +117,23 @@ def _rms(values: Array) -> float:
 
 def _marker(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> Iterator[Doubt]:
     """One value farther from all others than these are apart, as loggers write where there is no reading."""
-    values, counts = np.unique(measured, return_counts=True)
-    if len(measured) < CRITERIA.doubts.fewest or len(values) < 3:
+    if len(measured) < CRITERIA.doubts.fewest:
         return
-    for i, rest in ((0, values[1:]), (-1, values[:-1])):
-        if np.min(np.abs(rest - values[i])) <= np.ptp(rest):
+    for value in (measured.min(), measured.max()):
+        rest = measured[measured != value]
+        span = np.ptp(rest) if len(rest) else 0.0
+        if not span or np.min(np.abs(rest - value)) <= span:
             continue
-        first = next(r.run for r in runs if values[i] in r.run.measurements.get(signal.name, ()))
-        at = first.time[np.argmax(first.measurements[signal.name] == values[i])]
+        first = next(r.run for r in runs if value in r.run.measurements.get(signal.name, ()))
+        at = first.time[np.argmax(first.measurements[signal.name] == value)]
+        count = len(measured) - len(rest)
         shown, low, high = (
-            format_quantity(float(v), signal.unit) for v in (values[i], rest[0], rest[-1])
+            format_quantity(float(v), signal.unit) for v in (value, rest.min(), rest.max())
         )
         yield Doubt(
             "marker",
             signal.name,
-            f"{signal.name}: {counts[i]} of {len(measured)} samples {'is' if counts[i] == 1 else 'are'} {shown}, "
+            f"{signal.name}: {count} of {len(measured)} samples {'is' if count == 1 else 'are'} {shown}, "
             f"first at {at:.6g} s of {first.name}; all others lie between {low} and {high}. Where that number marks "
             'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
         )
