@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import SignalScore
@@ -31,6 +30,7 @@ class Candidate:
         general: the effect is the general member of its family, which contains its laws.
         without_priors: what the fit would come to without them, once its slopes are gone.
         parameters_before: names of the parameters that the effects before the tried one brought.
+        general_before: one of these is a general member.
     """
 
     effect: str
@@ -46,6 +46,7 @@ class Candidate:
     general: bool = False
     without_priors: WithoutPriors = WithoutPriors()
     parameters_before: tuple[str, ...] = ()
+    general_before: bool = False
 
     @property
     def parameters(self) -> dict[str, Estimate]:
@@ -56,6 +57,11 @@ class Candidate:
     def effect_parameters(self) -> dict[str, Estimate]:
         """Estimates of the parameters of all effects."""
         return {n: self.fit.parameters[n] for n in (*self.parameters_before, *self.own_parameters)}
+
+    @property
+    def has_general_member(self) -> bool:
+        """Whether one of its effects is a general member, whichever was added last."""
+        return self.general or self.general_before
 
     @property
     def without_slopes(self) -> Candidate:
@@ -78,13 +84,6 @@ class Candidate:
             "own_parameters": self.own_parameters,
         }
         return dict(plain(content))
-
-
-def with_general_members(candidates: Iterable[Candidate]) -> frozenset[tuple[str, ...]]:
-    """The effects of those models that have a general member among them, whichever was added last."""
-    every = list(candidates)
-    general = {c.effect for c in every if c.general}
-    return frozenset(c.effects for c in every if not general.isdisjoint(c.effects))
 
 
 @dataclass(frozen=True)

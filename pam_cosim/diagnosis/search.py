@@ -260,7 +260,12 @@ class Search:
                 )
                 idle = {name for e in m.effects for name in self.inactive_parameters.get(e, ())}
                 trials.append(
-                    replace(trial.without(idle), further_start=m.further, library=self.library)
+                    replace(
+                        trial.without(idle),
+                        further_start=m.further,
+                        library=self.library,
+                        general_before=not self.general.isdisjoint(m.effects[:-1]),
+                    )
                 )
         return trials
 

@@ -54,6 +54,7 @@ class Trial:
         prune: whether what a general member does not need is held at zero.
         library: ``compiler.library_hash()``.
         reference: the fitted base model, for a probe.
+        general_before: an effect before the one to try is a general member.
     """
 
     effect: EffectClass
@@ -68,6 +69,7 @@ class Trial:
     prune: bool = False
     library: str = ""
     reference: Linear | None = None
+    general_before: bool = False
 
     def screening(self) -> Trial:
         """A few steps of the same from one start: enough to tell a promising effect from a hopeless one."""
@@ -114,6 +116,7 @@ class Trial:
             equations=self.composition.text,
             brief=self.brief,
             general=self.effect.general,
+            general_before=self.general_before,
             fit=fit,
         )
 

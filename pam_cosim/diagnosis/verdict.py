@@ -11,7 +11,7 @@ from typing import Literal
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate, with_general_members
+from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
     NoiseScale,
     any_structure_for_search,
@@ -136,11 +136,10 @@ def rivals(
         family: of every effect there is.
         model_space: what a choice among them costs.
     """
-    bends = with_general_members([best, *tried])
     alike = [
         c
         for c in tried
-        if (best.effects in bends or c.effects not in bends)
+        if (best.has_general_member or not c.has_general_member)
         and not refuted_by_unfitted_signals(c.fit, best.fit)
     ]
     return _close_alternatives(base, best, tried, alike, family, model_space)
@@ -205,12 +204,11 @@ def with_facts(
     if best is None:
         return replace(verdict, off=off)
     against = [c for c in tried if refuted_by_unfitted_signals(c.fit, fit)]
-    bends = with_general_members([best, *tried])
     bent = [
         c
         for c in tried
-        if c.effects in bends
-        and best.effects not in bends
+        if c.has_general_member
+        and not best.has_general_member
         and not refuted_by_unfitted_signals(c.fit, fit)
     ]
     wrong, bending = (
@@ -225,7 +223,7 @@ def with_facts(
         c
         for c in tried
         if not {family[e] for e in c.effects} >= own
-        and (best.effects in bends or c.effects not in bends)
+        and (best.has_general_member or not c.has_general_member)
     ]
     unusual = implausible(best, others, noise_scale([base, *(c.fit for c in tried)]), model_space)
     return replace(verdict, off=off, refuted=wrong, bending=bending, implausible=unusual)

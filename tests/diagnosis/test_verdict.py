@@ -285,14 +285,12 @@ def test_a_general_member_is_no_rival_of_a_law() -> None:
 
 
 def test_a_general_member_beside_a_law_is_no_rival_of_laws_either() -> None:
-    """Whichever of the two was added last."""
-    general = replace(candidate("Any", fitted(1.1, holdout=1.1), "line"), general=True)
-    beside = candidate("Lag", fitted(1.0, holdout=1.0), "lag", before=("Any",))
-    ranked = rank(BASE, [GOOD, general, beside])
-    (law,) = (c for c in ranked if c.effects == GOOD.effects)
-    family = _families(ranked)
-    assert rivals(BASE, law, [GOOD, beside], family, ModelSpace(len(ranked)))
-    assert not rivals(BASE, law, ranked, family, ModelSpace(len(ranked)))
+    """Whichever of the two was added last, and whether or not it was ever tried alone."""
+    law = candidate("Lag", fitted(1.0, holdout=1.0), "lag", before=("Any",))
+    beside = replace(law, general_before=True)
+    family = {**_families([GOOD, law]), "Any": "line"}
+    assert rivals(BASE, GOOD, [GOOD, law], family, ModelSpace(3))
+    assert not rivals(BASE, GOOD, [GOOD, beside], family, ModelSpace(3))
 
 
 def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:

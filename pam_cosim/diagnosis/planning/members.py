@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate, with_general_members
+from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.diagnose import Diagnosis
 
 
@@ -28,11 +28,10 @@ def _alike(diagnosis: Diagnosis, best: Candidate, family: dict[str, str]) -> lis
     A law with more parameters bends towards any rival until it is measured everywhere.
     """
     own, limit = _families(best, family), _chi2(best) + CRITERIA.evidence.very_strong
-    bends = with_general_members(diagnosis.candidates)
     fitted = [
         c
         for c in diagnosis.candidates
-        if c.effects != best.effects and not c.brief and c.effects not in bends
+        if c.effects != best.effects and not c.brief and not c.has_general_member
     ]
     near = [
         c
