@@ -17,7 +17,10 @@ DECIDING = (
     *sorted((ROOT / "pam_cosim/comparison").glob("*.py")),
     *sorted((ROOT / "pam_cosim/diagnosis").glob("*.py")),
     *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in FITTING),
-    *(ROOT / "pam_cosim/ledger" / f"{name}.py" for name in ("estimate", "smoothed_models", "sensor")),
+    *(
+        ROOT / "pam_cosim/ledger" / f"{name}.py"
+        for name in ("estimate", "smoothed_models", "sensor")
+    ),
     ROOT / "pam_cosim/measurement/noise.py",
     ROOT / "pam_cosim/measurement/white_noise.py",
 )

@@ -46,7 +46,11 @@ def test_interrupt_within_a_destructor_comes_again() -> None:
 @pytest.mark.parametrize(
     ("output", "status", "said"),
     [
-        (">/dev/full", 2, "pam-cosim: what is printed cannot be written: No space left on device\n"),
+        (
+            ">/dev/full",
+            2,
+            "pam-cosim: what is printed cannot be written: No space left on device\n",
+        ),
         (">&-", 0, ""),
         ("| true; exit ${PIPESTATUS[0]}", None, ""),
     ],

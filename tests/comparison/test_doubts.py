@@ -75,9 +75,7 @@ def test_absolute_pressure_is_named_beside_a_model_that_begins_with_it() -> None
     """The start is estimated from the same wrong reading, so that no constant is what the two differ by."""
     rest = 1e5 * np.clip(TIME - 2.0, 0.0, 2.0)
     modelled = np.maximum(rest, 101325.0 * np.exp(-TIME))
-    (doubt,) = [
-        d for d in asked(compared(rest + 101325.0, modelled)) if d.kind == "far_off"
-    ]
+    (doubt,) = [d for d in asked(compared(rest + 101325.0, modelled)) if d.kind == "far_off"]
     assert "absolute and gauge pressure mixed up" in doubt.text
 
 

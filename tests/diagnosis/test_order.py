@@ -109,7 +109,9 @@ def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
     assert not any(bar.specific for bar in solved.acceptance_thresholds(1, solved.scale))
 
 
-def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_must_be_better() -> None:
+def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_must_be_better() -> (
+    None
+):
     best = _model("OrificeLeak", 1.0, 1)
     order = _order(best, _model("LinearBladder", 9.0, 1, STRUCTURE))
 

@@ -88,9 +88,7 @@ def test_counts_want_a_scale(tmp_path: Path) -> None:
 @pytest.mark.parametrize("head", ["x [Zoll]", "x's course [INCH]", "length [Zoll]"])
 def test_what_no_formula_can_hold_is_scaled_and_turned(tmp_path: Path, head: str) -> None:
     """A unit or a name that a formula cannot read, of a position that falls where the pressure rises."""
-    data = drafted(
-        tmp_path, f"time [s],p_set [bar],p [bar],{head}", x=lambda x: (0.2 - x) / 0.0254
-    )
+    data = drafted(tmp_path, f"time [s],p_set [bar],p [bar],{head}", x=lambda x: (0.2 - x) / 0.0254)
     x = data.runs[0].measurements["x"]
     np.testing.assert_allclose(x - x.mean(), CONTRACTION - CONTRACTION.mean(), atol=1e-6)
 

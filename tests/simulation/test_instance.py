@@ -16,9 +16,7 @@ from tests.fmu import models
 
 
 def _types(made: Any) -> Mapping[str, tuple[Any, ...]]:
-    return {
-        name: (f.argnames, tuple(f.argtypes), f.restype) for name, f in made._functions.items()
-    }
+    return {name: (f.argnames, tuple(f.argtypes), f.restype) for name, f in made._functions.items()}
 
 
 @pytest.mark.parametrize("exchange", [False, True])

@@ -112,7 +112,9 @@ def test_repeated_runs_that_differ_more_take_its_place() -> None:
 def test_weights_of_single_readings() -> None:
     signal = Signal("p", "Pa", 1.0, sigma_of_reading=0.1, sigma_at_zero=3.0)
     reading = np.array([0.0, 40.0])
-    np.testing.assert_allclose(standardized_residuals(np.array([3.0, 10.0]), signal, reading), [1.0, 2.0])
+    np.testing.assert_allclose(
+        standardized_residuals(np.array([3.0, 10.0]), signal, reading), [1.0, 2.0]
+    )
     np.testing.assert_allclose(slope(np.array([3.0, 10.0]), signal, reading), [1 / 3, 1 / 5])
 
 

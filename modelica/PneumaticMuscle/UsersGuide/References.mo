@@ -33,6 +33,8 @@ actuators: a comparison between the McKibben and the straight fibres muscles</i>
 1980.</li>
 <li><b>Festo 2005</b>: Festo AG and Co. KG, <i>Fluidic Muscle DMSP, with press-fitted connections; Fluidic Muscle MAS,
 with screwed connections</i>, Info 501, 2005/04.</li>
+<li><b>Findley, Lai and Onaran 1976</b>: W. N. Findley, J. S. Lai, K. Onaran, <i>Creep and relaxation of nonlinear
+viscoelastic materials</i>, North-Holland, Amsterdam 1976.</li>
 <li><b>Forchheimer 1901</b>: P. Forchheimer, <i>Wasserbewegung durch Boden</i>, Zeitschrift des Vereines Deutscher
 Ingenieure 45 (1901) 1782-1788.</li>
 <li><b>Fung 1967</b>: Y. C. Fung, <i>Elasticity of soft tissues in simple elongation</i>, American Journal of Physiology
@@ -41,6 +43,9 @@ Ingenieure 45 (1901) 1782-1788.</li>
 1981.</li>
 <li><b>Gaylord 1958</b>: R. H. Gaylord, <i>Fluid actuated motor system and stroking device</i>, US patent 2 844 126,
 1958.</li>
+<li><b>Gent 2012</b>: A. N. Gent, <i>Engineering with rubber: how to design rubber components</i>, third edition,
+Hanser, Munich 2012.</li>
+<li><b>Helmholtz 1863</b>: H. von Helmholtz, <i>Die Lehre von den Tonempfindungen</i>, Vieweg, Braunschweig 1863.</li>
 <li><b>Hildebrandt and others 2005</b>: A. Hildebrandt, O. Sawodny, R. Neumann, A. Hartmann, <i>Cascaded control concept
 of a robot with two degrees of freedom driven by four artificial pneumatic muscle actuators</i>, Proceedings of the
 American Control Conference, Portland 2005, 680-685.</li>
@@ -57,6 +62,8 @@ Organization for Standardization.</li>
 Organization for Standardization.</li>
 <li><b>ISO 6358</b>: <i>Pneumatic fluid power: determination of flow-rate characteristics of components using
 compressible fluids</i>, International Organization for Standardization.</li>
+<li><b>ISO 6801</b>: <i>Rubber or plastics hoses: determination of volumetric expansion</i>, International Organization
+for Standardization.</li>
 <li><b>ISO 6953</b>: <i>Pneumatic fluid power: compressed air pressure regulators and filter-regulators</i>,
 International Organization for Standardization.</li>
 <li><b>Itto and Kogiso 2011</b>: T. Itto, K. Kogiso, <i>Hybrid modeling of McKibben pneumatic artificial muscle
@@ -73,8 +80,12 @@ Robotics and Biomechatronics, Pisa 2006.</li>
 Philosophical Transactions of the Royal Society A 214 (1914) 373-432.</li>
 <li><b>Martens and Boblan 2017</b>: M. Martens, I. Boblan, <i>Modeling the static force of a Festo pneumatic muscle
 actuator: a new approach and a comparison to existing models</i>, Actuators 6 (2017) 33.</li>
+<li><b>Martin 1977</b>: H. Martin, <i>Heat and mass transfer between impinging gas jets and solid surfaces</i>, Advances
+in Heat Transfer 13 (1977) 1-60.</li>
 <li><b>McAdams 1954</b>: W. H. McAdams, <i>Heat transmission</i>, third edition, McGraw-Hill, New York 1954.</li>
 <li><b>Merritt 1967</b>: H. E. Merritt, <i>Hydraulic control systems</i>, Wiley, New York 1967.</li>
+<li><b>Mueller and Nau 1998</b>: H. K. Mueller, B. S. Nau, <i>Fluid sealing technology: principles and
+applications</i>, Marcel Dekker, New York 1998.</li>
 <li><b>Olsson and others 1998</b>: H. Olsson, K. J. Astrom, C. Canudas de Wit, M. Gafvert, P. Lischinsky, <i>Friction
 models and friction compensation</i>, European Journal of Control 4 (1998) 176-195.</li>
 <li><b>Perry 1949</b>: J. A. Perry, <i>Critical flow through sharp-edged orifices</i>, Transactions of the ASME 71

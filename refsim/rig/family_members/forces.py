@@ -9,6 +9,7 @@ from typing import ClassVar
 from rig.effect import Effect, Now, Rest, State
 from rig.family_members.chance import Chance, Place, order, some
 from rig.flow import T_ATM, G
+from rig.seen.creep import HardeningCreep
 from rig.seen.moving_mass import SlippingFlywheel
 
 LENGTH = 0.24  # m
@@ -286,6 +287,12 @@ CREEP: dict[str, Place] = {
     ),
     "recovery": lambda rng: OddCreep(
         **_creep(rng), weights=_weights(rng), recovery=order(rng, 0.3, 5)
+    ),
+    "hardening": lambda rng: HardeningCreep(
+        k=order(rng, 150, 800),
+        tau=order(rng, 0.1, 1),
+        x_0=order(rng, 3e-3, 2e-2),
+        m=some(rng, 0.5, 3),
     ),
 }
 

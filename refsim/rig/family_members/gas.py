@@ -10,7 +10,9 @@ from rig.catalogue.supply_line import Tube
 from rig.effect import Effect, Now, Rest, State
 from rig.family_members.chance import Chance, Place, order, some
 from rig.flow import CP, CV, GAMMA, P_ATM, T_ATM, R
-from rig.seen.dead_volume import Chamber
+from rig.seen.dead_volume import Chamber, Resonator, TrappedPocket
+from rig.seen.leak import ColdSeal, CreepingSeal, MovingSeal
+from rig.seen.supply_line import SoftHose
 
 
 @dataclass(frozen=True)
@@ -59,6 +61,13 @@ LEAKS: dict[str, Place] = {
     "temperature": lambda rng: OddLeak(_conductance(rng), n=some(rng, 0.6, 2), k=some(rng, -4, 4)),
     "threshold and contraction": lambda rng: OddLeak(
         _conductance(rng) * 2, q_0=some(rng, 0.3, 1.0), grows=some(rng, -20, 40)
+    ),
+    "shrinking seal": lambda rng: ColdSeal(_conductance(rng), some(rng, 15, 40)),
+    "seal that slides": lambda rng: MovingSeal(
+        conductance=_conductance(rng), v_0=order(rng, 2e-3, 2e-2)
+    ),
+    "seal that creeps": lambda rng: CreepingSeal(
+        conductance=_conductance(rng) * 2, p_0=order(rng, 3e4, 2e5), tau=order(rng, 0.3, 3)
     ),
 }
 
@@ -168,6 +177,11 @@ LINES: dict[str, Place] = {
     "heat": lambda rng: ColdTube(**_tube(rng)),
     "length": lambda rng: OddLine(**_tube(rng), inertance=order(rng, 1e6, 1e7)),
     "before the valve": lambda rng: SupplyHose(some(rng, 0.05, 0.2), order(rng, 0.005, 0.1)),
+    "hose that widens": lambda rng: SoftHose(
+        volume=order(rng, 2e-6, 1.2e-5),
+        area=order(rng, 3e-7, 8e-7),
+        expansion=order(rng, 1e-6, 6e-6),
+    ),
 }
 
 
@@ -208,4 +222,14 @@ DEAD: dict[str, Place] = {
         order(rng, 3e-6, 1e-5), order(rng, 2e-6, 2e-5), some(rng, 0.6, 1.6)
     ),
     "behind an opening": lambda rng: Chamber(order(rng, 5e-6, 4e-5), order(rng, 3e-10, 5e-9)),
+    "opening, each way": lambda rng: TrappedPocket(
+        volume=order(rng, 5e-6, 3e-5),
+        conductance=order(rng, 1e-9, 1e-8),
+        share=order(rng, 0.05, 0.5),
+    ),
+    "inertia": lambda rng: Resonator(
+        volume=order(rng, 5e-6, 3e-5),
+        inertance=order(rng, 5e4, 3e5),
+        conductance=order(rng, 1e-8, 5e-8),
+    ),
 }

@@ -9,6 +9,7 @@ from typing import ClassVar
 from rig.effect import Effect, Now, Rest, State
 from rig.family_members.chance import Chance, Place, order, some
 from rig.flow import P_ATM, T_ATM, R
+from rig.seen.gas_energy import InletJet
 
 
 @dataclass(frozen=True)
@@ -64,6 +65,9 @@ GASES: dict[str, Place] = {
         some(rng, -1, 1),
         order(rng, 10, 60),
         some(rng, 0.5, 1),
+    ),
+    "jet of the inlet": lambda rng: InletJet(
+        h=_film(rng), h_1=order(rng, 10, 100), tau=order(rng, 0.05, 0.5)
     ),
 }
 

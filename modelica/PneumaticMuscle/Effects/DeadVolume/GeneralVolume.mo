@@ -16,6 +16,9 @@ model GeneralVolume
     annotation (Dialog(group="Effect"));
   parameter Real c(unit="1", min=-1.5, max=1, nominal=0.3) = 0 "Exponent of the pressure upstream in it"
     annotation (Dialog(group="Effect"));
+  parameter Real side(unit="1", min=-2.5, max=2.5, nominal=0.3) = 0.1
+    "What the logarithm of the conductance gains in filling and loses in emptying"
+    annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.01
     "Conductance from its gas to what stays at ambient temperature"
     annotation (Dialog(group="Effect"));
@@ -24,6 +27,7 @@ model GeneralVolume
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which V_p refers, and drop to which G refers";
+  constant Real width(unit="1") = 3e-3 "Drop by the reference below which the law is linear";
   Real q(unit="1") = Functions.smoothMax((p_s - ambient.p)/p_reference, 2e-3)
     "Gauge pressure in it by the reference, not below zero";
   Real u(unit="1") = (port.p^2 - p_s^2)/(2*ambient.p*p_reference) "Drop at the opening by the reference";
@@ -40,16 +44,18 @@ equation
   der(m) = port.m_flow;
   p_s*V = m*Constants.R*T_s;
   V*der(p_s) + Constants.gamma*p_s*der(V) = (Constants.gamma - 1)*(port.H_flow - UA*(T_s - ambient.T));
-  port.m_flow = G*p_reference*Functions.curvedPower(u, a, 0, 3e-3)*exp(c*log(max(max(port.p, p_s), 1.0)/ambient.p));
+  port.m_flow = G*p_reference*Functions.curvedPower(u, a, 0, width)
+    *exp(c*log(max(max(port.p, p_s), 1.0)/ambient.p) + side*u/sqrt(u^2 + width^2));
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, p_s, port.T, T_s);
   annotation (defaultComponentName="deadVolume", Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, with V = V_0 + V_p q (1 +
-q)^n, q the gauge pressure in it by 100 kPa, and the work p dV of its growth; m_flow = G 100 kPa u |u|^a (p_up/p_atm)^c,
-u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source: the balances
-<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53) and (59); a hose or a bellows stretches
-in proportion to pressure at first, and less (n below 0) or more as it goes on; the opening is a power law, as in
-<a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.GeneralLine\">GeneralLine</a>. Typical as
-<a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, V_p a tenth of V_0 for a rubber
+q)^n, q the gauge pressure in it by 100 kPa, and the work p dV of its growth; m_flow = G 100 kPa u |u|^a
+(p_up/p_atm)^c exp(side sgn u), u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source: the balances <a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53) and (59); a hose or a bellows stretches in
+proportion to pressure at first, and less (n below 0) or more as it goes on; the opening is a power law, another each
+way where a lip or a fold closes it, as in <a
+href=\"modelica://PneumaticMuscle.Effects.SupplyLine.GeneralLine\">GeneralLine</a>. Typical as <a
+href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, V_p a tenth of V_0 for a rubber
 hose.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, slower towards
 the end of filling.</p>

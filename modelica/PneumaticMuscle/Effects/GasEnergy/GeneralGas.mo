@@ -16,6 +16,8 @@ model GeneralGas "Mass and energy balance of any gas, with any smooth law of its
     annotation (Dialog(group="Effect"));
   parameter Real n_m(unit="1", min=0.3, max=1.2, nominal=0.8) = 0.8 "Exponent of the flow"
     annotation (Dialog(group="Effect"));
+  parameter Real out(unit="1", min=0, max=2, nominal=0.5) = 1 "How much the flow out stirs, by the flow in"
+    annotation (Dialog(group="Effect"));
   parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = 0
@@ -40,19 +42,21 @@ equation
   der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;
   (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - e*b*der(m)) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
-  tau_jet*der(m_jet) = port.m_flow - m_jet;
+  tau_jet*der(m_jet) = 0.5*((1 + out)*sqrt(port.m_flow^2 + m_smooth^2) + (1 - out)*port.m_flow) - m_jet;
   h_wall = exp(n_T*log(max(T, 1.0)/T_reference) + n_V*log(V/V_reference))*(h_0*exp(n_p*log(max(p, 1.0)/p_reference)
       + 0.5*n_d*log(((T - T_reference)^2 + T_smooth^2)/T_reference_difference^2))
     + h_1*exp(0.5*n_m*log((m_jet^2 + m_smooth^2)/m_reference^2)));
   annotation (Documentation(info="<html>
-<p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a> with h = (T/T_atm)^n_T (V/0.1 L)^n_V
-(h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_d + h_1 (|m_jet|/0.1 g/s)^n_m), tau_jet m_jet_dot = m_flow - m_jet. Source:
-<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a> and
-<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a>, see there; Nusselt numbers are products of
-powers of the gas' properties, of the size of the space and of the flow
-(<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">McAdams 1954</a>).
-<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (60) falls away, so that no value of the parameters
-gives the base law back. Typical as there, n_T and n_V -1 to 1.</p>
+<p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a> with h = (T/T_atm)^n_T (V/0.1
+L)^n_V (h_0 (p/p_atm)^n_p (|T - T_atm|/10 K)^n_d + h_1 (|m_jet|/0.1 g/s)^n_m), tau_jet m_jet_dot = |m_flow| - m_jet,
+where flow out counts out times: a jet stirs, what leaves towards the opening hardly does (<a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">Martin 1977</a>). Source: <a
+href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a> and <a
+href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a>, see there; Nusselt numbers are products of
+powers of the gas' properties, of the size of the space and of the flow (<a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">McAdams 1954</a>). <a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (60) falls away, so that no value of the parameters
+gives the base law back. Typical as there, n_T and n_V -1 to 1, out 0 to 1.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a>.</p>
 </html>"));
 end GeneralGas;

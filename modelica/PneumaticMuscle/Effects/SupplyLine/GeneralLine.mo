@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.SupplyLine;
 model GeneralLine
   "A tube between valves and muscle whose flow is any smooth law of the pressures, "
-  + "another each way, and whose gas may cool"
+  + "another each way, in a hose that may widen, and whose gas may cool"
   extends Interfaces.Line;
   extends FamilyMember(final general=true, final absent="G=1e-6, V=2e-7, UA=0");
   parameter Real G(unit="kg/(s.Pa)", min=2e-10, max=1e-6, nominal=3e-9) = 1e-8
@@ -19,11 +19,15 @@ model GeneralLine
     annotation (Dialog(group="Effect"));
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
     annotation (Dialog(group="Effect"));
+  parameter Real expansion(unit="1/Pa", min=0, max=3e-5, nominal=2e-6) = 0
+    "Relative growth of its volume by the gauge pressure"
+    annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=2, nominal=0.02) = 0.01
     "Conductance from its gas to the surroundings"
     annotation (Dialog(group="Effect"));
 protected
-  Laws.Lines.LineGas gas(V=V, UA=UA, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end"
+  Laws.Lines.LineGas gas(V=V, expansion=expansion, UA=UA, p(start=ambient.p), T(start=ambient.T))
+    "Gas in the line, at the valve end"
     annotation (Placement(transformation(extent={{-40,30},{0,70}})));
   Laws.Lines.CurvedTube resistance(G=G, a=a, b=b, c=c, side=side) "Tube"
     annotation (Placement(transformation(extent={{10,-20},{50,20}})));
@@ -43,13 +47,14 @@ equation
   connect(resistance.port_b, port_b)
     annotation (Line(points={{50,0}, {100,0}}, color={0,90,160}));
   annotation (Documentation(info="<html>
-<p>m_flow = G 100 kPa u |u|^(a + b ln|u|) (p_up/p_atm)^c exp(side sgn u), u = (p_a^2 - p_b^2)/(2 p_atm 100 kPa),
-<a href=\"modelica://PneumaticMuscle.Laws.Lines.CurvedTube\">Laws.Lines.CurvedTube</a>. Source: the power laws of tubes
-(a = 0 laminar, Hagen and Poiseuille; -3/7 Blasius; -1/2 rough tubes and orifices), with one more term in the logarithm
-of the drop; a check valve beside a throttle makes the two ways differ. The gas in it gives UA (T - T_atm) to the
-surroundings; with a large UA it has their temperature, as in
-<a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.FrictionLine\">FrictionLine</a>. The isentropic orifice, choked
-or not, is met within 4 %. Typical G 1e-9 to 1e-8 kg/(s.Pa), a -0.5 to 0, side -0.5 to 0.5.</p>
+<p>m_flow = G 100 kPa u |u|^(a + b ln|u|) (p_up/p_atm)^c exp(side sgn u), u = (p_a^2 - p_b^2)/(2 p_atm 100 kPa), <a
+href=\"modelica://PneumaticMuscle.Laws.Lines.CurvedTube\">Laws.Lines.CurvedTube</a>. Source: the power laws of tubes
+(a = 0 laminar, Hagen and Poiseuille; -3/7 Blasius; -1/2 rough tubes and orifices), with one more term in the
+logarithm of the drop; a check valve beside a throttle makes the two ways differ. The gas in it fills V (1 + expansion
+p_gauge) and gives UA (T - T_atm) to the surroundings; with a large UA it has their temperature, as in <a
+href=\"modelica://PneumaticMuscle.Effects.SupplyLine.FrictionLine\">FrictionLine</a>. The isentropic orifice, choked
+or not, is met within 4 %. Typical G 1e-9 to 1e-8 kg/(s.Pa), a -0.5 to 0, side -0.5 to 0.5, expansion 0 for a rigid
+tube and 1e-6 to 6e-6 1/Pa for a rubber hose.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.FlexibleLine\">FlexibleLine</a>, or filling
 and venting are held back unequally.</p>
 </html>"));
