@@ -259,7 +259,11 @@ class _Models:
             self.ranking.update_scale()
 
     def try_forms(self) -> None:
-        """The other members of the families that came farthest: slopes do not tell what a much richer law can do."""
+        """The other members of the families that came farthest, the general ones to the end.
+
+        Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
+        to be known what one family can say by itself.
+        """
         best: dict[str, tuple[str, ...]] = {}
         for c in self.ranking.models(1):
             best.setdefault(self.search.family[c.effect], c.effects)
@@ -271,6 +275,13 @@ class _Models:
                 for e in self._members(f)
             ]
         )
+        general = [
+            c
+            for c in self.ranking.models(1)
+            if c.brief and c.general and self.search.family[c.effect] in leading
+        ]
+        if general and not self._is_out_of_time([c.effects for c in general]):
+            self._finish(general)
 
     def try_simpler(self) -> None:
         """In the model that leaves noise, forms with fewer parameters in the place of each effect."""

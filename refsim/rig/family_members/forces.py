@@ -10,7 +10,7 @@ from rig.effect import Effect, Now, Rest, State
 from rig.family_members.chance import Chance, Place, order, some
 from rig.flow import T_ATM, G
 from rig.seen.creep import HardeningCreep
-from rig.seen.moving_mass import SlippingFlywheel
+from rig.seen.moving_mass import Freewheel, SlippingFlywheel
 
 LENGTH = 0.24  # m
 FIBRE_SQUARED = 0.0734  # m2
@@ -361,4 +361,5 @@ MASSES: dict[str, Place] = {
     "rocker": lambda rng: OddMass(
         order(rng, 0.5, 5), a=some(rng, -0.2, 0.3), b=some(rng, -0.1, 0.2), share=some(rng, 0, 1)),
     "dragged along": lambda rng: SlippingFlywheel(order(rng, 2, 12), order(rng, 0.02, 0.2)),
+    "dragged along one way": lambda rng: Freewheel(order(rng, 2, 8), order(rng, 0.02, 0.1), order(rng, 0.3, 3)),
 }  # fmt: skip
