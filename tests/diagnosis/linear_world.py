@@ -46,6 +46,7 @@ class LinearWorld(Search):
         hidden: strengths by name.
         strange: of a course that no effect has.
         masked: a family that acts in another way beside the base model than beside a better one.
+        slow: an effect of which a few steps come to nothing.
         tried: the models that were fitted to the end.
         looks: what effects were looked at beside, and how many.
     """
@@ -53,6 +54,7 @@ class LinearWorld(Search):
     hidden: Mapping[str, float] = field(default_factory=dict)
     strange: float = 0.0
     masked: str = ""
+    slow: str = ""
     tried: list[tuple[str, ...]] = field(default_factory=list)
     looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
@@ -91,6 +93,14 @@ class LinearWorld(Search):
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
         return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
 
+    def untouched(self, effects: Sequence[str]) -> Fit:
+        """The model with these effects where the last of them does nothing yet, nor says what it could."""
+        without, whole = self.fitted(effects[:-1]), self.fitted(effects)
+        assert without.linear is not None and whole.linear is not None
+        slopes = np.hstack([without.linear.slopes, np.zeros((ROWS, 1))])
+        linear = replace(whole.linear, residual=without.linear.residual, slopes=slopes)
+        return replace(without, parameters=whole.parameters, linear=linear)
+
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         assert fitted.linear is not None
         self.looks.append((tuple(has), len(effects)))
@@ -112,7 +122,10 @@ class LinearWorld(Search):
         return self, {}
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
-        return [replace(self.candidate(m.effects), brief=True) for m in models]
+        brief = [replace(self.candidate(m.effects), brief=True) for m in models]
+        return [
+            replace(c, fit=self.untouched(c.effects)) if c.effect == self.slow else c for c in brief
+        ]
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         self.tried.extend(c.effects for c in candidates)
@@ -136,9 +149,20 @@ class LinearWorld(Search):
         )
 
 
-def world(hidden: Mapping[str, float], strange: float = 0.0, masked: str = "") -> LinearWorld:
+def world(
+    hidden: Mapping[str, float], strange: float = 0.0, masked: str = "", slow: str = ""
+) -> LinearWorld:
     """A world with these effects hidden."""
-    return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, strange=strange, masked=masked)  # type: ignore[arg-type]
+    return LinearWorld(
+        TREE,
+        "Test",
+        SHELF,
+        None,  # type: ignore[arg-type]
+        hidden=hidden,
+        strange=strange,
+        masked=masked,
+        slow=slow,
+    )
 
 
 class _Nothing:

@@ -63,6 +63,15 @@ def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
     assert families(world({"LinearBladder": 5.0, "YoungBladder": 2.0})) >= {"elasticity"}
 
 
+def test_a_rich_law_that_a_few_steps_do_not_bring_far_is_found() -> None:
+    """Before two effects are looked for, one family is given all that it can say."""
+    one = world({"GeneralLeak": 30.0}, slow="GeneralLeak")
+    (only,) = select_effects(one, one.fitted(())).path
+    assert only.effect == "GeneralLeak"
+    pairs = [n for n, effects in enumerate(one.tried) if len(effects) > 1]
+    assert one.tried.index(("GeneralLeak",)) < min(pairs, default=len(one.tried))
+
+
 def test_few_models_are_fitted_where_nothing_explains_what_is_missing() -> None:
     strange = world({}, strange=5.0)
     select_effects(strange, strange.fitted(()))
