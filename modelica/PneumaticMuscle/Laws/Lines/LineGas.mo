@@ -20,8 +20,8 @@ equation
   der(m) = port.m_flow;
   V*(w + Constants.gamma*p*expansion)*der(p) = (Constants.gamma - 1)*(port.H_flow - UA*(T - ambient.T));
   annotation (Documentation(info="<html>
-<p>Mass and energy balance of an ideal gas, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43)
-and (53) and (59) in a volume V (1 + expansion p_gauge), with heat UA (T - T_atm) lost to the surroundings; the hose
+<p>Mass and energy balance of an ideal gas, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43),
+(53) and (59) in a volume V (1 + expansion p_gauge), with heat UA (T - T_atm) lost to the surroundings; the hose
 takes the work p dV and gives it back. Hoses are sold with their expansion per pressure (<a
 href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6801</a>). The start is left to the line.</p>
 </html>"));
