@@ -11,7 +11,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.library.ode import Model, Values
-from tests.library.shelf import benches, tree
+from tests.library.shelf import BENCH, benches, on_bench, tree
 
 R, GAMMA = 287.05, 1.4
 MASS_OFF = (
@@ -112,6 +112,33 @@ def test_energy_of_a_muscle_balances(text: str, tmp_path: Path) -> None:
     assert energy(after, "muscle") - energy(before, "muscle") == pytest.approx(
         flowed, abs=1e-8 * passed
     )
+
+
+def test_a_hose_that_widens_keeps_mass_and_energy(tmp_path: Path) -> None:
+    """The work p dV = V e p dp is stored in the hose: V e p^2/2 [J]."""
+    composition = on_bench("GeneralLine", BENCH)
+    model = Model(composition.name, composition.text, tmp_path)
+    names = list(model.interface.parameters)
+    expansion = 4e-6  # 1/Pa
+    parameters = model.parameters({"line.expansion": expansion, "line.UA": 0.0})
+    volume, ambient = (parameters[names.index(n)] for n in ("line.V", "ambient.p"))
+
+    def wide(v: Values) -> float:
+        return float(volume * (1 + expansion * (v["line.gas.p"] - ambient)))
+
+    def stored(v: Values) -> float:
+        p = v["line.gas.p"]
+        return float(p * wide(v) / (GAMMA - 1) + volume * expansion * p**2 / 2)
+
+    before, after, flowed, passed = model.ledger(
+        2.0, lambda v: v["line.gas.port.m_flow"], model.inputs(), parameters
+    )
+    gained = [v["line.gas.p"] * wide(v) / (R * v["line.gas.T"]) for v in (before, after)]
+    assert gained[1] - gained[0] == pytest.approx(flowed, abs=1e-8 * passed)
+    before, after, flowed, passed = model.ledger(
+        2.0, lambda v: v["line.gas.port.H_flow"], model.inputs(), parameters
+    )
+    assert stored(after) - stored(before) == pytest.approx(flowed, abs=1e-8 * passed)
 
 
 def test_polytropic_vessel_needs_heat_that_nothing_gives() -> None:
