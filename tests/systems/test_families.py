@@ -61,12 +61,13 @@ def test_hidden_effect_is_found(tmp_path: Path, workers: int | None, hidden: str
 @pytest.mark.full
 def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: int | None) -> None:
     diagnosis = study.diagnose(
-        study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)),
+        study.read(write_light_data(tmp_path / "d", [UNLISTED["inlet_jet"]], seed=1)),
         workers=workers,
     )
-    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), (
-        diagnosis.verdict
-    )
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == (
+        "identified",
+        ("gas_energy",),
+    ), diagnosis.verdict
     assert diagnosis.path[-1].general and "no listed law fits as well" in diagnosis.verdict.reason
     assert diagnosis.base.comparison.chi2_reduced("holdout") > 100
     assert 0.9 < diagnosis.final.comparison.chi2_reduced("holdout") < 1.1
