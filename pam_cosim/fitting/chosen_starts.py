@@ -210,7 +210,7 @@ class _Choice:
         free = [one for one in declared if one.name not in self._stated]
         objective = Objective(self._simulator, self._data, begun, free, self._stated)
         linear = linearised(
-            objective, np.array([one.to_z(one.start) for one in free]), objective.size
+            objective, np.array([one.to_z(one.start) for one in free]), _every_row(objective)
         )
         if linear is None:
             raise SimulationFailure(objective.first_failure)
@@ -232,10 +232,15 @@ def _remaining_squares(linear: Linear, offsets: Array | None = None) -> float:
     return float(linear.residual @ linear.residual) - reduction_by(linear, bounded_step(linear))
 
 
+def _every_row(objective: Objective) -> int:
+    """A row for each sample, also for those that are missing."""
+    return sum(map(len, objective.kept))
+
+
 def _offset_slopes(objective: Objective) -> Array:
     """(m, signals) ones at the samples of each signal: an offset that is the same in all runs."""
     signals = np.array([signal for _, signal in objective.series])[
-        rows_of_series(objective, objective.size)
+        rows_of_series(objective, _every_row(objective))
     ]
     is_present = np.concatenate(objective.kept)
     return np.asarray((signals[:, None] == np.unique(signals)) & is_present[:, None], dtype=float)

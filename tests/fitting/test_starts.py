@@ -7,6 +7,7 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -16,6 +17,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import measured_initial_state
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
+from pam_cosim.fitting.chosen_starts import _offset_slopes
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.start_values import StartValues, eliminate
 from pam_cosim.fmu import build_model
@@ -283,3 +285,13 @@ def test_what_is_not_worth_a_run_is_not_run(falls: float, runs: int) -> None:
 
     eliminate(one, simulate)
     assert len(counted) == runs
+
+
+def test_offsets_of_signals_that_are_read_at_different_times() -> None:
+    """A row for each sample, zero where one is missing: nothing is condensed."""
+    often, seldom = np.array([True] * 6), np.array([True, False, False] * 2)
+    objective = SimpleNamespace(series=[(0, "p"), (0, "T")], kept=[often, seldom], size=8)
+    slopes = _offset_slopes(objective)  # type: ignore[arg-type]
+    assert slopes.shape == (12, 2)
+    assert slopes[6:, 0].tolist() == seldom.tolist() and slopes[:6, 1].all()
+    assert slopes.sum() == objective.size
