@@ -26,11 +26,9 @@ model GeneralVolume
   Types.Temperature T_s(start=ambient.T) "Temperature in it";
   Types.Mass m(nominal=1e-5) "Mass of the gas in it";
 protected
-  constant Types.Pressure p_reference = 1e5 "Pressure to which V_p refers, and drop to which G refers";
-  constant Real width(unit="1") = 3e-3 "Drop by the reference below which the law is linear";
+  constant Types.Pressure p_reference = 1e5 "Pressure to which V_p refers";
   Real q(unit="1") = Functions.smoothMax((p_s - ambient.p)/p_reference, 2e-3)
     "Gauge pressure in it by the reference, not below zero";
-  Real u(unit="1") = (port.p^2 - p_s^2)/(2*ambient.p*p_reference) "Drop at the opening by the reference";
   Types.Volume V = V_0 + V_p*q*exp(n*log(1 + q)) "Volume";
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then
@@ -44,8 +42,7 @@ equation
   der(m) = port.m_flow;
   p_s*V = m*Constants.R*T_s;
   V*der(p_s) + Constants.gamma*p_s*der(V) = (Constants.gamma - 1)*(port.H_flow - UA*(T_s - ambient.T));
-  port.m_flow = G*p_reference*Functions.curvedPower(u, a, 0, width)
-    *exp(c*log(max(max(port.p, p_s), 1.0)/ambient.p) + side*u/sqrt(u^2 + width^2));
+  port.m_flow = Functions.curvedFlow(port.p, p_s, ambient.p, G, a, 0, c, side);
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, p_s, port.T, T_s);
   annotation (defaultComponentName="deadVolume", Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, with V = V_0 + V_p q (1 +
