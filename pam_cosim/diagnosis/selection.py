@@ -280,8 +280,7 @@ class _Models:
             for c in self.ranking.models(1)
             if c.brief and c.general and self.search.family[c.effect] in leading
         ]
-        if general and not self._is_out_of_time([c.effects for c in general]):
-            self._finish(general)
+        self._finish_in_time(general)
 
     def try_simpler(self) -> None:
         """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
@@ -317,8 +316,7 @@ class _Models:
                 if c.brief and set(c.effects) < set(best.effects)
             ]
             brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
-            if brief and not self._is_out_of_time([c.effects for c in brief]):
-                self._finish(brief)
+            self._finish_in_time(brief)
             if self.ranking.answer() is best:
                 return
 
@@ -355,6 +353,11 @@ class _Models:
                     self.search.fit_briefly([self.predicted.fit_request(e) for e in chosen])
                 )
                 self.predicted.note_outcomes(chosen)
+
+    def _finish_in_time(self, brief: Sequence[Candidate]) -> None:
+        """The same as ``_finish``, unless the time is over."""
+        if brief and not self._is_out_of_time([c.effects for c in brief]):
+            self._finish(brief)
 
     def _finish(self, brief: Sequence[Candidate]) -> None:
         """Fits models to the end that were fitted briefly."""

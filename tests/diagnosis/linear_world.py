@@ -5,6 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 
@@ -149,20 +150,9 @@ class LinearWorld(Search):
         )
 
 
-def world(
-    hidden: Mapping[str, float], strange: float = 0.0, masked: str = "", slow: str = ""
-) -> LinearWorld:
-    """A world with these effects hidden."""
-    return LinearWorld(
-        TREE,
-        "Test",
-        SHELF,
-        None,  # type: ignore[arg-type]
-        hidden=hidden,
-        strange=strange,
-        masked=masked,
-        slow=slow,
-    )
+def world(hidden: Mapping[str, float], **nature: Any) -> LinearWorld:
+    """A world with these effects hidden; ``nature``: further attributes of it."""
+    return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, **nature)  # type: ignore[arg-type]
 
 
 class _Nothing:
