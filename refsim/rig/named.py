@@ -22,6 +22,7 @@ from rig.catalogue.wall_heat import WarmWall
 from rig.effect import Effect
 from rig.seen.elasticity import ExponentialSpring
 from rig.seen.gas_energy import InletJet
+from rig.seen.leak import PressedLip
 from rig.seen.none_of_these import Coupled, Ripple
 
 __all__ = ["EFFECTS", "UNLISTED", "Effect", "effect_name", "effect_of", "effect_parameters"]
@@ -50,6 +51,7 @@ EFFECTS: tuple[type[Effect], ...] = (
 UNLISTED: dict[str, Effect] = {
     "ripple": Ripple(),
     "coupled": Coupled(),
+    "pressed_lip": PressedLip(),
     "inlet_jet": InletJet(),
 }
 """Effects that the catalogue does not hold, to see what a diagnosis makes of them."""

@@ -75,6 +75,23 @@ def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: i
     assert held and not any(e.determined for e in held)
 
 
+@pytest.mark.full
+def test_family_is_found_where_a_law_of_another_form_comes_near(
+    tmp_path: Path, workers: int | None
+) -> None:
+    """A lip that pressure presses shut: what a seal's law leaves of it passes as noise beside the general member."""
+    diagnosis = study.diagnose(
+        study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)),
+        workers=workers,
+        explain=False,
+    )
+    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), (
+        diagnosis.verdict
+    )
+    assert diagnosis.base.comparison.chi2_reduced("holdout") > 100
+    assert diagnosis.final.comparison.chi2_reduced("holdout") < 1.3
+
+
 @pytest.mark.parametrize("seed", but_first_in_full(range(3)))
 def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
     _nothing(
