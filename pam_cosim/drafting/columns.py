@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 
@@ -22,6 +23,7 @@ _C = CRITERIA.recognition
 
 _SHARES = ("command", "ratio")  # need no unit: what is written there, such as on/off, is none
 _MOST = 400  # columns; each is held against each
+_NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
 
 def find_columns(
@@ -52,12 +54,17 @@ def with_known_units(
     Raises:
         InputError: a unit is written that nobody knows, and no formula holds the column: no other one is guessed.
     """
-    in_formulas = " ".join(formulas)
+    in_formulas = {name for formula in formulas for name in names_in(formula)}
     for one in columns:
         if _lacks_unit(one) and one.name not in in_formulas:
             source = sources[min(one.places)]
             raise InputError(_unknown(one), source.file, source.table.header_line, one.name)
     return [replace(c, meaning=None) if _lacks_unit(c) else c for c in columns]
+
+
+def names_in(formula: str) -> set[str]:
+    """The columns that a formula reads: quantities stand in double quotes, names bare or in single ones."""
+    return {quoted or bare for quoted, bare in _NAME.findall(re.sub(r'"[^"]*"', "", formula))}
 
 
 def _lacks_unit(one: RecordedColumn) -> bool:

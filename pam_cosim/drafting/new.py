@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -15,6 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters, values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.column_statistics import is_held, is_switch, span
+from pam_cosim.drafting.columns import names_in
 from pam_cosim.drafting.contraction import length_parameter
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.feeding import MECHANICAL, meaning_of
@@ -34,8 +34,6 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
-
-_NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
 
 def draft(
@@ -268,11 +266,8 @@ def _ignored(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> dict[str
     used = {entry.column for entry in mapped.entries.values()} | {
         c.name for c in bench.choice.fed.values()
     }
-    for entry in (
-        mapped.entries.values()
-    ):  # Quantities stand in double quotes, names bare or in single ones.
-        named = _NAME.findall(re.sub(r'"[^"]*"', "", entry.formula or ""))
-        used |= {quoted or bare for quoted, bare in named}
+    for entry in mapped.entries.values():
+        used |= names_in(entry.formula or "")
     by_meaning = {column.meaning: name for name, column in bench.choice.fed.items()}
     texts = {name: "a column of text" for source in recorded.sources for name in source.texts}
     left = [

@@ -77,6 +77,14 @@ def test_an_unknown_unit_is_not_replaced_by_a_guess(tmp_path: Path, unit: str) -
     assert raised.value.line == 1 and not (tmp_path / "rig").exists()
 
 
+def test_a_column_of_a_formula_is_named_in_it_and_not_a_part_of_another_name(
+    tmp_path: Path,
+) -> None:
+    heads = "time [s],p_set [bar],p [psy],Weg_p [mm]"
+    with pytest.raises(InputError, match="column 'p': unit 'psy' is unknown"):
+        drafted(tmp_path, heads, columns={"x": "2 * Weg_p"})
+
+
 def test_counts_want_a_scale(tmp_path: Path) -> None:
     heads, scale = "time [s],p_set [bar],p [bar],x [counts]", {"x": 'x * "0.02 mm"'}
     with pytest.raises(InputError, match="how large its counts are is not said"):
