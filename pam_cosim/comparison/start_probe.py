@@ -73,11 +73,15 @@ class StartProbe:
         return {name: one for name, one in known.items() if one is not None}
 
     def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:
-        """Signals and rates, and the states, right at the start."""
+        """Signals and rates, and the states, right at the start.
+
+        As if nothing were recorded early: what such a record shows first, the model comes to after its start.
+        """
         names = [*self.signals, *self.rates, *self.states]
+        in_time = dict.fromkeys(self.simulator.interface.record_delays, 0.0)
         trajectory = self.simulator.run(
             np.array([self._start]),
-            parameters={**self._parameters, **values},
+            parameters={**self._parameters, **values, **in_time},
             inputs=self._inputs,
             outputs=names,
             start_time=self._start,

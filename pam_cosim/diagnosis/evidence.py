@@ -43,7 +43,7 @@ def has_structure_for_search(
     """
     if not s.samples:
         return False
-    visible = _correlated(s) and s.excess > CRITERIA.residuals.excess
+    visible = _correlated(s) and s.excess > CRITERIA.residuals.excess * max(1.0, s.noise_floor)
     if s.samples >= CRITERIA.residuals.many_samples:
         return visible and _is_reproducible(s, repeated)
     return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(

@@ -10,14 +10,16 @@ a part of what another family hides, and no law that is right in the end looks l
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
+from pam_cosim.comparison import Reproducibility, ResidualStatistics
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
     NoiseScale,
-    any_structure_for_search,
+    cross_run_reproducibility,
     dominant_effect,
+    has_structure_for_search,
     information_criterion,
     noise_scale,
     refuted_by_unfitted_signals,
@@ -46,6 +48,15 @@ class AcceptanceThreshold:
     rival_of: frozenset[str] | None = None
 
 
+@dataclass(frozen=True)
+class _Remainder:
+    """What a fit leaves: its statistics by role, and how much of it comes again in other runs."""
+
+    fit: Fit
+    statistics: tuple[ResidualStatistics, ...]
+    reproducibility: Reproducibility
+
+
 class Ranking:
     """The models so far.
 
@@ -64,7 +75,7 @@ class Ranking:
         self.search, self.base, self.fitted = search, base, fitted
         self.scale = noise_scale([base])
         self.out_of_time = False
-        self._structure_known: dict[tuple[str, ...], tuple[Fit, bool]] = {}
+        self._remainders: dict[tuple[str, ...], _Remainder] = {}
 
     @property
     def fits(self) -> list[Fit]:
@@ -167,25 +178,59 @@ class Ranking:
         return {c.effects: c for c in every if names.issuperset(c.effects)}
 
     def has_structure(self, c: Candidate) -> bool:
-        """Whether a model leaves structure, in runs that were fitted or in others."""
-        if (
-            c.effects not in self._structure_known
-            or self._structure_known[c.effects][0] is not c.fit
-        ):
-            self._structure_known[c.effects] = (c.fit, any_structure_for_search(c.fit))
-        return self._structure_known[c.effects][1]
+        """Whether a model leaves structure, in runs that were fitted or in others.
+
+        The noise is that of the instruments, whatever the model: where nobody stated it, no larger than beside the
+        model that leaves least. What a model leaves may look like red noise by itself.
+        """
+        known = self._remainders.get(c.effects)
+        if known is None or known.fit is not c.fit:
+            known = _Remainder(
+                c.fit,
+                tuple(c.fit.residuals_beyond_uncertainty.values()),
+                cross_run_reproducibility(c.fit),
+            )
+            self._remainders[c.effects] = known
+        floor = self.noise_floor()
+        return any(
+            has_structure_for_search(
+                replace(s, noise_floor=min(s.noise_floor, floor)), known.reproducibility
+            )
+            for s in known.statistics
+        )
 
     def unsolved(self) -> bool:
         """Whether the best model leaves structure, or there is none."""
         best = self.best()
         return best is None or self.has_structure(best)
 
+    def leader(self, specific: bool = False) -> Candidate | None:
+        """The model that the search goes on from while nothing leaves noise: the best, or else the nearest to it.
+
+        Where what is left is as slow as a run is long, there are too few independent samples to prefer any model to the
+        base model, and still the one that leaves least says more than that.
+
+        Args:
+            specific: only of models that are made of laws.
+        """
+        best = self.best(specific)
+        if best is not None:
+            return best
+        some = [c for c in self._complete() if not specific or self.is_specific(c.effects)]
+        some = [c for c in some if self.has_structure(c)]
+        nearest = min(some, key=lambda c: (self.information_criterion(c), c.effects), default=None)
+        if nearest is None or self.information_criterion(nearest) >= self.information_criterion(
+            None
+        ):
+            return None
+        return nearest
+
     def parents(self) -> list[Candidate]:
         """The models that the search goes on from: the best, and the best of laws; or what may replace the best.
 
         That is the best of those that would cost less even with one more effect, once the best leaves noise.
         """
-        best = self.best()
+        best = self.leader()
         if best is not None and not self.has_structure(best):
             return [
                 c
@@ -193,7 +238,7 @@ class Ranking:
                 if self._with_one_more(c.effects) < self.cost(best.effects)
             ][:1]
         return list(
-            {c.effects: c for c in (best, self.best(specific=True)) if c is not None}.values()
+            {c.effects: c for c in (best, self.leader(specific=True)) if c is not None}.values()
         )
 
     def may_be(self, threshold: AcceptanceThreshold, effects: Collection[str]) -> bool:
@@ -235,7 +280,7 @@ class Ranking:
             count: of effects.
             scale: the scale on which their evidence is reckoned.
         """
-        best = self.best()
+        best = self.leader()
         if best is None:
             return [AcceptanceThreshold(self.information_criterion(None, scale))]
         if not self.has_structure(best):
@@ -254,7 +299,7 @@ class Ranking:
             return [AcceptanceThreshold(reached), rival]
         bars = [AcceptanceThreshold(self.information_criterion(best, scale), best)]
         if not self.is_specific(best.effects):
-            law = self.best(specific=True)
+            law = self.leader(specific=True)
             bars.append(
                 AcceptanceThreshold(self.information_criterion(law, scale), law, specific=True)
             )

@@ -118,7 +118,8 @@ def search_all_runs(
     search, base, outliers = _restarted(
         subject, fit_runs_result.search, _with_roles(fit_runs_result.search.data, roles)
     )
-    selection = select_effects(search, base, deadline, retime=False)
+    earlier = fit_runs_result.selection.tried
+    selection = select_effects(search, base, deadline, retime=False, earlier=earlier)
     set_aside = Counter(outliers) + Counter(selection.outliers)
     all_runs_result = SearchResult(selection.search, selection.base, selection, set_aside)
     is_cut_short = math.isfinite(deadline) and selection.untried

@@ -60,7 +60,11 @@ class Selection:
 
 
 def select_effects(
-    search: Search, base: Fit, deadline: float = math.inf, retime: bool = True
+    search: Search,
+    base: Fit,
+    deadline: float = math.inf,
+    retime: bool = True,
+    earlier: Sequence[Candidate] = (),
 ) -> Selection:
     """The effects that are needed.
 
@@ -69,6 +73,7 @@ def select_effects(
         base: the model without them, fitted, with its linear model.
         deadline: of ``time.monotonic``, after which no more models are fitted, but those that the answer needs.
         retime: whether steps of commands may find their times between two samples.
+        earlier: models of the same runs in other roles; those that left least are tried besides.
 
     Raises:
         SimulationFailure: no effect could be tried at all.
@@ -97,6 +102,8 @@ def select_effects(
                 break
         if 1 < count < CRITERIA.search.most_effects:
             models.probe_again()
+    models.try_earlier(earlier)
+    models.try_other_forms()
     models.try_removing_one()
     return Selection(
         models.search,
@@ -300,6 +307,34 @@ class _Models:
             if len(self.fitted) == before:
                 return
             self.improve(len(best.effects))
+
+    def try_earlier(self, earlier: Sequence[Candidate]) -> None:
+        """Models of an earlier search, those that left least of all runs."""
+        left = {c.effects: sum(s.chi2 for s in c.fit.residuals.values()) for c in earlier}
+        nearest = sorted(earlier, key=lambda c: (left[c.effects], c.effects))
+        first = nearest[: CRITERIA.search.together]
+        if first:
+            self._try([FitRequest(c.effects, c.fit.values) for c in first])
+            self.improve(max(len(c.effects) for c in first))
+
+    def try_other_forms(self) -> None:
+        """In the model that leaves least, and still structure, other members of each family in the place of its own.
+
+        A general member that was right beside fewer effects may be far from the law that is right beside all of them.
+        """
+        for _ in range(CRITERIA.search.most_effects):
+            best = self.ranking.leader()
+            if best is None or len(best.effects) < 2 or not self.ranking.has_structure(best):
+                return
+            sets = [
+                tuple(e if n == name else n for n in best.effects)
+                for name in best.effects
+                for e in self._members(self.search.family[name])
+            ]
+            self._try([FitRequest(effects, best.fit.values) for effects in sets])
+            self.improve(len(best.effects))
+            if self.ranking.leader() is best:
+                return
 
     def try_removing_one(self) -> None:
         """What is chosen without each of its effects, to the end, until each of them is needed.

@@ -19,7 +19,7 @@ model GeneralLine
     annotation (Dialog(group="Effect"));
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 2e-6 "Volume of the tube, at the valve end"
     annotation (Dialog(group="Effect"));
-  parameter Real expansion(unit="1/Pa", min=0, max=3e-5, nominal=2e-6) = 0
+  parameter Real expansion(unit="1/Pa", min=0, max=9e-6, nominal=2e-6) = 0
     "Relative growth of its volume by the gauge pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=2, nominal=0.02) = 0.01
@@ -54,7 +54,7 @@ logarithm of the drop; a check valve beside a throttle makes the two ways differ
 p_gauge) and gives UA (T - T_atm) to the surroundings; with a large UA it has their temperature, as in <a
 href=\"modelica://PneumaticMuscle.Effects.SupplyLine.FrictionLine\">FrictionLine</a>. The isentropic orifice, choked
 or not, is met within 4 %. Typical G 1e-9 to 1e-8 kg/(s.Pa), a -0.5 to 0, side -0.5 to 0.5, expansion 0 for a rigid
-tube and 1e-6 to 6e-6 1/Pa for a rubber hose.</p>
+tube and 1e-6 to 6e-6 1/Pa for a rubber hose; below 1/p_atm, so that a vacuum leaves it a volume.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.FlexibleLine\">FlexibleLine</a>, or filling
 and venting are held back unequally.</p>
 </html>"));
