@@ -14,7 +14,9 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.arrays import Array
+from pam_cosim.catalogue import compose
 from pam_cosim.comparison import measured_initial_state
+from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.chosen_starts import _offset_slopes
@@ -153,6 +155,24 @@ def test_a_reading_at_the_end_of_its_range_shows_no_start(
             )
             assert set(begins.values) == {"muscle.gas.p"}
             assert begins.settle == "others"
+
+
+def test_a_record_that_is_early_begins_where_its_first_samples_are(
+    data: Callable[..., DataSet], tmp_path: Path
+) -> None:
+    """Its first samples are of a time after the start: a pressure that fills quickly was extrapolated to 290 kPa."""
+    early = compose(read_library(), "PneumaticMuscle.Benches.Isotonic", ["ClockOffset"])
+    assert early is not None
+    (tmp_path / "early.mo").write_text(early.text)
+    data_set = data(start="measured")
+    with Simulator(build_model(str(tmp_path / "early.mo"))) as simulator:
+        for run in data_set.runs:
+            own = data_set.parameters_of(run, {})
+            begins = [
+                measured_initial_state(simulator, data_set, run, {**own, "recorder.shift": shift})
+                for shift in (0.0, -0.04)
+            ]
+            assert begins[0].values and begins[0] == begins[1]
 
 
 def test_steady_is_right_where_the_rig_rested(data: Callable[..., DataSet]) -> None:
