@@ -86,7 +86,7 @@ def select_effects(
     models.try_single(CRITERIA.search.first_tried)
     for count in range(1, CRITERIA.search.most_effects + 1):
         models.improve(count)
-        if count == 1 and models.ranking.unsolved():
+        if count == 1:
             models.try_forms()
             models.improve(count)
         models.set_outliers_aside()
@@ -269,8 +269,13 @@ class _Models:
         """The other members of the families that came farthest, the general ones to the end.
 
         Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
-        to be known what one family can say by itself.
+        to be known what one family can say by itself. Where a law leaves noise, none is tried; where a general member
+        does, the general members of the others alone: what one bends into, another may too.
         """
+        answer = self.ranking.best()
+        solved = answer is not None and not self.ranking.has_structure(answer)
+        if solved and answer is not None and self.ranking.is_specific(answer.effects):
+            return
         best: dict[str, tuple[str, ...]] = {}
         for c in self.ranking.models(1):
             best.setdefault(self.search.family[c.effect], c.effects)
@@ -280,6 +285,7 @@ class _Models:
                 FitRequest((e,), self.fitted[leading[f]].fit.values)
                 for f in leading
                 for e in self._members(f)
+                if e in self.search.general or not solved
             ]
         )
         general = [
