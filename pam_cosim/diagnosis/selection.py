@@ -2,9 +2,9 @@
 
 One number orders all models (``diagnosis.ranking``): the information criterion, of a model that was fitted as it is, of
 one that was not, or not to the end, as far as linear algebra tells (``diagnosis.predicted_evidence``). Whoever may
-still beat the best is fitted next: single effects first; where the best of them leaves structure, pairs; then triples,
-for which effects are looked at again beside the best models. What is made of more effects but of fewer parameters is
-asked for as well.
+still beat the best is fitted next: single effects first; where the best of them leaves structure, pairs, and then
+triples, for which effects are looked at again beside the best models. What is made of more effects but of fewer
+parameters is asked for as well.
 """
 
 from __future__ import annotations
@@ -100,7 +100,7 @@ def select_effects(
             models.try_simpler()
             if not models.ranking.more_effects_can_pay(count + 1):
                 break
-        if 1 < count < CRITERIA.search.most_effects:
+        if count < CRITERIA.search.most_effects:
             models.probe_again()
     models.try_earlier(earlier)
     models.try_other_forms()

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import pytest
 
 from pam_cosim.criteria import CRITERIA
@@ -41,6 +43,39 @@ def _best(*models: Candidate) -> str:
 def test_nothing_is_best_where_nothing_beats_the_base_model() -> None:
     assert _order(_model("OrificeLeak", 50.0, 1, STRUCTURE)).best() is None
     assert _order().parents() == []
+
+
+def test_the_model_that_leaves_least_leads_where_none_beats_the_base_model() -> None:
+    """What is left is so slow that five of a thousand samples are independent."""
+    far, near = _model("DahlFriction", 30.0, 1), _model("OrificeLeak", 16.0, 1)
+    slow = [
+        replace(c, fit=fitted(x, None, STRUCTURE, time=200.0, own=c.effect_parameters))
+        for c, x in ((far, 30.0), (near, 16.0))
+    ]
+    order = _order(*slow)
+    assert order.best() is None
+    assert order.leader() is slow[1] and order.parents() == [slow[1]]
+    (bar,) = order.acceptance_thresholds(1, order.scale)
+    assert (bar.reference, bar.criterion) == (slow[1], order.information_criterion(slow[1]))
+
+
+def test_noise_that_nobody_stated_is_what_the_best_model_leaves() -> None:
+    """What a model leaves may look like red noise by itself, until another leaves a fifth of it."""
+
+    def red(fit: Fit) -> Fit:
+        own = fit.residuals["fit"]
+        residuals = {**fit.residuals, "fit": replace(own, noise_floor=own.chi2_reduced)}
+        return replace(fit, residuals=residuals)
+
+    half, whole = (
+        _model("DahlFriction", 50.0, 1, STRUCTURE),
+        _model("OrificeLeak", 10.0, 1, STRUCTURE),
+    )
+    half, whole = (replace(c, fit=red(c.fit)) for c in (half, whole))
+    base = red(fitted(90.0, score=STRUCTURE))
+    assert not Ranking(world({}), base, {half.effects: half}).has_structure(half)
+    both = Ranking(world({}), base, {c.effects: c for c in (half, whole)})
+    assert both.has_structure(half) and not both.has_structure(whole)
 
 
 def test_what_leaves_noise_is_better_than_what_does_not_however_many_parameters_it_takes() -> None:

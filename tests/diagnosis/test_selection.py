@@ -53,10 +53,12 @@ def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model(
     hidden = {"LinearBladder": 20.0, "ThermocoupleLag": 20.0, "GeneralLeak": 3.0}
     several = world(hidden, masked="leak")
     assert families(several) == {KNOWN[name].family for name in hidden}
-    (first, every), (beside, some), (again, members) = several.looks
+    (first, every), *beside = several.looks
     assert (first, every) == ((), len(SHELF))
-    assert set(beside) == set(again) == {"LinearBladder", "ThermocoupleLag"}
-    assert some + members < every / 2
+    assert [len(effects) for effects, _ in beside] == [1, 1, 2, 2]
+    assert set(beside[-1][0]) == {"LinearBladder", "ThermocoupleLag"}
+    for some, members in zip(beside[::2], beside[1::2], strict=True):
+        assert some[1] + members[1] < every / 2
 
 
 def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
@@ -154,3 +156,33 @@ def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(
     assert models.path()[-1].effects == ("GeneralLeak",)
     monkeypatch.setattr(LinearWorld, "fit_final", broken)
     assert models.path()[-1].effects == ("OrificeLeak",)
+
+
+def test_models_of_an_earlier_search_are_tried() -> None:
+    one = world({"LinearBladder": 20.0})
+    earlier = [one.candidate(("HangingMass", "KangEnds")), one.candidate(("LinearBladder",))]
+    tried = select_effects(one, one.fitted(()), earlier=earlier).tried
+    assert ("HangingMass", "KangEnds") in {c.effects for c in tried}
+    assert ("HangingMass", "KangEnds") not in {
+        c.effects for c in select_effects(one, one.fitted(())).tried
+    }
+
+
+def test_every_form_is_tried_in_the_place_of_each_of_several_effects_that_leave_structure() -> None:
+    several = world({"LinearBladder": 30.0, "ThermocoupleLag": 20.0}, strange=2.0)
+    selection = select_effects(several, several.fitted(()))
+    best = selection.path[-1].effects
+    assert len(best) > 1
+    attempted = {frozenset(c.effects) for c in selection.tried}
+    for name in best:
+        others = {e.name for e in SHELF if e.family == KNOWN[name].family}
+        sets = [frozenset(best) - {name} | {other} for other in others]
+        assert attempted.issuperset(sets), name
+
+
+def test_a_general_member_that_leaves_noise_is_held_against_those_of_other_families() -> None:
+    one = world({"GeneralLeak": 30.0})
+    (only,) = select_effects(one, one.fitted(())).path
+    assert only.effect == "GeneralLeak"
+    general = {e for (e,) in (names for names in one.tried if len(names) == 1)} & one.general
+    assert len({KNOWN[e].family for e in general}) == 3
