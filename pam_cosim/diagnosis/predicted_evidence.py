@@ -126,7 +126,7 @@ class PredictedEvidence:
     ) -> bool:
         """Whether one that was fitted briefly may be of interest, with the evidence that it is hoped to have."""
         return any(
-            hope < threshold.criterion and self.ranking.may_be(threshold, c.effects)
+            hope < threshold.fitted and self.ranking.may_be(threshold, c.effects)
             for threshold in thresholds
         )
 

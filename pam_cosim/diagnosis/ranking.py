@@ -33,7 +33,8 @@ class AcceptanceThreshold:
     """What a further model must come to, to be of interest.
 
     Attributes:
-        criterion: at most.
+        criterion: at most, as slopes expect it.
+        fitted: at most, as a few steps of a fit make it expected.
         reference: the model that it has to leave much less than; None: it need not.
         specific: it is made of laws alone.
         cost: of its effects, at most, where it is to replace a model that leaves noise with fewer effects; None: not
@@ -42,6 +43,7 @@ class AcceptanceThreshold:
     """
 
     criterion: float
+    fitted: float
     reference: Candidate | None = None
     specific: bool = False
     cost: float | None = None
@@ -282,27 +284,31 @@ class Ranking:
         """
         best = self.leader()
         if best is None:
-            return [AcceptanceThreshold(self.information_criterion(None, scale))]
+            reached = self.information_criterion(None, scale)
+            return [AcceptanceThreshold(reached, reached)]
+        reached, worth = self.information_criterion(best, scale), CRITERIA.evidence.very_strong
         if not self.has_structure(best):
-            if count > len(best.effects):
-                worth = CRITERIA.evidence.very_strong
+            if count > len(
+                best.effects
+            ):  # slopes of a model that is far off do not reach as far as it may come
                 return [
                     AcceptanceThreshold(
-                        self.information_criterion(c, scale) - worth, cost=self.cost(best.effects)
+                        self.information_criterion(c, scale) - worth,
+                        reached - worth,
+                        c,
+                        cost=self.cost(best.effects),
                     )
                     for c in self.parents()
                 ]
             # what has the same families can replace the answer, but not rival it: as good is not enough
             own = frozenset(self.search.family[name] for name in best.effects)
-            reached = self.information_criterion(best, scale)
-            rival = AcceptanceThreshold(reached + CRITERIA.evidence.very_strong, rival_of=own)
-            return [AcceptanceThreshold(reached), rival]
-        bars = [AcceptanceThreshold(self.information_criterion(best, scale), best)]
+            rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=own)
+            return [AcceptanceThreshold(reached, reached), rival]
+        bars = [AcceptanceThreshold(reached, reached, best)]
         if not self.is_specific(best.effects):
             law = self.leader(specific=True)
-            bars.append(
-                AcceptanceThreshold(self.information_criterion(law, scale), law, specific=True)
-            )
+            reached = self.information_criterion(law, scale)
+            bars.append(AcceptanceThreshold(reached, reached, law, specific=True))
         return bars
 
     def answer(self) -> Candidate | None:

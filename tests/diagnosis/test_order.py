@@ -175,8 +175,9 @@ def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model
     assert order.parents() == [plain]
     (bar,) = order.acceptance_thresholds(2, order.scale)
     worth = CRITERIA.evidence.very_strong
-    assert (bar.reference, bar.cost) == (None, order.cost(rich.effects))
+    assert (bar.reference, bar.cost) == (plain, order.cost(rich.effects))
     assert bar.criterion == order.information_criterion(plain) - worth
+    assert bar.fitted == order.information_criterion(rich) - worth
 
 
 def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:

@@ -8,7 +8,7 @@ model RealGas "Mass and energy balance of a gas that is not ideal"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = -4e-4
     "Volume that the gas itself takes, less what its attraction saves"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={-3e-3, 7e-3}));
   parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
