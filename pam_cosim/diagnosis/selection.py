@@ -346,18 +346,17 @@ class _Models:
         """What is chosen without each of its effects, to the end, until each of them is needed.
 
         What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
-        need it no more once they are fitted together.
+        need it no more once they are fitted together. A set that was fitted before is fitted again from where the
+        chosen one stands: it may have stopped in another valley.
         """
         while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
             sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
-            self._try([FitRequest(effects, best.fit.values) for effects in sets])
-            brief = [
-                c
-                for c in self.ranking.fitted.values()
-                if c.brief and set(c.effects) < set(best.effects)
-            ]
-            brief = [c for c in brief if len(c.effects) == len(best.effects) - 1]
-            self._finish_in_time(brief)
+            if self._is_out_of_time(sets):
+                return
+            self._record(
+                self.search.fit_briefly([FitRequest(names, best.fit.values) for names in sets])
+            )
+            self._finish_in_time([c for n in sets if (c := self.fitted.get(n)) and c.brief])
             if self.ranking.answer() is best:
                 return
 
@@ -411,12 +410,17 @@ class _Models:
 
         A model that breaks down at the accuracy of the verdict makes place for the next best.
         """
+        finished = set[tuple[str, ...]]()
         while (best := self.ranking.answer()) is not None:
             models = self._one_by_one(best)
-            if models and models[-1].effects == best.effects:
+            if not models or models[-1].effects != best.effects:
+                del self.fitted[best.effects]
+                self.ranking.update_scale()
+                continue
+            answer = self.ranking.answer()  # one of the models on the way may turn out to be enough
+            if best.effects in finished or answer is None or answer.effects == best.effects:
                 return [c.without_slopes for c in models]
-            del self.fitted[best.effects]
-            self.ranking.update_scale()
+            finished.add(best.effects)
         return []
 
     def _one_by_one(self, best: Candidate) -> list[Candidate]:

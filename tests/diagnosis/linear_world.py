@@ -48,6 +48,7 @@ class LinearWorld(Search):
         strange: of a course that no effect has.
         masked: a family that acts in another way beside the base model than beside a better one.
         slow: an effect of which a few steps come to nothing.
+        stuck: effects whose last comes to nothing beside the others, until a model with more has been fitted.
         tried: the models that were fitted to the end.
         looks: what effects were looked at beside, and how many.
     """
@@ -56,6 +57,7 @@ class LinearWorld(Search):
     strange: float = 0.0
     masked: str = ""
     slow: str = ""
+    stuck: frozenset[str] = frozenset()
     tried: list[tuple[str, ...]] = field(default_factory=list)
     looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
@@ -125,12 +127,24 @@ class LinearWorld(Search):
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         brief = [replace(self.candidate(m.effects), brief=True) for m in models]
         return [
-            replace(c, fit=self.untouched(c.effects)) if c.effect == self.slow else c for c in brief
+            replace(c, fit=self.untouched(c.effects))
+            if c.effect == self.slow or self._is_stuck(c.effects)
+            else c
+            for c in brief
         ]
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         self.tried.extend(c.effects for c in candidates)
-        return [self.candidate(c.effects) for c in candidates]
+        made = [self.candidate(c.effects) for c in candidates]
+        return [
+            replace(c, fit=self.untouched(c.effects)) if self._is_stuck(c.effects) else c
+            for c in made
+        ]
+
+    def _is_stuck(self, effects: Sequence[str]) -> bool:
+        return self.stuck == frozenset(effects) and not any(
+            self.stuck < frozenset(names) for names in self.tried
+        )
 
     def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         return self.candidate(tuple(effects))

@@ -186,3 +186,18 @@ def test_a_general_member_that_leaves_noise_is_held_against_those_of_other_famil
     assert only.effect == "GeneralLeak"
     general = {e for (e,) in (names for names in one.tried if len(names) == 1)} & one.general
     assert len({KNOWN[e].family for e in general}) == 3
+
+
+def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_effect_counts() -> (
+    None
+):
+    pair, triple = ("LinearBladder", "OrificeLeak"), ("LinearBladder", "HangingMass", "OrificeLeak")
+    several = world(dict.fromkeys(pair, 20.0), stuck=frozenset(pair))
+    models = _Models(several, several.fitted(()), math.inf)
+    for names in (pair, triple):
+        models._record(several.fit_completely([several.candidate(names)], models.base))
+    answer = models.ranking.answer()
+    assert answer is not None and answer.effects == triple  # since the pair does not leave noise
+    models.try_removing_one()
+    answer = models.ranking.answer()
+    assert answer is not None and answer.effects == pair
