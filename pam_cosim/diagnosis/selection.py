@@ -351,7 +351,8 @@ class _Models:
         """
         while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
             sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
-            if self._is_out_of_time(sets):
+            seen = self.ranking.attempted
+            if self._is_out_of_time([names for names in sets if frozenset(names) not in seen]):
                 return
             self._record(
                 self.search.fit_briefly([FitRequest(names, best.fit.values) for names in sets])
