@@ -220,12 +220,8 @@ class Ranking:
             return best
         some = [c for c in self._complete() if not specific or self.is_specific(c.effects)]
         some = [c for c in some if self.has_structure(c)]
-        nearest = min(some, key=lambda c: (self.information_criterion(c), c.effects), default=None)
-        if nearest is None or self.information_criterion(nearest) >= self.information_criterion(
-            None
-        ):
-            return None
-        return nearest
+        some = [c for c in some if self.information_criterion(c) < self.information_criterion(None)]
+        return min(some, key=lambda c: (self.information_criterion(c), c.effects), default=None)
 
     def parents(self) -> list[Candidate]:
         """The models that the search goes on from: the best, and the best of laws; or what may replace the best.
@@ -288,9 +284,8 @@ class Ranking:
             return [AcceptanceThreshold(reached, reached)]
         reached, worth = self.information_criterion(best, scale), CRITERIA.evidence.very_strong
         if not self.has_structure(best):
-            if count > len(
-                best.effects
-            ):  # slopes of a model that is far off do not reach as far as it may come
+            if count > len(best.effects):
+                # slopes of a model that is far off do not reach as far as it may come
                 return [
                     AcceptanceThreshold(
                         self.information_criterion(c, scale) - worth,
