@@ -107,8 +107,8 @@ def test_not_where_they_explain_less() -> None:
 
 def test_not_where_they_take_about_as_many() -> None:
     assert (
-        _best(_model("FlexibleLeak", 1.1, 3), _model("OrificeLeak+LinearBladder", 1.0, 2))
-        == "FlexibleLeak"
+        _best(_model("FlexibleBladder", 1.1, 3), _model("OrificeLeak+DahlFriction", 1.0, 2))
+        == "FlexibleBladder"
     )
 
 
@@ -161,7 +161,7 @@ def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_mu
 
 
 @pytest.mark.parametrize(
-    ("effect", "room"), [("OrificeLeak", False), ("FlexibleLeak", False), ("GeneralLeak", True)]
+    ("effect", "room"), [("OrificeLeak", False), ("FlexibleBladder", False), ("GeneralLeak", True)]
 )
 def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(
     effect: str, room: bool

@@ -194,6 +194,8 @@ LEAKS: dict[str, tuple[float, Form]] = {
     "cubic": (0.01, lambda p: p**3),
     "Forchheimer": (0.01, lambda p: np.sqrt(1 + p / 5e3) - 1),
     "saturating": (0.02, lambda p: np.tanh(p / 5e4)),
+    "a lip that pressure shuts": (1e-3, lambda p: p * np.exp(-p / 3.35e4)),
+    "a lip that pressure opens": (1e-3, lambda p: p * np.exp(p / 1e5)),
     "from 20 kPa on": (0.02, lambda p: np.maximum(p - 2e4, 0)),
     "from 50 kPa on": (0.04, lambda p: np.maximum(p - 5e4, 0)),
     "from 100 kPa on": (0.10, lambda p: np.maximum(p - 1e5, 0)),
