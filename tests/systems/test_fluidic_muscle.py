@@ -103,9 +103,6 @@ def test_an_effect_meets_a_published_table_as_well_as_a_formula_fitted_to_it(fol
 
 
 @pytest.mark.full
-@pytest.mark.xfail(
-    reason="a few steps of SarosiEnds end in another valley; StiffWall is named, which leaves 2.0 N, not 1.4"
-)
 def test_the_catalogue_finds_it(folder: Path) -> None:
     diagnosis = pam.diagnose(pam.read(folder))
     assert diagnosis.verdict.effects == ("SarosiEnds",)

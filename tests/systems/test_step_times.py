@@ -93,13 +93,7 @@ def _free(parameters: Mapping[str, Sequence[str]]) -> dict[str, FreeParameter]:
 @pytest.mark.parametrize(
     "hidden",
     [
-        pytest.param(
-            [],
-            id="nothing",
-            marks=pytest.mark.xfail(
-                reason="two effects leave 0.2 noise variances, without structure"
-            ),
-        ),
+        pytest.param([], id="nothing"),
         pytest.param(["elasticity:linear"], id="elasticity"),
     ],
 )
