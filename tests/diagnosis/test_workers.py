@@ -98,11 +98,13 @@ def _lives(process: int) -> bool:
 
 
 _LARGE = """
-import sys
+import signal, sys
 from pam_cosim.processes.workers import run_tasks, stop_workers
 from tests.diagnosis.tasks import sleep_on
 
 if __name__ == "__main__":
+    # tests that run in the background of a shell have it ignored
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     try:
         run_tasks(sleep_on, [(sys.argv[1], bytes(10_000_000))] * 20, print, print, 2)
     except KeyboardInterrupt:
