@@ -273,7 +273,7 @@ class _Models:
         does, the general members of the others alone: what one bends into, another may too.
         """
         answer = self.ranking.best()
-        solved = answer is not None and not self.ranking.has_structure(answer)
+        solved = not self.ranking.unsolved()
         if solved and answer is not None and self.ranking.is_specific(answer.effects):
             return
         best: dict[str, tuple[str, ...]] = {}
@@ -303,12 +303,8 @@ class _Models:
                 return
             before = len(self.fitted)
             for name in best.effects:
-                simpler = [
-                    e
-                    for e in self._members(self.search.family[name])
-                    if self.search.cost[e] < self.search.cost[name]
-                ]
-                sets = [tuple(e if n == name else n for n in best.effects) for e in simpler]
+                forms = self._other_forms(best.effects, name)
+                sets = [s for e, s in forms.items() if self.search.cost[e] < self.search.cost[name]]
                 self._try([FitRequest(effects, best.fit.values) for effects in sets])
             if len(self.fitted) == before:
                 return
@@ -332,11 +328,8 @@ class _Models:
             best = self.ranking.leader()
             if best is None or len(best.effects) < 2 or not self.ranking.has_structure(best):
                 return
-            sets = [
-                tuple(e if n == name else n for n in best.effects)
-                for name in best.effects
-                for e in self._members(self.search.family[name])
-            ]
+            forms = [self._other_forms(best.effects, name) for name in best.effects]
+            sets = [effects for by_form in forms for effects in by_form.values()]
             self._try([FitRequest(effects, best.fit.values) for effects in sets])
             self.improve(len(best.effects))
             if self.ranking.leader() is best:
@@ -360,6 +353,13 @@ class _Models:
             self._finish_in_time([c for n in sets if (c := self.fitted.get(n)) and c.brief])
             if self.ranking.answer() is best:
                 return
+
+    def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
+        """By member of its family, the effects with that member in the place of one of them."""
+        return {
+            e: tuple(e if n == name else n for n in effects)
+            for e in self._members(self.search.family[name])
+        }
 
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
