@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from math import sqrt
+from math import exp, sqrt
 from typing import ClassVar
 
 from rig.effect import Effect, Now, Rest, State
@@ -214,7 +214,10 @@ BEADS: dict[str, Place] = {
 
 @dataclass(frozen=True)
 class OddManometer(Effect):
-    """The reading is offset + gain p + bend p^2 + bow p^3 + saturation, powers of 100 kPa."""
+    """The reading is offset + gain p + bend p^2 + bow p^3, powers of 100 kPa, less what a stop pin hides, and a knot.
+
+    Below about p_pin the pin holds the pointer back, by hidden in the end; above p_knot a table adds knot to the slope.
+    """
 
     family = "pressure_offset"
     form = "random"
@@ -222,10 +225,16 @@ class OddManometer(Effect):
     gain: float = 1.0
     bend: float = 0.0
     bow: float = 0.0
+    hidden: float = 0.0  # Pa
+    p_pin: float = 2e4  # Pa
+    knot: float = 0.0
+    p_knot: float = 1e5  # Pa
 
     def pressure_shown(self, q: State, p_gauge: float) -> float:
         s = p_gauge / 1e5
-        return self.offset + 1e5 * s * (self.gain + s * (self.bend + self.bow * s))
+        smooth = self.offset + 1e5 * s * (self.gain + s * (self.bend + self.bow * s))
+        pin = self.hidden * (1 - exp(-max(p_gauge, -1e4) / self.p_pin))
+        return smooth - pin + self.knot * max(p_gauge - self.p_knot, 0.0)
 
 
 GAUGES: dict[str, Place] = {
@@ -233,4 +242,6 @@ GAUGES: dict[str, Place] = {
     "linearity": lambda rng: OddManometer(
         some(rng, -2e3, 2e3), some(rng, 0.96, 1.04), some(rng, -0.04, 0.04), some(rng, -0.01, 0.01)
     ),
+    "stop pin": lambda rng: OddManometer(hidden=some(rng, 2e3, 1e4), p_pin=order(rng, 1e4, 4e4)),
+    "knot of a table": lambda rng: OddManometer(knot=some(rng, -0.15, 0.15), p_knot=some(rng, 4e4, 2e5)),
 }
