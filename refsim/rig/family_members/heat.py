@@ -243,5 +243,7 @@ GAUGES: dict[str, Place] = {
         some(rng, -2e3, 2e3), some(rng, 0.96, 1.04), some(rng, -0.04, 0.04), some(rng, -0.01, 0.01)
     ),
     "stop pin": lambda rng: OddManometer(hidden=some(rng, 2e3, 1e4), p_pin=order(rng, 1e4, 4e4)),
-    "knot of a table": lambda rng: OddManometer(knot=some(rng, -0.15, 0.15), p_knot=some(rng, 4e4, 2e5)),
+    "knot of a table": lambda rng: OddManometer(
+        knot=some(rng, -0.15, 0.15), p_knot=some(rng, 4e4, 2e5)
+    ),
 }
