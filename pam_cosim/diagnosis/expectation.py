@@ -2,7 +2,7 @@
 
 A model with effect A, fitted, and what effect B does to the samples beside the base model are enough to say, to first
 order, what a model with both would leave when all parameters are fitted: a linear least squares problem. That is
-microseconds against the seconds of a fit, so all combinations are asked and the fits kept for those that promise most.
+microseconds against the seconds of a fit, so many combinations are ranked and those fitted that promise most.
 """
 
 from __future__ import annotations

@@ -5,7 +5,7 @@ partial model Effect "What every effect says of itself"
   constant String balance "Balance in which it acts: force, mass, energy or sensor";
   constant String absent = "" "Parameter values at which the effect vanishes, such as k=0; empty where there are none";
   constant Boolean general = false
-    "It says whatever its family can, and is tried only where the family's other members leave something";
+    "It says whatever its family can, and is named only where the family's other members leave something";
   annotation (Documentation(info="<html>
 <p>A class that extends this one is part of the catalogue. Its own public parameters that have both a minimum
 and a maximum are estimated when the effect is tried on a measurement, starting from their values.</p>
@@ -15,7 +15,7 @@ takes the place of another and never equals it leaves it empty.</p>
 <p>The annotation <code>__PamCosim(typical={0.95, 1.05})</code> of a parameter states the range that holds it in 95 % of
 all rigs, with its source in the documentation of the class. It is a prior: normal, by order of magnitude where the
 bounds are positive and far apart. Other tools pass over it.</p>
-<p><code>general</code> marks the one member of a family that bends in every direction the family has. It has many
-parameters, so it stays on the shelf until another member of its family leads and leaves structure.</p>
+<p><code>general</code> marks a member that bends in every direction its family has. It has many parameters, for which it
+pays, so a law of few that leaves noise is preferred.</p>
 </html>"));
 end Effect;
