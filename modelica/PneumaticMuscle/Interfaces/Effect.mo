@@ -15,7 +15,7 @@ takes the place of another and never equals it leaves it empty.</p>
 <p>The annotation <code>__PamCosim(typical={0.95, 1.05})</code> of a parameter states the range that holds it in 95 % of
 all rigs, with its source in the documentation of the class. It is a prior: normal, by order of magnitude where the
 bounds are positive and far apart. Other tools pass over it.</p>
-<p><code>general</code> marks a member that bends in every direction its family has. It has many parameters, for which it
-pays, so a law of few that leaves noise is preferred.</p>
+<p><code>general</code> marks a member that bends in every direction its family has. It pays for its many parameters, so
+a law of few that leaves noise is preferred.</p>
 </html>"));
 end Effect;
