@@ -9,7 +9,12 @@ from pam_cosim.comparison.condition_table import (
     write_tables,
 )
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
-from pam_cosim.comparison.initial_state import InitialState, initial_state, measured_initial_state
+from pam_cosim.comparison.initial_state import (
+    InitialState,
+    initial_state,
+    initial_state_about,
+    measured_initial_state,
+)
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
@@ -51,6 +56,7 @@ __all__ = [
     "compare",
     "expected_squares",
     "lag_one",
+    "initial_state_about",
     "measured_initial_state",
     "outliers",
     "reproducibility",

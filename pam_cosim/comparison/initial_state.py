@@ -74,8 +74,25 @@ def measured_initial_state(
         others = {signal: one for signal, one in first.items() if signal not in unmatched}
         shown, values = _consistent_start(probe, dependences, others)
     signals = {state: one.signal for state, one in shown.items()}
-    settle: Settle = "others" if probe.finds_rest(values) else "none"
-    return InitialState(values, settle, signals)
+    return InitialState(values, _settling(probe, values), signals)
+
+
+def initial_state_about(
+    simulator: AnySimulator,
+    data: DataSet,
+    run: Run,
+    parameters: Mapping[str, float],
+    values: Mapping[str, float],
+) -> InitialState:
+    """The initial state with these values of some states [SI]; the other arguments are as for ``initial_state``."""
+    probe = StartProbe(simulator, data, run, parameters)
+    whole = len(values) == len(simulator.interface.states)
+    return InitialState(dict(values), "none" if whole else _settling(probe, values))
+
+
+def _settling(probe: StartProbe, values: Mapping[str, float]) -> Settle:
+    """The states without a value come to rest beside the others, where they find one."""
+    return "others" if probe.finds_rest(values) else "none"
 
 
 def _consistent_start(
@@ -129,6 +146,7 @@ __all__ = [
     "StartProbe",
     "first_of_run",
     "initial_state",
+    "initial_state_about",
     "inputs_of_run",
     "measured_initial_state",
     "start_time",

@@ -58,7 +58,8 @@ class Objective:
         simulator, data, runs, free: as above, and the measurement.
         fixed: further parameters; start values among them are where estimates of these begin [SI].
         tracker, tolerance: as above.
-        starts_to_first_order: start values are eliminated by one linear step from where they begin, and stay there.
+        starts_to_first_order: start values are eliminated by one linear step from where they begin, and stay there;
+            those that ``fixed`` has take the place of the first samples.
     """
 
     def __init__(
@@ -73,6 +74,7 @@ class Objective:
         *,
         starts_to_first_order: bool = False,
     ) -> None:
+        self._to_first_order = starts_to_first_order
         self._eliminate = eliminate_to_first_order if starts_to_first_order else eliminate
         self.tracker = tracker or Tracker()
         self._priors = [(i, f.prior) for i, f in enumerate(free) if f.prior is not None]
@@ -129,7 +131,14 @@ class Objective:
             estimated = [i for i, run in enumerate(self.runs) if run.start.mode == "estimated"]
             values = self.values(z)
             found = {
-                i: start_values(self.simulator, self.data, self.runs[i], values) for i in estimated
+                i: start_values(
+                    self.simulator,
+                    self.data,
+                    self.runs[i],
+                    values,
+                    about_given=self._to_first_order,
+                )
+                for i in estimated
             }
             self.starts = {i: one for i, one in found.items() if one.names}
         return self.starts
@@ -258,18 +267,29 @@ class Objective:
         return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
 
     def plain_residuals(self, z: Array) -> Array:
-        """As ``residuals``, simulated without slopes where no start values need them."""
-        if self._estimates_starts(z):
+        """As ``residuals``, simulated without slopes where no start values need them.
+
+        To first order the slopes by start values are those of the point that was simulated first.
+        """
+        starts = self._starts_if_it_runs(z)
+        if starts and not (
+            self._to_first_order and all(one.slopes.size for one in starts.values())
+        ):
             return self.residuals(z)
         self.evaluations += 1
-        return self._with_priors(z, self._without_slopes(z, range(len(self.runs))))
+        left = self._without_slopes(z, range(len(self.runs)))
+        if np.all(np.isfinite(left)):
+            for i, one in starts.items():
+                rows = slice(self.ends[i], self.ends[i + 1])
+                left[rows] = one.taken_away(left[rows])
+        return self._with_priors(z, left)
 
-    def _estimates_starts(self, z: Array) -> bool:
-        """Whether start values are estimated, as far as the model runs."""
+    def _starts_if_it_runs(self, z: Array) -> dict[int, StartValues]:
+        """The start values that are parameters; none where the model breaks down."""
         try:
-            return bool(self._start_values_at(z))
+            return self._start_values_at(z)
         except SimulationFailure:
-            return False
+            return {}
 
     def glance(self, z: Array) -> float:
         """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.

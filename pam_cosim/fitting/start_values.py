@@ -17,7 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import measured_initial_state, start_time
+from pam_cosim.comparison import initial_state_about, measured_initial_state, start_time
 from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
@@ -71,6 +71,17 @@ class StartValues:
         """(k,) how far values are from what is known beforehand, in standard deviations."""
         return np.asarray((self.mean - values) / self.sd)
 
+    def with_prior_slopes(self, slopes: Array) -> Array:
+        """(n + k, k) slopes of the residuals by the start values, and below them those of ``prior_rows``."""
+        return np.vstack([slopes, -np.diag(1.0 / self.sd)])
+
+    def taken_away(self, residuals: Array) -> Array:
+        """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
+        rows = np.append(residuals, self.prior_rows(self.values))
+        step = np.linalg.lstsq(self.slopes * self.sd, -rows, rcond=None)[0] * self.sd
+        moved = np.clip(self.values + step, self.low, self.high) - self.values
+        return np.asarray(residuals + self.slopes[: len(residuals)] @ moved)
+
     def following(self, columns: Array) -> Array:
         """(k, m) by how much the start values move along with what moves the residuals of the run by (n, m) columns."""
         below = np.zeros((len(self.names), columns.shape[1]))
@@ -89,7 +100,12 @@ class StartValues:
 
 
 def start_values(
-    simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
+    simulator: AnySimulator,
+    data: DataSet,
+    run: Run,
+    parameters: Mapping[str, float],
+    *,
+    about_given: bool = False,
 ) -> StartValues:
     """What is to be estimated of the start of a run, about where the first samples and the model's rest put it.
 
@@ -98,11 +114,18 @@ def start_values(
         data: the measurement with its noise.
         run: whose start is estimated.
         parameters: fitted values [SI]; start values among them are where the estimate goes on from.
+        about_given: if there are such, they take the place of the first samples: the start of another model is known,
+            and this one has a state more.
     """
     own = data.parameters_of(run, parameters)
     names = simulator.interface.states
     bare = {n: v for n, v in own.items() if n not in names}
-    begins = measured_initial_state(simulator, data, run, bare)
+    given = {n: own[n] for n in names if n in own} if about_given else {}
+    begins = (
+        initial_state_about(simulator, data, run, bare, given)
+        if given
+        else measured_initial_state(simulator, data, run, bare)
+    )
     times = np.unique(np.append(start_time(run), run.time))
     course = simulator.run(
         times,
@@ -186,10 +209,9 @@ def eliminate_to_first_order(
     Raises:
         SimulationFailure: the run does not reach its end.
     """
-    here = _Point(of, *simulate())
-    moved = np.clip(here.values + here.step, of.low, of.high) - here.values
-    of.slopes = here.slopes
-    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ moved
+    result, residuals, slopes = simulate()
+    of.slopes = of.with_prior_slopes(slopes)
+    return result, of.taken_away(residuals)
 
 
 def _tried(
@@ -208,7 +230,7 @@ class _Point(Generic[Result]):
     def __init__(self, of: StartValues, result: Result, residuals: Array, slopes: Array) -> None:
         self.result, self.residuals, self.values = result, residuals, of.values
         rows = np.append(residuals, of.prior_rows(of.values))
-        self.slopes = np.vstack([slopes, -np.diag(1.0 / of.sd)])
+        self.slopes = of.with_prior_slopes(slopes)
         self.cost = float(rows @ rows)
         self.step: Array = np.linalg.lstsq(self.slopes * of.sd, -rows, rcond=None)[0] * of.sd
         left = rows + self.slopes @ self.step
