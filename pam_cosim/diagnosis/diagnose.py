@@ -285,7 +285,6 @@ def diagnose(
         say,
         workers,
         expected=expected,
-        at_rest=all(run.is_static for run in data.runs),
     )
     deadline = began + (math.inf if time_limit is None else time_limit)
     answer = _answer(subject, search_fit_runs(subject, search, base, outliers, deadline), deadline)
@@ -298,7 +297,8 @@ def diagnose(
     learned = None
     if explain and unexplained:
         learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
-    balance = _balance(base, [c for c in selection.tried if len(c.effects) == 1])
+    judged = answer.judged
+    balance = _balance(judged.base, [c for c in judged.selection.tried if len(c.effects) == 1])
     return Diagnosis(
         data=data,
         model=name,

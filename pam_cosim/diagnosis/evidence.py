@@ -64,12 +64,10 @@ def may_have_structure(s: ResidualStatistics) -> bool:
 
     Or red noise: where nobody stated a level, residuals of any size may be that, and only a better model tells.
     """
+    if s.samples < CRITERIA.residuals.many_samples:
+        return has_structure_for_search(s)
     known_variance = min(s.noise_floor, max(1.0, s.white_variance))
-    return has_structure_for_search(s) or (
-        s.samples >= CRITERIA.residuals.many_samples
-        and _correlated(s)
-        and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
-    )
+    return _correlated(s) and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
 
 
 def has_structure_for_verdict(
@@ -239,7 +237,7 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
         left[c.family] = min(left.get(c.family, math.inf), c.fit.residuals["fit"].excess)
     family = min(left, key=lambda f: left[f], default="")
     if any(
-        excess < CRITERIA.evidence.apart * left[family]
+        excess <= CRITERIA.evidence.apart * left[family]
         for other, excess in left.items()
         if other != family
     ):

@@ -93,7 +93,7 @@ class Identifiability:
     Attributes:
         parameters: the free ones.
         confused: pairs of parameters that are hardly told apart, with the correlation of their estimates.
-        shown: every effect that moves a sample, the one that is shown best first.
+        shown: every effect that was simulated, the one that is shown best first.
         alike: families that are shown but not told apart, the worst first.
     """
 
@@ -230,7 +230,7 @@ class Rows:
                     count[p.effect] - count[best.effect]
                 )
                 least, pair = _detectable_at(needed, left), frozenset((family, p.family))
-                if not own[best.effect].within_bounds(least):
+                if least > 0 and not own[best.effect].within_bounds(least):
                     least = math.inf
                 if least > 1 and (pair not in worst or least > worst[pair].least):
                     worst[pair] = ConfusedPair(best.effect, family, p.effect, p.family, least)
@@ -242,7 +242,7 @@ def _sizes(courses: Array) -> list[float]:
 
 
 def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) -> DetectableEffect:
-    """How well an effect is shown that has these sizes, as ``probing.shown_from`` takes them."""
+    """How well an effect is shown that has these sizes, as ``probing.detectable_strength`` takes them."""
     needed = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
     least = detectable_strength(sizes, needed)
     if not probe.strengths.within_bounds(least):

@@ -21,7 +21,7 @@ from pam_cosim.catalogue import compose, effect_classes
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Attempt, Candidate
-from pam_cosim.diagnosis.learning_library import Form, Quantity, forms, quantities
+from pam_cosim.diagnosis.learning_library import Form, forms, quantities
 from pam_cosim.diagnosis.learning_text import MISSING, formula_text, modelica_text
 from pam_cosim.diagnosis.trial import Trial, run_trial
 from pam_cosim.errors import InputError
@@ -90,7 +90,7 @@ class LearnedTerm:
 
 
 def learn(
-    ledger: Ledger, balance: str | None = None, *, name: str = "", tree: ClassTree | None = None
+    ledger: Ledger, balance: str | None = None, *, tree: ClassTree | None = None
 ) -> LearnedTerm:
     """Describes the missing term of a balance (default: the one that fails most) by a sparse formula.
 
@@ -112,7 +112,7 @@ def learn(
     known = quantities(samples.variables, entry.units)
     picked = select_forms(samples, forms(known))
     fitted = coefficients_of(samples, picked)
-    title = name or f"Learned{entry.balance.capitalize()}"
+    title = f"Learned{entry.balance.capitalize()}"
     terms = tuple(
         FittedAddend(float(c), float(d), f)
         for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
@@ -421,4 +421,4 @@ def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> FittedForms
     )
 
 
-__all__ = ["FittedAddend", "LearnedTerm", "Quantity", "learn", "refitted", "try_learned"]
+__all__ = ["FittedAddend", "LearnedTerm", "learn", "refitted", "try_learned"]

@@ -92,9 +92,7 @@ def learn_directly(search: Search, effects: Sequence[str], present: Fit) -> Dire
 
 def with_coefficients(direct: DirectTerm, tree: ClassTree, factor: float) -> LearnedTerm:
     """The term with a part of its coefficients, where a fit may start from; their bounds stay."""
-    terms = tuple(
-        replace(t, coefficient=factor * t.coefficient, reach=t.reach) for t in direct.term.terms
-    )
+    terms = tuple(replace(t, coefficient=factor * t.coefficient) for t in direct.term.terms)
     source = modelica_text(
         tree, direct.term.name, direct.entry, terms, direct.term.score, RESIDUALS
     )

@@ -92,7 +92,7 @@ def next_experiment(
         separation=float(np.sqrt(evidence / samples)),
         evidence=evidence,
         between=(a.family, b.family),
-        parameters={name: run.parameters[name] for name in varied},
+        parameters={name: run.parameters[name] for name in varied if name in run.parameters},
         interpolation=run.interpolation,
         table=_table(run),
         units={name: variables[name].unit for name in (*run.inputs, *varied)},
@@ -125,9 +125,8 @@ def _is_same_in_practice(best: Candidate, rival: Candidate, plan: NextExperiment
 
 def _varied(data: DataSet) -> list[str]:
     """Parameters that differ between runs: the experimenter can set them."""
-    values = {
-        name: {run.parameters.get(name) for run in data.runs} for name in data.runs[0].parameters
-    }
+    names = dict.fromkeys(name for run in data.runs for name in run.parameters)
+    values = {name: {run.parameters.get(name) for run in data.runs} for name in names}
     return [name for name, different in values.items() if len(different) > 1]
 
 

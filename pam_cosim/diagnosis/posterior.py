@@ -32,7 +32,7 @@ class Explanation:
 
     Attributes:
         families: in alphabetical order; none: nothing is missing.
-        evidence: against their best model, less that against the best of all: twice the logarithm of the odds.
+        evidence: against their best model, less that against the answer: twice the logarithm of the odds.
         probability: of these families.
     """
 

@@ -308,7 +308,7 @@ class PredictedEvidence:
         if own:
             merged = self._merged.get(effects)
             if merged is None or merged[0] is not additions or merged[1] != len(own):
-                whole = Additions([own.get(a.effect, a) for a in additions.every])
+                whole = Additions([*({a.effect: a for a in additions.every} | own).values()])
                 self._merged[effects] = merged = (additions, len(own), whole)
             additions = merged[2]
         return LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)

@@ -5,8 +5,11 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
+import numpy as np
+
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.evidence import bic_penalty, noise_scale
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate, Fit, FitOptions, Free, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import Simulator
@@ -50,7 +53,11 @@ def pruned(
             if f.name != name and f.name not in held
         ]
         zeros = dict.fromkeys([*held, name], 0.0)
-        less = fit(simulator, data, left, fixed=zeros, options=options)
+        try:
+            less = fit(simulator, data, left, fixed=zeros, options=options)
+        except SimulationFailure:
+            needed.add(name)
+            continue
         if less.chi2_minimised - best.chi2_minimised > worth:
             needed.add(name)
             continue
@@ -58,7 +65,13 @@ def pruned(
             best.parameters[name], value=0.0, at_bound=False, determined=False, held=True
         )
         best = less
-    return replace(best, parameters={f.name: (best.parameters | held)[f.name] for f in free})
+    return replace(
+        best,
+        parameters={f.name: (best.parameters | held)[f.name] for f in free},
+        correlation=np.zeros((0, 0))
+        if held
+        else best.correlation,  # nobody knows it of all of them
+    )
 
 
 def _least_certain(fitted: Fit, names: Sequence[str]) -> str:

@@ -259,8 +259,10 @@ class Ranking:
 
     def _with_one_more(self, effects: Collection[str]) -> float:
         """The same with one more effect, of one parameter."""
-        other = next(e.name for e in self.search.available_effects if e.name not in effects)
-        return self._cost((*effects, other), sum(self.search.cost[name] for name in effects) + 1)
+        others = (e.name for e in self.search.available_effects if e.name not in effects)
+        return self._cost(
+            (*effects, next(others, "")), sum(self.search.cost[name] for name in effects) + 1
+        )
 
     def more_effects_can_pay(self, count: int) -> bool:
         """Whether so many effects, of one parameter each, would cost less than the best model, which leaves noise."""
@@ -310,5 +312,5 @@ class Ranking:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
         best = self.best()
         if best is not None and self.has_structure(best):
-            return dominant_effect(self.base, self._complete()) or best
+            return dominant_effect(self.base, list(self.fitted.values())) or best
         return best

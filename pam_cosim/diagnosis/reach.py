@@ -118,7 +118,7 @@ def _readings(objective: Objective, z: Array, outputs: Sequence[str]) -> Array:
 
 
 def _visible_change(readings: Array) -> Array:
-    """(k, 1) changes that are more than the tolerance of a solver, by the size of each reading."""
+    """(k, n) changes that are more than the tolerance of a solver, by the size of each reading."""
     return np.asarray(
         CRITERIA.noise.assumed_share * np.ptp(readings, axis=1, keepdims=True)
         + 1e-9 * np.abs(readings)

@@ -67,7 +67,6 @@ class Search:
         workers: number of processes; None: the processors at hand.
         failed: trials without a fit so far; this grows.
         expected: names of effects that are likely.
-        at_rest: all runs are points at rest.
         undetectable: names of effects that these cannot show, beside whatever else.
         inactive_parameters: by effect, full names of its parameters that no sample depends on; they are not fitted.
     """
@@ -81,9 +80,13 @@ class Search:
     workers: int | None = None
     failed: list[FailedTrial] = field(default_factory=list)
     expected: frozenset[str] = frozenset()
-    at_rest: bool = False
     undetectable: frozenset[str] = frozenset()
     inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+
+    @property
+    def at_rest(self) -> bool:
+        """Whether all runs are points at rest."""
+        return all(run.is_static for run in self.data.runs)
 
     @cached_property
     def structure(self) -> Structure:

@@ -7,7 +7,6 @@ answer has taken every run there is, so that nothing checks it any more, and it 
 
 from __future__ import annotations
 
-import math
 import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
@@ -91,12 +90,14 @@ def search_fit_runs(
         deadline: of ``time.monotonic``, at which the search ends.
     """
     selection, steps = select_effects(search, base, deadline), 0
+    before = Counter[str]()
     if selection.retimed is not None:
         steps = selection.retimed.steps
+        before = Counter(outliers) + Counter(selection.outliers)
         search.say(StepTimesFound(steps).message)
         search, base, outliers = _restarted(subject, search, selection.retimed.data)
         selection = select_effects(search, base, deadline, retime=False)
-    set_aside = Counter(outliers) + Counter(selection.outliers)
+    set_aside = before + Counter(outliers) + Counter(selection.outliers)
     return SearchResult(selection.search, selection.base, selection, set_aside, steps)
 
 
@@ -122,8 +123,11 @@ def search_all_runs(
     selection = select_effects(search, base, deadline, retime=False, earlier=earlier)
     set_aside = Counter(outliers) + Counter(selection.outliers)
     all_runs_result = SearchResult(selection.search, selection.base, selection, set_aside)
-    is_cut_short = math.isfinite(deadline) and selection.untried
-    if is_cut_short or not all_runs_result.path or any_structure_for_verdict(all_runs_result.last):
+    if (
+        selection.untried
+        or not all_runs_result.path
+        or any_structure_for_verdict(all_runs_result.last)
+    ):
         return None
     return all_runs_result
 
@@ -148,7 +152,7 @@ def _restarted(
     with subject.simulator() as simulator:
         data, base, outliers = fit_base_model(simulator, data, search.say)
     return (
-        replace(search, data=data, undetectable=frozenset(), inactive_parameters={}),
+        replace(search, data=data, failed=[], undetectable=frozenset(), inactive_parameters={}),
         base,
         outliers,
     )

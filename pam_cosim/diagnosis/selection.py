@@ -435,6 +435,7 @@ class _Models:
                     continue
                 own = finished
                 self.fitted[names] = own
+                self.ranking.update_scale()
             before = models[-1].fit if models else self.base
             models.append(rank(before, [own])[0])
         return models

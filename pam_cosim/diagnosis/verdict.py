@@ -360,7 +360,8 @@ def _noise_excess(fit: Fit) -> str:
     loud = fit.residuals["fit"].chi2_reduced
     if loud <= CRITERIA.fit.loud:
         return ""
-    sources = {s.source for s in fit.comparison.data.signals.values() if s.fitted}
+    signals = fit.comparison.data.signals.values()
+    sources = {s.source.partition(":")[0] for s in signals if s.fitted}
     taken = (
         _TAKEN_FOR_NOISE[next(iter(sources))] if len(sources) == 1 else "what was taken for noise"
     )

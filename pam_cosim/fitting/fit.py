@@ -24,7 +24,7 @@ from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty, estimate_holdout_uncertainty
 from pam_cosim.fitting.levenberg_marquardt import Minimum
-from pam_cosim.fitting.linear import Linear, linearised
+from pam_cosim.fitting.linear import Linear, judged_by, linearised
 from pam_cosim.fitting.methods import METHODS, GlobalSearch
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
@@ -115,7 +115,10 @@ class Fit(Printed):
     def against(self, data: DataSet) -> Fit:
         """The same parameters judged by other samples: ``data`` has the same runs, some of their samples set aside."""
         comparison = self.comparison.against(data)
-        return replace(self, comparison=comparison, residuals=statistics_by_role(comparison))
+        linear = self.linear and judged_by(self.linear, comparison.runs, data, CRITERIA.search.rows)
+        return replace(
+            self, comparison=comparison, residuals=statistics_by_role(comparison), linear=linear
+        )
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
+from pam_cosim.comparison import RunComparison, standardized_residuals
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.measurement import Prior
+from pam_cosim.fitting.sensitivities import measured_signals
+from pam_cosim.measurement import DataSet, Prior
 
 
 @dataclass(frozen=True)
@@ -96,6 +98,26 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         both[:, 1:],
         {f.name: f.prior for f in objective.free if f.prior is not None},
     )
+
+
+def judged_by(linear: Linear, runs: Sequence[RunComparison], data: DataSet, rows: int) -> Linear:
+    """The same with the residuals of other samples of the same runs.
+
+    The slopes keep the samples that are set aside: few of those that a row is the mean of.
+
+    Args:
+        linear: as ``linearised`` made it in so many ``rows``.
+        runs: of the model there, those held out among them.
+        data: with the samples.
+    """
+    series = [(r, n) for r in runs if r.run.role == "fit" for n in measured_signals(r.run, data)]
+    kept = [np.isfinite(r.run.measurements[n]) for r, n in series]
+    errors = [
+        standardized_residuals(r.residual(n)[k], data.signals[n], r.run.measurements[n][k])
+        for (r, n), k in zip(series, kept, strict=True)
+    ]
+    whole = np.concatenate(errors) if errors else np.zeros(0)
+    return replace(linear, residual=_condensed(whole[:, None], kept, rows)[:, 0])
 
 
 def residual_rows(objective: Objective, z: Array, rows: int) -> Array | None:

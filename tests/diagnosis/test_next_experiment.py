@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,7 +11,7 @@ from pam_cosim import study
 from pam_cosim.catalogue import compose
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.next_experiment import distinguishable_rivals, next_experiment
+from pam_cosim.diagnosis.next_experiment import _varied, distinguishable_rivals, next_experiment
 from pam_cosim.diagnosis.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, read_data_set
@@ -64,6 +66,14 @@ def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:
         second._held = np.zeros((1, len(second.free)))  # nothing measured yet
         free = second.refitted_miss(one, two)
     assert free < 0.02 * plain and free < held < plain
+
+
+def test_a_parameter_that_one_run_does_not_state_varies(data: DataSet) -> None:
+    """An input that is constant in one run is a column in another."""
+    first, second, *others = data.runs
+    lacking = replace(second, parameters={})
+    for runs in ((first, lacking, *others), (lacking, first, *others)):
+        assert _varied(replace(data, runs=runs)) == ["load.m"]
 
 
 def test_the_run_can_be_made_as_printed(data: DataSet) -> None:

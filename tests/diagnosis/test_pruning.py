@@ -7,6 +7,7 @@ from collections.abc import Mapping, Sequence
 import pytest
 
 from pam_cosim.diagnosis import pruning
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate, Fit, Free
 from tests.diagnosis.synthetic import SAMPLES, fitted
 
@@ -24,7 +25,9 @@ def known(chi2: float, held: Sequence[str] = ()) -> Fit:
     return fitted(chi2 + more / SAMPLES, own={n: e for n, e in OWN.items() if n not in held})
 
 
-def prune(monkeypatch: pytest.MonkeyPatch, chi2: float) -> tuple[Fit, list[set[str]]]:
+def prune(
+    monkeypatch: pytest.MonkeyPatch, chi2: float, breaks_down: str = ""
+) -> tuple[Fit, list[set[str]]]:
     asked: list[set[str]] = []
 
     def fit(
@@ -39,6 +42,8 @@ def prune(monkeypatch: pytest.MonkeyPatch, chi2: float) -> tuple[Fit, list[set[s
             fixed.values()
         ) == {0.0}
         asked.append(set(fixed))
+        if breaks_down in fixed:
+            raise SimulationFailure("the step has become too small")
         return known(chi2, list(fixed))
 
     monkeypatch.setattr(pruning, "fit", fit)
@@ -56,6 +61,22 @@ def test_what_the_evidence_does_not_miss_is_held(monkeypatch: pytest.MonkeyPatch
     assert "held" in str(pruned_fit.parameters["a"])
     assert {n: pruned_fit.values[n] for n in "bc"} == {"b": -2.5, "c": 0.2}
     assert list(pruned_fit.parameters) == [f.name for f in FREE]
+
+
+def test_a_coefficient_without_which_the_model_breaks_down_stays(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pruned_fit, asked = prune(monkeypatch, 1.0, breaks_down="a")
+    assert asked == [{"a"}, {"c"}]
+    assert not any(e.held for e in pruned_fit.parameters.values())
+    assert pruned_fit.values["a"] == 0.1
+
+
+def test_correlations_of_fewer_parameters_are_not_taken_for_those_of_all(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    pruned_fit, _ = prune(monkeypatch, 1.0)
+    assert not pruned_fit.confused() and not pruned_fit.correlation.size
 
 
 def test_a_model_that_is_far_from_the_noise_is_left_as_it_is(

@@ -119,6 +119,23 @@ def test_families_that_do_the_same_are_told_apart_by_a_signal_in_which_they_diff
     assert told.further == [MORE]
 
 
+def test_a_form_that_pays_for_many_parameters_is_not_taken_for_a_plain_one() -> None:
+    """That the price of four more parameters tells them apart needs no strength at all."""
+    plain, rich = stated("Spring", "elasticity", 40 * unit(1)), stated("Hole", "leak", 40 * unit(1))
+    names = [f"Hole.{i}" for i in range(4)]
+    further = tuple(Free(name, -1e6, 1e6, 1.0, "N") for name in names)
+    slopes = np.column_stack([rich.linear.slopes, *(5 * unit(2 + i) for i in range(4))])
+    limits = np.append(rich.linear.high, np.full(4, 1e6))
+    linear = replace(
+        rich.linear, names=(*rich.linear.names, *names), slopes=slopes, low=-limits, high=limits,
+        values=np.append(rich.linear.values, np.zeros(4)),
+    )  # fmt: skip
+    absent = {**rich.strengths.absent, **dict.fromkeys(names, 0.0)}
+    strengths = Strengths((*rich.strengths.own, *further), absent)
+    told = rows(plain, replace(rich, linear=linear, strengths=strengths)).identifiability()
+    assert not any(a.effect == "Spring" for a in told.alike)
+
+
 def vessel(folder: Path, text: str = EXPERIMENT) -> pam.Check:
     folder.mkdir()
     (folder / "experiment.toml").write_text(text)

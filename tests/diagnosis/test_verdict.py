@@ -65,6 +65,7 @@ def test_several_effects_in_the_order_in_which_they_were_added() -> None:
     "signal, taken",
     [
         (Signal("x", "m", 1e-3), "2 times the stated noise"),
+        (Signal("x", "m", 1e-3, sigma_of_reading=0.01), "2 times the stated noise"),
         (
             Signal("x", "m", 1e-3, estimated=True),
             "2 times the noise that was estimated from the samples",
