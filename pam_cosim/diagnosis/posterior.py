@@ -15,6 +15,7 @@ from math import exp, nan
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
+    best_of_each,
     has_structure_for_search,
     information_criterion,
     missed_signals,
@@ -146,14 +147,9 @@ def evidence_of_families(
         family, model_space: as for ``posterior``.
     """
     scale = noise_scale([base, *(c.fit for c in tried)])
-    each = {frozenset[str](): information_criterion(base, scale, (), model_space)}
-    for c in models:
-        families = frozenset(family[e] for e in c.effects)
-        each[families] = min(
-            information_criterion(c.fit, scale, c.effects, model_space, c),
-            each.get(families, float("inf")),
-        )
-    return each
+    alone = {frozenset[str](): information_criterion(base, scale, (), model_space)}
+    best = best_of_each(models, scale, family, model_space)
+    return alone | {families: score for families, (score, _) in best.items()}
 
 
 def doubts_of(selected: Sequence[Candidate], structure: bool, form_open: bool) -> frozenset[str]:

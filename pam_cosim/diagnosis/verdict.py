@@ -13,9 +13,9 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.evidence import (
-    NoiseScale,
     any_structure_for_search,
     any_structure_for_verdict,
+    best_of_each,
     dominant_effect,
     has_structure_for_search,
     information_criterion,
@@ -227,22 +227,6 @@ def with_facts(
     ]
     unusual = implausible(best, others, noise_scale([base, *(c.fit for c in tried)]), model_space)
     return replace(verdict, off=off, refuted=wrong, bending=bending, implausible=unusual)
-
-
-def best_of_each(
-    candidates: Sequence[Candidate],
-    scale: NoiseScale,
-    family: Mapping[str, str],
-    model_space: ModelSpace,
-) -> dict[frozenset[str], tuple[float, Candidate]]:
-    """The best model with each set of families, with its evidence, in the order of the candidates."""
-    best: dict[frozenset[str], tuple[float, Candidate]] = {}
-    for c in candidates:
-        families = frozenset(family[e] for e in c.effects)
-        score = information_criterion(c.fit, scale, c.effects, model_space, c)
-        if families not in best or score < best[families][0]:
-            best[families] = (score, c)
-    return best
 
 
 def with_posterior(
