@@ -68,7 +68,6 @@ class Check(Printed):
         no_place: families whose effects find no place in the model.
         helps: further measurements, the most useful first; none that would bring nothing.
         failed: effects that could not be simulated.
-        unmoved: families whose effects, alone, change nothing that was measured.
     """
 
     data: DataSet
@@ -77,7 +76,6 @@ class Check(Printed):
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
-    unmoved: tuple[str, ...] = ()
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -94,7 +92,6 @@ class Check(Printed):
             "alike": self.told.alike,
             "hidden": self.told.hidden,
             "no_place": self.no_place,
-            "unmoved": self.unmoved,
             "helps": self.helps,
             "failed": self.failed,
         }
@@ -144,8 +141,6 @@ class Check(Printed):
             lines.append(
                 f"would not show, however strong, or not beside the free parameters: {listed(hidden)}"
             )
-        if self.unmoved:
-            lines.append(f"move no sample at the start values, alone: {listed(self.unmoved)}")
         failed = dict.fromkeys(c.family for c in self.failed)
         broken = [family for family in failed if family not in best]
         if broken:
@@ -283,7 +278,6 @@ def check(
         no_place=tuple(
             f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried
         ),
-        unmoved=tuple(f for f in dict.fromkeys(p.family for p in probes) if f not in told.families),
         helps=tuple(_helps(rows, told)),
         failed=tuple(search.failed),
     )
