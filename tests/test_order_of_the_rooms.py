@@ -26,6 +26,7 @@ FLOORS = (
     ("workbench",),
     ("cli",),
 )
+FLOORS_OF_THE_DIAGNOSIS = ("judgement", "search", "description", "diagnose", "planning")
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 ROOMS = sorted(
     {path.name for path in PACKAGE.iterdir() if any(path.glob("*.py"))} - {"__pycache__"}
@@ -47,6 +48,14 @@ def imported_rooms(file: Path) -> set[str]:
     return {part[1] for part in parts if part[0] == "pam_cosim" and len(part) > 1}
 
 
+def imported_from(file: Path, room: str) -> set[str]:
+    """The parts of a room that a module takes something from."""
+    tree = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
+    modules = [node.module for node in tree if isinstance(node, ast.ImportFrom) and node.module]
+    parts = [module.split(".") for module in modules]
+    return {part[2] for part in parts if part[:2] == ["pam_cosim", room] and len(part) > 2}
+
+
 def test_every_room_has_a_floor() -> None:
     assert sorted(FLOOR) == ROOMS
 
@@ -58,3 +67,19 @@ def test_a_room_imports_only_from_those_before_it(room: str) -> None:
     assert files
     others = {other for file in files for other in imported_rooms(file)} - {room}
     assert {other for other in others if FLOOR[other] >= FLOOR[room]} == set()
+
+
+@pytest.mark.parametrize("part", FLOORS_OF_THE_DIAGNOSIS)
+def test_a_part_of_the_diagnosis_imports_only_from_those_before_it(part: str) -> None:
+    place = PACKAGE / "diagnosis" / part
+    files = sorted(place.glob("*.py")) if place.is_dir() else [place.with_suffix(".py")]
+    below = FLOORS_OF_THE_DIAGNOSIS[: FLOORS_OF_THE_DIAGNOSIS.index(part)]
+    others = {other for file in files for other in imported_from(file, "diagnosis")} - {part}
+    assert others <= set(below)
+
+
+def test_every_part_of_the_diagnosis_has_a_floor() -> None:
+    place = PACKAGE / "diagnosis"
+    folders = {path.parent.name for path in place.glob("*/*.py")}
+    modules = {path.stem for path in place.glob("*.py") if path.name[0] != "_"}
+    assert folders | modules == set(FLOORS_OF_THE_DIAGNOSIS)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.diagnosis.learning_library import Form, FormConstant, Quantity
+from pam_cosim.diagnosis.description.learning_library import Form, FormConstant, Quantity
 from pam_cosim.fitting import HoldoutUncertainty
 from tests.fitting.models import vessel_data
 from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
@@ -84,7 +84,7 @@ def test_every_product_draws_and_prints_itself(name: str, tmp_path: Path) -> Non
 
 def test_a_formula_with_a_shape(tmp_path: Path) -> None:
     """The parts of a learned term that the synthetic one lacks."""
-    from pam_cosim.diagnosis.learning import FittedAddend, LearnedTerm
+    from pam_cosim.diagnosis.description.learning import FittedAddend, LearnedTerm
 
     q = Quantity("x", "m", 0.05, False)
     form = Form(

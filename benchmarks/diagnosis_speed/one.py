@@ -44,7 +44,9 @@ def main(data: str, cache: str) -> None:
     """Diagnoses and prints."""
     os.environ["PAM_COSIM_CACHE"] = cache
     import pam_cosim as pam
-    from pam_cosim.diagnosis import diagnose, explanation, search_result, subject, trial
+    from pam_cosim.diagnosis import diagnose
+    from pam_cosim.diagnosis.description import explanation
+    from pam_cosim.diagnosis.search import search_result, subject, trial
 
     spent["start"] = processor_time()
     trial.build_source = timed("building", trial.build_source)

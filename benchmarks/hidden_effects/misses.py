@@ -40,14 +40,14 @@ from blind_cases.prepared import made_case
 from pam_cosim import study
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.evidence import (
     any_structure_for_search,
     information_criterion,
     noise_scale,
 )
-from pam_cosim.diagnosis.search import FitRequest, Search
-from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.diagnosis.search.search import FitRequest, Search
+from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.fitting import Fit
 
 Result = Mapping[str, Any]

@@ -24,7 +24,7 @@ from benchmarks.hidden_effects.calibration import brier, calibration_error
 from benchmarks.hidden_effects.outcome import judged, stated_probability
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.posterior import DOUBTS
+from pam_cosim.diagnosis.judgement.posterior import DOUBTS
 
 Result = Mapping[str, Any]
 _SPREAD = 1.0  # of each logit and of the temperature's logarithm, about those in force

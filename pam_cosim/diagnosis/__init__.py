@@ -1,9 +1,9 @@
 """Fit and catalogue of effects -> which effect is missing."""
 
-from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.check import Check, Help, check
+from pam_cosim.diagnosis.description.explanation import LearnedModel
 from pam_cosim.diagnosis.diagnose import Diagnosis, diagnose
-from pam_cosim.diagnosis.events import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial
+from pam_cosim.diagnosis.judgement.events import (
     AllRunsSearched,
     BaseFitted,
     CandidateTried,
@@ -22,18 +22,18 @@ from pam_cosim.diagnosis.events import (
     StepTimesFound,
     StepTimesSought,
 )
-from pam_cosim.diagnosis.explanation import LearnedModel
-from pam_cosim.diagnosis.identifiability import (
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.judgement.missing_term import LeftInSignal, MissingTerm
+from pam_cosim.diagnosis.judgement.next_experiment import NextExperiment
+from pam_cosim.diagnosis.judgement.posterior import Explanation, Posterior
+from pam_cosim.diagnosis.judgement.verdict import Verdict
+from pam_cosim.diagnosis.planning.check import Check, Help, check
+from pam_cosim.diagnosis.planning.identifiability import (
     ConfusedPair,
     DetectableEffect,
     Identifiability,
     ParameterPrecision,
 )
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.missing_term import LeftInSignal, MissingTerm
-from pam_cosim.diagnosis.next_experiment import NextExperiment
-from pam_cosim.diagnosis.posterior import Explanation, Posterior
-from pam_cosim.diagnosis.verdict import Verdict
 
 __all__ = [
     "Explanation",

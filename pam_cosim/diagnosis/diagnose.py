@@ -10,32 +10,29 @@ from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate, FailedTrial, role_summary
-from pam_cosim.diagnosis.events import (
+from pam_cosim.diagnosis.description.explanation import (
+    LearnedModel,
+    directly_learned,
+    learned_term,
+    ledger_of,
+)
+from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial, role_summary
+from pam_cosim.diagnosis.judgement.events import (
     Judged,
     LedgerKept,
     Listener,
     listened,
 )
-from pam_cosim.diagnosis.evidence import any_structure_for_verdict, rank
-from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned, learned_term, ledger_of
-from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.missing_term import MissingTerm, missing_term
-from pam_cosim.diagnosis.model_space import effects_named
-from pam_cosim.diagnosis.next_experiment import NextExperiment, RivalPlan, distinguishable_rivals
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.search_result import (
-    SearchResult,
-    fit_base_model,
-    refit_by_role,
-    search_all_runs,
-    search_fit_runs,
-    with_effects,
+from pam_cosim.diagnosis.judgement.evidence import any_structure_for_verdict, rank
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.judgement.missing_term import MissingTerm, missing_term
+from pam_cosim.diagnosis.judgement.model_space import effects_named
+from pam_cosim.diagnosis.judgement.next_experiment import (
+    NextExperiment,
+    RivalPlan,
+    distinguishable_rivals,
 )
-from pam_cosim.diagnosis.selection import Selection
-from pam_cosim.diagnosis.subject import Subject, subject_of
-from pam_cosim.diagnosis.verdict import (
+from pam_cosim.diagnosis.judgement.verdict import (
     Verdict,
     explained,
     judge,
@@ -44,6 +41,18 @@ from pam_cosim.diagnosis.verdict import (
     with_facts,
     with_posterior,
 )
+from pam_cosim.diagnosis.search.folds import Folds, cross_validated, folds_of
+from pam_cosim.diagnosis.search.search import Search
+from pam_cosim.diagnosis.search.search_result import (
+    SearchResult,
+    fit_base_model,
+    refit_by_role,
+    search_all_runs,
+    search_fit_runs,
+    with_effects,
+)
+from pam_cosim.diagnosis.search.selection import Selection
+from pam_cosim.diagnosis.search.subject import Subject, subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.files import plain
 from pam_cosim.fitting import Fit

@@ -7,7 +7,7 @@ from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
-from pam_cosim.diagnosis.verdict import explained
+from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.reporting.account.diagnosis_rows import (
     candidate_row,
     missing_rows,

@@ -17,7 +17,7 @@ from pam_cosim.diagnosis import (
     Judged,
     SearchRestarted,
 )
-from pam_cosim.diagnosis.evidence import rank
+from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row
 from pam_cosim.reporting.account.meaning import kind_name, probability_sentence

@@ -19,8 +19,8 @@ from pam_cosim.diagnosis import (
     LedgerKept,
     SearchRestarted,
 )
-from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.verdict import explained
+from pam_cosim.diagnosis.judgement.evidence import rank
+from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import BalanceEntry, binned
 from pam_cosim.ledger import Ledger as KeptLedger

@@ -13,8 +13,8 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.diagnosis.search import FitRequest, Search
+from pam_cosim.diagnosis.search.probing import EffectProbe
+from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit, Linear
 from tests.diagnosis.synthetic import statistics
 

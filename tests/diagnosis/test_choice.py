@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.model_space import ModelSpace, effects_named
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace, effects_named
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator

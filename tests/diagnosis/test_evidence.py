@@ -7,14 +7,14 @@ from dataclasses import replace
 
 import pytest
 
-from pam_cosim.diagnosis.evidence import (
+from pam_cosim.diagnosis.judgement.evidence import (
     NoiseScale,
     bic,
     information_criterion,
     rank,
     significantly_better,
 )
-from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.fitting import Estimate
 from pam_cosim.measurement import Prior
 from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted

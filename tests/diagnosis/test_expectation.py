@@ -7,7 +7,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from pam_cosim.diagnosis.expectation import Additions, LinearisedNeighbourhood, addition, reduction
+from pam_cosim.diagnosis.search.expectation import (
+    Additions,
+    LinearisedNeighbourhood,
+    addition,
+    reduction,
+)
 from pam_cosim.fitting import Linear
 from pam_cosim.measurement import Prior
 from tests.diagnosis.linear_world import ROWS, SHELF, moves, world

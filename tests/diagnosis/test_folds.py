@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis import folds as module
-from pam_cosim.diagnosis.folds import Folds, cross_validated, folds_of
-from pam_cosim.diagnosis.verdict import Verdict
+from pam_cosim.diagnosis.judgement.verdict import Verdict
+from pam_cosim.diagnosis.search import folds as module
+from pam_cosim.diagnosis.search.folds import Folds, cross_validated, folds_of
 from pam_cosim.measurement import DataSet, Run, Signal
 
 RATIO = "ratio(muscle.L0)"

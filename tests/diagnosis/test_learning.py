@@ -13,8 +13,8 @@ from pam_cosim import study
 from pam_cosim.catalogue import effect_classes
 from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
-from pam_cosim.diagnosis.learning_library import forms, quantities
+from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, refitted, try_learned
+from pam_cosim.diagnosis.description.learning_library import forms, quantities
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger

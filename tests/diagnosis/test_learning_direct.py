@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.diagnosis.description.explanation import LearnedModel, directly_learned
+from pam_cosim.diagnosis.description.learning_library import quantities, ramps
 from pam_cosim.diagnosis.diagnose import fit_base_model
-from pam_cosim.diagnosis.explanation import LearnedModel, directly_learned
-from pam_cosim.diagnosis.learning_library import quantities, ramps
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.diagnosis.search.search import Search
+from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet

@@ -18,8 +18,8 @@ from pam_cosim.diagnosis import (
     Judged,
     Message,
 )
-from pam_cosim.diagnosis.events import listened
-from pam_cosim.diagnosis.search import result_message
+from pam_cosim.diagnosis.judgement.events import listened
+from pam_cosim.diagnosis.search.search import result_message
 from rig.short import write_light_data
 
 

@@ -11,8 +11,12 @@ from pam_cosim import study
 from pam_cosim.catalogue import compose
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.next_experiment import _varied, distinguishable_rivals, next_experiment
-from pam_cosim.diagnosis.prediction import Hypothesis
+from pam_cosim.diagnosis.judgement.next_experiment import (
+    _varied,
+    distinguishable_rivals,
+    next_experiment,
+)
+from pam_cosim.diagnosis.judgement.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import DataSet, read_data_set
 from rig.short import write_light_data

@@ -8,8 +8,8 @@ import pytest
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.evidence import contradicted_by_holdout
-from pam_cosim.diagnosis.ranking import Ranking
+from pam_cosim.diagnosis.judgement.evidence import contradicted_by_holdout
+from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.fitting import Estimate, Fit
 from tests.diagnosis.linear_world import KNOWN, world
 from tests.diagnosis.synthetic import fitted

@@ -10,9 +10,15 @@ import pytest
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Verdict
-from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.posterior import DOUBTS, Posterior, doubts_of, posterior, something_else
-from pam_cosim.diagnosis.verdict import judge, with_posterior
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.posterior import (
+    DOUBTS,
+    Posterior,
+    doubts_of,
+    posterior,
+    something_else,
+)
+from pam_cosim.diagnosis.judgement.verdict import judge, with_posterior
 from pam_cosim.reporting.account import probability_rows
 from tests.diagnosis.synthetic import candidate, fitted
 

@@ -7,8 +7,8 @@ from collections.abc import Callable
 import numpy as np
 import pytest
 
-from pam_cosim.diagnosis import probing
-from pam_cosim.diagnosis.probing import Strengths
+from pam_cosim.diagnosis.search import probing
+from pam_cosim.diagnosis.search.probing import Strengths
 from pam_cosim.fitting import Free, Linear
 
 ROWS = 200

@@ -6,7 +6,7 @@ from collections.abc import Mapping, Sequence
 
 import pytest
 
-from pam_cosim.diagnosis import pruning
+from pam_cosim.diagnosis.search import pruning
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate, Fit, Free
 from tests.diagnosis.synthetic import SAMPLES, fitted

@@ -11,9 +11,9 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.hypothetical_measurements import AS_MEASURED, Option
-from pam_cosim.diagnosis.identifiability import Rows
-from pam_cosim.diagnosis.probing import StatedEffect, Strengths, detectable_strength
+from pam_cosim.diagnosis.planning.hypothetical_measurements import AS_MEASURED, Option
+from pam_cosim.diagnosis.planning.identifiability import Rows
+from pam_cosim.diagnosis.search.probing import StatedEffect, Strengths, detectable_strength
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, Linear
 from tests.cli.conftest import EXPERIMENT, table

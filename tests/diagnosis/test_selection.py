@@ -8,7 +8,7 @@ from itertools import combinations
 
 import pytest
 
-from pam_cosim.diagnosis.selection import _Models, select_effects
+from pam_cosim.diagnosis.search.selection import _Models, select_effects
 from tests.diagnosis.linear_world import KNOWN, SHELF, LinearWorld, world
 
 
@@ -88,7 +88,9 @@ def test_what_was_best_when_the_time_was_over_is_the_answer(
     times = iter(
         [0.0]
     )  # the first look at the clock is in time, before the first few steps; every other is late
-    monkeypatch.setattr("pam_cosim.diagnosis.selection.time.monotonic", lambda: next(times, 2.0))
+    monkeypatch.setattr(
+        "pam_cosim.diagnosis.search.selection.time.monotonic", lambda: next(times, 2.0)
+    )
     selection = select_effects(one, one.fitted(()), deadline=1.0)
     assert selection.untried and not one.tried  # none was fitted to the end before
     assert [c.family for c in selection.path] == ["elasticity"]

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.stated_parameters import stated_parameters
+from pam_cosim.diagnosis.search.stated_parameters import stated_parameters
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free
 from pam_cosim.fitting.objective import Objective

@@ -7,9 +7,9 @@ from dataclasses import replace
 import pytest
 
 from pam_cosim.comparison import ResidualStatistics
-from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.verdict import (
+from pam_cosim.diagnosis.judgement.evidence import rank
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.verdict import (
     explained,
     judge,
     nearest,

@@ -8,7 +8,7 @@ from functools import cache
 import numpy as np
 import pytest
 
-from pam_cosim.diagnosis.posterior import Explanation, Posterior
+from pam_cosim.diagnosis.judgement.posterior import Explanation, Posterior
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
 from pam_cosim.reporting.account import percent

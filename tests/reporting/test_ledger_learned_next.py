@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.diagnosis import LearnedModel, NextExperiment
-from pam_cosim.diagnosis.learning import LearnedTerm
+from pam_cosim.diagnosis.description.learning import LearnedTerm
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
 from pam_cosim.reporting.account.next_run import expectation, next_run

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.posterior import something_else
+from pam_cosim.diagnosis.judgement.posterior import something_else
 from pam_cosim.measurement import DataSet
 from rig.instruments import readings
 from rig.measurement import TRUTH, Measurement, Noise, write_data_set

@@ -11,8 +11,8 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.catalogue import compose
-from pam_cosim.diagnosis.step_times import Retiming, run_retiming, steps_between
-from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.diagnosis.search.step_times import Retiming, run_retiming, steps_between
+from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.measurement import DataSet, FreeParameter
 from rig.effect import Effect
 from rig.instruments import readings

@@ -9,10 +9,10 @@ from pathlib import Path
 from pam_cosim.catalogue.compose import Composition, compose
 from pam_cosim.compiler import read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.check import check
 from pam_cosim.diagnosis.diagnose import Diagnosis
-from pam_cosim.diagnosis.identifiability import DetectableEffect
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.planning.check import check
+from pam_cosim.diagnosis.planning.identifiability import DetectableEffect
 from pam_cosim.diagnosis.planning.members import laws_of
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate, Fit, fit

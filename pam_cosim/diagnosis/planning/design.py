@@ -10,10 +10,10 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.diagnose import Diagnosis
-from pam_cosim.diagnosis.events import Remark
-from pam_cosim.diagnosis.message import Message
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.events import Remark
+from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.planning.challengers import challenged
 from pam_cosim.diagnosis.planning.course import Course
 from pam_cosim.diagnosis.planning.limits import Limits, limits_of

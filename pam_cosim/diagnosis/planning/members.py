@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
 from pam_cosim.diagnosis.diagnose import Diagnosis
+from pam_cosim.diagnosis.judgement.candidate import Candidate
 
 
 def members(diagnosis: Diagnosis) -> list[list[Candidate]]:

@@ -11,10 +11,10 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.prediction import Hypothesis, Prediction
 from pam_cosim.diagnosis.planning.course import Course
 from pam_cosim.diagnosis.planning.limits import Limits
-from pam_cosim.diagnosis.prediction import Hypothesis, Prediction
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run, further_run
 from pam_cosim.model.interface import Interface

@@ -7,7 +7,7 @@ from typing import Any
 
 from pam_cosim.comparison import Rule
 from pam_cosim.diagnosis import Candidate, Diagnosis
-from pam_cosim.diagnosis.verdict import explained
+from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 from pam_cosim.reporting.account.wording import (

@@ -12,8 +12,8 @@ import pytest
 from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.diagnosis.identifiability import DetectableEffect
 from pam_cosim.diagnosis.planning import RunPlan, challengers, limits_of
+from pam_cosim.diagnosis.planning.identifiability import DetectableEffect
 from pam_cosim.diagnosis.planning.members import members
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.errors import InputError

@@ -11,10 +11,10 @@ from typing import Any, TypeVar
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial
-from pam_cosim.diagnosis.probing import EffectProbe, StatedEffect, Strengths, probe_effect
-from pam_cosim.diagnosis.pruning import pruned
-from pam_cosim.diagnosis.reach import idle_parameters, moves_only_unmeasured
+from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate, FailedTrial
+from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect, Strengths, probe_effect
+from pam_cosim.diagnosis.search.pruning import pruned
+from pam_cosim.diagnosis.search.reach import idle_parameters, moves_only_unmeasured
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import (
     Fit,

@@ -29,17 +29,17 @@ from pam_cosim.catalogue import (
 from pam_cosim.comparison import simulate_run
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.learning import (
+from pam_cosim.diagnosis.description.learning import (
     FittedAddend,
     LearnedTerm,
     TermSamples,
     coefficients_of,
     select_forms_jointly,
 )
-from pam_cosim.diagnosis.learning_library import Form, quantities, ramps
-from pam_cosim.diagnosis.learning_text import formula_text, modelica_text
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.trial import every_parameter
+from pam_cosim.diagnosis.description.learning_library import Form, quantities, ramps
+from pam_cosim.diagnosis.description.learning_text import formula_text, modelica_text
+from pam_cosim.diagnosis.search.search import Search
+from pam_cosim.diagnosis.search.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Fit, Linear, linearised

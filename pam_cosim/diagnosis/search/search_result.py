@@ -14,19 +14,23 @@ from dataclasses import dataclass, field, replace
 
 from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.events import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.events import (
     AllRunsSearched,
     BaseFitted,
     DoubtRaised,
     OutliersSetAside,
     StepTimesFound,
 )
-from pam_cosim.diagnosis.evidence import any_structure_for_verdict, contradicted_by_holdout, rank
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.selection import Selection, select_effects
-from pam_cosim.diagnosis.subject import Subject
+from pam_cosim.diagnosis.judgement.evidence import (
+    any_structure_for_verdict,
+    contradicted_by_holdout,
+    rank,
+)
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.search.search import Search
+from pam_cosim.diagnosis.search.selection import Selection, select_effects
+from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Role
 from pam_cosim.simulation import Simulator

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.prediction import Hypothesis
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.files import plain_fields
 from pam_cosim.measurement import DataSet, Run

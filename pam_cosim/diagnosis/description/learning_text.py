@@ -8,7 +8,7 @@ from typing import Protocol
 
 from pam_cosim.catalogue import EFFECT, library_of
 from pam_cosim.compiler import ClassTree
-from pam_cosim.diagnosis.learning_library import Form, Quantity
+from pam_cosim.diagnosis.description.learning_library import Form, Quantity
 from pam_cosim.ledger import BalanceEntry
 from pam_cosim.ledger.augmented import TERM
 from pam_cosim.units import format_quantity

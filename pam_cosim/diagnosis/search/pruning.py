@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.evidence import bic_penalty, noise_scale
+from pam_cosim.diagnosis.judgement.evidence import bic_penalty, noise_scale
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate, Fit, FitOptions, Free, fit
 from pam_cosim.measurement import DataSet

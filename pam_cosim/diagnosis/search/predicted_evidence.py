@@ -7,9 +7,9 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import NoiseScale, information_criterion
-from pam_cosim.diagnosis.expectation import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.evidence import NoiseScale, information_criterion
+from pam_cosim.diagnosis.search.expectation import (
     Additions,
     EffectDirections,
     LinearisedNeighbourhood,
@@ -17,9 +17,9 @@ from pam_cosim.diagnosis.expectation import (
     addition,
     reduction,
 )
-from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.diagnosis.ranking import AcceptanceThreshold, Ranking
-from pam_cosim.diagnosis.search import FitRequest
+from pam_cosim.diagnosis.search.probing import EffectProbe
+from pam_cosim.diagnosis.search.ranking import AcceptanceThreshold, Ranking
+from pam_cosim.diagnosis.search.search import FitRequest
 from pam_cosim.fitting import Fit, Linear
 
 

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
 

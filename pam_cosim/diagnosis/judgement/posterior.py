@@ -13,8 +13,8 @@ from dataclasses import dataclass
 from math import exp, nan
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.evidence import (
     best_of_each,
     has_structure_for_search,
     information_criterion,
@@ -22,7 +22,7 @@ from pam_cosim.diagnosis.evidence import (
     noise_scale,
     refuted_by_unfitted_signals,
 )
-from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting import Fit
 

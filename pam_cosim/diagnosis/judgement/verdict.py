@@ -11,8 +11,8 @@ from typing import Literal
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.evidence import (
     any_structure_for_search,
     any_structure_for_verdict,
     best_of_each,
@@ -23,9 +23,9 @@ from pam_cosim.diagnosis.evidence import (
     noise_scale,
     refuted_by_unfitted_signals,
 )
-from pam_cosim.diagnosis.implausible import implausible
-from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.posterior import Posterior, doubts_of, posterior
+from pam_cosim.diagnosis.judgement.implausible import implausible
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
 from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity

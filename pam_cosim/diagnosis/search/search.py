@@ -13,19 +13,24 @@ from pam_cosim.catalogue import EffectClass, compose_on, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.events import CandidateTried, EffectProbed, EffectsProbed, FittingBegun
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.model_space import ModelSpace
-from pam_cosim.diagnosis.probing import EffectProbe, StatedEffect
-from pam_cosim.diagnosis.step_times import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial
+from pam_cosim.diagnosis.judgement.events import (
+    CandidateTried,
+    EffectProbed,
+    EffectsProbed,
+    FittingBegun,
+)
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
+from pam_cosim.diagnosis.search.step_times import (
     Retimed,
     Retiming,
     nothing_found,
     run_retiming,
     steps_between,
 )
-from pam_cosim.diagnosis.trial import (
+from pam_cosim.diagnosis.search.trial import (
     Trial,
     crashed,
     run_probe,

@@ -16,8 +16,8 @@ from typing import NamedTuple
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.probing import EffectProbe
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.fitting import Linear, bounded_minimum, bounded_step, prior_rows, reduction_by
 from pam_cosim.measurement import Prior
 

@@ -20,10 +20,10 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import compose, effect_classes
 from pam_cosim.compiler import ClassTree, read_library
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Attempt, Candidate
-from pam_cosim.diagnosis.learning_library import Form, forms, quantities
-from pam_cosim.diagnosis.learning_text import MISSING, formula_text, modelica_text
-from pam_cosim.diagnosis.trial import Trial, run_trial
+from pam_cosim.diagnosis.description.learning_library import Form, forms, quantities
+from pam_cosim.diagnosis.description.learning_text import MISSING, formula_text, modelica_text
+from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate
+from pam_cosim.diagnosis.search.trial import Trial, run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.ledger import BalanceEntry, Ledger

@@ -16,20 +16,20 @@ from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.events import NothingTried, StepTimesSought
-from pam_cosim.diagnosis.evidence import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.events import NothingTried, StepTimesSought
+from pam_cosim.diagnosis.judgement.evidence import (
     any_structure_for_search,
     information_criterion,
     may_have_structure,
     noise_scale,
     rank,
 )
-from pam_cosim.diagnosis.predicted_evidence import PredictedEvidence
-from pam_cosim.diagnosis.probing import EffectProbe
-from pam_cosim.diagnosis.ranking import Ranking
-from pam_cosim.diagnosis.search import FitRequest, Search
-from pam_cosim.diagnosis.step_times import Retimed
+from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
+from pam_cosim.diagnosis.search.probing import EffectProbe
+from pam_cosim.diagnosis.search.ranking import Ranking
+from pam_cosim.diagnosis.search.search import FitRequest, Search
+from pam_cosim.diagnosis.search.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 

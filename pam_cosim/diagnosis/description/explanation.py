@@ -8,12 +8,16 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.events import Remark
-from pam_cosim.diagnosis.evidence import rank
-from pam_cosim.diagnosis.learning import LearnedTerm, learn, refitted, try_learned
-from pam_cosim.diagnosis.learning_direct import RESIDUALS, learn_directly, with_coefficients
-from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, refitted, try_learned
+from pam_cosim.diagnosis.description.learning_direct import (
+    RESIDUALS,
+    learn_directly,
+    with_coefficients,
+)
+from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial
+from pam_cosim.diagnosis.judgement.events import Remark
+from pam_cosim.diagnosis.judgement.evidence import rank
+from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger

@@ -18,8 +18,8 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.hypothetical_measurements import AS_MEASURED, Option
-from pam_cosim.diagnosis.probing import StatedEffect, Strengths, detectable_strength
+from pam_cosim.diagnosis.planning.hypothetical_measurements import AS_MEASURED, Option
+from pam_cosim.diagnosis.search.probing import StatedEffect, Strengths, detectable_strength
 from pam_cosim.fitting import Linear
 
 Confused = tuple[str, str, float]

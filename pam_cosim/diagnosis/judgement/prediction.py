@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
-from pam_cosim.diagnosis.candidate import Candidate
+from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import Interface, sensitivity_name

@@ -14,8 +14,8 @@ from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import Reproducibility, ResidualStatistics
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import (
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.evidence import (
     NoiseScale,
     cross_run_reproducibility,
     dominant_effect,
@@ -24,7 +24,7 @@ from pam_cosim.diagnosis.evidence import (
     noise_scale,
     refuted_by_unfitted_signals,
 )
-from pam_cosim.diagnosis.search import Search
+from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.fitting import Fit
 
 

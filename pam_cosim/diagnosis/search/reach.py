@@ -9,7 +9,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.probing import EffectProbe
+from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Free, residual_rows
 from pam_cosim.fitting.objective import Objective

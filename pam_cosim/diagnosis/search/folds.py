@@ -13,10 +13,10 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.events import RunsLeftOut
-from pam_cosim.diagnosis.search import FitRequest, Search
-from pam_cosim.diagnosis.subject import Subject
-from pam_cosim.diagnosis.verdict import Verdict
+from pam_cosim.diagnosis.judgement.events import RunsLeftOut
+from pam_cosim.diagnosis.judgement.verdict import Verdict
+from pam_cosim.diagnosis.search.search import FitRequest, Search
+from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit, FitOptions, fit

@@ -17,7 +17,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.trial import every_parameter
+from pam_cosim.diagnosis.search.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Fit, FitOptions, Free, bounded_least_squares, fit
 from pam_cosim.fitting.objective import Objective

@@ -7,9 +7,9 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 from pam_cosim.comparison import Doubt
-from pam_cosim.diagnosis.candidate import Attempt, Candidate, FailedTrial, describe_fit
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.verdict import Verdict
+from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate, FailedTrial, describe_fit
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.judgement.verdict import Verdict
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 

@@ -8,10 +8,10 @@ from pathlib import Path
 
 from pam_cosim.catalogue import EffectClass, domain_of, effect_classes, origins, qualified
 from pam_cosim.compiler import ClassTree, Part, read_library, read_structure
-from pam_cosim.diagnosis.events import Remark
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.stated_parameters import stated_parameters
-from pam_cosim.diagnosis.trial import run_trial
+from pam_cosim.diagnosis.judgement.events import Remark
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.search.stated_parameters import stated_parameters
+from pam_cosim.diagnosis.search.trial import run_trial
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.fmu import build_model

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import Candidate
-from pam_cosim.diagnosis.evidence import NoiseScale, information_criterion
-from pam_cosim.diagnosis.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.evidence import NoiseScale, information_criterion
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.units import format_quantity
 
 

@@ -10,7 +10,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.next_experiment import variations
+from pam_cosim.diagnosis.judgement.next_experiment import variations
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run, Signal
 from pam_cosim.simulation import AnySimulator

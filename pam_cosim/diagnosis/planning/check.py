@@ -11,13 +11,13 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.candidate import FailedTrial
-from pam_cosim.diagnosis.events import Remark, listened
-from pam_cosim.diagnosis.hypothetical_measurements import Option, with_all_outputs
-from pam_cosim.diagnosis.identifiability import DetectableEffect, Identifiability, Rows
-from pam_cosim.diagnosis.message import Message
-from pam_cosim.diagnosis.search import Search
-from pam_cosim.diagnosis.subject import subject_of
+from pam_cosim.diagnosis.judgement.candidate import FailedTrial
+from pam_cosim.diagnosis.judgement.events import Remark, listened
+from pam_cosim.diagnosis.judgement.message import Message
+from pam_cosim.diagnosis.planning.hypothetical_measurements import Option, with_all_outputs
+from pam_cosim.diagnosis.planning.identifiability import DetectableEffect, Identifiability, Rows
+from pam_cosim.diagnosis.search.search import Search
+from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting import base_parameters, linearised, rows_of_series

@@ -1,0 +1,1 @@
+"""What no effect of the catalogue explains -> a formula, and the effect that has it."""

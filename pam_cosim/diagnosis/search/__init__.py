@@ -1,0 +1,1 @@
+"""Effects of the catalogue -> fitted models: looked at, ranked, fitted, challenged."""
