@@ -34,8 +34,8 @@ ROOMS = sorted(
 )  # not what an older version left behind
 
 
-def imported_rooms(file: Path) -> set[str]:
-    """The rooms that a module takes something from."""
+def imported_parts(file: Path) -> list[list[str]]:
+    """The parts of the names of what a module takes something from, of this package."""
     names: list[str] = []
     for node in ast.walk(ast.parse(file.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
@@ -45,15 +45,17 @@ def imported_rooms(file: Path) -> set[str]:
         elif isinstance(node, ast.ImportFrom) and node.module:
             names.append(node.module)
     parts = [name.split(".") for name in names]
-    return {part[1] for part in parts if part[0] == "pam_cosim" and len(part) > 1}
+    return [part for part in parts if part[0] == "pam_cosim" and len(part) > 1]
+
+
+def imported_rooms(file: Path) -> set[str]:
+    """The rooms that a module takes something from."""
+    return {part[1] for part in imported_parts(file)}
 
 
 def imported_from(file: Path, room: str) -> set[str]:
     """The parts of a room that a module takes something from."""
-    tree = ast.walk(ast.parse(file.read_text(encoding="utf-8")))
-    modules = [node.module for node in tree if isinstance(node, ast.ImportFrom) and node.module]
-    parts = [module.split(".") for module in modules]
-    return {part[2] for part in parts if part[:2] == ["pam_cosim", room] and len(part) > 2}
+    return {part[2] for part in imported_parts(file) if part[1] == room and len(part) > 2}
 
 
 def test_every_room_has_a_floor() -> None:

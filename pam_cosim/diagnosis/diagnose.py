@@ -453,7 +453,7 @@ def _not_tried(
     failed = {f.family for f in search.failed}
     silent = looked_at - _families_that_show(search, selection)
     late = {search.family[name] for names in selection.untried for name in names}
-    at_rest = " at rest" if search.at_rest else ""
+    at_rest = " at rest" if search.data.is_static else ""
     reasons = {}
     for family in dict.fromkeys(e.family for e in available_effects):
         members = {e.name for e in available_effects if e.family == family}

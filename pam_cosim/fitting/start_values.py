@@ -75,10 +75,14 @@ class StartValues:
         """(n + k, k) slopes of the residuals by the start values, and below them those of ``prior_rows``."""
         return np.vstack([slopes, -np.diag(1.0 / self.sd)])
 
+    def step(self, slopes: Array, rows: Array) -> Array:
+        """(k,) by how much the start values move to leave least of rows, by their slopes (``with_prior_slopes``)."""
+        return np.asarray(np.linalg.lstsq(slopes * self.sd, -rows, rcond=None)[0] * self.sd)
+
     def taken_away(self, residuals: Array) -> Array:
         """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
         rows = np.append(residuals, self.prior_rows(self.values))
-        step = np.linalg.lstsq(self.slopes * self.sd, -rows, rcond=None)[0] * self.sd
+        step = self.step(self.slopes, rows)
         moved = np.clip(self.values + step, self.low, self.high) - self.values
         return np.asarray(residuals + self.slopes[: len(residuals)] @ moved)
 
@@ -232,7 +236,7 @@ class _Point(Generic[Result]):
         rows = np.append(residuals, of.prior_rows(of.values))
         self.slopes = of.with_prior_slopes(slopes)
         self.cost = float(rows @ rows)
-        self.step: Array = np.linalg.lstsq(self.slopes * of.sd, -rows, rcond=None)[0] * of.sd
+        self.step = of.step(self.slopes, rows)
         left = rows + self.slopes @ self.step
         gain = self.cost - float(left @ left)
         # little is left to gain; where a step does not gain it, a shorter one will not do so either

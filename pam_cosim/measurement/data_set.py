@@ -171,6 +171,11 @@ class DataSet(Printed):
         return {name: value for name, value in alike.items() if name not in self.parameters}
 
     @property
+    def is_static(self) -> bool:
+        """Whether all runs hold points at rest."""
+        return all(run.is_static for run in self.runs)
+
+    @property
     def fit_runs(self) -> tuple[Run, ...]:
         """The runs parameters are fitted to."""
         return tuple(run for run in self.runs if run.role == "fit")

@@ -130,7 +130,7 @@ def _run(
     interval: Setting | None,
 ) -> Run:
     """A run that nobody made."""
-    if all(run.is_static for run in data.runs):
+    if data.is_static:
         raise InputError("points at rest have no run over time")
     course, times = _course(interface, inputs, stop_time, interval)
     values = resolve(parameters, interface)

@@ -88,11 +88,6 @@ class Search:
     undetectable: frozenset[str] = frozenset()
     inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
 
-    @property
-    def at_rest(self) -> bool:
-        """Whether all runs are points at rest."""
-        return all(run.is_static for run in self.data.runs)
-
     @cached_property
     def structure(self) -> Structure:
         """Parts and replaceable classes of the base model."""

@@ -159,7 +159,9 @@ class _Models:
             raise SimulationFailure(f"no effect could be tried; {failed.effect}: {failed.failure}")
         # What shows in time alone, or in a reading that nobody took, does so beside no effect.
         silent = frozenset(
-            p.effect for p in self.probes if p.only_unmeasured or (p.silent and self.search.at_rest)
+            p.effect
+            for p in self.probes
+            if p.only_unmeasured or (p.silent and self.search.data.is_static)
         )
         self.ranking.search = replace(
             self.search,

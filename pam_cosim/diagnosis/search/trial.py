@@ -215,8 +215,7 @@ def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
     probe = probe_effect(
         trial.effect.name, trial.effect.family, objective, trial.reference, strengths
     )
-    at_rest = all(run.is_static for run in trial.data.runs)
-    idle = idle_parameters(probe, objective) if at_rest else ()
+    idle = idle_parameters(probe, objective) if trial.data.is_static else ()
     return replace(
         probe, inactive_parameters=idle, only_unmeasured=moves_only_unmeasured(probe, objective)
     )
