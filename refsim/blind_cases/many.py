@@ -2,8 +2,8 @@
 
 Sets `tuning2` and `score2`; their forms are those of `tuning` and `score` in `table.py`. Set `score3` has the forms of
 the catalogue that `score2` has, others that lie apart (`apart.py`), and half of its cases have recordings that begin in
-the middle of motion (`beginnings.py`). The composition repeats every
-80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8 triples, 10 faults of
+the middle of motion (`beginnings.py`). Set `tuning3` begins like `score3`, with all forms of `tuning2` and `score2`,
+which may be looked at. The composition repeats every 80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8 triples, 10 faults of
 instruments, 8 with nothing hidden, 6 effects in no family; mixed, so that the first cases already are a fair sample.
 """
 
@@ -34,10 +34,14 @@ from rig.named import effect_parameters
 
 Random = np.random.Generator
 Hidden = table.Form | FaultForm
-SEEDS = {"tuning2": 90217, "score2": 20261122, "score3": 31415926}
-FORMS_OF = {"tuning2": "tuning", "score2": "score", "score3": "score"}
+SEEDS = {"tuning2": 90217, "score2": 20261122, "score3": 31415926, "tuning3": 27182818}
+FORMS_OF = {
+    "tuning2": ("tuning",), "score2": ("score",), "score3": ("score",), "tuning3": ("tuning", "score"),
+}  # fmt: skip
 APART = ("score3",)
-"""Sets whose forms lie apart, and half of whose recordings begin in the middle of motion."""
+"""Sets whose forms lie apart."""
+IN_MOTION = ("score3", "tuning3")
+"""Sets half of whose recordings begin in the middle of motion."""
 GROUPS = {
     "catalogue": 24, "new_form": 14, "pair": 10, "triple": 8, "instrument": 10, "null": 8, "none_of_these": 6,
 }  # fmt: skip
@@ -118,11 +122,11 @@ def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
             if fault.where(design):
                 by_turn.setdefault(fault.family, []).append(fault)
         return by_turn
-    own = FORMS_OF[which]
+    own = {*FORMS_OF[which]}
     families, strange = _table(which)
     for form in strange if group == "none_of_these" else (*families, *ON_SOME_BENCH):
         wanted = group == "none_of_these" or form.catalogue is (group != "new_form")
-        if own in form.sets and wanted and design.rig.takes(_sample(form), design.signals):
+        if not own.isdisjoint(form.sets) and wanted and design.rig.takes(_sample(form), design.signals):
             alone = form in ON_SOME_BENCH or group == "none_of_these"
             if form in ON_SOME_BENCH and design.runs < _RUNS_TO_TELL:
                 continue
@@ -154,7 +158,7 @@ def _cases(which: str, periods: int) -> tuple[Case, ...]:
             targets.append(_within(rng, bounds[order[turns[group] % len(order)]]))
             turns[group] += 1
         case = replace(case, design=design, hidden=picked, targets=tuple(targets))
-        if which in APART:
+        if which in IN_MOTION:
             case = replace(case, start=_start(design, begin[group]))
             begin[group] += case.design.bench != "VesselOrifice"
         cases.append(case)

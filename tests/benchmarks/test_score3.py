@@ -143,6 +143,7 @@ def test_half_of_each_group_begins_in_the_middle_and_half_of_those_say_so() -> N
         assert abs(middle - starts["rest"]) <= 1
         assert abs(starts["stated"] - starts["unstated"]) <= 1 and set(starts) <= set(STARTS)
     assert {c.start for c in FIRST if c.design.bench == "VesselOrifice"} == {"rest"}
+    assert {many.case_of("tuning3", n).start for n in range(80)} == set(STARTS)
     assert all(many.case_of("tuning2", n).start is None for n in range(80))
     assert "start" not in many.outline(many.case_of("score2", 0))
 
