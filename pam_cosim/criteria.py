@@ -38,12 +38,6 @@ class NoiseCriteria:
         "1",
         "orders of differences that are tried; the first that higher ones do not lower counts",
     )
-    median_to_sigma: float = decides(
-        1.4826022185056018,
-        "1",
-        "standard deviation over the median deviation",
-        "normal distribution",
-    )
     clip: float = decides(
         3.0,
         "sd",
@@ -215,6 +209,10 @@ class RecognitionCriteria:
     runs_to_hold_out: int = decides(
         3, "runs", "of fewer none is held out: they are needed for the fit"
     )
+    pause: float = decides(
+        10.0, "intervals", "of the usual length; a longer one is a pause of the logger"
+    )
+    pauses_listed: int = decides(3, "places", "at which time goes back that are named")
 
 
 @dataclass(frozen=True)
@@ -236,9 +234,6 @@ class StartCriteria:
     runs: int = decides(
         3, "runs", "at least, of which one may differ, to know an offset that most have in common"
     )
-    same: float = decides(
-        1e-6, "1", "difference of slopes, up to which a state is what a parameter sets"
-    )
     range: float = decides(
         3.0, "of range", "sd of a start value by what the run itself goes through in that state"
     )
@@ -254,21 +249,11 @@ class StartCriteria:
         1.5, "1", "sum of squares with the model's own start over that with an estimated one, from which on it is "
         "estimated; over the first samples, or over whole runs where a constant offset of an instrument could be why",
     )  # fmt: skip
-    pause: float = decides(
-        10.0, "intervals", "of the usual length; a longer one is a pause of the logger"
-    )
-    pauses_listed: int = decides(3, "places", "at which time goes back that are named")
     periods: int = decides(
         50, "periods", "of a periodic recording that are simulated before it at most"
     )
     round: float = decides(
         0.1, "sd", "of the noise, by which a periodic motion may differ from what it comes to"
-    )
-    elsewhere: float = decides(
-        0.1, "of its size", "by which states are moved off the own start to see the same"
-    )
-    step: float = decides(
-        1e-5, "of its size", "by which a state is moved to see on which readings and rates it acts"
     )
     steps: int = decides(
         8, "steps", "of Newton's method for the start values of a run, beside given parameters"
@@ -280,12 +265,6 @@ class StartCriteria:
         0.03,
         "sd",
         "of what is known of a start value beforehand, within which slopes stay the same",
-    )
-    settled: float = decides(
-        0.01, "variances", "of the noise, that a further such step must take away to be made"
-    )
-    corrections: int = decides(
-        4, "times", "a first reading is brought into agreement with the state that it shows"
     )
 
 
@@ -384,7 +363,7 @@ class WhereCriteria:
 
 @dataclass(frozen=True)
 class FitCriteria:
-    """When a fit is done, and what its estimates are worth."""
+    """When a fit is done, and which parameters it determines."""
 
     evaluations: int = decides(60, "evaluations", "of each descent, at most")
     screening_evaluations: int = decides(8, "evaluations", "enough to tell one valley from another")
@@ -411,13 +390,22 @@ class FitCriteria:
     tolerance: float = decides(
         1e-6, "1", "of the solver, relative: its error must be far below the noise"
     )
-    difference_tolerance: float = decides(
-        1e-7, "1", "the same where slopes are differences, which magnify its error"
+    dead: float = decides(
+        1e-7, "of the largest slope", "a parameter with less does not move the model"
     )
-    difference_step: float = decides(
-        1e-3, "search units", "of a finite difference: far above the solver's error"
+    at_bound: float = decides(1e-6, "of the range", "an estimate this near a bound ended there")
+    seen: float = decides(
+        1e-6, "of the largest singular value", "directions below are not determined by the data"
     )
-    failures_kept: int = decides(10, "messages", "kinds of breakdown that are kept")
+    blind: float = decides(
+        1e-3, "1", "share of an undetermined direction that makes a parameter undetermined"
+    )
+
+
+@dataclass(frozen=True)
+class UncertaintyCriteria:
+    """How certain estimates and predictions are, and which estimates the data confuse."""
+
     interval: float = decides(1.96, "sd", "half width of a 95 % interval", "normal distribution")
     tail: float = decides(0.025, "of samples", "on either side of a 95 % band")
     samples: int = decides(
@@ -449,16 +437,6 @@ class FitCriteria:
     )
     unchanged: float = decides(
         0.02, "sd", "rms change of the residuals then, below which only their product is known"
-    )
-    dead: float = decides(
-        1e-7, "of the largest slope", "a parameter with less does not move the model"
-    )
-    at_bound: float = decides(1e-6, "of the range", "an estimate this near a bound ended there")
-    seen: float = decides(
-        1e-6, "of the largest singular value", "directions below are not determined by the data"
-    )
-    blind: float = decides(
-        1e-3, "1", "share of an undetermined direction that makes a parameter undetermined"
     )
     profile_rise: float = decides(
         3.84,
@@ -533,11 +511,6 @@ class SearchCriteria:
         "1",
         "of a parameter to what is stated of it: at least, where a search begins, at most",
     )
-    rows_without_compiler: int = decides(
-        10_000,
-        "rows",
-        "fitted, up to which a model that is looked at or briefly fitted is not compiled; measured: docs/speed.md",
-    )
     looks: int = decides(
         8, "strengths", "of an effect that are looked at beside the base model, at most"
     )
@@ -587,9 +560,6 @@ class SearchCriteria:
     )
     decades: int = decides(
         1, "decades", "that the start of an effect's parameter is varied by, up and down"
-    )
-    pruning_evaluations: int = decides(
-        20, "evaluations", "of the fit without a coefficient, from where it stood"
     )
     pruning_excess: float = decides(
         0.5, "noise variances", "a model that leaves more is not the last one anyway"
@@ -804,6 +774,12 @@ class RunCriteria:
         "what moves more in the last part has not settled; where it comes to rest exponentially, "
         "the time to 90 % of the change is known to a hundredth then",
     )
+    failures_kept: int = decides(10, "messages", "kinds of breakdown that are kept")
+    rows_without_compiler: int = decides(
+        10_000,
+        "rows",
+        "fitted, up to which a model that is looked at or briefly fitted is not compiled; measured: docs/speed.md",
+    )
 
 
 @dataclass(frozen=True)
@@ -817,6 +793,7 @@ class Criteria:
     residuals: ResidualCriteria = ResidualCriteria()
     where: WhereCriteria = WhereCriteria()
     fit: FitCriteria = FitCriteria()
+    uncertainty: UncertaintyCriteria = UncertaintyCriteria()
     evidence: EvidenceCriteria = EvidenceCriteria()
     search: SearchCriteria = SearchCriteria()
     folds: FoldsCriteria = FoldsCriteria()
@@ -839,6 +816,11 @@ class Criterion:
     source: str
 
     @property
+    def group(self) -> str:
+        """The question that it answers, a field of ``Criteria``."""
+        return self.name.partition(".")[0]
+
+    @property
     def text(self) -> str:
         """The value as documents print it."""
         values = self.value if isinstance(self.value, tuple) else (self.value,)
@@ -856,3 +838,5 @@ def every_criterion(criteria: Criteria | None = None) -> Iterator[Criterion]:
 
 CRITERIA = Criteria()
 """The numbers in force."""
+VERDICT = ("noise", "starts", "residuals", "fit", "evidence", "search", "folds")
+"""The groups whose numbers a verdict may depend on; the others draft, describe, plan and draw."""

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.criteria import every_criterion
+from pam_cosim.criteria import VERDICT, every_criterion
 from pam_cosim.reporting.criteria_page import criteria_page
 
 ROOT = Path(__file__).parents[1]
@@ -16,6 +16,11 @@ FITTING = ("combinations", "estimate", "fit", "solve")
 DECIDING = (
     *sorted((ROOT / "pam_cosim/comparison").glob("*.py")),
     *sorted((ROOT / "pam_cosim/diagnosis").glob("*.py")),
+    *(
+        file
+        for room in ("judgement", "search", "description")
+        for file in sorted((ROOT / "pam_cosim/diagnosis" / room).glob("*.py"))
+    ),
     *(ROOT / "pam_cosim/fitting" / f"{name}.py" for name in FITTING),
     *(
         ROOT / "pam_cosim/ledger" / f"{name}.py"
@@ -45,6 +50,10 @@ DECIDE_NOTHING = {
     "_SHARES": "anywhere between bounds will do",
     "_NODES": "accuracy of a table",
     "_MOST_LISTED": "length of a line",
+    "STEP": "a difference, far below what noise shows",
+    "_ELSEWHERE": "where the same is seen from",
+    "_CORRECTIONS": "rounds of a linear problem",
+    "MEDIAN_TO_SIGMA": "a property of the normal distribution",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 BY_NAME = {c.name: c for c in every_criterion()}
@@ -55,6 +64,11 @@ def test_every_number_has_a_reason() -> None:
     assert len(BY_NAME) > 90
     for c in BY_NAME.values():
         assert c.unit and c.reason and c.source, c.name
+
+
+def test_a_verdict_depends_on_fewer_than_a_hundred() -> None:
+    assert {c.group for c in BY_NAME.values()} > {*VERDICT}
+    assert sum(c.group in VERDICT for c in BY_NAME.values()) < 100
 
 
 @pytest.mark.parametrize("file", DECIDING, ids=lambda f: f"{f.parent.name}/{f.stem}")

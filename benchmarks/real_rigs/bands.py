@@ -151,7 +151,9 @@ def line(name: str, found: Sequence[Share]) -> str:
 
 def main(folder: Path, names: Sequence[str]) -> None:
     """Some rigs (default: those of the table that have runs over time)."""
-    print(f"band: {100 * (1 - 2 * CRITERIA.fit.tail):.0f} %, {SAMPLES} samples of the parameters")
+    print(
+        f"band: {100 * (1 - 2 * CRITERIA.uncertainty.tail):.0f} %, {SAMPLES} samples of the parameters"
+    )
     for name in names or [n for n in RIGS if n != "tunnel-out"]:  # one diagnosis of both speeds
         about = json.loads((folder / name / "rig.json").read_text(encoding="utf-8"))
         if not about["static"]:

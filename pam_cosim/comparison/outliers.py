@@ -18,6 +18,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.white_noise import MEDIAN_TO_SIGMA
 
 
 def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
@@ -32,9 +33,7 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
         return far_off
     e = residual[kept]
     off = e - median_filter(e, CRITERIA.noise.outlier_window, mode="nearest")
-    far = np.abs(off) > CRITERIA.noise.outlier_far * CRITERIA.noise.median_to_sigma * float(
-        np.median(np.abs(off))
-    )
+    far = np.abs(off) > CRITERIA.noise.outlier_far * MEDIAN_TO_SIGMA * float(np.median(np.abs(off)))
     size = np.abs(np.concatenate([[0.0], off, [0.0]]))
     for begin, end in _groups(far):
         beside = max(size[begin], size[end + 1])

@@ -14,6 +14,12 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, FirstSamples, Run
 from pam_cosim.simulation import AnySimulator, Settle, Trajectory
 
+STEP = 1e-5  # of its size, by which a state is moved to see on which readings and rates it acts
+_ELSEWHERE = 0.1  # of its size, by which states are moved off the own start to see the same
+_CORRECTIONS = (
+    4  # times that a first reading is brought into agreement with the state that it shows
+)
+
 
 @dataclass(frozen=True)
 class ObservedState:
@@ -114,7 +120,7 @@ class StartProbe:
         here = dict(zip(self.states, state.tolist(), strict=True))
         columns = []
         for name in self.states:
-            step = CRITERIA.starts.step * self._size(name, here[name])
+            step = STEP * self._size(name, here[name])
             above, below = (
                 self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0)
             )
@@ -124,7 +130,7 @@ class StartProbe:
     def nearby_state(self) -> dict[str, float]:
         """A state near the model's own start at which nothing vanishes by chance, as a force does without pressure."""
         state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
-        shifted = {n: v + CRITERIA.starts.elsewhere * self._size(n, v) for n, v in state.items()}
+        shifted = {n: v + _ELSEWHERE * self._size(n, v) for n, v in state.items()}
         try:
             self.at(shifted)
         except SimulationFailure:
@@ -147,12 +153,12 @@ class StartProbe:
         rows = [one.row for one in shown.values()]
         aims = np.array([one.aim for one in shown.values()])
         slopes = dependences.matrix[np.ix_(rows, [self.states.index(name) for name in shown])]
-        for _ in range(CRITERIA.starts.corrections if starts else 0):
+        for _ in range(_CORRECTIONS if starts else 0):
             miss = aims - self.at(starts)[0][rows]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
             starts = {name: float(starts[name] + s) for name, s in zip(starts, step, strict=True)}
             sizes = np.array([self._size(n, v) for n, v in starts.items()])
-            if np.all(np.abs(step) <= CRITERIA.starts.step * sizes):
+            if np.all(np.abs(step) <= STEP * sizes):
                 break
         return starts
 

@@ -79,7 +79,7 @@ def combinations(
     for i, j in itertools.combinations(open_ones, 2):
         for kind, sign in (("product", 1.0), ("ratio", -1.0)):
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
-            is_parallel = apart < CRITERIA.fit.parallel * size[i]
+            is_parallel = apart < CRITERIA.uncertainty.parallel * size[i]
             if is_parallel and _changes_nothing(objective, z, i, j, -sign):
                 others = [j, *(k for k in open_ones if k != i)]
                 deviation = spread * _deviation(by_logarithm, i, others)
@@ -91,8 +91,8 @@ def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: floa
     """Whether the residuals stay where parameter i grows by a factor and j by that factor to ``power``."""
     low, high = objective.bounds
     for stretch in (
-        CRITERIA.fit.exchange,
-        1 / CRITERIA.fit.exchange,
+        CRITERIA.uncertainty.exchange,
+        1 / CRITERIA.uncertainty.exchange,
     ):  # whichever stays within the bounds
         moved = z.copy()
         for k, factor in ((i, stretch), (j, stretch**power)):
@@ -100,7 +100,7 @@ def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: floa
             moved[k] = free.to_z(free.to_value(float(z[k])) * factor)
         if np.all((moved >= low) & (moved <= high)):
             change = objective.residuals(moved) - objective.residuals(z)
-            return bool(np.sqrt(np.mean(change**2)) < CRITERIA.fit.unchanged)
+            return bool(np.sqrt(np.mean(change**2)) < CRITERIA.uncertainty.unchanged)
     return False
 
 
@@ -117,6 +117,6 @@ def _combination(
 ) -> Combination:
     (first, a), (second, b) = parameters[i], parameters[j]
     value = a.value * b.value if kind == "product" else a.value / b.value
-    reach = exp(min(CRITERIA.fit.interval * deviation, 700.0))
+    reach = exp(min(CRITERIA.uncertainty.interval * deviation, 700.0))
     unit = (product if kind == "product" else quotient)(a.unit, b.unit)
     return Combination((first, second), kind, value, value / reach, value * reach, unit)

@@ -41,7 +41,7 @@ class Discrepancy:
 
     def reach(self, duration: float = 0.0) -> float:
         """Half width of the 95 % interval of its mean over so many seconds; 0: of its value [unit of the signal]."""
-        factor = float(stdtrit(self.pieces, 1.0 - CRITERIA.fit.tail))
+        factor = float(stdtrit(self.pieces, 1.0 - CRITERIA.uncertainty.tail))
         return factor * self.sd * sqrt(_of_mean(duration / self.memory))
 
 

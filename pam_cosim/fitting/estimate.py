@@ -106,7 +106,7 @@ def estimates(
         deviation[i] = spread * standard_deviations(jacobian[:, [*inner, i]])[-1]
     by_name = {}
     for i, f in enumerate(free):
-        reach = CRITERIA.fit.interval * deviation[i]
+        reach = CRITERIA.uncertainty.interval * deviation[i]
         value = f.to_value(float(z[i]))
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))

@@ -147,7 +147,10 @@ class Fit(Printed):
         sentences = []
         for i, j in zip(*np.triu_indices(len(self.correlation), 1), strict=True):
             r = self.correlation[i, j]
-            if abs(r) > CRITERIA.fit.confused and frozenset((names[i], names[j])) not in stated:
+            if (
+                abs(r) > CRITERIA.uncertainty.confused
+                and frozenset((names[i], names[j])) not in stated
+            ):
                 way = "raised together" if r > 0 else "one raised and the other lowered"
                 sentences.append(
                     f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})"

@@ -52,7 +52,7 @@ class Free:
 
     def with_typical_range(self, low: float, high: float) -> Free:
         """The same with a prior: 95 % of its distribution, normal as it is searched, lie between these ends [unit]."""
-        width = 2 * CRITERIA.fit.interval
+        width = 2 * CRITERIA.uncertainty.interval
         if self.logarithmic:
             return replace(
                 self, prior=Prior(sqrt(low * high), log(high / low) / width, logarithmic=True)

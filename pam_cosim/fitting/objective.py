@@ -37,6 +37,9 @@ from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
 
+DIFFERENCE_TOLERANCE = 1e-7  # of the solver, where slopes are differences, which magnify its error
+_DIFFERENCE_STEP = 1e-3  # in search coordinates: far above the solver's error
+
 Outputs = Sequence[Sequence[str]] | Mapping[int, Sequence[str]]  # by number of the run
 
 
@@ -96,7 +99,7 @@ class Objective:
         ]
         self._outputs = [outputs_of(slopes) for slopes in self._sensitivities]
         self._exact = has_sensitivities(self._signals, free, known)
-        usual = CRITERIA.fit.tolerance if all(self._exact) else CRITERIA.fit.difference_tolerance
+        usual = CRITERIA.fit.tolerance if all(self._exact) else DIFFERENCE_TOLERANCE
         self.tolerance = usual if tolerance is None else tolerance
         runs_and_signals = list(zip(self.runs, self._signals, strict=True))
         self.series = [(run, name) for run, names in runs_and_signals for name in names]
@@ -229,7 +232,7 @@ class Objective:
         here, columns = one.values, []
         for k, sd in enumerate(one.sd):
             one.values = here.copy()
-            one.values[k] += CRITERIA.fit.difference_step * sd
+            one.values[k] += _DIFFERENCE_STEP * sd
             moved = self._weighted(self._simulate(z, {i: self._signals[i]}, [i]), [i])
             columns.append((moved - at) / (one.values[k] - here[k]))
             one.values = here
@@ -314,7 +317,7 @@ class Objective:
         return self.failures[0] if self.failures else "the model gives no finite result"
 
     def _note_failure(self, failure: SimulationFailure) -> None:
-        if len(self.failures) < CRITERIA.fit.failures_kept:
+        if len(self.failures) < CRITERIA.run.failures_kept:
             self.failures.append(str(failure))
 
     def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
@@ -403,9 +406,7 @@ class Objective:
         zero: the fit does not move there.
         """
         low, high = self.bounds
-        step = CRITERIA.fit.difference_step * max(
-            1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0
-        )
+        step = _DIFFERENCE_STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
         forward = step if z[i] + step <= high[i] else -step
         chosen = [k for k, run in enumerate(self.runs) if acts_on(self.free[i], run, self.free)]
         for h in (forward, -forward):

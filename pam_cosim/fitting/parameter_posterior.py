@@ -101,9 +101,9 @@ def parameter_posterior(
     scale[: objective.size] = 1.0 / spread_of(fit.residuals["fit"])
     slopes = objective.jacobian(z, residuals) * scale[:, None]
     # what no sample depends on is left to the bounds, far within which this is flat
-    precision = slopes.T @ slopes + np.diag(1.0 / (CRITERIA.fit.unseen * (high - low)) ** 2)
+    precision = slopes.T @ slopes + np.diag(1.0 / (CRITERIA.uncertainty.unseen * (high - low)) ** 2)
     mean = z - np.linalg.solve(precision, slopes.T @ (residuals * scale))
-    wider, rng = precision / CRITERIA.fit.wider**2, np.random.default_rng(seed)
+    wider, rng = precision / CRITERIA.uncertainty.wider**2, np.random.default_rng(seed)
     drawn = (
         truncated_normal(mean, wider, (low, high), z, count, rng) if names else np.zeros((count, 0))
     )

@@ -115,7 +115,7 @@ class PredictiveBands(Printed, Exported):
         lines = [
             f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"
         ]
-        if effective < CRITERIA.fit.least_effective:
+        if effective < CRITERIA.uncertainty.least_effective:
             lines.append(
                 f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
             )
@@ -195,8 +195,8 @@ def _band(
     off: Discrepancy | None,
 ) -> Band:
     """Quantiles over the weighted samples; to each of them a reading adds model error and noise."""
-    signal, reach = data.signals[name], CRITERIA.fit.interval
-    tail = CRITERIA.fit.tail
+    signal, reach = data.signals[name], CRITERIA.uncertainty.interval
+    tail = CRITERIA.uncertainty.tail
     low, high = _quantile(drawn, weights, tail), _quantile(drawn, weights, 1 - tail)
     centre = weights @ drawn
     spread = weights @ (drawn - centre) ** 2

@@ -52,16 +52,16 @@ class Profile:
     def followers(self) -> dict[str, float]:
         """Other parameters that follow a power of this one along its profile, with the power; by their logarithms."""
         powers = {}
-        flat = self.rise < CRITERIA.fit.profile_rise
+        flat = self.rise < CRITERIA.uncertainty.profile_rise
         x = self.values[flat]
         if len(x) > 2 and np.all(x > 0) and np.ptp(np.log(x)) > 0:
             for name, y in self.others.items():
                 if np.all(y[flat] > 0):
                     power, start = np.polyfit(np.log(x), np.log(y[flat]), 1)
                     off = np.log(y[flat]) - start - power * np.log(x)
-                    if abs(power) > CRITERIA.fit.follows and np.ptp(
+                    if abs(power) > CRITERIA.uncertainty.follows and np.ptp(
                         off
-                    ) < CRITERIA.fit.off_course * np.ptp(np.log(y[flat])):
+                    ) < CRITERIA.uncertainty.off_course * np.ptp(np.log(y[flat])):
                         powers[name] = float(power)
         return powers
 
@@ -76,7 +76,7 @@ class Profile:
                 s for s, v in (("below", self.low), ("above", self.high)) if not np.isfinite(v)
             ]
             return text + (f"; these data do not limit it {sides[0]}" if sides else "")
-        fitting = self.values[self.rise < CRITERIA.fit.profile_rise]
+        fitting = self.values[self.rise < CRITERIA.uncertainty.profile_rise]
         span = f"{fitting[0]:.4g} to {fitting[-1]:.4g}{unit}"
         text = f"these data do not determine {self.name}: anything from {span} fits"
         follows = [f"{name} as its power {power:.2g}" for name, power in self.followers().items()]
@@ -166,10 +166,12 @@ def _side(
     """Points away from the optimum on one side, with the rise at each, until the interval or the bounds end."""
     low, high = objective.bounds
     room = (high[i] - z[i]) if sign > 0 else (z[i] - low[i])
-    step = min(CRITERIA.fit.profile_step * deviation, room / CRITERIA.fit.profile_points)
+    step = min(
+        CRITERIA.uncertainty.profile_step * deviation, room / CRITERIA.uncertainty.profile_points
+    )
     points: list[tuple[Array, float]] = []
     at, before = z, 0.0
-    for _ in range(CRITERIA.fit.profile_points):
+    for _ in range(CRITERIA.uncertainty.profile_points):
         left = (high[i] - at[i]) if sign > 0 else (at[i] - low[i])
         if step <= 0 or left <= 0:
             break
@@ -178,9 +180,14 @@ def _side(
         if not np.isfinite(rise):
             break
         points.append((at, rise))
-        if rise > CRITERIA.fit.profile_rise:
+        if rise > CRITERIA.uncertainty.profile_rise:
             break
-        step *= 2 if rise - before < CRITERIA.fit.profile_rise / CRITERIA.fit.profile_points else 1
+        step *= (
+            2
+            if rise - before
+            < CRITERIA.uncertainty.profile_rise / CRITERIA.uncertainty.profile_points
+            else 1
+        )
         before = rise
     return points
 
@@ -206,7 +213,7 @@ def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
         at[kept],
         (low[kept], high[kept]),
         CRITERIA.fit.precision,
-        CRITERIA.fit.profile_evaluations,
+        CRITERIA.uncertainty.profile_evaluations,
     )
     return whole(solution.z)
 
@@ -218,14 +225,14 @@ def _end(
 
     Between two points the root of the rise is taken as straight, which it is for a parabola.
     """
-    limit = float(np.sqrt(CRITERIA.fit.profile_rise))
+    limit = float(np.sqrt(CRITERIA.uncertainty.profile_rise))
     points = [(z, 0.0), *side]
     for (a, low), (b, high) in zip(points[:-1], points[1:], strict=True):
         if np.sqrt(high) >= limit > np.sqrt(low):
             free = [
                 rise for p, rise in side if rise < high and not _at_new_bound(objective, z, p, i)
             ]
-            if _at_new_bound(objective, z, b, i) and free and max(free) < CRITERIA.fit.flat:
+            if _at_new_bound(objective, z, b, i) and free and max(free) < CRITERIA.uncertainty.flat:
                 return None
             share = (limit - np.sqrt(low)) / (np.sqrt(high) - np.sqrt(low))
             return objective.free[i].to_value(float(a[i] + (b[i] - a[i]) * share))

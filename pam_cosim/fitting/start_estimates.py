@@ -29,7 +29,7 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
                 value, value, value, unit, determined=False, run=one.run.name
             )
         told = one.determined()
-        reach = CRITERIA.fit.interval * one.deviations()
+        reach = CRITERIA.uncertainty.interval * one.deviations()
         for k, (name, value) in enumerate(one.settings().items()):
             estimates[name] = Estimate(
                 value,

@@ -6,9 +6,11 @@ from collections.abc import Collection, Iterable, Mapping
 
 import numpy as np
 
-from pam_cosim.comparison.start_probe import StartProbe
+from pam_cosim.comparison.start_probe import STEP, StartProbe
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import FreeParameter
+
+_SAME_SLOPE = 1e-6  # difference of slopes, up to which a state is what a parameter sets
 
 
 def start_is_stated(
@@ -31,9 +33,9 @@ def start_is_stated(
     left = set(shown)
     for name in probe.run.parameters.keys() & interface.parameters.keys():
         parameter, value = interface.parameters[name], parameters[name]
-        step = CRITERIA.starts.step * max(abs(value), abs(parameter.nominal or 0.0), 1.0)
+        step = STEP * max(abs(value), abs(parameter.nominal or 0.0), 1.0)
         slopes = (probe.changed({name: value + step}).at({})[1] - states) / step
-        follows = np.abs(slopes - 1.0) < CRITERIA.starts.same
+        follows = np.abs(slopes - 1.0) < _SAME_SLOPE
         following = {interface.states[i] for i in np.flatnonzero(follows)}
         left -= {s for s in following if interface.start_values[s].unit == parameter.unit}
     return not left

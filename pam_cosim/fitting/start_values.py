@@ -27,6 +27,7 @@ from pam_cosim.simulation import AnySimulator
 
 Result = TypeVar("Result")
 
+_SETTLED = 0.01  # variances of the noise, that a further step must take away to be made
 _STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
@@ -248,7 +249,7 @@ class _Point(Generic[Result]):
 
     def is_little(self, gain: float) -> bool:
         """Whether it is not worth a further run to make the squares that much smaller."""
-        return gain <= max(CRITERIA.starts.settled, CRITERIA.starts.linear * self.cost)
+        return gain <= max(_SETTLED, CRITERIA.starts.linear * self.cost)
 
 
 __all__ = ["StartValues", "eliminate", "eliminate_to_first_order", "start_values"]

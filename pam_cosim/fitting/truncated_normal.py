@@ -35,25 +35,25 @@ def truncated_normal(
     low, high = bounds
     walls = np.vstack([factor, -factor])
     offsets = np.concatenate([mean - low, high - mean])
-    inside = CRITERIA.fit.same_hit * (
+    inside = CRITERIA.uncertainty.same_hit * (
         high - low
     )  # a particle that begins on a wall may fall through it by rounding
     w = np.asarray(
         np.linalg.solve(factor, np.clip(start, low + inside, high - inside) - mean), dtype=float
     )
     samples = []
-    for _ in range(count + CRITERIA.fit.discarded_samples):
+    for _ in range(count + CRITERIA.uncertainty.discarded_samples):
         w = _moved(w, rng.standard_normal(len(w)), walls, offsets)
         samples.append(mean + factor @ w)
     return np.clip(
-        np.array(samples[CRITERIA.fit.discarded_samples :]).reshape(count, -1), low, high
+        np.array(samples[CRITERIA.uncertainty.discarded_samples :]).reshape(count, -1), low, high
     )
 
 
 def _moved(w: Array, speed: Array, walls: Array, offsets: Array) -> Array:
     """Where a particle is after a quarter of a period; it stays where it may be: ``walls @ w + offsets >= 0``."""
     left, last = 0.5 * np.pi, -1
-    for _ in range(CRITERIA.fit.reflections):
+    for _ in range(CRITERIA.uncertainty.reflections):
         times = _times_of_hits(walls @ w, walls @ speed, offsets, last)
         first = int(np.argmin(times))
         time = min(float(times[first]), left)
@@ -80,7 +80,7 @@ def _times_of_hits(places: Array, speeds: Array, offsets: Array, last: int) -> A
     if (
         last >= 0
         and reached[last]
-        and min(times[last], 2 * np.pi - times[last]) < CRITERIA.fit.same_hit
+        and min(times[last], 2 * np.pi - times[last]) < CRITERIA.uncertainty.same_hit
     ):
         times[last] = np.inf
     return times

@@ -28,12 +28,12 @@ class Prior:
     @property
     def low(self) -> float:
         """Lower end of the range that holds 95 % of the values."""
-        return self._at(-CRITERIA.fit.interval)
+        return self._at(-CRITERIA.uncertainty.interval)
 
     @property
     def high(self) -> float:
         """Upper end of that range."""
-        return self._at(CRITERIA.fit.interval)
+        return self._at(CRITERIA.uncertainty.interval)
 
     def _at(self, deviations: float) -> float:
         if self.logarithmic:

@@ -32,10 +32,10 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
     if not back.size or not np.isfinite(column.values).all():
         return table
     usual = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 1.0
-    pause = usual * (2.0 * CRITERIA.starts.pause if gaps == "split" else 1.0)
+    pause = usual * (2.0 * CRITERIA.recognition.pause if gaps == "split" else 1.0)
     steps[back] = pause
     time = column.values[0] + np.concatenate([[0.0], np.cumsum(steps)])
-    places = ", ".join(f"{column.values[i]:g}" for i in back[: CRITERIA.starts.pauses_listed])
+    places = ", ".join(f"{column.values[i]:g}" for i in back[: CRITERIA.recognition.pauses_listed])
     meant = (
         "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
     )
@@ -55,7 +55,11 @@ def pauses(time: Array) -> NDArray[np.intp]:
     """Rows after which a recording pauses."""
     steps = np.diff(time)
     usual = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
-    return np.flatnonzero(steps > CRITERIA.starts.pause * usual) if usual else np.zeros(0, np.intp)
+    return (
+        np.flatnonzero(steps > CRITERIA.recognition.pause * usual)
+        if usual
+        else np.zeros(0, np.intp)
+    )
 
 
 def pieces_of(run: Run, gaps: Gaps | None) -> list[Run]:

@@ -21,6 +21,9 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 
+MEDIAN_TO_SIGMA = (
+    1.4826022185056018  # standard deviation over the median deviation, of a normal distribution
+)
 _CLIP = CRITERIA.noise.clip
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(
     _CLIP / sqrt(2.0)
@@ -120,6 +123,6 @@ def robust_scale(differences: Array) -> float:
     """Robust standard deviation: from the median, then sharpened by the root mean square of what is not outlying."""
     if differences.size == 0:
         return nan
-    rough = CRITERIA.noise.median_to_sigma * float(np.median(np.abs(differences)))
+    rough = MEDIAN_TO_SIGMA * float(np.median(np.abs(differences)))
     inner = differences[np.abs(differences) <= _CLIP * rough]
     return sqrt(float(np.mean(inner**2)) / _CLIPPED_VARIANCE)

@@ -6,7 +6,7 @@ import sys
 from itertools import groupby
 from pathlib import Path
 
-from pam_cosim.criteria import Criteria, Criterion, every_criterion
+from pam_cosim.criteria import VERDICT, Criteria, Criterion, every_criterion
 from pam_cosim.files import write_text
 
 _HEAD = """\
@@ -16,13 +16,20 @@ What a study says depends on these numbers. They stand in `pam_cosim/criteria.py
 (`python -m pam_cosim.reporting.criteria_page docs/criteria.md`). *Chosen* means that neither theory nor a measurement
 fixes the number; *blind score* that cases of the [blind score](hidden-effects/report.md) showed which value serves.
 Excess is the mean square of residuals beyond the noise; sd are standard deviations.
+
+Which effect is said to be missing depends on {deciding} of the {all} numbers, those under
+{groups}.
+The others draft data sets, and describe, plan and draw.
 """
 
 
 def criteria_page() -> str:
     """The page as Markdown."""
-    parts = [_HEAD]
-    for group, members in groupby(every_criterion(), key=lambda c: c.name.partition(".")[0]):
+    every = list(every_criterion())
+    deciding = [c for c in every if c.group in VERDICT]
+    groups = ", ".join(f"`{name}`" for name in VERDICT)
+    parts = [_HEAD.format(deciding=len(deciding), all=len(every), groups=groups)]
+    for group, members in groupby(every, key=lambda c: c.group):
         title = (type(getattr(Criteria(), group)).__doc__ or "").rstrip(".")
         parts.append(f"## {title}\n\n| | value | unit | reason | source |\n|---|---|---|---|---|")
         parts.append("\n".join(map(_row, members)) + "\n")

@@ -40,7 +40,7 @@ def predict(
     run: str | None = None,
     stop_time: Setting | None = None,
     interval: Setting | None = None,
-    samples: int = CRITERIA.fit.samples,
+    samples: int = CRITERIA.uncertainty.samples,
     seed: int = 0,
     discrepancy: bool = True,
     files: Paths = (),

@@ -3,8 +3,11 @@
 Sets `tuning2` and `score2`; their forms are those of `tuning` and `score` in `table.py`. Set `score3` has the forms of
 the catalogue that `score2` has, others that lie apart (`apart.py`), and half of its cases have recordings that begin in
 the middle of motion (`beginnings.py`). Set `tuning3` begins like `score3`, with all forms of `tuning2` and `score2`,
-which may be looked at. The composition repeats every 80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8 triples, 10 faults of
-instruments, 8 with nothing hidden, 6 effects in no family; mixed, so that the first cases already are a fair sample.
+which may be looked at.
+
+The composition repeats every 80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8
+triples, 10 faults of instruments, 8 with nothing hidden, 6 effects in no family; mixed, so that the first cases already
+are a fair sample.
 """
 
 from __future__ import annotations
@@ -126,7 +129,11 @@ def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
     families, strange = _table(which)
     for form in strange if group == "none_of_these" else (*families, *ON_SOME_BENCH):
         wanted = group == "none_of_these" or form.catalogue is (group != "new_form")
-        if not own.isdisjoint(form.sets) and wanted and design.rig.takes(_sample(form), design.signals):
+        if (
+            not own.isdisjoint(form.sets)
+            and wanted
+            and design.rig.takes(_sample(form), design.signals)
+        ):
             alone = form in ON_SOME_BENCH or group == "none_of_these"
             if form in ON_SOME_BENCH and design.runs < _RUNS_TO_TELL:
                 continue

@@ -29,7 +29,7 @@ from pam_cosim.files import write_text
 from pam_cosim.ledger import BalanceEntry, Ledger
 from pam_cosim.measurement import DataSet
 
-_INTERVAL = 2 * CRITERIA.fit.interval  # standard deviations in the interval of an estimate
+_INTERVAL = 2 * CRITERIA.uncertainty.interval  # standard deviations in the interval of an estimate
 
 
 @dataclass(frozen=True)

@@ -342,7 +342,7 @@ def _of_fitted_signals(fit: Fit) -> str:
 def _noise_excess(fit: Fit) -> str:
     """That the noise is more than it was thought to be, and by whom."""
     loud = fit.residuals["fit"].chi2_reduced
-    if loud <= CRITERIA.fit.loud:
+    if loud <= CRITERIA.uncertainty.loud:
         return ""
     signals = fit.comparison.data.signals.values()
     sources = {s.source.partition(":")[0] for s in signals if s.fitted}

@@ -209,7 +209,7 @@ class Rows:
         correlation = covariance / np.outer(deviation, deviation)
         pairs = zip(*np.triu_indices(len(names), 1), strict=True)
         confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
-        return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.fit.confused)
+        return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.uncertainty.confused)
 
     def _alike(
         self, result: Identifiability, moves: Mapping[str, Array], price: float

@@ -41,7 +41,7 @@ def pruned(
         return full
     variance, time = noise_scale([full])
     worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
-    few = CRITERIA.search.pruning_evaluations
+    few = CRITERIA.search.evaluations
     options = FitOptions(evaluations=few, descents=1, precision=precision, holdout_uncertainty=True)
     held: dict[str, Estimate] = {}
     needed: set[str] = set()

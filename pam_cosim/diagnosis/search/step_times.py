@@ -20,7 +20,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.search.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Fit, FitOptions, Free, bounded_least_squares, fit
-from pam_cosim.fitting.objective import Objective
+from pam_cosim.fitting.objective import DIFFERENCE_TOLERANCE, Objective
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet, Run, between_samples, with_step_times
 from pam_cosim.model.references import parameter_of
@@ -163,9 +163,7 @@ class _StepTimes:
     def _objective(
         self, runs: Sequence[Run], free: Sequence[Free], fixed: Mapping[str, float] | None = None
     ) -> Objective:
-        return Objective(
-            self._simulator, self.data, runs, free, fixed, CRITERIA.fit.difference_tolerance
-        )
+        return Objective(self._simulator, self.data, runs, free, fixed, DIFFERENCE_TOLERANCE)
 
     @staticmethod
     def _about(objective: Objective) -> tuple[Array, Array, tuple[Array, Array]]:

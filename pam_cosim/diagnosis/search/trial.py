@@ -160,8 +160,7 @@ def _attempted(
     source, name = trial.composition.text, trial.composition.name
     brief = (
         brief
-        and sum(len(run.time) for run in trial.data.fit_runs)
-        <= CRITERIA.search.rows_without_compiler
+        and sum(len(run.time) for run in trial.data.fit_runs) <= CRITERIA.run.rows_without_compiler
     )
     try:
         fmu = build_source(

@@ -89,7 +89,7 @@ def profile_figure(made: Profiles) -> Figure:
     columns = min(_COLUMNS, max(count, 1))
     figure = new_figure(3.8 * columns, 2.7 * rows)
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
-    limit = CRITERIA.fit.profile_rise
+    limit = CRITERIA.uncertainty.profile_rise
     for axes, profile in zip(panels, made.profiles.values(), strict=False):
         factor, unit = readable_factor(profile.unit), unit_text(profile.unit)
         axes.plot(profile.values * factor, profile.rise, "o-", color=BLUE, ms=3)
