@@ -2,7 +2,8 @@
 
 A signal that depends on one state alone shows it: a pressure reading the pressure, a ruler the position. Where the rate
 of such a state depends on one further state alone, the slope of the samples shows that: the speed, or what lies behind
-the lag of an instrument. The others follow: they are at rest beside these, under the first inputs.
+the lag of an instrument. Of an instrument it may depend on others that are shown: behind a thermometer lies the mass of
+a gas whose pressure is known. What is left follows: it is at rest beside these, under the first inputs.
 """
 
 from __future__ import annotations
@@ -12,6 +13,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison.run_start import first_of_run, inputs_of_run, start_time
 from pam_cosim.comparison.start_probe import Dependences, ObservedState, StartProbe
 from pam_cosim.measurement import DataSet, FirstSamples, Run
@@ -84,10 +86,16 @@ def initial_state_about(
     parameters: Mapping[str, float],
     values: Mapping[str, float],
 ) -> InitialState:
-    """The initial state with these values of some states [SI]; the other arguments are as for ``initial_state``."""
+    """The initial state with these values of some states [SI], of the others as the first samples show it.
+
+    The other arguments are as for ``initial_state``.
+    """
+    if len(values) == len(simulator.interface.states):
+        return InitialState(dict(values))
+    found = measured_initial_state(simulator, data, run, parameters).values
     probe = StartProbe(simulator, data, run, parameters)
-    whole = len(values) == len(simulator.interface.states)
-    return InitialState(dict(values), "none" if whole else _settling(probe, values))
+    known = {**found, **values}
+    return InitialState(known, _settling(probe, known))
 
 
 def _settling(probe: StartProbe, values: Mapping[str, float]) -> Settle:
@@ -116,7 +124,22 @@ def _observed_states(
 ) -> dict[str, ObservedState]:
     """By name of the state. Of two signals that show the same state, the one that shows it better."""
     matrix, shown = dependences.matrix, dict[str, ObservedState]()
+    rates = matrix[len(signals) :]
+    instruments = _states_of_instruments(rates)
     better: dict[str, float] = {}
+
+    def unknown(state: str) -> list[int]:
+        """The states on which the rate of one depends, and that nothing shows so far."""
+        return [
+            int(j) for j in np.flatnonzero(rates[states.index(state)]) if states[j] not in shown
+        ]
+
+    def shows(state: str) -> bool:
+        """Whether the rate of a state shows another one: the only other one, or of an instrument the only unknown."""
+        i = states.index(state)
+        alone = i in instruments or np.count_nonzero(np.delete(rates[i], i)) == 1
+        return alone and len(unknown(state)) == 1
+
     for row, signal in enumerate(signals):
         dependent = np.flatnonzero(matrix[row])
         if len(dependent) != 1 or signal not in first:
@@ -128,17 +151,29 @@ def _observed_states(
             rate = sample.slope / slope if sample.moves else 0.0
             shown[state] = ObservedState(row, sample.value, sample.sd, signal, rate)
     waiting = list(shown)
-    while waiting:
-        by = waiting.pop(0)
-        i, known = states.index(by), shown[by]
-        row = len(signals) + i
-        others = [int(j) for j in np.flatnonzero(matrix[row]) if j != i]
-        if len(others) == 1 and states[others[0]] not in shown:
-            follows = -matrix[row, i] / matrix[row, others[0]]
-            state = states[others[0]]
-            shown[state] = ObservedState(row, known.rate, 0.0, known.signal, known.rate * follows)
-            waiting.append(state)
+    while (by := next((name for name in waiting if shows(name)), None)) is not None:
+        waiting.remove(by)
+        row, known = len(signals) + states.index(by), shown[by]
+        state = states[unknown(by)[0]]
+        moved = sum(matrix[row, states.index(name)] * one.rate for name, one in shown.items())
+        rate = -float(moved) / float(matrix[row, states.index(state)])
+        shown[state] = ObservedState(row, known.rate, 0.0, known.signal, rate)
+        waiting.append(state)
     return shown
+
+
+def _states_of_instruments(rates: Array) -> set[int]:
+    """States that act on nothing but readings, as that of a thermometer does: on no rate but their own, and on those
+    of such states.
+
+    Args:
+        rates: (states, states) slopes of the rates by the states.
+    """
+    found = set[int]()
+    acting = [{int(i) for i in np.flatnonzero(column)} for column in rates.T]
+    while more := {i for i, on in enumerate(acting) if i not in found and on <= {i, *found}}:
+        found |= more
+    return found
 
 
 __all__ = [

@@ -59,6 +59,7 @@ class LinearWorld(Search):
     slow: str = ""
     stuck: frozenset[str] = frozenset()
     tried: list[tuple[str, ...]] = field(default_factory=list)
+    asked: list[tuple[str, ...]] = field(default_factory=list)
     looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
     @property
@@ -125,6 +126,7 @@ class LinearWorld(Search):
         return self, {}
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
+        self.asked.extend(m.effects for m in models)
         brief = [replace(self.candidate(m.effects), brief=True) for m in models]
         return [
             replace(c, fit=self.untouched(c.effects))

@@ -128,10 +128,11 @@ def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     needed = ("LinearBladder", "ThermocoupleLag")
     pair = world(dict.fromkeys(needed, 5.0))
     models = _Models(pair, pair.fitted(()), math.inf)
+    models.probe()
     chosen = (needed[0], superfluous, needed[1])
     models.fitted[chosen] = pair.candidate(chosen)
     models.ranking.update_scale()
-    models.try_removing_one()
+    models.try_exchanging()
     answer = models.ranking.answer()
     assert answer is not None and set(answer.effects) == set(needed)
 
@@ -177,9 +178,46 @@ def test_every_form_is_tried_in_the_place_of_each_of_several_effects_that_leave_
     assert len(best) > 1
     attempted = {frozenset(c.effects) for c in selection.tried}
     for name in best:
-        others = {e.name for e in SHELF if e.family == KNOWN[name].family}
-        sets = [frozenset(best) - {name} | {other} for other in others]
-        assert attempted.issuperset(sets), name
+        assert attempted >= _forms(best, name), name
+
+
+def test_forms_are_exchanged_before_a_third_effect_is_looked_for() -> None:
+    several = world({"LinearBladder": 8.0, "ThermocoupleLag": 5.0, "OrificeLeak": 3.0})
+    select_effects(several, several.fitted(()))
+    third = next(n for n, effects in enumerate(several.asked) if len(effects) == 3)
+    pairs = {frozenset(effects) for effects in several.asked[:third] if len(effects) == 2}
+    two = ("LinearBladder", "ThermocoupleLag")
+    assert all(_forms(two, name) <= pairs for name in two)
+
+
+def test_forms_are_exchanged_in_sets_of_families_that_do_not_lead() -> None:
+    """The right families, in a wrong form, may leave more than others do."""
+    first, second = ("LinearBladder", "ThermocoupleLag"), ("LinearBladder", "LaminarLeak")
+    several = world(
+        {"LinearBladder": 20.0, "ThermocoupleLag": 9.0, "OrificeLeak": 5.0}, strange=1.0
+    )
+    models = _Models(several, several.fitted(()), math.inf)
+    models.probe()
+    models._record([several.candidate(first), several.candidate(second)])
+    models.try_other_forms()
+    asked = {frozenset(effects) for effects in several.asked}
+    assert _forms(second, "LaminarLeak") - {frozenset(second)} <= asked
+
+
+def _forms(effects: tuple[str, ...], name: str) -> set[frozenset[str]]:
+    others = {e.name for e in SHELF if e.family == KNOWN[name].family}
+    return {frozenset(effects) - {name} | {other} for other in others}
+
+
+def test_what_came_farthest_by_itself_is_tried_in_the_place_of_each_effect() -> None:
+    chosen, leading = ("LinearBladder", "ThermocoupleLag"), "OrificeLeak"
+    pair = world(dict.fromkeys(chosen, 20.0))
+    models = _Models(pair, pair.fitted(()), math.inf)
+    models.probe()
+    models._record([pair.candidate(chosen), pair.candidate((leading,))])
+    models.try_exchanging()
+    asked = {frozenset(effects) for effects in pair.asked}
+    assert {frozenset({leading, name}) for name in chosen} <= asked
 
 
 def test_a_general_member_that_leaves_noise_is_held_against_those_of_other_families() -> None:
@@ -196,10 +234,11 @@ def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_e
     pair, triple = ("LinearBladder", "OrificeLeak"), ("LinearBladder", "HangingMass", "OrificeLeak")
     several = world(dict.fromkeys(pair, 20.0), stuck=frozenset(pair))
     models = _Models(several, several.fitted(()), math.inf)
+    models.probe()
     for names in (pair, triple):
         models._record(several.fit_completely([several.candidate(names)], models.base))
     answer = models.ranking.answer()
     assert answer is not None and answer.effects == triple  # since the pair does not leave noise
-    models.try_removing_one()
+    models.try_exchanging()
     answer = models.ranking.answer()
     assert answer is not None and answer.effects == pair

@@ -157,6 +157,33 @@ def test_a_reading_at_the_end_of_its_range_shows_no_start(
             assert begins.settle == "others"
 
 
+@pytest.mark.parametrize("thermometer", ["ThermocoupleLag", "ThermocoupleSheath"])
+def test_the_mass_of_a_gas_is_shown_through_a_slow_thermometer(
+    thermometer: str, data: Callable[..., DataSet], tmp_path: Path
+) -> None:
+    """Its reading shows its own state; that does not come to rest beside the gas unless that has the right mass.
+
+    Where a muscle under pressure began with the mass of an empty one, its gas had a thousand kelvins.
+    """
+    model = tmp_path / "Slow.mo"
+    pam.add(["EnergyGas", thermometer], to="Isotonic", output=model)
+    data_set = data(start="measured")
+    with Simulator(build_model(str(model))) as simulator:
+        for run in data_set.runs:
+            own = data_set.parameters_of(run, {})
+            begins = measured_initial_state(simulator, data_set, run, own)
+            assert begins.values.keys() >= {"muscle.gas.m", "muscle.gas.p", "thermometer.T"}
+            times = run.time[:1]
+            start = simulator.run(
+                times,
+                parameters={**own, **begins.values},
+                outputs=["muscle.gas.T"],
+                start_time=float(times[0]),
+                settle=begins.settle,
+            )
+            assert start["muscle.gas.T"][0] == pytest.approx(run.measurements["T"][0], rel=0.2)
+
+
 def test_a_record_that_is_early_begins_where_its_first_samples_are(
     data: Callable[..., DataSet], tmp_path: Path
 ) -> None:

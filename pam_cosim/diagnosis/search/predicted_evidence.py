@@ -149,6 +149,22 @@ class PredictedEvidence:
         return list(chosen.values())
 
     def _best_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
+        """The most promising ones, one of each set of families; if there are, of sets that were not tried yet.
+
+        What a member of a set did tells more of the others than slopes do, and where it did well, they come as other
+        forms.
+        """
+        tried = {
+            frozenset(self.ranking.search.family[name] for name in effects)
+            for effects in self.ranking.attempted
+        }
+        fresh = [p for p in promises if self._families_of(p) not in tried]
+        return self._first_of_families(fresh or promises)
+
+    def _families_of(self, p: Proposal) -> frozenset[str]:
+        return frozenset(self.ranking.search.family[name] for name in p.prediction.effects)
+
+    def _first_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
         """The most promising ones, one of each set of families."""
         noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
         possible = [
@@ -164,7 +180,7 @@ class PredictedEvidence:
                 break  # no further one can be as good as these
             p = promises[n]
             own = self.predicted_criterion(p, noise_floor, scale)
-            families = frozenset(self.ranking.search.family[name] for name in p.prediction.effects)
+            families = self._families_of(p)
             if families not in by_families or own < by_families[families][0]:
                 by_families[families] = (own, p)
         ordered = sorted(

@@ -121,6 +121,15 @@ class Ranking:
         ]
         return sorted(some, key=lambda c: (self.information_criterion(c), c.effects))
 
+    def of_each_families(self, count: int) -> list[Candidate]:
+        """Of models with so many effects, fitted to the end, the best of each set of families, the best first."""
+        complete = {c.effects for c in self._complete()}
+        every = (c for c in self.models(count) if len(c.effects) == count and c.effects in complete)
+        first: dict[frozenset[str], Candidate] = {}
+        for c in every:
+            first.setdefault(frozenset(self.search.family[name] for name in c.effects), c)
+        return list(first.values())
+
     def best(self, specific: bool = False) -> Candidate | None:
         """Of those that leave noise, the best with the number of effects that is enough; else the best of all.
 
@@ -179,11 +188,15 @@ class Ranking:
         every = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
         return {c.effects: c for c in every if names.issuperset(c.effects)}
 
-    def has_structure(self, c: Candidate) -> bool:
+    def has_structure(self, c: Candidate, reproducible: bool = True) -> bool:
         """Whether a model leaves structure, in runs that were fitted or in others.
 
         The noise is that of the instruments, whatever the model: where nobody stated it, no larger than beside the
         model that leaves least. What a model leaves may look like red noise by itself.
+
+        Args:
+            c: the model.
+            reproducible: of small structure, only what comes again in other runs; else what may be a drift too.
         """
         known = self._remainders.get(c.effects)
         if known is None or known.fit is not c.fit:
@@ -193,11 +206,9 @@ class Ranking:
                 cross_run_reproducibility(c.fit),
             )
             self._remainders[c.effects] = known
-        floor = self.noise_floor()
+        floor, repeated = self.noise_floor(), known.reproducibility if reproducible else None
         return any(
-            has_structure_for_search(
-                replace(s, noise_floor=min(s.noise_floor, floor)), known.reproducibility
-            )
+            has_structure_for_search(replace(s, noise_floor=min(s.noise_floor, floor)), repeated)
             for s in known.statistics
         )
 

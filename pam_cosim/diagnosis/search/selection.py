@@ -89,6 +89,8 @@ def select_effects(
         if count == 1:
             models.try_forms()
             models.improve(count)
+        else:
+            models.try_other_forms()
         models.set_outliers_aside()
         if models.ranking.unsolved():
             retimed = models.with_step_times(count) if retime else None
@@ -104,7 +106,7 @@ def select_effects(
             models.probe_again()
     models.try_earlier(earlier)
     models.try_other_forms()
-    models.try_removing_one()
+    models.try_exchanging()
     return Selection(
         models.search,
         models.base,
@@ -178,23 +180,13 @@ class _Models:
         Beside the base model, which is far off then, the same parameters may do something else. Those that stand for
         their families are looked at first, then all members of the families that promise most.
         """
+        family = self.search.family
         for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
-            taken = {self.search.family[name] for name in best.effects}
-            self._probe_beside(
-                best,
-                [
-                    n
-                    for n in self.search.family_representatives
-                    if self.search.family[n] not in taken
-                ],
-            )
+            taken = {family[name] for name in best.effects}
+            broad = [n for n in self.search.family_representatives if family[n] not in taken]
+            self._probe_beside(best, broad)
             leading = self.predicted.leading_families(best, CRITERIA.search.leading_families)
-            own = [
-                e.name
-                for e in self.search.available_effects
-                if e.family in leading and e.name not in self.search.undetectable
-            ]
-            self._probe_beside(best, own)
+            self._probe_beside(best, [e for f in leading for e in self._members(f)])
 
     def _probe_beside(self, best: Candidate, effects: Sequence[str]) -> None:
         seen = self.predicted.probed_beside(best.effects)
@@ -322,39 +314,74 @@ class _Models:
             self.improve(max(len(c.effects) for c in first))
 
     def try_other_forms(self) -> None:
-        """In the model that leaves least, and still structure, other members of each family in the place of its own.
+        """While all leave structure, be it a drift, other members of each family in those of the leading models.
 
-        A general member that was right beside fewer effects may be far from the law that is right beside all of them.
+        A member that was right beside fewer effects, or beside a wrong one, may be far from the law that is right
+        beside all of them. The best model of each set of families leads; as many are looked at as of single families.
         """
         for _ in range(CRITERIA.search.most_effects):
             best = self.ranking.leader()
-            if best is None or len(best.effects) < 2 or not self.ranking.has_structure(best):
+            if best is None or len(best.effects) < 2:
                 return
-            forms = [self._other_forms(best.effects, name) for name in best.effects]
-            sets = [effects for by_form in forms for effects in by_form.values()]
-            self._try([FitRequest(effects, best.fit.values) for effects in sets])
+            if not self.ranking.has_structure(best, reproducible=False):
+                return
+            leading = self.ranking.of_each_families(len(best.effects))
+            self._try(
+                [
+                    FitRequest(effects, c.fit.values)
+                    for c in leading[: CRITERIA.search.leading_families]
+                    for name in c.effects
+                    for effects in self._other_forms(c.effects, name).values()
+                ]
+            )
             self.improve(len(best.effects))
             if self.ranking.leader() is best:
                 return
 
-    def try_removing_one(self) -> None:
-        """What is chosen without each of its effects, to the end, until each of them is needed.
+    def try_exchanging(self) -> None:
+        """What is chosen without each of its effects, and with another in its place, until nothing better is found.
 
         What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
-        need it no more once they are fitted together. A set that was fitted before is fitted again from where the
-        chosen one stands: it may have stopped in another valley.
+        need it no more once they are fitted together, or need another one.
         """
         while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
             sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
-            seen = self.ranking.attempted
-            if self._is_out_of_time([names for names in sets if frozenset(names) not in seen]):
+            if not self._fit_again(sets, best):
                 return
-            self._record(
-                self.search.fit_briefly([FitRequest(names, best.fit.values) for names in sets])
-            )
-            self._finish_in_time([c for n in sets if (c := self.fitted.get(n)) and c.brief])
+            if self.ranking.answer() is not best:
+                continue
+            self._try(self._with_a_leading_effect(best))
+            self.improve(len(best.effects))
             if self.ranking.answer() is best:
                 return
+
+    def _with_a_leading_effect(self, best: Candidate) -> list[FitRequest]:
+        """A model with each of its effects exchanged for one of those that came farthest by themselves."""
+        family, taken = self.search.family, {self.search.family[name] for name in best.effects}
+        others = [c for c in self.ranking.of_each_families(1) if family[c.effect] not in taken]
+        return [
+            FitRequest(
+                tuple(c.effect if n == name else n for n in best.effects),
+                {**c.fit.values, **best.fit.values},
+                {**best.fit.values, **c.fit.values},
+            )
+            for c in others[: CRITERIA.search.leading_families]
+            for name in best.effects
+        ]
+
+    def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
+        """Sets of effects from where the best model stands, to the end; whether there was time for it.
+
+        A set that was fitted before may have stopped in another valley.
+        """
+        seen = self.ranking.attempted
+        if self._is_out_of_time([names for names in sets if frozenset(names) not in seen]):
+            return False
+        self._record(
+            self.search.fit_briefly([FitRequest(names, best.fit.values) for names in sets])
+        )
+        self._finish_in_time([c for n in sets if (c := self.fitted.get(n)) and c.brief])
+        return True
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
         """By member of its family, the effects with that member in the place of one of them."""
