@@ -246,8 +246,9 @@ def outline(case: Case) -> dict[str, Any]:
 def _same_as(case: Case) -> list[list[str]]:
     """Other families that give the very same data, so that no verdict could tell them apart.
 
-    A dead time of valves and a recorder that is late, where currents are all that moves; a mass that hangs on the
-    muscle and a load that is stated too small, where all runs have one load.
+    A dead time of valves and a recorder that is late, where currents are all that moves; a dead time of the only
+    instrument, where nothing is commanded; a mass that hangs on the muscle and a load that is stated too small, where
+    all runs have one load.
     """
     design, also = case.design, []
     if len(case.hidden) == 1:
@@ -256,6 +257,11 @@ def _same_as(case: Case) -> list[list[str]]:
             "valve_dynamics",
             "dead_time",
         ) and design.rig.course is None:
+            also.append(["clock_offset"])
+        if (form.family, form.name) == (
+            "pressure_sensor_lag",
+            "dead_time",
+        ) and design.bench == "VesselOrifice":
             also.append(["clock_offset"])
         if (form.family, form.name) == ("moving_mass", "hanging") and (
             design.sixth == "load.m" or design.runs == 1

@@ -184,6 +184,22 @@ def test_the_mass_of_a_gas_is_shown_through_a_slow_thermometer(
             assert start["muscle.gas.T"][0] == pytest.approx(run.measurements["T"][0], rel=0.2)
 
 
+def test_a_reading_through_states_of_the_instrument_shows_what_it_reads(
+    data: Callable[..., DataSet], tmp_path: Path
+) -> None:
+    """A muscle under pressure came to rest without any, since no single state gave the reading."""
+    model = tmp_path / "Delayed.mo"
+    pam.add(["PressureDelay"], to="Isotonic", output=model)
+    data_set = data(start="measured")
+    with Simulator(build_model(str(model))) as simulator:
+        for run in data_set.runs:
+            own = data_set.parameters_of(run, {})
+            begins = measured_initial_state(simulator, data_set, run, own)
+            assert begins.shown["muscle.gas.p"] == "p"  # not T, which shows it less well
+            read = begins.values["muscle.gas.p"] - 101325.0
+            assert read == pytest.approx(run.measurements["p"][0], rel=0.05, abs=2e3)
+
+
 def test_a_record_that_is_early_begins_where_its_first_samples_are(
     data: Callable[..., DataSet], tmp_path: Path
 ) -> None:
