@@ -43,17 +43,21 @@ def inputs_of_run(run: Run) -> Inputs | None:
     return Inputs(time, values, run.interpolation) if values else None
 
 
-def first_of_run(run: Run, signal: str, sigma: float) -> FirstSamples | None:
+def first_of_run(run: Run, signal: str, sigma: float, skipped: int = 0) -> FirstSamples | None:
     """A signal at the first row of a run; None where it has no sample, or the first comes after a pause.
 
     Args:
         run: what was recorded.
         signal: its name.
         sigma: standard deviation of the noise [SI].
+        skipped: so many samples at the beginning are not asked.
     """
     time, values = run.time, run.measurements[signal]
     if signal in run.start.leading:
         early, recorded = run.start.leading[signal]
         later = time >= run.time[0] + run.start.lead
         time, values = np.append(early, time[later]), np.append(recorded, values[later])
+    if skipped:
+        values = np.array(values)
+        values[np.flatnonzero(np.isfinite(values))[:skipped]] = np.nan
     return first_samples(time, values, sigma, float(run.time[0]))

@@ -23,6 +23,7 @@ class FirstOffset:
         name: of the signal.
         unit: of all numbers.
         sample: the first sample, with its noise.
+        others: what the samples after it say of the first instant; None: there are none.
         model: what the model gives there.
         noise: the largest offset that noise makes.
         span: range of the signal over all runs and the model's first value.
@@ -31,6 +32,7 @@ class FirstOffset:
     name: str
     unit: str
     sample: FirstSamples
+    others: FirstSamples | None
     model: float
     noise: float
     span: float
@@ -42,8 +44,9 @@ class FirstOffset:
 
     @property
     def exceeds_noise(self) -> bool:
-        """Whether the offset is more than noise makes."""
-        return abs(self.offset) > self.noise
+        """Whether the offset is more than noise makes, and more than one slip: the samples after it show it too."""
+        also = self.others is None or abs(self.others.value - self.model) > self.noise
+        return also and abs(self.offset) > self.noise
 
     def exceeds_instrument(self, common: float | None) -> bool:
         """Whether neither noise nor an instrument's offset explains it, which is small and the same in all runs.
@@ -107,4 +110,7 @@ def _offset(data: DataSet, run: Run, name: str, model: float) -> FirstOffset:
         [[model], *(r.measurements[name] for r in data.runs if name in r.measurements)]
     )
     span = float(np.nanmax(values) - np.nanmin(values))
-    return FirstOffset(name, signal.unit, sample, model, CRITERIA.starts.away * signal.sigma, span)
+    others = first_of_run(run, name, signal.sigma, skipped=1)
+    return FirstOffset(
+        name, signal.unit, sample, others, model, CRITERIA.starts.away * signal.sigma, span
+    )
