@@ -11,13 +11,14 @@ from pam_cosim.diagnosis.judgement.evidence import (
     NoiseScale,
     bic,
     information_criterion,
+    may_have_structure,
     rank,
     significantly_better,
 )
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.fitting import Estimate
 from pam_cosim.measurement import Prior
-from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted
+from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted, statistics
 
 LOG = math.log(1000)
 
@@ -133,3 +134,12 @@ def test_evidence_pays_for_a_parameter_that_the_data_do_not_determine() -> None:
     assert information_criterion(limit.fit, *known, limit) == pytest.approx(
         information_criterion(limit.fit, *known) + LOG
     )
+
+
+def test_what_is_quick_looks_white_and_is_seen_by_the_stated_noise() -> None:
+    """Effects are tried then; where no noise was stated, white residuals of any size may be that."""
+    quick = replace(statistics(2.8, score=3.1, samples=126), white_variance=2.0, noise_floor=2.0)
+    assert may_have_structure(replace(quick, level_score=14.0))
+    assert not may_have_structure(quick)
+    quiet = replace(statistics(1.1, score=3.1, samples=126), level_score=0.8)
+    assert not may_have_structure(quiet)

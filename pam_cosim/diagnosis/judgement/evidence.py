@@ -60,14 +60,16 @@ def any_structure_for_search(fit: Fit) -> bool:
 
 
 def may_have_structure(s: ResidualStatistics) -> bool:
-    """Whether residuals are correlated and larger than noise, if ever so slightly, be it a drift of the instruments.
+    """Whether residuals are larger than noise, if ever so slightly, be it a drift of the instruments.
 
-    Or red noise: where nobody stated a level, residuals of any size may be that, and only a better model tells.
+    Or red noise: where nobody stated a level, residuals of any size may be that, and only a better model tells. They
+    are correlated, or larger than the noise that was stated: what is quick against the samples looks white.
     """
     if s.samples < CRITERIA.residuals.many_samples:
         return has_structure_for_search(s)
     known_variance = min(s.noise_floor, max(1.0, s.white_variance))
-    return _correlated(s) and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
+    seen = _correlated(s) or s.level_score > CRITERIA.residuals.level_of_few
+    return seen and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
 
 
 def has_structure_for_verdict(
