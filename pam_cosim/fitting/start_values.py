@@ -28,6 +28,7 @@ from pam_cosim.simulation import AnySimulator
 Result = TypeVar("Result")
 
 _SETTLED = 0.01  # variances of the noise, that a further step must take away to be made
+_FARTHER = 4.0  # times as far as the step before, that a step may go
 _STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
@@ -178,22 +179,22 @@ def eliminate(
     if here is None:
         of.values = of.mean
         here = _Point(of, *simulate())
+    reach = 1.0  # standard deviations of what is known beforehand, that a step may go; farther once that served
     for _ in range(CRITERIA.starts.steps):
         if here.is_settled:
             break
         before = here
-        step = here.step / max(
-            1.0, float(np.max(np.abs(here.step) / of.sd))
-        )  # no farther than they are known
+        farthest = float(np.max(np.abs(here.step) / of.sd))
+        step = here.step * min(1.0, reach / max(farthest, reach))
         for _ in range(1 if here.is_level else CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)
             if there is not None and there.cost < here.cost:
                 break
-            step = step / 2.0
+            step, reach = step / 2.0, reach / 2.0
         else:
             break
-        here = there
+        here, reach = there, _FARTHER * reach
         if before.is_little(before.cost - here.cost):
             break
     of.values = (

@@ -332,19 +332,35 @@ def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
         assert first.start_values == begins != whole.start_values
 
 
-@pytest.mark.parametrize(("falls", "runs"), [(0.0, 2), (5.0, 2), (300.0, 3)])
-def test_what_is_not_worth_a_run_is_not_run(falls: float, runs: int) -> None:
-    """Beside a model that is far off: a step that gains nothing, little, or enough to take another one."""
-    one = StartValues(
+def _one_start(bound: float) -> StartValues:
+    """One state that is known to be zero, give or take one."""
+    return StartValues(
         Run("run-01", Path("x.csv"), "fit", "linear", {}, np.zeros(2), {}, {}),
         ("s",),
         np.zeros(1),
         np.ones(1),
         {},
         np.zeros(1),
-        np.array([-9.0]),
-        np.array([9.0]),
+        np.array([-bound]),
+        np.array([bound]),
     )
+
+
+def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
+    """Held-out runs ended on the way: each step went as far as it was known, and there are eight of them."""
+    one = _one_start(1e3)
+
+    def simulate() -> tuple[str, Array, Array]:
+        return "run", 100.0 * (one.values - 40.0), np.array([[100.0]])
+
+    eliminate(one, simulate)
+    assert one.values == pytest.approx([40.0], rel=1e-3)
+
+
+@pytest.mark.parametrize(("falls", "runs"), [(0.0, 2), (5.0, 2), (300.0, 3)])
+def test_what_is_not_worth_a_run_is_not_run(falls: float, runs: int) -> None:
+    """Beside a model that is far off: a step that gains nothing, little, or enough to take another one."""
+    one = _one_start(9.0)
     counted = []
 
     def simulate() -> tuple[str, Array, Array]:
