@@ -48,7 +48,9 @@ def _observed_by_signals(
             continue
         source, instrument = read
         sample, slope = first[signal], _slope_at_rest(matrix[row], rates, source, instrument)
-        spread = sample.sd / abs(slope) if slope else np.inf
+        if not slope:
+            continue
+        spread = sample.sd / abs(slope)
         if spread < better.get(source, np.inf):
             better[source] = spread
             rate = sample.slope / slope if sample.moves else 0.0

@@ -54,7 +54,7 @@ def test_the_model_that_leaves_least_leads_where_none_beats_the_base_model() -> 
     ]
     order = _order(*slow)
     assert order.best() is None
-    assert order.leader() is slow[1] and order.parents() == [slow[1]]
+    assert order.leader() is slow[1] and order.parents() == [slow[1], slow[0]]
     (bar,) = order.acceptance_thresholds(1, order.scale)
     assert (bar.reference, bar.criterion) == (slow[1], order.information_criterion(slow[1]))
 

@@ -55,7 +55,7 @@ def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model(
     assert families(several) == {KNOWN[name].family for name in hidden}
     (first, every), *beside = several.looks
     assert (first, every) == ((), len(SHELF))
-    assert [len(effects) for effects, _ in beside] == [1, 1, 2, 2]
+    assert [len(effects) for effects, _ in beside] == [1, 1, 1, 1, 2, 2]
     assert set(beside[-1][0]) == {"LinearBladder", "ThermocoupleLag"}
     for some, members in zip(beside[::2], beside[1::2], strict=True):
         assert some[1] + members[1] < every / 2

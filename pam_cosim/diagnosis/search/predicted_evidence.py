@@ -208,14 +208,9 @@ class PredictedEvidence:
         """Models of so many effects from those that were fitted."""
         first = CRITERIA.search.starts
         unsolved = self.ranking.unsolved()
-        known = self.ranking.models(count)[:first]
+        known = [*self.ranking.parents(), *self.ranking.models(count)[:first]]
         if unsolved:
-            known = list(
-                {
-                    c.effects: c
-                    for c in (*known, *self.ranking.models(count, specific=True)[:first])
-                }.values()
-            )
+            known += self.ranking.models(count, specific=True)[:first]
         best = self.ranking.best()
         further = unsolved or (best is not None and count > len(best.effects))
         lacking = self.ranking.with_one_less()

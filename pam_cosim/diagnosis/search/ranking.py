@@ -235,9 +235,10 @@ class Ranking:
         return min(some, key=lambda c: (self.information_criterion(c), c.effects), default=None)
 
     def parents(self) -> list[Candidate]:
-        """The models that the search goes on from: the best, and the best of laws; or what may replace the best.
+        """The models that the search goes on from: the best, the best of laws, and the best of other families.
 
-        That is the best of those that would cost less even with one more effect, once the best leaves noise.
+        Of as many sets of families as lead; the right ones may leave more than a rich law of wrong ones. Once the best
+        leaves noise, what may replace it: the best of those that would cost less even with one more effect.
         """
         best = self.leader()
         if best is not None and not self.has_structure(best):
@@ -246,9 +247,9 @@ class Ranking:
                 for c in self.models(len(best.effects))
                 if self._with_one_more(c.effects) < self.cost(best.effects)
             ][:1]
-        return list(
-            {c.effects: c for c in (best, self.leader(specific=True)) if c is not None}.values()
-        )
+        leading = self.of_each_families(len(best.effects)) if best is not None else []
+        every = (best, self.leader(specific=True), *leading[: CRITERIA.search.leading_families])
+        return list({c.effects: c for c in every if c is not None}.values())
 
     def may_be(self, threshold: AcceptanceThreshold, effects: Collection[str]) -> bool:
         """Whether a threshold is for models with these effects."""

@@ -181,6 +181,7 @@ class _Models:
         their families are looked at first, then all members of the families that promise most.
         """
         family = self.search.family
+        self._finish_in_time([c for c in self.ranking.parents() if c.brief])
         for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
             taken = {family[name] for name in best.effects}
             broad = [n for n in self.search.family_representatives if family[n] not in taken]
