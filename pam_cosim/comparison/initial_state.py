@@ -60,17 +60,9 @@ def measured_initial_state(
 ) -> InitialState:
     """The initial state at which the model gives the first samples; arguments as for ``initial_state``."""
     probe = StartProbe(simulator, data, run, parameters)
-    first = probe.first_samples()
-    if not simulator.interface.states or not first:
+    shown, values = _shown_by_first_samples(probe)
+    if not probe.states or not probe.first_samples():
         return InitialState()
-    dependences = probe.dependences({}).joined(probe.dependences(probe.nearby_state()))
-    shown, values = _consistent_start(probe, dependences, first)
-    unmatched = probe.unmatched_signals(
-        shown, values
-    )  # such as a reading at the end of its range, which shows nothing
-    if unmatched:
-        others = {signal: one for signal, one in first.items() if signal not in unmatched}
-        shown, values = _consistent_start(probe, dependences, others)
     signals = {state: one.signal for state, one in shown.items()}
     return InitialState(values, _settling(probe, values), signals)
 
@@ -88,10 +80,27 @@ def initial_state_about(
     """
     if len(values) == len(simulator.interface.states):
         return InitialState(dict(values))
-    found = measured_initial_state(simulator, data, run, parameters).values
     probe = StartProbe(simulator, data, run, parameters)
-    known = {**found, **values}
+    known = {**_shown_by_first_samples(probe)[1], **values}
     return InitialState(known, _settling(probe, known))
+
+
+def _shown_by_first_samples(
+    probe: StartProbe,
+) -> tuple[dict[str, ObservedState], dict[str, float]]:
+    """What shows which states, and their start values; nothing where the model has no states, or no sample comes."""
+    first = probe.first_samples()
+    if not probe.states or not first:
+        return {}, {}
+    dependences = probe.dependences({}).joined(probe.dependences(probe.nearby_state()))
+    shown, values = _consistent_start(probe, dependences, first)
+    unmatched = probe.unmatched_signals(
+        shown, values
+    )  # such as a reading at the end of its range, which shows nothing
+    if not unmatched:
+        return shown, values
+    others = {signal: one for signal, one in first.items() if signal not in unmatched}
+    return _consistent_start(probe, dependences, others)
 
 
 def _settling(probe: StartProbe, values: Mapping[str, float]) -> Settle:

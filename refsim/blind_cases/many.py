@@ -253,15 +253,11 @@ def _same_as(case: Case) -> list[list[str]]:
     design, also = case.design, []
     if len(case.hidden) == 1:
         form = case.hidden[0]
-        if (form.family, form.name) == (
-            "valve_dynamics",
-            "dead_time",
-        ) and design.rig.course is None:
-            also.append(["clock_offset"])
-        if (form.family, form.name) == (
-            "pressure_sensor_lag",
-            "dead_time",
-        ) and design.bench == "VesselOrifice":
+        late = {
+            ("valve_dynamics", "dead_time"): design.rig.course is None,
+            ("pressure_sensor_lag", "dead_time"): design.bench == "VesselOrifice",
+        }
+        if late.get((form.family, form.name)):
             also.append(["clock_offset"])
         if (form.family, form.name) == ("moving_mass", "hanging") and (
             design.sixth == "load.m" or design.runs == 1

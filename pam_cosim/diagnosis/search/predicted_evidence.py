@@ -154,15 +154,12 @@ class PredictedEvidence:
         What a member of a set did tells more of the others than slopes do, and where it did well, they come as other
         forms.
         """
-        tried = {
-            frozenset(self.ranking.search.family[name] for name in effects)
-            for effects in self.ranking.attempted
-        }
+        tried = {self.ranking.search.families_of(names) for names in self.ranking.attempted}
         fresh = [p for p in promises if self._families_of(p) not in tried]
         return self._first_of_families(fresh or promises)
 
     def _families_of(self, p: Proposal) -> frozenset[str]:
-        return frozenset(self.ranking.search.family[name] for name in p.prediction.effects)
+        return self.ranking.search.families_of(p.prediction.effects)
 
     def _first_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
         """The most promising ones, one of each set of families."""

@@ -127,7 +127,7 @@ class Ranking:
         every = (c for c in self.models(count) if len(c.effects) == count and c.effects in complete)
         first: dict[frozenset[str], Candidate] = {}
         for c in every:
-            first.setdefault(frozenset(self.search.family[name] for name in c.effects), c)
+            first.setdefault(self.search.families_of(c.effects), c)
         return list(first.values())
 
     def best(self, specific: bool = False) -> Candidate | None:
@@ -310,7 +310,7 @@ class Ranking:
                     for c in self.parents()
                 ]
             # what has the same families can replace the answer, but not rival it: as good is not enough
-            own = frozenset(self.search.family[name] for name in best.effects)
+            own = self.search.families_of(best.effects)
             rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=own)
             return [AcceptanceThreshold(reached, reached), rival]
         bars = [AcceptanceThreshold(reached, reached, best)]

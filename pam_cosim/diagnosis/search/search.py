@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import itertools
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
@@ -102,6 +102,10 @@ class Search:
     def family(self) -> dict[str, str]:
         """Family of each effect."""
         return {e.name: e.family for e in self.available_effects}
+
+    def families_of(self, effects: Iterable[str]) -> frozenset[str]:
+        """The families of some effects."""
+        return frozenset(self.family[name] for name in effects)
 
     @cached_property
     def model_space(self) -> ModelSpace:
