@@ -15,7 +15,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import compose
-from pam_cosim.comparison import measured_initial_state
+from pam_cosim.comparison import InitialState, measured_initial_state
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
@@ -141,20 +141,27 @@ def test_measured_is_near(data: Callable[..., DataSet]) -> None:
     assert not fit.starts
 
 
+def _measured_starts(
+    effects: list[str], data: DataSet, folder: Path
+) -> Iterator[tuple[Simulator, Run, InitialState]]:
+    """Of each run, by the model of the bench with these effects."""
+    model = folder / "WithEffects.mo"
+    pam.add(effects, to="Isotonic", output=model)
+    with Simulator(build_model(str(model))) as simulator:
+        for run in data.runs:
+            own = data.parameters_of(run, {})
+            yield simulator, run, measured_initial_state(simulator, data, run, own)
+
+
 def test_a_reading_at_the_end_of_its_range_shows_no_start(
     data: Callable[..., DataSet], tmp_path: Path
 ) -> None:
     """Beyond the end a position of kilometres changes the reading no more than one of millimetres."""
-    model = tmp_path / "Ceiling.mo"
-    pam.add(["PositionCeiling"], to="Isotonic", output=model)
-    data_set = data(start="measured")
-    with Simulator(build_model(str(model))) as simulator:
-        for run in data_set.runs:
-            begins = measured_initial_state(
-                simulator, data_set, run, data_set.parameters_of(run, {})
-            )
-            assert set(begins.values) == {"muscle.gas.p"}
-            assert begins.settle == "others"
+    starts = list(_measured_starts(["PositionCeiling"], data(start="measured"), tmp_path))
+    assert starts
+    for _, _, begins in starts:
+        assert set(begins.values) == {"muscle.gas.p"}
+        assert begins.settle == "others"
 
 
 @pytest.mark.parametrize("thermometer", ["ThermocoupleLag", "ThermocoupleSheath"])
@@ -165,39 +172,32 @@ def test_the_mass_of_a_gas_is_shown_through_a_slow_thermometer(
 
     Where a muscle under pressure began with the mass of an empty one, its gas had a thousand kelvins.
     """
-    model = tmp_path / "Slow.mo"
-    pam.add(["EnergyGas", thermometer], to="Isotonic", output=model)
-    data_set = data(start="measured")
-    with Simulator(build_model(str(model))) as simulator:
-        for run in data_set.runs:
-            own = data_set.parameters_of(run, {})
-            begins = measured_initial_state(simulator, data_set, run, own)
-            assert begins.values.keys() >= {"muscle.gas.m", "muscle.gas.p", "thermometer.T"}
-            times = run.time[:1]
-            start = simulator.run(
-                times,
-                parameters={**own, **begins.values},
-                outputs=["muscle.gas.T"],
-                start_time=float(times[0]),
-                settle=begins.settle,
-            )
-            assert start["muscle.gas.T"][0] == pytest.approx(run.measurements["T"][0], rel=0.2)
+    data_set, runs = data(start="measured"), 0
+    for simulator, run, begins in _measured_starts(["EnergyGas", thermometer], data_set, tmp_path):
+        assert begins.values.keys() >= {"muscle.gas.m", "muscle.gas.p", "thermometer.T"}
+        times = run.time[:1]
+        start = simulator.run(
+            times,
+            parameters={**data_set.parameters_of(run, {}), **begins.values},
+            outputs=["muscle.gas.T"],
+            start_time=float(times[0]),
+            settle=begins.settle,
+        )
+        assert start["muscle.gas.T"][0] == pytest.approx(run.measurements["T"][0], rel=0.2)
+        runs += 1
+    assert runs == len(data_set.runs)
 
 
 def test_a_reading_through_states_of_the_instrument_shows_what_it_reads(
     data: Callable[..., DataSet], tmp_path: Path
 ) -> None:
     """A muscle under pressure came to rest without any, since no single state gave the reading."""
-    model = tmp_path / "Delayed.mo"
-    pam.add(["PressureDelay"], to="Isotonic", output=model)
-    data_set = data(start="measured")
-    with Simulator(build_model(str(model))) as simulator:
-        for run in data_set.runs:
-            own = data_set.parameters_of(run, {})
-            begins = measured_initial_state(simulator, data_set, run, own)
-            assert begins.shown["muscle.gas.p"] == "p"  # not T, which shows it less well
-            read = begins.values["muscle.gas.p"] - 101325.0
-            assert read == pytest.approx(run.measurements["p"][0], rel=0.05, abs=2e3)
+    starts = list(_measured_starts(["PressureDelay"], data(start="measured"), tmp_path))
+    assert starts
+    for _, run, begins in starts:
+        assert begins.shown["muscle.gas.p"] == "p"  # not T, which shows it less well
+        read = begins.values["muscle.gas.p"] - 101325.0
+        assert read == pytest.approx(run.measurements["p"][0], rel=0.05, abs=2e3)
 
 
 def test_a_record_that_is_early_begins_where_its_first_samples_are(
