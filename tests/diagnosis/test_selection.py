@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from dataclasses import replace
 from itertools import combinations
 
 import pytest
@@ -218,6 +219,21 @@ def test_what_came_farthest_by_itself_is_tried_in_the_place_of_each_effect() -> 
     models.try_exchanging()
     asked = {frozenset(effects) for effects in pair.asked}
     assert {frozenset({leading, name}) for name in chosen} <= asked
+
+
+@pytest.mark.parametrize("alike", [True, False])
+def test_what_did_as_well_beside_fewer_effects_is_tried_in_the_answer(alike: bool) -> None:
+    chosen, other = ("LinearBladder", "ThermocoupleLag"), "OrificeLeak"
+    pair = world(dict.fromkeys(chosen, 20.0))
+    models = _Models(pair, pair.fitted(()), math.inf)
+    models.probe()
+    one, imitation = pair.candidate(("ThermocoupleLag",)), pair.candidate((other,))
+    if alike:
+        imitation = replace(imitation, fit=one.fit, own_parameters=one.own_parameters)
+    models._record([pair.candidate(chosen), one, imitation])
+    models.try_imitations()
+    asked = [frozenset(effects) for effects in pair.asked]
+    assert (frozenset({"LinearBladder", other}) in asked) == alike
 
 
 def test_a_general_member_that_leaves_noise_is_held_against_those_of_other_families() -> None:

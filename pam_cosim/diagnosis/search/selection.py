@@ -107,6 +107,7 @@ def select_effects(
     models.try_earlier(earlier)
     models.try_other_forms()
     models.try_exchanging()
+    models.try_imitations()
     return Selection(
         models.search,
         models.base,
@@ -369,6 +370,25 @@ class _Models:
             for c in others[: CRITERIA.search.leading_families]
             for name in best.effects
         ]
+
+    def try_imitations(self) -> None:
+        """In what is chosen, in the place of each effect what did as well as it beside fewer of the others.
+
+        As a late clock and a valve with a dead time: which of them it is then remains open in the answer too.
+        """
+        best = self.ranking.answer()
+        if best is None or len(best.effects) < 2:
+            return
+        self._try(
+            [
+                FitRequest(
+                    tuple(other if n == name else n for n in best.effects),
+                    {**start, **best.fit.values},
+                )
+                for (name, other), start in self.ranking.imitations(best).items()
+            ]
+        )
+        self.improve(len(best.effects))
 
     def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
         """Sets of effects from where the best model stands, to the end; whether there was time for it.

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.ForceSensor;
 model GeneralLoadCell "The force reading is any smooth function of the force, late by two time constants"
   extends Interfaces.ForceChannel;
-  extends FamilyMember(final general=true, final absent="offset=0, gain=1, bend=0, c=0, tau=1e-4, r=1e-3");
+  extends FamilyMember(final general=true, final absent="offset=0, gain=1, bend=0, c=0, tau=1e-6, r=1e-3");
   parameter Real offset(unit="N", min=-100, max=100, nominal=2) = 2 "What the reading has too much"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-10, 10}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
@@ -10,7 +10,7 @@ model GeneralLoadCell "The force reading is any smooth function of the force, la
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
   parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, by 100 N squared"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.013, 0.013}));
-  parameter Types.Time tau(min=1e-4, max=5, nominal=0.05) = 0.02 "Time constant"
+  parameter Types.Time tau(min=1e-6, max=5, nominal=0.05) = 0.02 "Time constant"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=1e-3, max=1, nominal=0.1) = 0.1 "Second time constant by the first"
     annotation (Dialog(group="Effect"));

@@ -13,7 +13,7 @@ model FlexibleFrictionHeat
     annotation (Dialog(group="Effect"));
   parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of what stores it first"
+  parameter Types.Time tau(min=1e-6, max=20, nominal=0.1) = 0.03 "Time constant of what stores it first"
     annotation (Dialog(group="Effect"));
   Types.Power Q(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=0.1) "Heat to the gas";
 protected

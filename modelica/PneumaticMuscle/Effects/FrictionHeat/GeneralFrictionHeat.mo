@@ -13,7 +13,7 @@ model GeneralFrictionHeat "Shares of the work of friction heat the gas, some at 
     annotation (Dialog(group="Effect"));
   parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=1e-3, max=20, nominal=0.1) = 0.03 "Time constant of the store that is reached first"
+  parameter Types.Time tau(min=1e-6, max=20, nominal=0.1) = 0.03 "Time constant of the store that is reached first"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Time constant of the other one by that"
     annotation (Dialog(group="Effect"));

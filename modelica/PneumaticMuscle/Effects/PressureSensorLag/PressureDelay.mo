@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.PressureSensorLag;
 model PressureDelay "The pressure reading comes late by a dead time"
   extends Interfaces.PressureChannel;
-  extends FamilyMember(final absent="dead_time=1e-4");
-  parameter Types.Time dead_time(min=1e-4, max=1, nominal=0.05) = 0.03 "Dead time"
+  extends FamilyMember(final absent="dead_time=1e-6");
+  parameter Types.Time dead_time(min=1e-6, max=1, nominal=0.05) = 0.03 "Dead time"
     annotation (Dialog(group="Effect"));
   Types.GaugePressure z "What the second-order lag in it gives";
   Real w(unit="Pa/s", nominal=1e6) "Its rate";

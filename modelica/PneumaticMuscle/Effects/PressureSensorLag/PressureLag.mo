@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.PressureSensorLag;
 model PressureLag "The pressure reading lags"
   extends Interfaces.PressureChannel;
-  extends FamilyMember(final absent="tau=1e-4");
-  parameter Types.Time tau(min=1e-4, max=5, nominal=0.05) = 0.05 "Time constant"
+  extends FamilyMember(final absent="tau=1e-6");
+  parameter Types.Time tau(min=1e-6, max=5, nominal=0.05) = 0.05 "Time constant"
     annotation (Dialog(group="Effect"));
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then

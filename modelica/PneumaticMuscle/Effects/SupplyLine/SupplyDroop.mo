@@ -9,7 +9,7 @@ model SupplyDroop "A hose or a regulator before the inlet valve, behind which th
     annotation (Dialog(group="Effect"));
   parameter Real k(unit="1", min=-1.5, max=2, nominal=0.5) = 0 "Exponent of the supply's absolute pressure in it"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=1e-3, max=2, nominal=0.02) = 0.01 "Time in which the pressure follows the flow"
+  parameter Types.Time tau(min=1e-6, max=2, nominal=0.02) = 0.01 "Time in which the pressure follows the flow"
     annotation (Dialog(group="Effect"));
   Types.MassFlowRate m(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=1e-4)
     "Flow that the pressure follows";

@@ -2,15 +2,15 @@ within PneumaticMuscle.Effects.ValveDynamics;
 model FlexibleOpening "The openings follow late, by a dead time, a lag and at a limited rate, up and down alike or not"
   extends Interfaces.ValveOpening(
     A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
-  extends FamilyMember(final absent="tau=1e-4, travel=1e-4, ratio=1, dead_time=1e-3");
-  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
+  extends FamilyMember(final absent="tau=1e-6, travel=1e-6, ratio=1, dead_time=1e-6");
+  parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time travel(min=1e-4, max=2, nominal=0.05) = 0.01
+  parameter Types.Time travel(min=1e-6, max=2, nominal=0.05) = 0.01
     "Time that opening to the area at 0.35 A takes at the greatest rate"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
+  parameter Types.Time dead_time(min=1e-6, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
 protected
   parameter Types.Time t_0(fixed=false) "Start time";
   constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A, to which travel refers";

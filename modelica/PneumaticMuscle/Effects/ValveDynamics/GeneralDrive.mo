@@ -3,10 +3,10 @@ model GeneralDrive
   "The valves follow by a dead time, lags, a limited rate, an oscillator, from a seat, each in its times"
   extends Interfaces.ValveDrive(y(each start=seat, each fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true,
-    final absent="tau=1e-4, slew=1e-4, ratio=1, tau_coil=1e-4, dead_time=1e-3, omega=1e3, zeta=0.3, seat=0, pair=1");
-  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.03 "Time constant of opening"
+    final absent="tau=1e-6, slew=1e-6, ratio=1, tau_coil=1e-6, dead_time=1e-6, omega=1e3, zeta=0.3, seat=0, pair=1");
+  parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time slew(min=1e-4, max=2, nominal=0.05) = 0.01
+  parameter Types.Time slew(min=1e-6, max=2, nominal=0.05) = 0.01
     "Time that 0.35 A take at the greatest rate of opening"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
@@ -16,9 +16,9 @@ model GeneralDrive
     annotation (Dialog(group="Effect"));
   parameter Real direct(unit="1", min=0, max=0.9, nominal=0.3) = 0.1 "Share that does not wait for them"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau_coil(min=1e-4, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it"
+  parameter Types.Time tau_coil(min=1e-6, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
+  parameter Types.Time dead_time(min=1e-6, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
   parameter Real omega(unit="rad/s", min=5, max=1e3, nominal=50) = 200
     "Undamped angular frequency of what moves at last"
     annotation (Dialog(group="Effect"));

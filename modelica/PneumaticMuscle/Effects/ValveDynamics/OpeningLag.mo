@@ -2,8 +2,8 @@ within PneumaticMuscle.Effects.ValveDynamics;
 model OpeningLag "The openings of the valves follow with a first-order lag"
   extends Interfaces.ValveOpening(
     A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
-  extends FamilyMember(final absent="tau=1e-4");
-  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.05 "Time constant" annotation (Dialog(group="Effect"));
+  extends FamilyMember(final absent="tau=1e-6");
+  parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.05 "Time constant" annotation (Dialog(group="Effect"));
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
     der(A) = zeros(2);

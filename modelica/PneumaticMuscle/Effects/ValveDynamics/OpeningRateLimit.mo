@@ -2,8 +2,8 @@ within PneumaticMuscle.Effects.ValveDynamics;
 model OpeningRateLimit "The openings of the valves change at a limited rate, another in closing"
   extends Interfaces.ValveOpening(
     A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
-  extends FamilyMember(final absent="travel=1e-4, ratio=1");
-  parameter Types.Time travel(min=1e-4, max=4, nominal=0.1) = 0.1
+  extends FamilyMember(final absent="travel=1e-6, ratio=1");
+  parameter Types.Time travel(min=1e-6, max=4, nominal=0.1) = 0.1
     "Time that opening takes, from shut to the area at 0.35 A"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Time of closing by that of opening"

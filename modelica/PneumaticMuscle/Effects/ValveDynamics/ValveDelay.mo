@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model ValveDelay "The valves open and close late"
   extends Interfaces.ValveDrive;
-  extends FamilyMember(final absent="dead_time=1e-3");
-  parameter Types.Time dead_time(min=1e-3, max=2, nominal=0.05) = 0.05 "Dead time" annotation (Dialog(group="Effect"));
+  extends FamilyMember(final absent="dead_time=1e-6");
+  parameter Types.Time dead_time(min=1e-6, max=2, nominal=0.05) = 0.05 "Dead time" annotation (Dialog(group="Effect"));
 protected
   parameter Types.Time t_0(fixed=false) "Start time";
 initial equation

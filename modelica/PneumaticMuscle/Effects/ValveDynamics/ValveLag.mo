@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ValveDynamics;
 model ValveLag "The valves follow their currents with a first-order lag"
   extends Interfaces.ValveDrive(y(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial));
-  extends FamilyMember(final absent="tau=1e-4");
-  parameter Types.Time tau(min=1e-4, max=2, nominal=0.05) = 0.05 "Time constant" annotation (Dialog(group="Effect"));
+  extends FamilyMember(final absent="tau=1e-6");
+  parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.05 "Time constant" annotation (Dialog(group="Effect"));
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
     der(y) = zeros(2);

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.WallHeat;
 model FlexibleWall "The wall warms up in two layers and gives its heat to the air by any power of the difference"
   extends Interfaces.Surroundings;
   extends FamilyMember(final absent="C=1e5");
-  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer"
+  parameter Types.HeatCapacity C(min=1e-4, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02
     "Conductance to the surroundings at the reference difference"

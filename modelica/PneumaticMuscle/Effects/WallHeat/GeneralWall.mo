@@ -4,7 +4,7 @@ model GeneralWall
   + "whose contact and loss follow any power of the difference"
   extends Interfaces.Wall;
   extends FamilyMember(final general=true, final absent="C=1e5, s=1");
-  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer"
+  parameter Types.HeatCapacity C(min=1e-4, max=1e5, nominal=1) = 1 "Heat capacity of the inner layer"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02
     "Conductance to the outside at the reference difference"

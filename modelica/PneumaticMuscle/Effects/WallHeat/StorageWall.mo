@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.WallHeat;
 model StorageWall "A wall that stores heat between a film inside and a film outside"
   extends Interfaces.Wall;
-  extends FamilyMember(final absent="C=1e-3, r=1");
-  parameter Types.HeatCapacity C(min=1e-3, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
+  extends FamilyMember(final absent="C=1e-4, r=1");
+  parameter Types.HeatCapacity C(min=1e-4, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside"
     annotation (Dialog(group="Effect"));

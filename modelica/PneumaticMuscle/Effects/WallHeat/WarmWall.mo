@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.WallHeat;
 model WarmWall "The wall warms up as a whole"
   extends Interfaces.Surroundings;
   extends FamilyMember(final absent="C=1e5");
-  parameter Types.HeatCapacity C(min=1e-2, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
+  parameter Types.HeatCapacity C(min=1e-4, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance G(min=0, max=50, nominal=0.02) = 0.02
     "Conductance from the wall to the surroundings"
