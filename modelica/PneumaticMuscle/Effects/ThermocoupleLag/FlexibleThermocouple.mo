@@ -2,8 +2,8 @@ within PneumaticMuscle.Effects.ThermocoupleLag;
 model FlexibleThermocouple
   "The temperature reading lags, less in dense or flowing gas, and loses heat to the surroundings"
   extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
-  extends FamilyMember(final absent="tau=1e-6, n=0, b=0, loss=0");
-  parameter Types.Time tau(min=1e-6, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
+  extends FamilyMember(final absent="tau=1e-3, n=0, b=0, loss=0");
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real n(unit="1", min=-0.5, max=1, nominal=0.3) = 0.3
     "Exponent of the pressure in the heat exchange of the bead"

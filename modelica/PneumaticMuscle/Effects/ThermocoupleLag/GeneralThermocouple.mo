@@ -4,8 +4,8 @@ model GeneralThermocouple
   + "behind a sheath, and is drawn to a stem and to the surroundings"
   extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
   extends FamilyMember(final general=true,
-    final absent="tau=1e-6, n=0, b=0, loss=0, stem=0, r=1e-3");
-  parameter Types.Time tau(min=1e-6, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
+    final absent="tau=1e-3, n=0, b=0, loss=0, stem=0, r=1e-3");
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant in gas at rest at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Real n(unit="1", min=-0.5, max=1, nominal=0.3) = 0.3
     "Exponent of the pressure in the heat exchange of the bead"

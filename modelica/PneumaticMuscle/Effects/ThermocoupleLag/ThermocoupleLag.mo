@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleLag "The temperature reading lags"
   extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
-  extends FamilyMember(final absent="tau=1e-6");
-  parameter Types.Time tau(min=1e-6, max=100, nominal=1) = 1 "Time constant" annotation (Dialog(group="Effect"));
+  extends FamilyMember(final absent="tau=1e-3");
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant" annotation (Dialog(group="Effect"));
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then
     der(T) = 0;

@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleSheath "The temperature reading lags behind a sheath that lags behind the gas"
   extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
-  extends FamilyMember(final absent="tau=1e-6");
-  parameter Types.Time tau(min=1e-6, max=100, nominal=1) = 1 "Time constant of the sheath"
+  extends FamilyMember(final absent="tau=1e-3");
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant of the sheath"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.02, max=1, nominal=1) = 0.3 "Time constant of the junction by that of the sheath"
     annotation (Dialog(group="Effect"));

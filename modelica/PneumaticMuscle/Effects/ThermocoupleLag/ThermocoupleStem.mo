@@ -1,8 +1,8 @@
 within PneumaticMuscle.Effects.ThermocoupleLag;
 model ThermocoupleStem "The temperature reading lags and is drawn to the temperature of a stem that lags more"
   extends Interfaces.Thermometer(T(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial));
-  extends FamilyMember(final absent="tau=1e-6, stem=0");
-  parameter Types.Time tau(min=1e-6, max=100, nominal=1) = 1 "Time constant without the stem"
+  extends FamilyMember(final absent="tau=1e-3, stem=0");
+  parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant without the stem"
     annotation (Dialog(group="Effect"));
   parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1 "Conductance to the stem by that to the gas"
     annotation (Dialog(group="Effect"));
