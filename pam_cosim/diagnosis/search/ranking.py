@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
-from itertools import permutations
+from itertools import product
 
 from pam_cosim.comparison import Reproducibility, ResidualStatistics
 from pam_cosim.criteria import CRITERIA
@@ -337,9 +337,9 @@ class Ranking:
         own, taken = frozenset(best.effects), self.search.families_of(best.effects)
         fewer = [c for c in self._complete() if len(c.effects) < len(own)]
         found: dict[tuple[str, str], dict[str, float]] = {}
-        for c, like in permutations(fewer, 2):
+        for c, like in product((c for c in fewer if own.issuperset(c.effects)), fewer):
             ours, theirs = set(c.effects) - set(like.effects), set(like.effects) - set(c.effects)
-            if not own.issuperset(c.effects) or len(ours) != 1 or len(theirs) != 1:
+            if len(ours) != 1 or len(theirs) != 1:
                 continue
             (name,), (other,) = ours, theirs
             apart = abs(self.information_criterion(like) - self.information_criterion(c))

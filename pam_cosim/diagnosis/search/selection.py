@@ -359,11 +359,12 @@ class _Models:
 
     def _with_a_leading_effect(self, best: Candidate) -> list[FitRequest]:
         """A model with each of its effects exchanged for one of those that came farthest by themselves."""
-        family, taken = self.search.family, {self.search.family[name] for name in best.effects}
-        others = [c for c in self.ranking.of_each_families(1) if family[c.effect] not in taken]
+        taken = self.search.families_of(best.effects)
+        every = self.ranking.of_each_families(1)
+        others = [c for c in every if self.search.family[c.effect] not in taken]
         return [
             FitRequest(
-                tuple(c.effect if n == name else n for n in best.effects),
+                _exchanged(best.effects, name, c.effect),
                 {**c.fit.values, **best.fit.values},
                 {**best.fit.values, **c.fit.values},
             )
@@ -381,10 +382,7 @@ class _Models:
             return
         self._try(
             [
-                FitRequest(
-                    tuple(other if n == name else n for n in best.effects),
-                    {**start, **best.fit.values},
-                )
+                FitRequest(_exchanged(best.effects, name, other), {**start, **best.fit.values})
                 for (name, other), start in self.ranking.imitations(best).items()
             ]
         )
@@ -406,10 +404,7 @@ class _Models:
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
         """By member of its family, the effects with that member in the place of one of them."""
-        return {
-            e: tuple(e if n == name else n for n in effects)
-            for e in self._members(self.search.family[name])
-        }
+        return {e: _exchanged(effects, name, e) for e in self._members(self.search.family[name])}
 
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
@@ -498,3 +493,8 @@ class _Models:
             if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.fitted[c.effects] = c
         self.ranking.update_scale()
+
+
+def _exchanged(effects: Sequence[str], name: str, other: str) -> tuple[str, ...]:
+    """The effects with another in the place of one of them."""
+    return tuple(other if n == name else n for n in effects)
