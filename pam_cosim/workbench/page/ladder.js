@@ -25,12 +25,12 @@ export class Ladder {
       this.panels = study.signals.map((signal) => panel(signal));
       this.host.replaceChildren(...this.panels.map((p) => p.element));
     }
-    this.later();
+    this.say();
   }
 
   show(scores) {
     this.scores = scores;
-    this.later();
+    this.say();
   }
 
   theme() {
@@ -44,17 +44,22 @@ export class Ladder {
     });
   }
 
-  draw(colours) {
-    this.panels.forEach(({ canvas, figures }, i) => {
+  /** The figures at once, the bars with the next frame: what is said to be done stands there already. */
+  say() {
+    if (!this.scores) return;
+    this.panels.forEach(({ figures }, i) => {
       const signal = this.signals[i];
-      const of = (role) => this.scores.scores[role]?.[signal.name];
       for (const role of ROLES) {
-        const score = of(role);
+        const score = this.scores.scores[role]?.[signal.name];
         say(figures[role], score ? `${WORDS[role]} ${score.text}` : "");
       }
       say(figures.noise, signal.noise ? `noise ${signal.noise_text}` : "");
-      drawRungs(canvas, this.scores.ladder ?? [], signal, colours);
     });
+    this.later();
+  }
+
+  draw(colours) {
+    this.panels.forEach(({ canvas }, i) => drawRungs(canvas, this.scores.ladder ?? [], this.signals[i], colours));
   }
 }
 
