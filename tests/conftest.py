@@ -27,8 +27,9 @@ def pytest_collection() -> Generator[None, object, object]:
         gc.enable()
 
 
+@pytest.hookimpl(tryfirst=True)
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    for item in items:
+    for item in items:  # before xdist looks for the groups
         item.add_marker(pytest.mark.xdist_group(_group(item)))
     if config.getoption("--full"):
         return

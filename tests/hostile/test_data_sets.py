@@ -15,10 +15,7 @@ from tests.hostile.reading import make
 
 ONE = 10.0  # s of processor time
 MEMORY = 1000.0  # MB
-pytestmark = [
-    pytest.mark.skipif(sys.platform != "linux", reason="limits of memory"),
-    pytest.mark.xdist_group("hostile data"),  # they are read once
-]
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits of memory")
 
 
 @pytest.fixture(scope="module")

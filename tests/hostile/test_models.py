@@ -15,7 +15,6 @@ from tests.hostile.judged import judged
 
 ONE = 30.0  # s of processor time
 MEMORY = 1000.0  # MB
-pytestmark = pytest.mark.xdist_group("hostile models")  # they are compiled once
 
 
 LONG = (
