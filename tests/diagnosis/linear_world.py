@@ -48,6 +48,7 @@ class LinearWorld(Search):
         strange: of a course that no effect has.
         masked: a family that acts in another way beside the base model than beside a better one.
         slow: an effect of which a few steps come to nothing.
+        coloured: reduced chi-square above which residuals are correlated.
         stuck: effects whose last comes to nothing beside the others, until a model with more has been fitted.
         tried: the models that were fitted to the end.
         looks: what effects were looked at beside, and how many.
@@ -57,6 +58,7 @@ class LinearWorld(Search):
     strange: float = 0.0
     masked: str = ""
     slow: str = ""
+    coloured: float = 1.3
     stuck: frozenset[str] = frozenset()
     tried: list[tuple[str, ...]] = field(default_factory=list)
     asked: list[tuple[str, ...]] = field(default_factory=list)
@@ -91,7 +93,8 @@ class LinearWorld(Search):
         }
         chi2 = {r: float(v @ v) / ROWS for r, v in left.items()}
         numbers = {
-            r: statistics(c, 30.0 if c > 1.3 else 0.0, samples=ROWS) for r, c in chi2.items()
+            r: statistics(c, 30.0 if c > self.coloured else 0.0, samples=ROWS)
+            for r, c in chi2.items()
         }
         limits = np.full(len(names), 1e3)
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])

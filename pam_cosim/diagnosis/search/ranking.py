@@ -70,6 +70,8 @@ class Ranking:
 
     Attributes:
         out_of_time: the time for the search is over: models that were fitted in a few steps count as they are.
+        drift_excluded: a small excess that other runs do not repeat is no drift of the instruments, as long as there
+            may be a model that leaves none.
     """
 
     def __init__(
@@ -78,6 +80,7 @@ class Ranking:
         self.search, self.base, self.fitted = search, base, fitted
         self.scale = noise_scale([base])
         self.out_of_time = False
+        self.drift_excluded = False
         self._remainders: dict[tuple[str, ...], _Remainder] = {}
 
     @property
@@ -166,7 +169,8 @@ class Ranking:
     def _sufficient_count(self, at_noise: Collection[Candidate]) -> int:
         """How many effects are enough, where all of these models leave noise.
 
-        The fewest, unless more have fewer parameters, so few that it makes up for the choice, and better evidence.
+        The fewest, unless more have better evidence, and fewer parameters, so few that it makes up for the choice. Or
+        leave nothing where the fewest leave what would be a drift: that other effects explain it is no chance.
         """
         first = min(
             at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)
@@ -178,7 +182,8 @@ class Ranking:
                 self.information_criterion(c)
                 < self.information_criterion(first) - CRITERIA.evidence.very_strong
             )
-            if better and self.cost(c.effects) < self.cost(first.effects):
+            cheaper = self.cost(c.effects) < self.cost(first.effects)
+            if better and (cheaper or (self.has_drift(first) and not self.has_drift(c))):
                 first = c
         return len(first.effects)
 
@@ -189,16 +194,20 @@ class Ranking:
         every = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
         return {c.effects: c for c in every if names.issuperset(c.effects)}
 
-    def has_structure(self, c: Candidate, reproducible: bool = True) -> bool:
-        """Whether a model leaves structure, in runs that were fitted or in others.
+    def has_structure(self, c: Candidate) -> bool:
+        """Whether a model leaves structure, in runs that were fitted or in others; or a drift, where that is excluded.
 
         The noise is that of the instruments, whatever the model: where nobody stated it, no larger than beside the
         model that leaves least. What a model leaves may look like red noise by itself.
-
-        Args:
-            c: the model.
-            reproducible: of small structure, only what comes again in other runs; else what may be a drift too.
         """
+        return self._leaves(c, drift=self.drift_excluded)
+
+    def has_drift(self, c: Candidate) -> bool:
+        """Whether a model leaves no structure, unless what it leaves is no drift."""
+        return not self._leaves(c, drift=False) and self._leaves(c, drift=True)
+
+    def _leaves(self, c: Candidate, drift: bool) -> bool:
+        """Whether a model leaves structure: a small one that comes again in other runs, or any that may drift too."""
         known = self._remainders.get(c.effects)
         if known is None or known.fit is not c.fit:
             known = _Remainder(
@@ -207,7 +216,7 @@ class Ranking:
                 cross_run_reproducibility(c.fit),
             )
             self._remainders[c.effects] = known
-        floor, repeated = self.noise_floor(), known.reproducibility if reproducible else None
+        floor, repeated = self.noise_floor(), None if drift else known.reproducibility
         return any(
             has_structure_for_search(replace(s, noise_floor=min(s.noise_floor, floor)), repeated)
             for s in known.statistics

@@ -92,6 +92,7 @@ def select_effects(
         else:
             models.try_other_forms()
         models.set_outliers_aside()
+        models.allow_drift()
         if models.ranking.unsolved():
             retimed = models.with_step_times(count) if retime else None
             if retimed is not None:
@@ -100,10 +101,11 @@ def select_effects(
                 )
         else:
             models.try_simpler()
-            if not models.ranking.more_effects_can_pay(count + 1):
+            if not (models.exclude_drift() or models.ranking.more_effects_can_pay(count + 1)):
                 break
         if count < CRITERIA.search.most_effects:
             models.probe_again()
+    models.ranking.drift_excluded = False
     models.try_earlier(earlier)
     models.try_other_forms()
     models.try_exchanging()
@@ -130,6 +132,7 @@ class _Models:
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
         self.outliers: Counter[str] = Counter()
+        self.drift_excluded = False
 
     @property
     def search(self) -> Search:
@@ -213,6 +216,19 @@ class _Models:
         self.untried += [names for names in chosen if names not in self.untried]
         self.ranking.out_of_time = True
         return True
+
+    def exclude_drift(self) -> bool:
+        """Whether one more effect is looked for, as if what the best model leaves were no drift: nobody knows yet."""
+        best = self.ranking.best()
+        again = not self.drift_excluded and best is not None and self.ranking.has_drift(best)
+        self.drift_excluded |= again
+        self.ranking.drift_excluded = again
+        return again
+
+    def allow_drift(self) -> None:
+        """Takes what the best model leaves for a drift, if no model was found that leaves none."""
+        if self.ranking.unsolved():
+            self.ranking.drift_excluded = False
 
     def with_step_times(self, count: int) -> Retimed | None:
         """The model that leaves noise once each step of a command comes when it serves best within its interval.
@@ -325,7 +341,7 @@ class _Models:
             best = self.ranking.leader()
             if best is None or len(best.effects) < 2:
                 return
-            if not self.ranking.has_structure(best, reproducible=False):
+            if not (self.ranking.has_structure(best) or self.ranking.has_drift(best)):
                 return
             leading = self.ranking.of_each_families(len(best.effects))
             self._try(
