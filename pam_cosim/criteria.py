@@ -530,6 +530,11 @@ class SearchCriteria:
     leading_families: int = decides(
         3, "families", "whose members are all tried where no effect leaves noise"
     )
+    likest_families: int = decides(
+        2,
+        "families",
+        "whose laws are tried in the place of an effect that does the likest to the samples",
+    )
     rounds: int = decides(
         8, "rounds", "of fits of models with one effect, with two and with three, at most"
     )

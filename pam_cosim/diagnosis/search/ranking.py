@@ -11,7 +11,6 @@ from __future__ import annotations
 
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
-from itertools import product
 
 from pam_cosim.comparison import Reproducibility, ResidualStatistics
 from pam_cosim.criteria import CRITERIA
@@ -336,22 +335,3 @@ class Ranking:
         if best is not None and self.has_structure(best):
             return dominant_effect(self.base, list(self.fitted.values())) or best
         return best
-
-    def imitations(self, best: Candidate) -> dict[tuple[str, str], dict[str, float]]:
-        """Effects of other families that did as well as one of a model beside fewer of its others: values by the two.
-
-        Args:
-            best: the model, of several effects.
-        """
-        own, taken = frozenset(best.effects), self.search.families_of(best.effects)
-        fewer = [c for c in self._complete() if len(c.effects) < len(own)]
-        found: dict[tuple[str, str], dict[str, float]] = {}
-        for c, like in product((c for c in fewer if own.issuperset(c.effects)), fewer):
-            ours, theirs = set(c.effects) - set(like.effects), set(like.effects) - set(c.effects)
-            if len(ours) != 1 or len(theirs) != 1:
-                continue
-            (name,), (other,) = ours, theirs
-            apart = abs(self.information_criterion(like) - self.information_criterion(c))
-            if self.search.family[other] not in taken and apart < CRITERIA.evidence.very_strong:
-                found.setdefault((name, other), like.fit.values)
-        return found

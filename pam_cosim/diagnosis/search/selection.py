@@ -25,6 +25,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     noise_scale,
     rank,
 )
+from pam_cosim.diagnosis.search.imitation import likest_families
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
@@ -109,7 +110,6 @@ def select_effects(
     models.try_earlier(earlier)
     models.try_other_forms()
     models.try_exchanging()
-    models.try_imitations()
     return Selection(
         models.search,
         models.base,
@@ -131,6 +131,7 @@ class _Models:
         self.predicted = PredictedEvidence(self.ranking)
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
+        self.base_as_probed = base.linear
         self.outliers: Counter[str] = Counter()
         self.drift_excluded = False
 
@@ -360,7 +361,8 @@ class _Models:
         """What is chosen without each of its effects, and with another in its place, until nothing better is found.
 
         What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
-        need it no more once they are fitted together, or need another one.
+        need it no more once they are fitted together, or need another one. In its place comes what does nearly the
+        same to the samples, as a valve with a dead time and a late clock: if both leave noise, the answer is open.
         """
         while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
             sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
@@ -368,41 +370,26 @@ class _Models:
                 return
             if self.ranking.answer() is not best:
                 continue
-            self._try(self._with_a_leading_effect(best))
+            self._try(self._with_an_imitation(best))
             self.improve(len(best.effects))
             if self.ranking.answer() is best:
                 return
 
-    def _with_a_leading_effect(self, best: Candidate) -> list[FitRequest]:
-        """A model with each of its effects exchanged for one of those that came farthest by themselves."""
-        taken = self.search.families_of(best.effects)
-        every = self.ranking.of_each_families(1)
-        others = [c for c in every if self.search.family[c.effect] not in taken]
-        return [
-            FitRequest(
-                _exchanged(best.effects, name, c.effect),
-                {**c.fit.values, **best.fit.values},
-                {**best.fit.values, **c.fit.values},
-            )
-            for c in others[: CRITERIA.search.leading_families]
-            for name in best.effects
-        ]
-
-    def try_imitations(self) -> None:
-        """In what is chosen, in the place of each effect what did as well as it beside fewer of the others.
-
-        As a late clock and a valve with a dead time: which of them it is then remains open in the answer too.
-        """
-        best = self.ranking.answer()
-        if best is None or len(best.effects) < 2:
-            return
-        self._try(
-            [
-                FitRequest(_exchanged(best.effects, name, other), {**start, **best.fit.values})
-                for (name, other), start in self.ranking.imitations(best).items()
+    def _with_an_imitation(self, best: Candidate) -> list[FitRequest]:
+        """A model with each of its effects exchanged for those of the families that do the likest to the samples."""
+        assert self.base_as_probed is not None
+        others = {*self.search.family.values()} - self.search.families_of(best.effects)
+        requests = []
+        for name in best.effects:
+            kept = tuple(e for e in best.effects if e != name)
+            likest = likest_families(name, self.probes, self.base_as_probed, others)
+            requests += [
+                FitRequest((*kept, e), best.fit.values)
+                for family in likest[: CRITERIA.search.likest_families]
+                for e in self._members(family)
+                if e not in self.search.general
             ]
-        )
-        self.improve(len(best.effects))
+        return requests
 
     def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
         """Sets of effects from where the best model stands, to the end; whether there was time for it.
