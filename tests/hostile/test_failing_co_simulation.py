@@ -3,9 +3,7 @@
 from __future__ import annotations
 
 import json
-import os
 import re
-import shutil
 import subprocess
 import zipfile
 from pathlib import Path
@@ -20,11 +18,11 @@ from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator
 from tests.fmu import models
 from tests.hostile.reading import make
+from tests.openmodelica.compiler import OMC, WHY_NOT
 from tests.simulation.misbehaving import hanging, patched
 
 TIMES = np.linspace(0.0, 2.0, 21)
 STEP = "pam_core *core = &c->core;"
-OMC = os.environ.get("OMC") or shutil.which("omc") or "/work/shared/tools/openmodelica/omc"
 
 
 def failing(
@@ -149,7 +147,7 @@ def test_the_commands_say_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) 
 
 
 @pytest.mark.full
-@pytest.mark.skipif(not Path(OMC).exists(), reason="OpenModelica is not here")
+@pytest.mark.skipif(OMC is None, reason=WHY_NOT)
 def test_the_stiff_bench_as_openmodelica_exports_it(
     tmp_path: Path, capfd: pytest.CaptureFixture[str]
 ) -> None:
@@ -158,6 +156,7 @@ def test_the_stiff_bench_as_openmodelica_exports_it(
         f'loadFile("{modelica_root()}/PneumaticMuscle/package.mo"); getErrorString();\n'
         'buildModelFMU(PneumaticMuscle.Benches.Isotonic, version="2.0", fmuType="me_cs"); getErrorString();\n'
     )
+    assert OMC is not None
     subprocess.run([OMC, "build.mos"], cwd=tmp_path, capture_output=True, timeout=300, check=True)
     fmu = tmp_path / "Isotonic.fmu"
     told(

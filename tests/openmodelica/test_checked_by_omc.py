@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import re
-import shutil
 import subprocess
 from collections.abc import Iterable, Sequence
 from pathlib import Path
@@ -12,9 +11,9 @@ import pytest
 
 from pam_cosim.resources import modelica_root
 from tests.library.shelf import BENCH, benches, composed, effects, tree
+from tests.openmodelica.compiler import OMC, WHY_NOT
 
-OMC = shutil.which("omc")
-pytestmark = pytest.mark.skipif(OMC is None, reason="OpenModelica's omc is not on the path")
+pytestmark = pytest.mark.skipif(OMC is None, reason=WHY_NOT)
 
 KINDS = (
     "model",
