@@ -47,6 +47,7 @@ class LinearWorld(Search):
         hidden: strengths by name.
         strange: of a course that no effect has.
         masked: a family that acts in another way beside the base model than beside a better one.
+        alike: a family whose effects do next to the same as a hanging mass.
         slow: an effect of which a few steps come to nothing.
         coloured: reduced chi-square above which residuals are correlated.
         stuck: effects whose last comes to nothing beside the others, until a model with more has been fitted.
@@ -57,6 +58,7 @@ class LinearWorld(Search):
     hidden: Mapping[str, float] = field(default_factory=dict)
     strange: float = 0.0
     masked: str = ""
+    alike: str = ""
     slow: str = ""
     coloured: float = 1.3
     stuck: frozenset[str] = frozenset()
@@ -78,10 +80,15 @@ class LinearWorld(Search):
             seen + sum((s * moves(n, role)[:, 0] for n, s in self.hidden.items()), np.zeros(ROWS))
         )
 
+    def _moves(self, name: str, role: str) -> Array:
+        if KNOWN[name].family != self.alike:
+            return moves(name, role)
+        return moves("HangingMass", role) + 0.1 * moves(name, role)
+
     def fitted(self, effects: Sequence[str]) -> Fit:
         """The model with these effects."""
         columns = {
-            r: np.hstack([base_moves(r), *(moves(e, r) for e in effects)])
+            r: np.hstack([base_moves(r), *(self._moves(e, r) for e in effects)])
             for r in ("fit", "holdout")
         }
         values = np.linalg.lstsq(columns["fit"], self.samples("fit"), rcond=None)[0]
@@ -113,7 +120,8 @@ class LinearWorld(Search):
         self.looks.append((tuple(has), len(effects)))
         probes = []
         for e in (KNOWN[name] for name in effects):
-            moved = moves(e.name if has or e.family != self.masked else "HangingMass", "fit")
+            masked = e.family == self.masked and not has
+            moved = self._moves("HangingMass" if masked else e.name, "fit")
             slopes = np.hstack([fitted.linear.slopes, moved])
             names, values = (
                 (*fitted.linear.names, f"{e.name}.strength"),

@@ -1,11 +1,11 @@
-"""Which families do nearly the same to the samples as an effect."""
+"""Which effects do nearly the same to the samples as one."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.diagnosis.search.imitation import likest_families
+from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.fitting import Linear
 
@@ -40,11 +40,11 @@ def test_the_likest_first_whatever_its_size_and_sign_and_what_the_base_model_can
         probe("Silent", np.zeros(ROWS)),
     ]
     others = ["far", "near", "rich", "same", "silent"]
-    likest = likest_families("Asked", probes, BASE, others)
-    assert likest[:3] == ["same", "rich", "near"] and likest[-1] == "silent"
-    assert likest_families("Asked", probes, BASE, ["near"]) == ["near"]
+    likest = likest_members("Asked", probes, BASE, others)
+    assert likest[:3] == ["Same", "Rich", "Near"] and likest[-1] == "Silent"
+    assert likest_members("Asked", probes, BASE, ["near"]) == ["Near"]
 
 
 def test_an_effect_that_was_not_looked_at_is_like_none() -> None:
-    assert likest_families("Asked", [probe("Far", OTHER)], BASE, ["far"]) == []
-    assert likest_families("Silent", [probe("Silent", np.zeros(ROWS))], BASE, ["far"]) == []
+    assert likest_members("Asked", [probe("Far", OTHER)], BASE, ["far"]) == []
+    assert likest_members("Silent", [probe("Silent", np.zeros(ROWS))], BASE, ["far"]) == []

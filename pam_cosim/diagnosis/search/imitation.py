@@ -1,4 +1,4 @@
-"""Which families do nearly the same to the samples as an effect, so that it may stand in their place."""
+"""Which effects of other families do nearly the same to the samples as one, so that it may stand in their place."""
 
 from __future__ import annotations
 
@@ -12,13 +12,13 @@ from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.fitting import Linear
 
 
-def likest_families(
+def likest_members(
     effect: str, probes: Sequence[EffectProbe], base: Linear, others: Collection[str]
 ) -> list[str]:
-    """Families that can do to the samples what an effect does, the likest first.
+    """Of each of some families the member that can do the likest to the samples as an effect, the likest first.
 
     To first order about the base model, and beyond what its free parameters can do: by the cosine of the angle between
-    the direction in which the effect moves the samples most and all that a member of the family can do.
+    the direction in which the effect moves the samples most and all that the member can do.
 
     Args:
         effect: what they are compared with.
@@ -30,12 +30,16 @@ def likest_families(
     if effect not in spaces or not spaces[effect].size:
         return []
     main = spaces[effect][:, :1]
-    cosine: dict[str, float] = {}
-    for p in probes:
-        if p.family in others:
-            own = float(np.linalg.norm(spaces[p.effect].T @ main))
-            cosine[p.family] = max(own, cosine.get(p.family, 0.0))
-    return sorted(cosine, key=lambda family: (-cosine[family], family))
+    cosine = {
+        p.effect: float(np.linalg.norm(spaces[p.effect].T @ main))
+        for p in probes
+        if p.family in others
+    }
+    family = {p.effect: p.family for p in probes}
+    first: dict[str, str] = {}
+    for name in sorted(cosine, key=lambda name: (-cosine[name], name)):
+        first.setdefault(family[name], name)
+    return list(first.values())
 
 
 def _space(probe: EffectProbe, base: Linear) -> Array:

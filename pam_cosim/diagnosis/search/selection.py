@@ -25,7 +25,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     noise_scale,
     rank,
 )
-from pam_cosim.diagnosis.search.imitation import likest_families
+from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
@@ -365,31 +365,51 @@ class _Models:
         same to the samples, as a valve with a dead time and a late clock: if both leave noise, the answer is open.
         """
         while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
-            sets = [tuple(e for e in best.effects if e != name) for name in best.effects]
+            sets = [_without(best.effects, name) for name in best.effects]
             if not self._fit_again(sets, best):
                 return
             if self.ranking.answer() is not best:
                 continue
-            self._try(self._with_an_imitation(best))
+            self._try_imitations(best)
             self.improve(len(best.effects))
             if self.ranking.answer() is best:
                 return
 
-    def _with_an_imitation(self, best: Candidate) -> list[FitRequest]:
-        """A model with each of its effects exchanged for those of the families that do the likest to the samples."""
+    def _try_imitations(self, best: Candidate) -> None:
+        """A model with each of its effects exchanged for what does the likest to the samples.
+
+        For one member of each family that is like it; where that leaves little of what the effect explains, for all.
+        """
         assert self.base_as_probed is not None
         others = {*self.search.family.values()} - self.search.families_of(best.effects)
-        requests = []
-        for name in best.effects:
-            kept = tuple(e for e in best.effects if e != name)
-            likest = likest_families(name, self.probes, self.base_as_probed, others)
-            requests += [
-                FitRequest((*kept, e), best.fit.values)
-                for family in likest[: CRITERIA.search.likest_families]
-                for e in self._members(family)
+        likest = {
+            name: likest_members(name, self.probes, self.base_as_probed, others)
+            for name in best.effects
+        }
+        first = {
+            (*_without(best.effects, name), e): name
+            for name, members in likest.items()
+            for e in members[: CRITERIA.search.likest_families]
+        }
+        self._try([FitRequest(effects, best.fit.values) for effects in first])
+        near = [effects for effects, name in first.items() if self._is_near(effects, name, best)]
+        self._try(
+            [
+                FitRequest((*effects[:-1], e), best.fit.values)
+                for effects in near
+                for e in self._members(self.search.family[effects[-1]])
                 if e not in self.search.general
             ]
-        return requests
+        )
+
+    def _is_near(self, effects: tuple[str, ...], name: str, best: Candidate) -> bool:
+        """Whether a model leaves little of what an effect of the best model explains beside the others."""
+        other, without = self.fitted.get(effects), self.fitted.get(_without(best.effects, name))
+        if other is None or without is None:
+            return False
+        explained = without.fit.chi2_minimised - best.fit.chi2_minimised
+        left = other.fit.chi2_minimised - best.fit.chi2_minimised
+        return left < CRITERIA.search.little * explained
 
     def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
         """Sets of effects from where the best model stands, to the end; whether there was time for it.
@@ -496,6 +516,11 @@ class _Models:
             if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.fitted[c.effects] = c
         self.ranking.update_scale()
+
+
+def _without(effects: Sequence[str], name: str) -> tuple[str, ...]:
+    """The effects but for one."""
+    return tuple(e for e in effects if e != name)
 
 
 def _exchanged(effects: Sequence[str], name: str, other: str) -> tuple[str, ...]:
