@@ -3,7 +3,8 @@
 Sets `tuning2` and `score2`; their forms are those of `tuning` and `score` in `table.py`. Set `score3` has the forms of
 the catalogue that `score2` has, others that lie apart (`apart.py`), and half of its cases have recordings that begin in
 the middle of motion (`beginnings.py`). Set `tuning3` begins like `score3`, with all forms of `tuning2` and `score2`,
-which may be looked at.
+which may be looked at. Set `tuning4` has the catalogue's forms as `tuning3` has them, and new forms that no other set
+has, those of `table_further.py`.
 
 The composition repeats every 80 cases: 24 with one form of the catalogue, 14 with one form that it lacks, 10 pairs, 8
 triples, 10 faults of instruments, 8 with nothing hidden, 6 effects in no family; mixed, so that the first cases already
@@ -37,13 +38,23 @@ from rig.named import effect_parameters
 
 Random = np.random.Generator
 Hidden = table.Form | FaultForm
-SEEDS = {"tuning2": 90217, "score2": 20261122, "score3": 31415926, "tuning3": 27182818}
+SEEDS = {
+    "tuning2": 90217,
+    "score2": 20261122,
+    "score3": 31415926,
+    "tuning3": 27182818,
+    "tuning4": 16180339,
+}
 FORMS_OF = {
     "tuning2": ("tuning",), "score2": ("score",), "score3": ("score",), "tuning3": ("tuning", "score"),
+    "tuning4": ("tuning", "score"),
 }  # fmt: skip
+"""By which labels of the table a set's forms are known."""
+NEW_FORMS_OF = {"tuning4": ("tuning4",)}
+"""The same for the new forms of a set, where they have a label of their own."""
 APART = ("score3",)
 """Sets whose forms lie apart."""
-IN_MOTION = ("score3", "tuning3")
+IN_MOTION = ("score3", "tuning3", "tuning4")
 """Sets half of whose recordings begin in the middle of motion."""
 GROUPS = {
     "catalogue": 24, "new_form": 14, "pair": 10, "triple": 8, "instrument": 10, "null": 8, "none_of_these": 6,
@@ -125,7 +136,8 @@ def choices(which: str, group: str, design: Design) -> dict[str, list[Hidden]]:
             if fault.where(design):
                 by_turn.setdefault(fault.family, []).append(fault)
         return by_turn
-    own = {*FORMS_OF[which]}
+    labels = NEW_FORMS_OF if group == "new_form" else FORMS_OF
+    own = {*labels.get(which, FORMS_OF[which])}
     families, strange = _table(which)
     for form in strange if group == "none_of_these" else (*families, *ON_SOME_BENCH):
         wanted = group == "none_of_these" or form.catalogue is (group != "new_form")

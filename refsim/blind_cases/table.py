@@ -4,7 +4,8 @@
 catalogue shows some of them in the tuning set and the others in the score set; forms that the catalogue lacks never
 occur in both sets. Only where the catalogue has one law (dead volume), both sets use it.
 
-What a line is made of stands in `form.py`. `former.py` has the lines of a score that is published.
+What a line is made of stands in `form.py`. `former.py` has the lines of a score that is published,
+`table_further.py` those of a second author's forms.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from blind_cases import former
+from blind_cases import former, table_further
 from blind_cases.form import (
     SETS,
     Form,
@@ -487,6 +488,7 @@ FORMS: tuple[Form, ...] = (
     Form("pressure_offset", "bridge", T, False,
          plain(seen.pressure_offset.UnbalancedBridge, "c", 0.04, p_fs=(2.5e5, 5e5)), high=8.0, signed=True),
     *former.FORMS,
+    *table_further.FORMS,
 )  # fmt: skip
 """Forms of the sixteen families."""
 

@@ -318,7 +318,15 @@ def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -
 
 
 def test_sets_are_reached_by_one_door() -> None:
-    assert set(sets.SETS) == {"tuning", "score", "tuning2", "score2", "score3", "tuning3"}
+    assert set(sets.SETS) == {
+        "tuning",
+        "score",
+        "tuning2",
+        "score2",
+        "score3",
+        "tuning3",
+        "tuning4",
+    }
     assert isinstance(sets.case_of("score2", 3), many.Case) and isinstance(
         sets.case_of("score", 3), cases.Case
     )

@@ -1,6 +1,6 @@
 """Forms of effects that the catalogue lacks and that were looked at while the diagnosis was made or improved.
 
-One module a family; `none_of_these` has those in no family.
+One module a family; `none_of_these` has those in no family; `further` has those of a second author.
 """
 
 from rig.seen import (
@@ -10,6 +10,7 @@ from rig.seen import (
     elasticity,
     end_shape,
     friction_heat,
+    further,
     gas_energy,
     leak,
     moving_mass,
@@ -30,6 +31,7 @@ __all__ = [
     "elasticity",
     "end_shape",
     "friction_heat",
+    "further",
     "gas_energy",
     "leak",
     "moving_mass",
