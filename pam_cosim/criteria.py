@@ -533,7 +533,7 @@ class SearchCriteria:
     likest_families: int = decides(
         2,
         "families",
-        "whose laws are tried in the place of an effect that does the likest to the samples",
+        "that can do the likest to the samples as an effect of the answer, tried in its place",
     )
     rounds: int = decides(
         8, "rounds", "of fits of models with one effect, with two and with three, at most"
