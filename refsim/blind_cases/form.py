@@ -53,6 +53,26 @@ def plain(
     return make
 
 
+def braided(
+    kind: type[Effect],
+    parameter: str,
+    unit: float,
+    turns: bool = False,
+    /,
+    **shapes: tuple[float, float],
+) -> Make:
+    """As `plain`, with the muscle's geometry."""
+
+    def make(rng: np.random.Generator, muscle: MuscleParameters) -> Callable[[float], Effect]:
+        drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
+        braid = {"length": muscle.length, "fibre_squared": muscle.fibre_squared}
+        if turns:
+            braid["turns"] = muscle.turns
+        return lambda s: kind(**{parameter: unit * s}, **braid, **drawn)
+
+    return make
+
+
 def excess(kind: type[Effect], parameter: str, unit: float) -> Make:
     """`parameter` = 1 + unit times strength."""
     return lambda rng, muscle: lambda s: kind(**{parameter: 1 + unit * s})

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from blind_cases.form import Form, Make, fraction, gas_form, plain, spread, tube
+from blind_cases.form import Form, Make, braided, fraction, gas_form, plain, spread, tube
 from rig import seen
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
@@ -27,26 +27,6 @@ def _rubber(kind: type[Effect], name: str, bounds: tuple[float, float] | None = 
         drawn = {name: spread(rng, *bounds)} if bounds else {}
         unit = 2.4e5 * 0.254e-3 / muscle.t_wall
         return lambda s: kind(*tube_of, unit * s, **drawn)
-
-    return make
-
-
-def _braided(
-    kind: type[Effect],
-    parameter: str,
-    unit: float,
-    turns: bool = False,
-    /,
-    **shapes: tuple[float, float],
-) -> Make:
-    """As `plain`, with the muscle's geometry."""
-
-    def make(rng: Random, muscle: MuscleParameters) -> At:
-        drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
-        braid = {"length": muscle.length, "fibre_squared": muscle.fibre_squared}
-        if turns:
-            braid["turns"] = muscle.turns
-        return lambda s: kind(**{parameter: unit * s}, **braid, **drawn)
 
     return make
 
@@ -102,25 +82,25 @@ FORMS: tuple[Form, ...] = (
     Form("elasticity", "prestretched", S, False, _rubber(seen.elasticity.PrestretchedTube, "prestretch", (1.05, 1.3))),
     Form("elasticity", "valanis_landel", S, False, _rubber(seen.elasticity.LogarithmicTube, "")),
     Form("dry_friction", "crossing_contact", S, False,
-         _braided(seen.dry_friction.CrossingContact, "c", 6e-5, width=(2e-4, 1e-3))),
+         braided(seen.dry_friction.CrossingContact, "c", 6e-5, width=(2e-4, 1e-3))),
     Form("dry_friction", "carried_pressure", S, False,
-         _braided(seen.dry_friction.CarriedPressure, "c", 8e-5, p_b=(5e4, 2e5), travel=(3e-4, 3e-3))),
+         braided(seen.dry_friction.CarriedPressure, "c", 8e-5, p_b=(5e4, 2e5), travel=(3e-4, 3e-3))),
     Form("dry_friction", "bliman_sorine", S, False,
          plain(seen.dry_friction.BreakawayByWay, "f_c", 7.0, a=(0.3, 0.8), travel=(1e-3, 5e-3))),
     Form("rate_friction", "carreau", S, False,
          plain(seen.rate_friction.ThinningOil, "c", 400.0, v_0=(0.01, 0.04), n=(0.3, 0.7))),
     Form("rate_friction", "warm_grease", S, False,
          plain(seen.rate_friction.WarmGrease, "c", 300.0, theta_0=(6.0, 20.0), tau=(0.2, 1.5))),
-    Form("rate_friction", "turning_crossings", S, False, _braided(seen.rate_friction.TurningCrossings, "c", 4e-3)),
-    Form("creep", "hoop_relaxation", S, False, _braided(seen.creep.HoopRelaxation, "k", 2.0, tau=(0.5, 4.0))),
+    Form("rate_friction", "turning_crossings", S, False, braided(seen.rate_friction.TurningCrossings, "c", 4e-3)),
+    Form("creep", "hoop_relaxation", S, False, braided(seen.creep.HoopRelaxation, "k", 2.0, tau=(0.5, 4.0))),
     Form("creep", "stretched_exponential", S, False,
          plain(seen.creep.StretchedExponential, "k", 400.0, tau=(0.5, 3.0))),
-    Form("end_shape", "round_caps", S, False, _braided(seen.end_shape.RoundCaps, "c", 0.4, True), high=5.0),
+    Form("end_shape", "round_caps", S, False, braided(seen.end_shape.RoundCaps, "c", 0.4, True), high=5.0),
     Form("end_shape", "uneven_braid", S, False,
-         _braided(seen.end_shape.UnevenBraid, "more", 0.05, share=(0.1, 0.3)), high=5.0),
+         braided(seen.end_shape.UnevenBraid, "more", 0.05, share=(0.1, 0.3)), high=5.0),
     Form("end_shape", "bridging_bladder", S, False,
-         _braided(seen.end_shape.BridgingBladder, "c", 0.4, p_0=(5e4, 2e5)), high=4.0),
-    Form("moving_mass", "own_wall", S, False, _braided(seen.moving_mass.OwnWall, "m", 0.4, True)),
+         braided(seen.end_shape.BridgingBladder, "c", 0.4, p_0=(5e4, 2e5)), high=4.0),
+    Form("moving_mass", "own_wall", S, False, braided(seen.moving_mass.OwnWall, "m", 0.4, True)),
     Form("moving_mass", "crank", S, False, _crank),
     Form("moving_mass", "freewheel", S, False,
          plain(seen.moving_mass.Freewheel, "m", 4.0, tau=(0.01, 0.04), coast=(0.3, 2.0))),
@@ -178,7 +158,7 @@ FORMS: tuple[Form, ...] = (
 
 STRANGE: tuple[Form, ...] = (
     Form("none_of_these", "compliant_frame", S, False,
-         _braided(seen.none_of_these.CompliantFrame, "compliance", 2e-5, True)),
+         braided(seen.none_of_these.CompliantFrame, "compliance", 2e-5, True)),
     Form("none_of_these", "venturi_tap", S, False, plain(seen.none_of_these.VenturiTap, "size", 300.0), high=6.0),
     Form("none_of_these", "detent", S, False, _detent, high=5.0),
     Form("none_of_these", "hot_supply", S, False, plain(seen.none_of_these.HotSupply, "hotter", 15.0), high=5.0),

@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from blind_cases.form import Form, Make, fraction, gas_form, plain, spread, tube
+from blind_cases.form import Form, braided, fraction, gas_form, plain, spread, tube
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 from rig.seen import further
@@ -17,26 +17,6 @@ from rig.seen import further
 At = Callable[[float], Effect]
 Random = np.random.Generator
 N = ("tuning4",)
-
-
-def _braided(
-    kind: type[Effect],
-    parameter: str,
-    unit: float,
-    turns: bool = False,
-    /,
-    **shapes: tuple[float, float],
-) -> Make:
-    """As `plain`, with the muscle's geometry."""
-
-    def make(rng: Random, muscle: MuscleParameters) -> At:
-        drawn = {name: spread(rng, *bounds) for name, bounds in shapes.items()}
-        braid = {"length": muscle.length, "fibre_squared": muscle.fibre_squared}
-        if turns:
-            braid["turns"] = muscle.turns
-        return lambda s: kind(**{parameter: unit * s}, **braid, **drawn)
-
-    return make
 
 
 def _demiray(rng: Random, muscle: MuscleParameters) -> At:
@@ -98,12 +78,12 @@ def _touching(rng: Random, muscle: MuscleParameters) -> At:
 FORMS: tuple[Form, ...] = (
     # family, form, sets, in the catalogue, ...
     Form("elasticity", "demiray", N, False, _demiray),
-    Form("elasticity", "set_braid", N, False, _braided(further.elasticity.SetBraid, "f", 25.0)),
+    Form("elasticity", "set_braid", N, False, braided(further.elasticity.SetBraid, "f", 25.0)),
     Form("dry_friction", "savkoor", N, False,
          plain(further.dry_friction.RubberSliding, "f_c", 8.0, a=(0.3, 0.8), v_m=(0.01, 0.08), h=(0.4, 1.0),
                width=(2e-4, 1e-3))),
     Form("dry_friction", "guard_tube", N, False,
-         _braided(further.dry_friction.GuardTube, "f", 50.0, gap=(0.01, 0.1), width=(2e-4, 1e-3))),
+         braided(further.dry_friction.GuardTube, "f", 50.0, gap=(0.01, 0.1), width=(2e-4, 1e-3))),
     Form("rate_friction", "thickening", N, False,
          plain(further.rate_friction.ThickeningFluid, "c", 100.0, v_0=(0.02, 0.08), r=(2.5, 6.0))),
     Form("rate_friction", "metering_orifices", N, False, _metering),
@@ -111,8 +91,8 @@ FORMS: tuple[Form, ...] = (
          plain(further.creep.StiffeningMaxwell, "k", 300.0, tau=(0.5, 4.0), x_0=(0.008, 0.03))),
     Form("creep", "overstress", N, False,
          plain(further.creep.Overstress, "k", 400.0, tau=(0.4, 3.0), y=(8e-4, 4e-3))),
-    Form("end_shape", "slanted", N, False, _braided(further.end_shape.SlantedEnds, "c", 0.8, True), high=10.0),
-    Form("end_shape", "through_rod", N, False, _braided(further.end_shape.ThroughRod, "c", 0.08), high=6.0),
+    Form("end_shape", "slanted", N, False, braided(further.end_shape.SlantedEnds, "c", 0.8, True), high=10.0),
+    Form("end_shape", "through_rod", N, False, braided(further.end_shape.ThroughRod, "c", 0.08), high=6.0),
     Form("moving_mass", "clutched_flywheel", N, False,
          plain(further.moving_mass.ClutchedFlywheel, "m", 4.0, a=(1.0, 6.0))),
     Form("moving_mass", "eccentric_wheel", N, False, _eccentric),

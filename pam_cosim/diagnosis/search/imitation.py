@@ -13,33 +13,37 @@ from pam_cosim.fitting import Linear
 
 
 def likest_members(
-    effect: str, probes: Sequence[EffectProbe], base: Linear, others: Collection[str]
-) -> list[str]:
-    """Of each of some families the member that can do the likest to the samples as an effect, the likest first.
+    effects: Collection[str],
+    probes: Sequence[EffectProbe],
+    base: Linear,
+    others: Collection[str],
+) -> dict[str, list[str]]:
+    """By effect, of each of some families the member that can do the likest to the samples, the likest first.
 
     To first order about the base model, and beyond what its free parameters can do: by the cosine of the angle between
     the direction in which the effect moves the samples most and all that the member can do.
 
     Args:
-        effect: what they are compared with.
+        effects: what they are compared with; none is like one that was not looked at, or does nothing.
         probes: what each effect does beside the base model.
         base: the base model there.
         others: names of the families.
     """
-    spaces = {p.effect: _space(p, base) for p in probes if p.effect == effect or p.family in others}
-    if effect not in spaces or not spaces[effect].size:
-        return []
-    main = spaces[effect][:, :1]
-    cosine = {
-        p.effect: float(np.linalg.norm(spaces[p.effect].T @ main))
-        for p in probes
-        if p.family in others
-    }
     family = {p.effect: p.family for p in probes}
-    first: dict[str, str] = {}
-    for name in sorted(cosine, key=lambda name: (-cosine[name], name)):
-        first.setdefault(family[name], name)
-    return list(first.values())
+    spaces = {
+        p.effect: _space(p, base) for p in probes if p.effect in effects or p.family in others
+    }
+    members = {name: space for name, space in spaces.items() if family[name] in others}
+    likest: dict[str, list[str]] = {}
+    for effect in effects:
+        space = spaces.get(effect)
+        first: dict[str, str] = {}
+        if space is not None and space.size:
+            cosine = {name: float(np.linalg.norm(m.T @ space[:, 0])) for name, m in members.items()}
+            for name in sorted(cosine, key=lambda name: (-cosine[name], name)):
+                first.setdefault(family[name], name)
+        likest[effect] = list(first.values())
+    return likest
 
 
 def _space(probe: EffectProbe, base: Linear) -> Array:

@@ -382,10 +382,7 @@ class _Models:
         """
         assert self.base_as_probed is not None
         others = {*self.search.family.values()} - self.search.families_of(best.effects)
-        likest = {
-            name: likest_members(name, self.probes, self.base_as_probed, others)
-            for name in best.effects
-        }
+        likest = likest_members(best.effects, self.probes, self.base_as_probed, others)
         first = {
             (*_without(best.effects, name), e): name
             for name, members in likest.items()
