@@ -133,7 +133,7 @@ class _Models:
         self.probes: list[EffectProbe] = []
         self.base_as_probed = base.linear
         self.outliers: Counter[str] = Counter()
-        self.drift_excluded = False
+        self.drift_was_excluded = False
 
     @property
     def search(self) -> Search:
@@ -221,8 +221,8 @@ class _Models:
     def exclude_drift(self) -> bool:
         """Whether one more effect is looked for, as if what the best model leaves were no drift: nobody knows yet."""
         best = self.ranking.best()
-        again = not self.drift_excluded and best is not None and self.ranking.has_drift(best)
-        self.drift_excluded |= again
+        again = not self.drift_was_excluded and best is not None and self.ranking.has_drift(best)
+        self.drift_was_excluded |= again
         self.ranking.drift_excluded = again
         return again
 

@@ -25,12 +25,12 @@ export class Ladder {
       this.panels = study.signals.map((signal) => panel(signal));
       this.host.replaceChildren(...this.panels.map((p) => p.element));
     }
-    this.say();
+    this.write();
   }
 
   show(scores) {
     this.scores = scores;
-    this.say();
+    this.write();
   }
 
   theme() {
@@ -45,7 +45,7 @@ export class Ladder {
   }
 
   /** The figures at once, the bars with the next frame: what is said to be done stands there already. */
-  say() {
+  write() {
     if (!this.scores) return;
     this.panels.forEach(({ figures }, i) => {
       const signal = this.signals[i];
