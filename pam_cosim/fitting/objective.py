@@ -91,6 +91,8 @@ class Objective:
         self.starts: dict[int, StartValues] | None = (
             None  # by number of the run; None: nothing was simulated yet
         )
+        self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
+        self._starts_begin: dict[int, Array] = {}  # where a new point looks for them first
         self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
         self._sensitivities = [
@@ -144,7 +146,33 @@ class Objective:
                 for i in estimated
             }
             self.starts = {i: one for i, one in found.items() if one.names}
+            self._starts_begin = self._starts_now()
         return self.starts
+
+    def _starts_now(self) -> dict[int, Array]:
+        return {i: one.values for i, one in (self.starts or {}).items()}
+
+    def _set_starts(self, z: Array) -> None:
+        """The start values where ``z`` left them, or where new points look for them.
+
+        What a trial elsewhere made of them must not be where the next one begins: they may have gone astray there.
+        """
+        known = self._starts_at.get(z.tobytes(), self._starts_begin)
+        for i, one in self._start_values_at(z).items():
+            one.values = known.get(i, one.values)
+
+    def start_afresh(self, z: Array) -> None:
+        """From ``z`` on start values are looked for where the first samples and the model's rest at ``z`` put them."""
+        if self.starts is None or self._to_first_order or z.tobytes() in self._starts_at:
+            return
+        values = self.values(z)
+        for i, one in self.starts.items():
+            try:
+                fresh = start_values(self.simulator, self.data, self.runs[i], values).named()
+            except SimulationFailure:
+                continue
+            at = np.array([fresh[name] for name in one.names])
+            self._starts_begin[i] = np.clip(at, one.low, one.high)
 
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
@@ -167,9 +195,11 @@ class Objective:
     def triangle(self, z: Array) -> Array:
         """The residuals linearised about ``z`` as few rows: the triangular factor of the slopes beside the residuals.
 
-        (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there.
+        (m, parameters + 1), m at most parameters + 1. The sum of squares is finite there. A descent goes on from
+        ``z``: so do the start values.
         """
         residuals = self.residuals(z)
+        self._starts_begin = self._starts_now()
         return np.asarray(
             np.linalg.qr(np.column_stack([self.jacobian(z, residuals), residuals]), mode="r")
         )
@@ -197,6 +227,7 @@ class Objective:
 
     def _with_starts_eliminated(self, z: Array) -> tuple[list[RunComparison], Array]:
         """All runs, and their residuals without what start values can take away of them."""
+        self._set_starts(z)
         starts, runs, parts = self._start_values_at(z), list[RunComparison](), []
         for i in range(len(self.runs)):
             if i not in starts:
@@ -206,6 +237,8 @@ class Objective:
             run, left = self._eliminate(starts[i], lambda i=i: self._run_with_start_slopes(z, i))  # type: ignore[misc]
             runs.append(run)
             parts.append(left)
+        if starts:
+            self._starts_at[z.tobytes()] = self._starts_now()
         return runs, np.concatenate(parts) if parts else np.zeros(0)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:

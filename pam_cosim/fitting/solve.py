@@ -98,6 +98,7 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
     ):
         order = [0, *(i for i in order if i)]
     for i in order:
+        objective.start_afresh(points[i])
         if np.isfinite(objective.squares(points[i])):
             yield points[i]
 

@@ -59,6 +59,10 @@ class StartValues:
     still: dict[str, float] = field(default_factory=dict)
     slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
 
+    def named(self) -> dict[str, float]:
+        """The present values of all states by name."""
+        return dict(zip(self.names, self.values.tolist(), strict=True)) | self.still
+
     def settings(self) -> dict[str, float]:
         """The present values by name, each with that of the run."""
         return {

@@ -14,6 +14,9 @@ class Seen:
     def __init__(self, glances: list[float], costs: list[float]) -> None:
         self.glances, self.costs = glances, costs
 
+    def start_afresh(self, z: Array) -> None:
+        """They have no start values."""
+
     def glance(self, z: Array) -> float:
         return self.glances[int(z[0])]
 

@@ -346,6 +346,41 @@ def _one_start(bound: float) -> StartValues:
     )
 
 
+def test_a_trial_looks_for_starts_where_the_descent_is(data: Callable[..., DataSet]) -> None:
+    """And not where a trial before it was led astray; nor does a point that was seen get others."""
+    with _settled(data()) as (objective, z, _):
+        objective.triangle(z)
+        here, begun = objective.start_values, []
+
+        def astray(of: StartValues, simulate: Callable[[], tuple[object, Array, Array]]) -> object:
+            begun.append(of.settings())
+            result = eliminate(of, simulate)
+            of.values = of.mean + 0.1 * of.sd
+            return result
+
+        objective._eliminate = astray  # type: ignore[assignment]
+        for step in (0.02, 0.01):
+            objective.squares(z + step)
+        began = {n: v for one in begun[-len(begun) // 2 :] for n, v in one.items()}
+        assert began == here
+        assert objective.start_values != here
+        objective._eliminate = eliminate
+        objective.squares(z)
+        assert objective.start_values == pytest.approx(here, rel=1e-3)
+
+
+def test_another_start_of_a_fit_has_starts_of_its_own(data: Callable[..., DataSet]) -> None:
+    with _settled(data()) as (objective, z, _):
+        other = z - 0.2
+        assert objective.start_values
+        objective.start_afresh(other)
+        own = Objective(
+            objective.simulator, objective.data, objective.runs, objective.free, tolerance=1e-9
+        )
+        for i, one in own._start_values_at(other).items():
+            assert objective._starts_begin[i] == pytest.approx(one.values, rel=1e-6)
+
+
 def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
     """Held-out runs ended on the way: each step went as far as it was known, and there are eight of them."""
     one = _one_start(1e3)
