@@ -370,8 +370,8 @@ class FitCriteria:
     precision: float = decides(
         1e-6, "of chi-square", "a step that brings less changes no estimate by a hundredth sd"
     )
-    descents: int = decides(
-        2, "descents", "from the best starts, where the first does not reach the noise"
+    screened_starts: int = decides(
+        4, "starts", "go a few steps, the best by a glance; the lowest is followed to its end"
     )
     spread_starts: int = decides(
         16, "points", "of a Sobol sequence over the bounds, that many starts begin with"

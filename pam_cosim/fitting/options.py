@@ -14,10 +14,10 @@ class FitOptions:
     Attributes:
         method: name of the method, as in ``fitting.METHODS``.
         evaluations: of each descent, at most.
-        descents: how many of all starts are followed, the best first; each further one only where those before did
-            not reach the noise.
-        screened_starts: how many of all starts make a few steps first, so that those are followed which came
-            farthest; 0: none.
+        descents: how many of all starts are followed to their ends, the best first; each further one only where those
+            before did not reach the noise.
+        screened_starts: how many of all starts go a few steps first, so that those are followed which came farthest;
+            0: none.
         starts: points spread over the bounds that the method "multi-start" follows, each to its end; 0: those that
             promise most, until the noise is reached.
         tolerance: relative, of the solver; None: tight enough for the noise and for finite differences.
@@ -29,8 +29,8 @@ class FitOptions:
 
     method: str = "least-squares"
     evaluations: int = CRITERIA.fit.evaluations
-    descents: int = CRITERIA.fit.descents
-    screened_starts: int = 0
+    descents: int = 1
+    screened_starts: int = CRITERIA.fit.screened_starts
     starts: int = 0
     tolerance: float | None = None
     precision: float = CRITERIA.fit.precision

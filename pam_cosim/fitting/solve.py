@@ -40,8 +40,9 @@ def solve(problem: FitProblem) -> Minimum:
     """
     objective, options = problem.objective, problem.options
     best: Minimum | None = None
-    starts = _starts(objective, _points(objective.free, problem.starts))
-    if options.screened_starts > options.descents:
+    points = _points(objective.free, problem.starts)
+    starts = _starts(objective, points)
+    if min(len(points), options.screened_starts) > options.descents:
         starts = _winners(problem, starts)
     for start in itertools.islice(starts, options.descents):
         reached = _minimise(problem, start)

@@ -94,7 +94,7 @@ def fitted_base(data: DataSet) -> Fit:
         return fit(simulator, data)
 
 
-QUICK = FitOptions(screened_starts=3, descents=1, evaluations=40, precision=1e-3)
+QUICK = FitOptions(screened_starts=3, evaluations=40, precision=1e-3)
 THOROUGH = FitOptions(screened_starts=8, descents=3, precision=1e-3)
 
 

@@ -39,7 +39,7 @@ SHORT = (Run(2.27, 207e3, PHASES),)
 EVERY = [(family, number) for family in FAMILIES for number in range(len(PLACES[family]))]
 
 
-ONE_DESCENT = FitOptions(descents=1, precision=1e-3)
+ONE_DESCENT = FitOptions(screened_starts=0, precision=1e-3)
 
 
 def left(effect: str, member: Effect) -> float:

@@ -198,7 +198,7 @@ def _holdout_errors(
 def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], Fit]:
     try:
         with subject.simulator() as simulator:
-            return {(): fit(simulator, data, options=FitOptions(descents=1, rules=False))}
+            return {(): fit(simulator, data, options=FitOptions(rules=False))}
     except SimulationFailure:
         return {}
 

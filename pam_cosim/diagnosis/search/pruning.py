@@ -42,7 +42,9 @@ def pruned(
     variance, time = noise_scale([full])
     worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
     few = CRITERIA.search.evaluations
-    options = FitOptions(evaluations=few, descents=1, precision=precision, holdout_uncertainty=True)
+    options = FitOptions(
+        evaluations=few, screened_starts=0, precision=precision, holdout_uncertainty=True
+    )
     held: dict[str, Estimate] = {}
     needed: set[str] = set()
     best = full

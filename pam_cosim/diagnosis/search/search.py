@@ -219,20 +219,21 @@ class Search:
         }
         own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
         return self._run(
-            "to the end", [t if len(t.effects) == 1 else t.fitted_with(descents=1) for t in own]
+            "to the end",
+            [t if len(t.effects) == 1 else t.fitted_with(screened_starts=0) for t in own],
         )
 
     def fit_final(self, effects: Sequence[str], start: Mapping[str, float]) -> Candidate | None:
         """The model with just these effects, the last of them without what it does not need; None: it breaks down."""
         trials = [
-            replace(t.fitted_with(descents=1, holdout_uncertainty=True), prune=True)
+            replace(t.fitted_with(screened_starts=0, holdout_uncertainty=True), prune=True)
             for t in self._trials([FitRequest(tuple(effects), start)])
         ]
         return next(iter(self._run("to the end", trials)), None)
 
     def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models from where they stand to the end, on other samples; no line is printed of them."""
-        changes = {"descents": 1, "rules": False, "precision": CRITERIA.search.precision}
+        changes = {"screened_starts": 0, "rules": False, "precision": CRITERIA.search.precision}
         trials = [t.fitted_with(**changes) for t in self._trials(models)]
         results = run_tasks(
             run_trial_without_samples, trials, crashed, lambda _: None, self.workers

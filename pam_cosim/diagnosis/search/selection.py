@@ -358,14 +358,14 @@ class _Models:
                 return
 
     def try_exchanging(self) -> None:
-        """What is chosen without each of its effects, and with another in its place, until nothing better is found.
+        """What is chosen without one of its effects, and with another in its place, until nothing better is found.
 
         What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
         need it no more once they are fitted together, or need another one. In its place comes what does nearly the
         same to the samples, as a valve with a dead time and a late clock: if both leave noise, the answer is open.
         """
-        while (best := self.ranking.answer()) is not None and len(best.effects) > 1:
-            sets = [_without(best.effects, name) for name in best.effects]
+        while (best := self.ranking.answer()) is not None:
+            sets = [left for name in best.effects if (left := _without(best.effects, name))]
             if not self._fit_again(sets, best):
                 return
             if self.ranking.answer() is not best:
@@ -389,6 +389,10 @@ class _Models:
             for e in members[: CRITERIA.search.likest_families]
         }
         self._try([FitRequest(effects, best.fit.values) for effects in first])
+        # by itself an effect is worth a look from several starts
+        self._finish_in_time(
+            [c for n in first if len(n) == 1 and (c := self.fitted.get(n)) and c.brief]
+        )
         near = [effects for effects, name in first.items() if self._is_near(effects, name, best)]
         self._try(
             [
@@ -401,12 +405,14 @@ class _Models:
 
     def _is_near(self, effects: tuple[str, ...], name: str, best: Candidate) -> bool:
         """Whether a model leaves little of what an effect of the best model explains beside the others."""
-        other, without = self.fitted.get(effects), self.fitted.get(_without(best.effects, name))
-        if other is None or without is None:
+        left = _without(best.effects, name)
+        other, without = self.fitted.get(effects), self.fitted.get(left)
+        if other is None or (left and without is None):
             return False
-        explained = without.fit.chi2_minimised - best.fit.chi2_minimised
-        left = other.fit.chi2_minimised - best.fit.chi2_minimised
-        return left < CRITERIA.search.little * explained
+        fit = without.fit if without is not None else self.base
+        explained = fit.chi2_minimised - best.fit.chi2_minimised
+        more = other.fit.chi2_minimised - best.fit.chi2_minimised
+        return more < CRITERIA.search.little * explained
 
     def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
         """Sets of effects from where the best model stands, to the end; whether there was time for it.

@@ -103,7 +103,7 @@ def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
         return None
     options = FitOptions(
         evaluations=numbers.screening_evaluations,
-        descents=1,
+        screened_starts=0,
         precision=numbers.precision,
         rules=False,
         holdout_uncertainty=True,

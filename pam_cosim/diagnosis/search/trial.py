@@ -77,7 +77,7 @@ class Trial:
         return replace(
             self.fitted_with(
                 evaluations=numbers.screening_evaluations,
-                descents=1,
+                screened_starts=0,
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 rules=False,
