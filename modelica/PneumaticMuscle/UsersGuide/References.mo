@@ -12,8 +12,12 @@ swarm optimization method</i>, Applied Sciences 9 (2019) 2538.</li>
 <li><b>AM</b>: <i>Modeling and control of a pneumatic air muscle actuator</i>, slides.</li>
 <li><b>Astrom and Hagglund 1995</b>: K. J. Astrom, T. Hagglund, <i>PID controllers: theory, design, and tuning</i>,
 second edition, Instrument Society of America, Research Triangle Park 1995.</li>
+<li><b>Barrer 1939</b>: R. M. Barrer, <i>Permeation, diffusion and solution of gases in organic polymers</i>,
+Transactions of the Faraday Society 35 (1939) 628-643.</li>
 <li><b>Bolen and others 2026</b>: B. Bolen, M. Elzein, L. Pang, A. Hunt, <i>Isometric force characterization of braided
 pneumatic actuators</i>, Actuators (2026), accepted on 17 April 2026.</li>
+<li><b>Budynas and Nisbett 2011</b>: R. G. Budynas, J. K. Nisbett, <i>Shigley's mechanical engineering design</i>, ninth
+edition, McGraw-Hill, New York 2011, chapter 16.</li>
 <li><b>Chambers and Wereley 2022</b>: J. M. Chambers, N. M. Wereley, <i>Analysis of pneumatic artificial muscles and the
 inelastic braid assumption</i>, Actuators 11 (2022) 219.</li>
 <li><b>Dahl 1968</b>: P. R. Dahl, <i>A solid friction model</i>, The Aerospace Corporation, report TOR-0158(3107-18)-1,
@@ -90,6 +94,8 @@ applications</i>, Marcel Dekker, New York 1998.</li>
 models and friction compensation</i>, European Journal of Control 4 (1998) 176-195.</li>
 <li><b>Perry 1949</b>: J. A. Perry, <i>Critical flow through sharp-edged orifices</i>, Transactions of the ASME 71
 (1949) 757-764.</li>
+<li><b>Reese and Govindjee 1998</b>: S. Reese, S. Govindjee, <i>A theory of finite viscoelasticity and numerical
+aspects</i>, International Journal of Solids and Structures 35 (1998) 3455-3482.</li>
 <li><b>Reynolds and others 2003</b>: D. B. Reynolds, D. W. Repperger, C. A. Phillips, G. Bandry, <i>Modeling the dynamic
 characteristics of pneumatic muscle</i>, Annals of Biomedical Engineering 31 (2003) 310-317.</li>
 <li><b>Sarosi 2012</b>: J. Sarosi, <i>New approximation algorithm for the force of fluidic muscles</i>, Proceedings of

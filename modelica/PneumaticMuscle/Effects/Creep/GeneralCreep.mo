@@ -15,6 +15,9 @@ model GeneralCreep
   parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03
     "How much faster they relax at a load of the reference contraction"
     annotation (Dialog(group="Effect"));
+  parameter Real stiffening(unit="1", min=0, max=10, nominal=0.3) = 0
+    "How much stiffer they are at a load of the reference contraction"
+    annotation (Dialog(group="Effect"));
   parameter Real hardening(unit="1", min=-4, max=8, nominal=1) = 0
     "Exponent by which the rates fall with what has relaxed"
     annotation (Dialog(group="Effect"));
@@ -35,11 +38,12 @@ protected
   constant Types.Pressure p_reference = 1e5 "Gauge pressure at which what it adds doubles its base";
   constant Real q_least(unit="1") = 0.02 "Least value of that";
   constant Real T_step(unit="K") = 10 "Temperature to which warm refers";
-  constant Types.Length x_reference = 0.01 "Contraction to which thinning and hardening refer";
+  constant Types.Length x_reference = 0.01 "Contraction to which thinning, stiffening and hardening refer";
   constant Types.Length y_smooth = 2e-4 "Load over which relaxation and recovery change roles";
   Real hard[3](each unit="1") "Factor on the times that grows with what has relaxed";
   Real by[3](each unit="1") "Factor on the times: 1 in relaxation, recovery where the load has fallen";
   Real s(unit="1") = 8*x/L0 - 1 "Contraction beyond the reference, an eighth of the length, by the reference";
+  Real load[3](each unit="m") "Contractions that linear springs would need for the forces";
   Real quick(unit="1") = exp(warm*(port.T - ambient.T)/T_step) "Factor on the rates";
   Types.Length y = x*exp(s*(a + b*s) + h*log(max(1 + p_gauge/p_reference, q_least)))
     "Contraction that a linear spring would need for the same load";
@@ -54,18 +58,21 @@ equation
     by[i] = 0.5*(1 + recovery) + 0.5*(1 - recovery)*(y - q[i])/sqrt((y - q[i])^2 + y_smooth^2);
     hard[i] = exp(0.5*hardening*log((q[i]^2 + x_reference^2)/x_reference^2));
     hard[i]*by[i]*spread^(i - 1)*tau*der(q[i]) = quick*(y - q[i])*(1 + thinning*((y - q[i])/x_reference)^2);
+    load[i] = (y - q[i])*(1 + stiffening*((y - q[i])/x_reference)^2);
   end for;
-  f = k_1*(y - q[1]) + k_2*(y - q[2]) + k_3*(y - q[3]);
+  f = k_1*load[1] + k_2*load[2] + k_3*load[3];
   annotation (defaultComponentName="creep", Documentation(info="<html>
-<p>f = sum of k_i (y - q_i), tau_i q_i_dot = (y - q_i) (1 + thinning (y - q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1),
-times recovery where y &lt; q_i and times (1 + q_i^2/(10 mm)^2)^(hardening/2), y = x (1 + p_gauge/100 kPa)^h exp(a s +
-b s^2), s = 8 x/L0 - 1; all rates times exp(warm (T - T_atm)/10 K). Source: the quasi-linear viscoelasticity of <a
+<p>f = sum of k_i e_i (1 + stiffening e_i^2/(10 mm)^2), e_i = y - q_i, tau_i q_i_dot = (y - q_i) (1 + thinning (y -
+q_i)^2/(10 mm)^2), tau_i = tau spread^(i-1), times recovery where y &lt; q_i and times (1 + q_i^2/(10
+mm)^2)^(hardening/2), y = x (1 + p_gauge/100 kPa)^h exp(a s + b s^2), s = 8 x/L0 - 1; all rates times exp(warm (T -
+T_atm)/10 K). Source: the quasi-linear viscoelasticity of <a
 href=\"modelica://PneumaticMuscle.UsersGuide.References\">Fung 1981</a>, where the load that a spring of any law would
 carry relaxes by one reduced function of time; that function as in <a
 href=\"modelica://PneumaticMuscle.Effects.Creep.FlexibleCreep\">FlexibleCreep</a>, which is the case a = b = h = warm
-= hardening = 0, recovery = 1; the shift of time by temperature (<a
-href=\"modelica://PneumaticMuscle.UsersGuide.References\">Ferry 1980</a>), here by that of the gas; filled rubber
-recovers more slowly than it relaxes; creep slows down with what has crept, as a power of it (<a
+= hardening = stiffening = 0, recovery = 1; a spring of the element that stiffens beside a plain dashpot (<a
+href=\"modelica://PneumaticMuscle.UsersGuide.References\">Reese and Govindjee 1998</a>); the shift of time by
+temperature (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Ferry 1980</a>), here by that of the gas;
+filled rubber recovers more slowly than it relaxes; creep slows down with what has crept, as a power of it (<a
 href=\"modelica://PneumaticMuscle.UsersGuide.References\">Findley, Lai and Onaran 1976</a>). Typical as there, a 0 to
 1, recovery 1 to 5, hardening 0 to 2.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.Creep.FlexibleCreep\">FlexibleCreep</a>, larger (or

@@ -1,13 +1,19 @@
 within PneumaticMuscle.Effects.DeadVolume;
 model GeneralVolume
   "Gas that takes no part in contraction, behind an opening, in a space that grows by any law of its pressure"
-  extends FamilyMember(final general=true, final absent="V_0=1e-7, V_p=0, G=1e-7");
+  extends FamilyMember(final general=true, final absent="V_0=1e-7, V_p=0, V_k=0, G=1e-7");
   parameter Types.Volume V_0(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6
     "What the first 100 kPa add to it, at the rate of the start"
     annotation (Dialog(group="Effect"));
   parameter Real n(unit="1", min=-0.9, max=1, nominal=0.3) = 0 "Exponent by which that grows with the absolute pressure"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V_k(min=0, max=1e-3, nominal=1e-5) = 1e-6 "What a stroke adds to it between two pressures"
+    annotation (Dialog(group="Effect"));
+  parameter Types.GaugePressure p_k(min=0, max=5e5, nominal=5e4) = 5e4 "Pressure in the middle of the stroke"
+    annotation (Dialog(group="Effect"));
+  parameter Types.Pressure w_k(min=2e3, max=3e5, nominal=3e4) = 3e4 "Half of the pressures over which it goes"
     annotation (Dialog(group="Effect"));
   parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 5e-9
     "Conductance of the opening at ambient pressure"
@@ -29,7 +35,8 @@ protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which V_p refers";
   Real q(unit="1") = Functions.smoothMax((p_s - ambient.p)/p_reference, 2e-3)
     "Gauge pressure in it by the reference, not below zero";
-  Types.Volume V = V_0 + V_p*q*exp(n*log(1 + q)) "Volume";
+  Types.Pressure beyond = p_s - ambient.p - p_k "Pressure beyond the middle of the stroke";
+  Types.Volume V = V_0 + V_p*q*exp(n*log(1 + q)) + 0.5*V_k*(1 + beyond/sqrt(beyond^2 + w_k^2)) "Volume";
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then
     p_s = port.p;
@@ -46,11 +53,12 @@ equation
   port.H_flow = port.m_flow*Constants.cp*Functions.upstreamTemperature(port.p, p_s, port.T, T_s);
   annotation (defaultComponentName="deadVolume", Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, with V = V_0 + V_p q (1 +
-q)^n, q the gauge pressure in it by 100 kPa, and the work p dV of its growth; m_flow = G 100 kPa u |u|^a
-(p_up/p_atm)^c exp(side sgn u), u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source: the balances <a
-href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53) and (59); a hose or a bellows stretches in
-proportion to pressure at first, and less (n below 0) or more as it goes on; the opening is a power law, another each
-way where a lip or a fold closes it, as in <a
+q)^n + V_k/2 (1 + b/sqrt(b^2 + w_k^2)), q the gauge pressure in it by 100 kPa, b that beyond p_k, and the work p dV of
+its growth; m_flow = G 100 kPa u |u|^a (p_up/p_atm)^c exp(side sgn u), u = (p^2 - p_s^2)/(2 p_atm 100 kPa). Source:
+the balances <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (43), (53) and (59); a hose or a
+bellows stretches in proportion to pressure at first, and less (n below 0) or more as it goes on; a piston on a spring
+moves between its preload and its stop, as in an accumulator or a pressure switch; the opening is a power law, another
+each way where a lip or a fold closes it, as in <a
 href=\"modelica://PneumaticMuscle.Effects.SupplyLine.GeneralLine\">GeneralLine</a>. Typical as <a
 href=\"modelica://PneumaticMuscle.Effects.DeadVolume.SideVolume\">SideVolume</a>, V_p a tenth of V_0 for a rubber
 hose.</p>

@@ -24,6 +24,7 @@ initial equation
   end if;
 equation
   t_moment*der(x_late) = L0*s/8 - x_late;
+  driving = q;
   further = s*(growth + bend*s) + n_T*warm + 0.5*n_v*log(1 + v^2);
   flange_a.f = 0;
   flange_b.f = 0;

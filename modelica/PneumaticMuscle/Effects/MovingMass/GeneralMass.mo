@@ -24,6 +24,9 @@ model GeneralMass "Moving parts of any inertia and weight, and a part that is dr
     annotation (Dialog(group="Effect"));
   parameter Types.Time coast(min=0.05, max=1e3, nominal=10) = 100 "Time in which it comes to rest by itself"
     annotation (Dialog(group="Effect"));
+  parameter Types.Acceleration a_slide(min=0.05, max=1e4, nominal=10) = 1e3
+    "Acceleration at which its coupling slides"
+    annotation (Dialog(group="Effect"));
   Types.Velocity w(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Speed of what is dragged along";
 protected
   constant Real e_reference(unit="1") = 0.125 "Reference contraction, by the length";
@@ -31,6 +34,7 @@ protected
   constant Types.Velocity v_smooth = 1e-3 "Slip over which it changes sides";
   Types.Velocity slip = (v - w)*(1 - 0.5*one_way*(1 - (v - w)/sqrt((v - w)^2 + v_smooth^2)))
     "Slip, what counts of it";
+  Types.Acceleration taken = a_slide*tanh(slip/(a_slide*tau)) "Acceleration of what is dragged along";
   Types.Length x_size = sqrt(x^2 + (e_smooth*L0)^2) "Rounded size of the contraction";
   Real s(unit="1") = 0.5*(x + x_size)/(e_reference*L0) "Contraction by the reference, zero beyond full length";
 initial equation
@@ -38,17 +42,18 @@ initial equation
     der(w) = 0;
   end if;
 equation
-  tau*der(w) = slip - tau/coast*w;
+  der(w) = taken - w/coast;
   f = m*exp(s*(a + b*s))*(der(v) + 0.5*(a + 2*b*s)*s/x_size*v^2) + m_weight*Constants.g*exp(s*(c + d*s))
-    + m_slip*slip/tau;
+    + m_slip*taken;
   annotation (defaultComponentName="movingMass", Documentation(info="<html>
-<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip e/tau, w_dot = e/tau - w/coast, e = v - w where that is positive and
-(1 - one_way) (v - w) where it is not, m(x) = m exp(a s + b s^2), w(x) = m_weight g exp(c s + d s^2), s = 8 x/L0.
-Source: Lagrange's equation as in <a
+<p>f = m(x) v_dot + m'(x) v^2/2 + w(x) + m_slip a, w_dot = a - w/coast, a = a_slide tanh(e/(a_slide tau)), e = v - w
+where that is positive and (1 - one_way) (v - w) where it is not, m(x) = m exp(a s + b s^2), w(x) = m_weight g exp(c s
++ d s^2), s = 8 x/L0. Source: Lagrange's equation as in <a
 href=\"modelica://PneumaticMuscle.Effects.MovingMass.FlexibleMass\">FlexibleMass</a>, see there, with one more term of
 the inertia; a body that a fluid, a belt or a cord drags along with a slip in proportion to the force is a Maxwell
-element whose spring is replaced by its inertia; a cord only pulls, and a freewheel lets it run on. Typical as there,
-m_slip 0.1 to 20 kg, tau 0.02 to 1 s, one_way 0, or 1 for a cord, coast 0.3 s and more.</p>
+element whose spring is replaced by its inertia; a cord only pulls, and a freewheel lets it run on; a torque limiter
+slides at an acceleration (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Budynas and Nisbett 2011</a>).
+Typical as there, m_slip 0.1 to 20 kg, tau 0.02 to 1 s, one_way 0, or 1 for a cord, coast 0.3 s and more.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.MovingMass.FlexibleMass\">FlexibleMass</a>; slow
 motion feels all of the inertia, a jerk only a part.</p>
 </html>"));
