@@ -81,6 +81,7 @@ class Trial:
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 rules=False,
+                holdout_uncertainty=True,
             ),
             brief=True,
         )
