@@ -150,12 +150,11 @@ def information_criterion(
 ) -> float:
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
-    Of all runs together: the Bayesian information criterion of the fitted ones, which pays for every parameter that the
-    effects brought, and for parameters that are not where they are known to be beforehand; of the others, what they add
-    to that chi-square once the parameters have moved for them too, to first order; and how many sets of so many effects
-    there are.
+    The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought, and
+    for parameters that are not where they are known to be beforehand; the others, which paid for nothing, by their
+    squared error; and how many sets of so many effects there are.
     """
-    held = fit.residuals_beyond_uncertainty["holdout"]
+    held = fit.residuals["holdout"]
     lost = _undetermined_count(candidate) if candidate else 0
     known = bic(fit, *scale) + scale.penalty(fit) * lost + model_space.cost(effects)
     return known + (held.chi2 / scale.divisor if held.samples else 0.0)

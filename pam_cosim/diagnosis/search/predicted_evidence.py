@@ -333,7 +333,7 @@ def _expected_gain(
 
     The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
     """
-    fitted, held = fit.residuals["fit"], fit.residuals_beyond_uncertainty["holdout"]
+    fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
     left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
     gain = sum(
         max(s.chi2 - max(left * s.chi2, noise_floor * s.samples), 0.0)

@@ -81,7 +81,6 @@ class Trial:
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 rules=False,
-                holdout_uncertainty=True,
             ),
             brief=True,
         )
