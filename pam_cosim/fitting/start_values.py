@@ -71,7 +71,7 @@ class StartValues:
 
     def every(self) -> dict[str, float]:
         """The present values of all states by name, each with that of the run."""
-        return self.settings() | {f"{n}@{self.run.name}": v for n, v in self.still.items()}
+        return {f"{n}@{self.run.name}": v for n, v in self.named().items()}
 
     def prior_rows(self, values: Array) -> Array:
         """(k,) how far values are from what is known beforehand, in standard deviations."""
