@@ -333,5 +333,6 @@ class Ranking:
         """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
         best = self.best()
         if best is not None and self.has_structure(best):
-            return dominant_effect(self.base, list(self.fitted.values())) or best
+            dominant = dominant_effect(self.base, list(self.fitted.values()))
+            return self.fitted[dominant.effects] if dominant is not None else best
         return best

@@ -364,7 +364,9 @@ class _Models:
         need it no more once they are fitted together, or need another one. In its place comes what does nearly the
         same to the samples, as a valve with a dead time and a late clock: if both leave noise, the answer is open.
         """
-        while (best := self.ranking.answer()) is not None:
+        exchanged = set[tuple[str, ...]]()
+        while (best := self.ranking.answer()) is not None and best.effects not in exchanged:
+            exchanged.add(best.effects)
             sets = [left for name in best.effects if (left := _without(best.effects, name))]
             if not self._fit_again(sets, best):
                 return
@@ -372,8 +374,6 @@ class _Models:
                 continue
             self._try_imitations(best)
             self.improve(len(best.effects))
-            if self.ranking.answer() is best:
-                return
 
     def _try_imitations(self, best: Candidate) -> None:
         """A model with each of its effects exchanged for what does the likest to the samples.
