@@ -37,6 +37,7 @@ def test_what_an_equation_cannot_compute_is_a_simulation_that_failed(
         integrate(rates, [0.1], schedule, times, [1e-9], 1e-6, method)
 
 
+@pytest.mark.full
 def test_a_case_whose_rig_fails_is_drawn_again_and_says_so(monkeypatch: pytest.MonkeyPatch) -> None:
     case = next(c for c in (many.case_of("tuning2", n) for n in range(80)) if c.group == "null")
     drawn: list[int] = []

@@ -130,6 +130,7 @@ def test_nothing_hidden_leaves_the_noise_alone():
             assert noise == pytest.approx(sensors.sigma[name], rel=0.15)
 
 
+@pytest.mark.full
 def test_the_data_do_not_say_what_is_hidden(tmp_path):
     made = make(case_of("tuning", 0))
     write(made, tmp_path)

@@ -20,6 +20,7 @@ def blocks(kind: str) -> list[str]:
     return re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
 
 
+@pytest.mark.full
 def test_page_of_runs(
     command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:

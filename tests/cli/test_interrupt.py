@@ -21,6 +21,7 @@ from rig import measurement
 from rig.named import effect_of
 from rig.plan import default_plan
 from tests.simulation.misbehaving import hanging
+from tests.tiers import quick
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
 
@@ -142,7 +143,7 @@ MOMENTS = {
 }
 
 
-@pytest.mark.parametrize("moment", MOMENTS)
+@pytest.mark.parametrize("moment", quick(MOMENTS, "simulate", "fit", "diagnose"))
 def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     shutil.copytree(measured, place, dirs_exist_ok=True)
     words, event, later = MOMENTS[moment]

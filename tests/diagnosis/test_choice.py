@@ -71,6 +71,7 @@ def test_an_unknown_family_is_refused_where_it_stands(tmp_path: Path) -> None:
         )
 
 
+@pytest.mark.full
 def test_families_that_were_not_looked_for_are_named_with_the_reason(tmp_path: Path) -> None:
     write_light_data(tmp_path / "d", [OrificeLeak(2e-4)], seed=3)
     data = study.read(tmp_path / "d")

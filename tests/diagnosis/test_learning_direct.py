@@ -79,6 +79,7 @@ hold_out = {{ p = ["240 kPa", "400 kPa"] }}
     return folder
 
 
+@pytest.mark.full
 def test_points_at_rest_teach_a_spline_that_holds_at_other_pressures(tmp_path: Path) -> None:
     base, found = learned(pam.read(write_map(tmp_path)))
     assert found is not None and found.term.balance == "force"
@@ -116,6 +117,7 @@ def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Pat
     assert better.read_text() == text
 
 
+@pytest.mark.full
 def test_nothing_is_learned_where_nothing_is_missing(tmp_path: Path) -> None:
     data = pam.read(write_light_data(tmp_path / "d", [], 1))
     _, found = learned(data)

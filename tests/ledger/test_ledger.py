@@ -26,6 +26,7 @@ from rig.muscle import simulate_muscle
 from rig.named import effect_of
 from rig.short import PLAN, write_light_data
 from tests.fitting.models import recording
+from tests.tiers import quick
 
 BALANCE = {
     "elasticity:linear": "force",
@@ -61,7 +62,10 @@ def _ledger(hidden: str, seed: int = 1) -> Ledger:
     return keep_ledger(data, study.fit(data).values)
 
 
-@pytest.mark.parametrize("hidden", BALANCE)
+@pytest.mark.parametrize(
+    "hidden",
+    quick(BALANCE, "elasticity:linear", "leak:orifice", "gas_energy:film", "pressure_offset:gain"),
+)
 def test_failing_balance_is_named(hidden: str) -> None:
     ledger = _ledger(hidden)
     assert ledger.failing == (BALANCE[hidden],), str(ledger)

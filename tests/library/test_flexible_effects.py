@@ -26,6 +26,7 @@ from rig.seen.wall_heat import LayeredWall
 from tests.library.rig_spans import left_of
 from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run
 from tests.library.spans import DRIVE, HARNESS, Law, course_misses
+from tests.tiers import quick
 
 BESIDE = ("RealGas", "SideVolume", "ThermocoupleStem", "UnevenFriction")
 FLEXIBLE = [e for e in effects() if e.name.startswith("Flexible") or e.name in BESIDE or e.general]
@@ -240,7 +241,7 @@ def sleeve() -> Law:
     return Law("FlexibleEnds", "muscle.braid.F", {"load.s": 0.24 * E, "muscle.gas.p": P_ATM + P})
 
 
-@pytest.mark.parametrize("name", SLEEVES)
+@pytest.mark.parametrize("name", quick(SLEEVES, "ends that close with pressure"))
 def test_ends_span(name: str) -> None:
     bound, factor = SLEEVES[name]
     assert sleeve().misses(P * AREA * factor, of=P * AREA * (factor - cylinder(E))) < bound
@@ -382,7 +383,7 @@ GENERAL: dict[str, tuple[str, float, Array, Array | None]] = {
 }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", GENERAL)
+@pytest.mark.parametrize("name", quick(GENERAL, "short fillets", "isentropic"))
 def test_general_member_spans_more(name: str) -> None:
     family, bound, target, of = GENERAL[name]
     assert general(family).misses(target, of=of) < bound
@@ -474,7 +475,7 @@ LOOPS: dict[str, tuple[float, Array, Array]] = {
 }
 
 
-@pytest.mark.parametrize("name", LOOPS)
+@pytest.mark.parametrize("name", quick(LOOPS, "Coulomb"))
 def test_dry_friction_spans(name: str) -> None:
     bound, travels, level = LOOPS[name]
     inputs = {"x_wanted": PATH, "p_wanted": RISING}

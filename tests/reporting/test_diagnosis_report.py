@@ -15,6 +15,7 @@ from pam_cosim.reporting.account import percent
 from tests.field import DOMAIN
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import EQUATIONS, SIGNALS, make_data, make_diagnosis
+from tests.tiers import quick
 
 KINDS = ("none_missing", "identified", "ambiguous", "unknown")
 
@@ -24,7 +25,7 @@ def report(kind):
     return diagnosis_report(make_diagnosis(kind))
 
 
-@pytest.mark.parametrize("kind", KINDS)
+@pytest.mark.parametrize("kind", quick(KINDS, "identified"))
 def test_every_verdict_makes_a_sound_page_that_names_what_was_tried(kind):
     diagnosis = make_diagnosis(kind)
     page = checked(report(kind))
@@ -187,6 +188,7 @@ def test_pictures_are_complete_vector_pictures_without_outside_resources():
         assert all(link.startswith(("#", "data:")) for link in links)
 
 
+@pytest.mark.full
 def test_without_holdout_runs_nothing_is_said_of_them_but_the_note():
     text = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit", "fit"))))).text
     assert "no holdout run: nothing checks a fit on data it has not seen" in text
@@ -201,6 +203,7 @@ def test_fifteen_points_of_one_run_with_gaps():
     assert "T 0.300 K estimated from the samples fitted 12 0" in text
 
 
+@pytest.mark.full
 def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
     data = make_data()
     short = make_data(leave_out=("x",)).runs[1]

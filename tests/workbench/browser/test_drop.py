@@ -6,6 +6,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from pam_cosim import study
 from tests.workbench.browser.conftest import serving
 from tests.workbench.browser.looking import until
@@ -13,6 +15,7 @@ from tests.workbench.browser.looking import until
 WRONG = "<b>oops</b>"
 
 
+@pytest.mark.full
 def test_dropped_recordings_become_a_data_set(
     opened: Callable[..., Any], muscle: Path, tmp_path: Path
 ) -> None:

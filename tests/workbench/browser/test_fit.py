@@ -7,6 +7,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tests.workbench.browser.conftest import serving
 from tests.workbench.browser.looking import drag, error, noise, quiet, until
 
@@ -53,6 +55,7 @@ def test_a_fit_an_effect_and_its_file(
         page.close()
 
 
+@pytest.mark.full
 def test_what_is_stopped_can_be_given_up(
     opened: Callable[..., Any], muscle: Path, tmp_path: Path
 ) -> None:

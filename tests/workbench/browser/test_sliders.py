@@ -41,6 +41,7 @@ def test_undo_takes_the_value_back(opened: Open, address: str) -> None:
     until(page, lambda: error(page, "p") == before)
 
 
+@pytest.mark.full
 def test_an_end_of_a_run_is_dragged_and_where_it_begins_moved(opened: Open, address: str) -> None:
     """What is cut begins at its new first sample; both are steps that are taken back."""
     page = opened(address)
@@ -70,6 +71,7 @@ def test_an_end_of_a_run_is_dragged_and_where_it_begins_moved(opened: Open, addr
     until(page, lambda: picture(page) == whole)
 
 
+@pytest.mark.full
 def test_a_second_window_shows_the_same(opened: Open, address: str) -> None:
     first, second = opened(address), opened(address)
     before = second.locator("#ladder").inner_text()
@@ -84,6 +86,7 @@ def test_a_second_window_shows_the_same(opened: Open, address: str) -> None:
     until(second, same)
 
 
+@pytest.mark.full
 def test_charts_zoom_together_and_a_rule_lights_up_its_times(opened: Open, address: str) -> None:
     page = opened(address)
     whole = [picture(page, i) for i in range(3)]
