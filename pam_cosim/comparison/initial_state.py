@@ -114,10 +114,11 @@ def _consistent_start(
     """What shows which states, and their start values, at which the model agrees with that."""
     shown: dict[str, ObservedState] = {}
     values: dict[str, float] = {}
-    for _ in range(2):  # what acts on what may not show where the model begins by itself
+    for again in (True, False):  # what acts on what may not show where the model begins by itself
         shown = observed_states(dependences, first, probe.signals, probe.states)
         values = probe.corrected(shown, dependences, values)
-        dependences = dependences.joined(probe.dependences(values))
+        if again:
+            dependences = dependences.joined(probe.dependences(values))
     return shown, values
 
 

@@ -92,7 +92,13 @@ class Objective:
             None  # by number of the run; None: nothing was simulated yet
         )
         self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
-        self._starts_begin: dict[int, Array] = {}  # where a new point looks for them first
+        self._starts_begin: dict[
+            int, Array
+        ] = {}  # where they were as a descent was last linearised
+        self._starts_follow: dict[
+            int, Array
+        ] = {}  # (start values, parameters) how they move from there
+        self._linearised_at: Array | None = None
         self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
         self._sensitivities = [
@@ -157,9 +163,21 @@ class Objective:
 
         What a trial elsewhere made of them must not be where the next one begins: they may have gone astray there.
         """
-        known = self._starts_at.get(z.tobytes(), self._starts_begin)
+        known = self._starts_at.get(z.tobytes())
         for i, one in self._start_values_at(z).items():
-            one.values = known.get(i, one.values)
+            one.values = known[i] if known else self._expected_starts(z, i, one)
+
+    def _expected_starts(self, z: Array, i: int, one: StartValues) -> Array:
+        """Where the start values of a run are looked for first: where the slopes of the descent lead them.
+
+        No farther than the slopes by start values are trusted (``eliminate``).
+        """
+        begin = self._starts_begin.get(i, one.values)
+        if self._linearised_at is None or i not in self._starts_follow:
+            return begin
+        step = self._starts_follow[i] @ (z - self._linearised_at)
+        farthest = float(np.max(np.abs(step) / one.sd, initial=0.0))
+        return np.clip(begin + step / max(farthest, 1.0), one.low, one.high)
 
     def start_afresh(self, z: Array) -> None:
         """From ``z`` on start values are looked for where the first samples and the model's rest at ``z`` put them."""
@@ -173,6 +191,7 @@ class Objective:
                 continue
             at = np.array([fresh[name] for name in one.names])
             self._starts_begin[i] = np.clip(at, one.low, one.high)
+        self._linearised_at = None
 
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
@@ -200,9 +219,9 @@ class Objective:
         """
         residuals = self.residuals(z)
         self._starts_begin = self._starts_now()
-        return np.asarray(
-            np.linalg.qr(np.column_stack([self.jacobian(z, residuals), residuals]), mode="r")
-        )
+        jacobian = self.jacobian(z, residuals)
+        self._linearised_at = z.copy()
+        return np.asarray(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
 
     def residuals(self, z: Array) -> Array:
         """(size + priors,) in standard deviations; all infinite where a simulation breaks down."""
@@ -416,7 +435,7 @@ class Objective:
         followed, row = jacobian.copy(), self.size + len(self._priors)
         for i, one in (self.starts or {}).items():
             rows = slice(self.ends[i], self.ends[i + 1])
-            moved = one.following(jacobian[rows])
+            moved = self._starts_follow[i] = one.following(jacobian[rows])
             count = len(one.names)
             followed[rows] += one.slopes[:-count] @ moved
             followed[row : row + count] = one.slopes[-count:] @ moved

@@ -351,6 +351,13 @@ def test_a_trial_looks_for_starts_where_the_descent_is(data: Callable[..., DataS
     with _settled(data()) as (objective, z, _):
         objective.triangle(z)
         here, begun = objective.start_values, []
+        led = {
+            name: value
+            for i, one in objective._start_values_at(z).items()
+            for name, value in replace(
+                one, values=objective._expected_starts(z + 0.01, i, one)
+            ).settings().items()
+        }  # fmt: skip
 
         def astray(of: StartValues, simulate: Callable[[], tuple[object, Array, Array]]) -> object:
             begun.append(of.settings())
@@ -362,7 +369,7 @@ def test_a_trial_looks_for_starts_where_the_descent_is(data: Callable[..., DataS
         for step in (0.02, 0.01):
             objective.squares(z + step)
         began = {n: v for one in begun[-len(begun) // 2 :] for n, v in one.items()}
-        assert began == here
+        assert began == led
         assert objective.start_values != here
         objective._eliminate = eliminate
         objective.squares(z)
@@ -379,6 +386,27 @@ def test_another_start_of_a_fit_has_starts_of_its_own(data: Callable[..., DataSe
         )
         for i, one in own._start_values_at(other).items():
             assert objective._starts_begin[i] == pytest.approx(one.values, rel=1e-6)
+
+
+def test_a_trial_looks_for_its_starts_where_the_slopes_of_the_descent_lead(
+    data: Callable[..., DataSet],
+) -> None:
+    """Within a tenth of how far they move; and no farther than those slopes are trusted."""
+    with _settled(data()) as (objective, z, _):
+        objective.triangle(z)
+        near = z + 0.005
+        expected = {
+            i: objective._expected_starts(near, i, one)
+            for i, one in objective._start_values_at(z).items()
+        }
+        begin = dict(objective._starts_begin)
+        objective.residuals(near)
+        for i, one in objective._start_values_at(near).items():
+            moved = np.abs(one.values - begin[i]) / one.sd
+            assert np.max(moved) > 1e-3
+            assert np.max(np.abs(one.values - expected[i]) / one.sd) < 0.1 * np.max(moved)
+            far = objective._expected_starts(z + 100.0, i, one)
+            assert np.max(np.abs(far - begin[i]) / one.sd) < 1.0 + 1e-9
 
 
 def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
