@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from pathlib import Path
 
 import numpy as np
@@ -95,14 +96,14 @@ class Fit(Printed):
         """Start values that were estimated [SI], by "state@run"."""
         return {name: e.value for name, e in self.starts.items()}
 
-    @property
+    @cached_property
     def freedom(self) -> int:
         """Number of parameters that the data determine, start values of the fitted runs among them."""
         fitted = {run.run.name for run in self.comparison.runs if run.run.role == "fit"}
         starts = sum(e.determined for e in self.starts.values() if e.run in fitted)
         return starts + sum(e.determined for e in self.parameters.values())
 
-    @property
+    @cached_property
     def chi2_priors(self) -> float:
         """What the priors add to the chi-square that was made small."""
         return sum(e.surprise**2 for e in self.parameters.values() if e.prior is not None)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
+from functools import cache
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.errors import InputError
@@ -26,9 +27,13 @@ class ModelSpace:
     def cost(self, effects: Collection[str]) -> float:
         """Twice the logarithm of the number of such sets (extended criterion, Chen and Chen 2008)."""
         likely = sum(name in self.expected for name in effects)
-        other = len(effects) - likely
-        sets = math.comb(len(self.expected), likely) * math.comb(self.every, min(other, self.every))
-        return 2 * math.log(sets)
+        return _cost(self.every, len(self.expected), likely, len(effects) - likely)
+
+
+@cache
+def _cost(every: int, expected: int, likely: int, other: int) -> float:
+    """What it costs to choose so many of the expected effects, and so many others of all."""
+    return 2 * math.log(math.comb(expected, likely) * math.comb(every, min(other, every)))
 
 
 def effects_named(
