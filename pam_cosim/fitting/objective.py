@@ -92,12 +92,9 @@ class Objective:
             None  # by number of the run; None: nothing was simulated yet
         )
         self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
-        self._starts_begin: dict[
-            int, Array
-        ] = {}  # where they were as a descent was last linearised
-        self._starts_follow: dict[
-            int, Array
-        ] = {}  # (start values, parameters) how they move from there
+        # where they were as the descent was last linearised, and (start values, parameters) how they move from there
+        self._starts_begin: dict[int, Array] = {}
+        self._starts_follow: dict[int, Array] = {}
         self._linearised_at: Array | None = None
         self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
