@@ -27,15 +27,6 @@ pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="re
 
 PROGRAM = (sys.executable, "-m", "pam_cosim")
 PROMPT = 30.0  # [s]: two for tasks that do not heed, on a machine that does other things; what is interrupted says so
-EXPERIMENT = """model = "Isotonic"
-[signals.x]
-sigma = "0.2 mm"
-[fit]
-"valve.C_A" = { min = 0.3, max = 1.5 }
-"muscle.n_g" = { min = 1.0, max = 1.4 }
-[[runs]]
-file = "run-01.csv"
-"""
 
 
 class Running:
@@ -123,9 +114,6 @@ def measured(tmp_path_factory: pytest.TempPathFactory) -> Path:
         folder / "data",
         measurement.measure(default_plan(), [effect_of("elasticity:exponential")], seed=1),
     )
-    (folder / "small").mkdir()
-    shutil.copy(next((folder / "data").glob("*.csv")), folder / "small" / "run-01.csv")
-    (folder / "small" / "experiment.toml").write_text(EXPERIMENT)
     return folder
 
 
