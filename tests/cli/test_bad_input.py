@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from tests.cli.conftest import EXPERIMENT, Outcome, everything, table
+from tests.tiers import quick
 
 Command = Callable[..., Outcome]
 
@@ -110,9 +111,7 @@ def test_damaged_data_set(command: Command, place: Path, data: Path, verb: str, 
     assert everything(place.parent) == before
 
 
-@pytest.mark.parametrize(
-    "verb", [COMMANDS[0], *(pytest.param(v, marks=pytest.mark.full) for v in COMMANDS[1:])]
-)
+@pytest.mark.parametrize("verb", quick(COMMANDS, COMMANDS[0]))
 def test_whole_command_in_its_own_process(
     process: Command, place: Path, data: Path, verb: str
 ) -> None:

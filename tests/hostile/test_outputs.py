@@ -11,6 +11,7 @@ import pytest
 from pam_cosim.cli.app import main
 from tests.hostile.reading import make
 from tests.hostile.small_disk import disks_can_be_made, on_disk
+from tests.tiers import quick
 
 RUN = ["simulate", "TankFilling", "--stop-time", "1"]
 SWEEP = [
@@ -77,9 +78,7 @@ def test_places_that_hold_no_file(
         assert sorted(place.rglob("*")) == before, name
 
 
-@pytest.mark.parametrize(
-    "name", [*NAMES[:2], *(pytest.param(name, marks=pytest.mark.full) for name in NAMES[2:])]
-)
+@pytest.mark.parametrize("name", quick(NAMES, *NAMES[:2]))
 def test_names_are_names(place: Path, capfd: pytest.CaptureFixture[str], name: str) -> None:
     """Nothing in them is run, looked up or set in colours; runs and files are told by them as they are."""
     assert main([*RUN, f"-o{name}.csv"]) == 0
