@@ -112,14 +112,12 @@ def _consistent_start(
     probe: StartProbe, dependences: Dependences, first: Mapping[str, FirstSamples]
 ) -> tuple[dict[str, ObservedState], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
-    shown: dict[str, ObservedState] = {}
-    values: dict[str, float] = {}
-    for again in (True, False):  # what acts on what may not show where the model begins by itself
-        shown = observed_states(dependences, first, probe.signals, probe.states)
-        values = probe.corrected(shown, dependences, values)
-        if again:
-            dependences = dependences.joined(probe.dependences(values))
-    return shown, values
+    shown = observed_states(dependences, first, probe.signals, probe.states)
+    values = probe.corrected(shown, dependences, {})
+    # what acts on what may not show where the model begins by itself
+    dependences = dependences.joined(probe.dependences(values))
+    shown = observed_states(dependences, first, probe.signals, probe.states)
+    return shown, probe.corrected(shown, dependences, values)
 
 
 __all__ = [

@@ -172,9 +172,8 @@ class Objective:
         begin = self._starts_begin.get(i, one.values)
         if self._linearised_at is None or i not in self._starts_follow:
             return begin
-        step = self._starts_follow[i] @ (z - self._linearised_at)
-        farthest = float(np.max(np.abs(step) / one.sd, initial=0.0))
-        return np.clip(begin + step / max(farthest, 1.0), one.low, one.high)
+        step = one.within_reach(self._starts_follow[i] @ (z - self._linearised_at), 1.0)
+        return np.clip(begin + step, one.low, one.high)
 
     def start_afresh(self, z: Array) -> None:
         """From ``z`` on start values are looked for where the first samples and the model's rest at ``z`` put them."""
@@ -216,7 +215,7 @@ class Objective:
         """
         residuals = self.residuals(z)
         self._starts_begin = self._starts_now()
-        jacobian = self.jacobian(z, residuals)
+        jacobian, self._starts_follow = self._with_starts_following(self._slopes(z, residuals))
         self._linearised_at = z.copy()
         return np.asarray(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
 
@@ -418,6 +417,10 @@ class Objective:
             z: (parameters,) search coordinates.
             at: (size + priors,) the residuals there.
         """
+        return self._with_starts_following(self._slopes(z, at))[0]
+
+    def _slopes(self, z: Array, at: Array) -> Array:
+        """As ``jacobian``, with the start values where they are."""
         if not len(z):
             return np.zeros((len(at), 0))
         exact, columns = self._exact_at(z), []
@@ -425,19 +428,22 @@ class Objective:
             columns.append(
                 exact[:, i] if exact is not None and is_exact else self._difference(z, at, i)
             )
-        return self._with_starts_following(np.column_stack(columns))
+        return np.column_stack(columns)
 
-    def _with_starts_following(self, jacobian: Array) -> Array:
-        """The slopes with the start values moving along, so that least is left."""
+    def _with_starts_following(self, jacobian: Array) -> tuple[Array, dict[int, Array]]:
+        """The slopes with the start values moving along, so that least is left; and how those of each run move."""
+        if not jacobian.shape[1]:
+            return jacobian, {}
+        moves = dict[int, Array]()
         followed, row = jacobian.copy(), self.size + len(self._priors)
         for i, one in (self.starts or {}).items():
             rows = slice(self.ends[i], self.ends[i + 1])
-            moved = self._starts_follow[i] = one.following(jacobian[rows])
+            moved = moves[i] = one.following(jacobian[rows])
             count = len(one.names)
             followed[rows] += one.slopes[:-count] @ moved
             followed[row : row + count] = one.slopes[-count:] @ moved
             row += count
-        return followed
+        return followed, moves
 
     def _exact_at(self, z: Array) -> Array | None:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""

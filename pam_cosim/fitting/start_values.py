@@ -85,6 +85,11 @@ class StartValues:
         """(k,) by how much the start values move to leave least of rows, by their slopes (``with_prior_slopes``)."""
         return np.asarray(np.linalg.lstsq(slopes * self.sd, -rows, rcond=None)[0] * self.sd)
 
+    def within_reach(self, step: Array, reach: float) -> Array:
+        """(k,) a step, made so short that none goes farther than so many deviations of what is known beforehand."""
+        farthest = float(np.max(np.abs(step) / self.sd))
+        return step * (reach / max(farthest, reach))
+
     def taken_away(self, residuals: Array) -> Array:
         """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
         rows = np.append(residuals, self.prior_rows(self.values))
@@ -188,8 +193,7 @@ def eliminate(
         if here.is_settled:
             break
         before = here
-        farthest = float(np.max(np.abs(here.step) / of.sd))
-        step = here.step * min(1.0, reach / max(farthest, reach))
+        step = of.within_reach(here.step, reach)
         for _ in range(1 if here.is_level else CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)
