@@ -56,6 +56,7 @@ from rig.plan import default_plan, random_plan
 from rig.quadrature import Approach
 from rig.schedule import Phase, Schedule
 from rig.tank import Vessel, orifice_port, simulate_vessel, valve_ports
+from tests.tiers import quick
 
 TIMES = np.arange(1001) / 100
 STEP = Schedule.of([Phase(5.0, u_in=0.35), Phase(5.0, u_out=0.35)])
@@ -410,7 +411,9 @@ def test_names_carry_parameters_and_unknown_ones_are_refused():
 # --- data sets ---------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize("name", ["elasticity:linear", "dry_friction:dahl", "leak:orifice"])
+@pytest.mark.parametrize(
+    "name", quick(["elasticity:linear", "dry_friction:dahl", "leak:orifice"], "elasticity:linear")
+)
 def test_recorded_effect_sizes_are_current(name):
     recorded = json.loads(SIZES.read_text())["effects"][name]["base at truth"]
     assert effect_size(default_plan(), [effect_of(name)]) == pytest.approx(recorded, abs=0.02)

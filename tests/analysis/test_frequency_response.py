@@ -61,6 +61,7 @@ def test_small_sines_are_linear_and_large_ones_are_not() -> None:
     assert large.distortion[0, 1] > 0.1 and abs(large.gain[0, 1] / large.linear_gain[0, 1]) > 1.1
 
 
+@pytest.mark.full
 def test_without_model_exchange(tmp_path: Path) -> None:
     """Found by runs from the start values; the same numbers."""
     built = models.fmu(models.lag)

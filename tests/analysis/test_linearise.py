@@ -145,6 +145,7 @@ def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
         np.testing.assert_allclose(two, one, rtol=1e-6, atol=1e-7 * np.abs(one).max(initial=0.0))
 
 
+@pytest.mark.full
 def test_both_versions_of_fmi_say_the_same(tmp_path: Path) -> None:
     path = pam.build("Isotonic", tmp_path / "three.fmu", fmi="3.0")
     three, two = (
@@ -234,6 +235,7 @@ def test_for_scipy_and_python_control() -> None:
     assert pam.linearise("Isotonic").to_control().state_labels[0] == "muscle_gas_p"
 
 
+@pytest.mark.full
 def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
     linear = pam.linearise("LumpedLinear")
     again = pam.load(pam.save(linear, tmp_path / "l.npz"))
@@ -276,6 +278,7 @@ def test_an_fmu_without_model_exchange() -> None:
         pam.linearise(str(models.fmu(models.delayed_lag)))
 
 
+@pytest.mark.full
 def test_an_fmu_that_crashes_or_hangs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     start = "fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {"
     crashing = patched(tmp_path, "pam_fmi2.c", start, start + " abort();")

@@ -119,6 +119,7 @@ def test_who_is_too_sure_is_told(
     )
 
 
+@pytest.mark.full
 def test_missing_samples_and_a_file(
     example: ModuleType, run: tuple[np.ndarray, pam.Trajectory], tmp_path: Path
 ) -> None:
@@ -184,6 +185,7 @@ def test_truth_of_something_else(lag: str) -> None:
         observation.with_truth({"y": np.zeros(3)})
 
 
+@pytest.mark.full
 def test_a_recording_that_begins_in_the_middle(lag: str) -> None:
     """The filter begins where the first samples lie, and says so; one that begins at rest says nothing."""
     times, rng = np.linspace(0.0, 4.0, 401), np.random.default_rng(2)

@@ -65,6 +65,7 @@ def test_a_closed_loop_whose_answer_is_known(slide: str) -> None:
     )
 
 
+@pytest.mark.full
 def test_an_fmu_says_the_same_a_sample_late(slide: str, gain: str, tmp_path: Path) -> None:
     compiled, python = (
         pam.track(slide, gain, **WORDS, rate=200),
@@ -85,6 +86,7 @@ def test_a_foreign_controller(slide: str, gain: str, tmp_path: Path) -> None:
     assert other.controller == "Gain"
 
 
+@pytest.mark.full
 def test_the_muscle_follows_slowly_and_not_fast() -> None:
     tracking = pam.track(
         "Isotonic", "CoSimulation.ServoController", output="x", mean="45 mm", amplitude="5 mm", frequencies=[0.1, 2.0],

@@ -14,6 +14,7 @@ def test_order_and_error_at_cost_of_a_known_series() -> None:
     assert coupling.error_at_cost(points, 5) is None
 
 
+@pytest.mark.full
 def test_chosen_steps_beat_fixed_ones_where_the_muscle_rests() -> None:
     costs = coupling.costs(True, fixed=(1e-2, 2.5e-3), tolerances=(1e-4,))
     (chosen,) = costs[coupling.CHOSEN]

@@ -69,6 +69,7 @@ def _failing_always(case: many.Case, drawn: list[int]) -> many.Made:
     raise RuntimeError("no rig of any draw runs")
 
 
+@pytest.mark.full
 def test_a_number_that_had_no_data_set_has_one(tmp_path: Path) -> None:
     """Its tank emptied below nothing in a trial step of the integrator."""
     made = many.make(many.case_of("score2", 237))

@@ -285,7 +285,9 @@ def test_brier_score_and_classes_of_stated_probabilities() -> None:
     assert stated_probability(either) == (0.8, True)
 
 
-@pytest.mark.parametrize("probability", [{}, {"probability": 0.97}])
+@pytest.mark.parametrize(
+    "probability", [{}, pytest.param({"probability": 0.97}, marks=pytest.mark.full)]
+)
 def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -> None:
     lines = [
         result(

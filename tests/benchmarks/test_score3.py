@@ -22,6 +22,7 @@ from blind_cases.setups import SIGNALS, Design, draw
 from blind_cases.sizes import Ruler, calibrated
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
+from tests.tiers import quick
 
 WHICH, COUNT = "score3", 400
 LINES = apart.module("lines")
@@ -154,7 +155,7 @@ def _small(start: str, bench: str = "TankFilling") -> many.Case:
     return replace(case, design=design, start=start)
 
 
-@pytest.mark.parametrize("bench", ["TankFilling", "VerticalLoad"])
+@pytest.mark.parametrize("bench", quick(["TankFilling", "VerticalLoad"], "TankFilling"))
 def test_a_recording_begins_in_motion_with_what_the_whole_run_has(bench: str) -> None:
     case = _small("stated", bench)
     setup = draw(case.rng(1), case.design).driven()

@@ -6,6 +6,8 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
+import pytest
+
 from tests.cli.conftest import Outcome, everything
 
 Command = Callable[..., Outcome]
@@ -31,6 +33,7 @@ def test_it_says_what_the_data_can_tell_and_writes_it(
     assert content["helps"][0]["what"]
 
 
+@pytest.mark.full
 def test_two_checks_say_the_same(command: Command, data: Path) -> None:
     assert (
         command("check", data, "--workers", "0").out == command("check", data, "--workers", "2").out

@@ -283,6 +283,7 @@ def test_version(command: Command) -> None:
     assert done(command("--version")).out.startswith("pam-cosim 0.")
 
 
+@pytest.mark.full
 def test_a_sweep_of_which_nothing_comes_says_so_with_its_status(
     command: Command, place: Path
 ) -> None:

@@ -38,6 +38,7 @@ def test_run_that_hangs_is_reported(
     assert "Traceback" not in outcome.err and not (place / "run.csv").exists()
 
 
+@pytest.mark.full
 def test_sweep_goes_on(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv(
         "HANG_ABOVE", "1"

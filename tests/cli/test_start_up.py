@@ -38,6 +38,7 @@ def loaded(*words: str) -> set[str]:
     return set(json.loads(completed.stderr.splitlines()[-1]))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("module", ["server", "worker"])
 def test_the_workbench_loads_no_pictures(module: str) -> None:
     """Neither its server nor the process in which it fits; a report loads them when it is asked for."""
@@ -57,9 +58,10 @@ def test_the_workbench_loads_no_pictures(module: str) -> None:
         (["--version"], NUMBERS, 400),  # 317 when this was written
         (["describe", "TankFilling"], MEASUREMENTS, 700),  # 551
         (["simulate", "VesselOrifice"], PICTURES, 1500),  # 1389
-        (["compare", VESSEL], {*PICTURES, *STATISTICS}, 1600),  # 1536
-        (["fit", VESSEL], {*PICTURES, *STATISTICS}, 1600),  # 1548
-        (["predict", VESSEL], {*PICTURES, *STATISTICS}, 1600),  # 1551
+        *(
+            pytest.param([word, VESSEL], {*PICTURES, *STATISTICS}, 1600, marks=pytest.mark.full)
+            for word in ("compare", "fit", "predict")  # 1551 at most
+        ),
     ],
     ids=lambda value: value[0] if isinstance(value, list) else None,
 )

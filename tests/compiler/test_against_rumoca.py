@@ -9,6 +9,7 @@ import pytest
 from pam_cosim.compiler import compile_model
 from pam_cosim.resources import modelica_root
 from tests.compiler.run import at, simulate
+from tests.tiers import quick
 
 rumoca = pytest.importorskip("rumoca")
 
@@ -32,7 +33,7 @@ def library_that_begins_at_fixed_values(folder: Path) -> Path:
     return folder
 
 
-@pytest.mark.parametrize("bench", MODELS)
+@pytest.mark.parametrize("bench", quick(MODELS, "TankFilling"))
 def test_same_curve(bench, tmp_path: Path):
     file = tmp_path / "Check.mo"
     file.write_text(MODELS[bench])

@@ -82,6 +82,7 @@ def test_order_matters_to_gauss_seidel_only() -> None:
     assert same[0] == same[1]
 
 
+@pytest.mark.full
 def test_foreign_fmus_of_both_versions_come_to_the_same(tmp_path: Path) -> None:
     files = {
         "gas": str(pam.build("CoSimulation.ValveAndGas", tmp_path / "gas.fmu", fmi="3.0")),
@@ -245,6 +246,7 @@ def test_fmu_that_crashes_is_named(tmp_path: Path, settings: Any) -> None:
     assert 0.3 < caught.value.run.trajectory.time[-1] < 0.51
 
 
+@pytest.mark.full
 def test_fmu_that_cannot_go_back_is_for_fixed_steps(tmp_path: Path) -> None:
     change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
     plain = repacked(models.fmu(models.lag), tmp_path / "Plain.fmu", change)
@@ -407,6 +409,7 @@ def _sampled(folder: Path, distance: str, **settings: Any) -> pam.CoupledRun:
     )
 
 
+@pytest.mark.full
 def test_fmu_that_cannot_go_back_acts_at_samples(tmp_path: Path) -> None:
     run = _sampled(tmp_path, "10 ms", tolerance=1e-4)
     assert run.component_steps["control"] == 40 and run.component_steps["gas"] > 200

@@ -13,12 +13,13 @@ import pam_cosim as pam
 from pam_cosim.errors import InputError, SimulationFailure
 from tests.fmu import models
 from tests.simulation.misbehaving import hanging, patched, repacked
+from tests.tiers import quick
 
 ROOT = Path(__file__).parents[2]
 STEP = "pam_core *core = &c->core;"
 
 
-@pytest.fixture(scope="module", params=["2.0", "3.0"])
+@pytest.fixture(scope="module", params=quick(["2.0", "3.0"], "3.0"))
 def foreign(request: pytest.FixtureRequest, tmp_path_factory: pytest.TempPathFactory) -> str:
     """An FMU as a file, which runs in a process of its own."""
     return str(
@@ -103,6 +104,7 @@ def test_bytes_that_are_no_state_are_refused_and_the_run_goes_on() -> None:
         assert rig.time == 0.1 and rig.step(0.1)["p"] > 0
 
 
+@pytest.mark.full
 def test_fmu_that_cannot_save_says_so(tmp_path: Path) -> None:
     change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
     path = repacked(models.fmu(models.lag), tmp_path / "Plain.fmu", change)
@@ -156,6 +158,7 @@ def test_crash_keeps_what_happened(tmp_path: Path) -> None:
             rig.step(0.1)
 
 
+@pytest.mark.full
 def test_step_that_never_returns_is_ended(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG_ABOVE", "5")
     with pam.start(str(hanging(tmp_path)), timeout=2.0) as rig:

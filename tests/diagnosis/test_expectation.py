@@ -36,7 +36,7 @@ def additions() -> Additions:
 def test_one_and_two_further_effects() -> None:
     assert BASE.linear is not None
     beside = LinearisedNeighbourhood((), BASE.linear, FAMILY, additions())
-    results = [*beside.with_one(), *beside.with_two(3)]
+    results = [*beside.with_one, *beside.with_two]
     assert len(results) == 3 + 3
     for e in results:
         taken = BASE.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
@@ -46,9 +46,7 @@ def test_one_and_two_further_effects() -> None:
 def test_effects_on_top_of_one_that_was_fitted() -> None:
     one = WORLD.fitted(("LinearBladder",))
     assert one.linear is not None
-    results = LinearisedNeighbourhood(
-        ("LinearBladder",), one.linear, FAMILY, additions()
-    ).with_one()
+    results = LinearisedNeighbourhood(("LinearBladder",), one.linear, FAMILY, additions()).with_one
     assert {e.effects for e in results} == {("LinearBladder", n) for n in NAMES - {"LinearBladder"}}
     for e in results:
         taken = one.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
@@ -67,7 +65,7 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
     every = Additions([a for a in made if a is not None])
     (other,) = LinearisedNeighbourhood(
         ("LinearBladder",), one.linear, FAMILY, every
-    ).with_another_form()
+    ).with_another_form
     assert (other.effects, other.exchanged) == (("YoungBladder",), "LinearBladder")
     left = one.residuals["fit"].chi2 - other.reduction
     assert left <= likely.fitted(("YoungBladder",)).residuals["fit"].chi2
@@ -104,7 +102,7 @@ def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
     prior = {"LinearBladder.strength": Prior(0.0, 0.05)}
     made = addition(BASE.linear, replace(probe, linear=replace(probe.linear, priors=prior)))  # type: ignore[arg-type]
     assert made is not None and BASE.linear is not None
-    (one,) = LinearisedNeighbourhood((), BASE.linear, FAMILY, Additions([made])).with_one()
+    (one,) = LinearisedNeighbourhood((), BASE.linear, FAMILY, Additions([made])).with_one
     expected, rows = (
         one.within_bounds,
         np.hstack([BASE.linear.slopes, moves("LinearBladder", "fit")]),

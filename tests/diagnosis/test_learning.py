@@ -21,6 +21,7 @@ from pam_cosim.ledger import Ledger, keep_ledger
 from pam_cosim.measurement import DataSet
 from rig.named import UNLISTED, effect_of
 from rig.short import write_light_data
+from tests.tiers import quick
 
 HIDDEN = {
     "ripple": UNLISTED["ripple"],
@@ -40,7 +41,7 @@ def _learned(hidden: str) -> LearnedTerm:
     return learn(_kept(hidden)[2])
 
 
-@pytest.mark.parametrize("hidden", HIDDEN)
+@pytest.mark.parametrize("hidden", quick(HIDDEN, "exponential"))
 def test_learned_term_brings_the_error_down_on_a_run_it_has_not_seen(
     hidden: str, tmp_path: Path
 ) -> None:
@@ -54,6 +55,7 @@ def test_learned_term_brings_the_error_down_on_a_run_it_has_not_seen(
     assert before > 5 and after < 1.5, (before, after, term.formula)
 
 
+@pytest.mark.full
 def test_the_written_class_starts_from_the_refitted_values(tmp_path: Path) -> None:
     data, base, ledger = _kept("ripple")
     term, entry = _learned("ripple"), ledger.entry("force")

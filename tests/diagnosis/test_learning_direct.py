@@ -88,6 +88,7 @@ def test_points_at_rest_teach_a_spline_that_holds_at_other_pressures(tmp_path: P
     assert "max(0, x" in found.term.formula
 
 
+@pytest.mark.full
 def test_recordings_teach_a_term_that_holds_in_another_run(tmp_path: Path) -> None:
     data = pam.read(write_light_data(tmp_path / "d", [UNLISTED["coupled"]], 1))
     base, found = learned(data)

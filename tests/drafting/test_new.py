@@ -205,7 +205,8 @@ def test_columns_that_are_parameters(tmp_path: Path) -> None:
 
 @pytest.mark.parametrize(
     ("example", "bench", "others"),
-    [("jumping-robot", "SwitchedMuscle", ""), ("tank-discharge", "ClosedVessel", "VesselOrifice"),
+    [pytest.param("jumping-robot", "SwitchedMuscle", "", marks=pytest.mark.full),
+     ("tank-discharge", "ClosedVessel", "VesselOrifice"),
      ("chamber-leak/chambers/Prusa", "ClosedVessel", "VesselOrifice")],
 )  # fmt: skip
 def test_recordings_of_others(tmp_path: Path, example: str, bench: str, others: str) -> None:

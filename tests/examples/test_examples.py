@@ -13,6 +13,7 @@ import xarray
 ROOT = Path(__file__).parents[2]
 
 
+@pytest.mark.full
 def test_calibration_of_the_valve(tmp_path: Path) -> None:
     """Choked flow through the printed area, DP (41)-(42) and (62), worked out here by hand."""
     script = ROOT / "examples" / "sweeps" / "valve.py"

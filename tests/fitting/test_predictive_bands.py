@@ -48,6 +48,7 @@ def test_the_band_is_narrow_where_it_was_measured_and_wide_beyond(fitted: Fit) -
     assert np.all(band.low <= band.high)
 
 
+@pytest.mark.full
 def test_the_truth_lies_within_the_band_as_often_as_promised() -> None:
     """Twenty fits to other noise; each predicts what was not measured, at 20 s."""
     truth = discharge()[0][20]

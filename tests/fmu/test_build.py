@@ -222,6 +222,7 @@ def test_cached_fmu_compiles_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     assert cached_fmu("other", make) != first and len(made) == 2
 
 
+@pytest.mark.full
 def test_processes_may_build_the_same_at_once(tmp_path: Path) -> None:
     """Two processes on a cold cache of binaries: both succeed with the same bytes."""
     code = "import sys; from pathlib import Path; from tests.fmu import models; from dataclasses import replace\n"

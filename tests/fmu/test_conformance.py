@@ -165,6 +165,7 @@ def _listed_sources(folder: Path, fmi: str) -> list[str]:
     return [element.attrib["name"] for element in tree.findall("CoSimulation/SourceFiles/File")]
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("fmi", VERSIONS)
 def test_rebuilt_from_its_own_sources_it_gives_the_same_numbers(fmi: str, tmp_path: Path) -> None:
     path = models.fmu(models.van_der_pol, fmi)

@@ -26,6 +26,7 @@ from lxml import etree
 import pam_cosim as pam
 from pam_cosim.study import benches
 from tests.fmu.test_conformance import _read, _schema
+from tests.tiers import quick
 
 VERSIONS = ["2.0", pytest.param("3.0", marks=pytest.mark.full)]
 ROOT = Path(__file__).parents[2]
@@ -75,7 +76,7 @@ def largest_difference(result: np.ndarray, bench: str) -> dict[str, tuple[float,
 
 
 @pytest.mark.parametrize("fmi", VERSIONS)
-@pytest.mark.parametrize("bench", benches())
+@pytest.mark.parametrize("bench", quick(benches(), "Isotonic", "TankFilling", "VesselOrifice"))
 def test_every_bench(run: Callable[..., str], bench: str, fmi: str, tmp_path: Path) -> None:
     path, result = pam.build(bench, fmi=fmi), tmp_path / "result.csv"
     said, face = run("info", path), pam.describe(bench)

@@ -70,20 +70,11 @@ def _program(path: Path, sanitizer: str, fmi: str, folder: Path) -> Path:
     return program
 
 
-@pytest.mark.parametrize(
-    "sanitizer", [pytest.param("address", marks=pytest.mark.full), "undefined"]
-)
+@pytest.mark.full
+@pytest.mark.parametrize("sanitizer", ["address", "undefined"])
 @pytest.mark.parametrize("fmi", ["2.0", "3.0"])
 @pytest.mark.parametrize(
-    "make",
-    [
-        models.lag,
-        *(
-            pytest.param(make, marks=pytest.mark.full)
-            for make in (models.delayed_mix, models.breaks_down)
-        ),
-    ],
-    ids=lambda make: make.__name__,
+    "make", [models.lag, models.delayed_mix, models.breaks_down], ids=lambda make: make.__name__
 )
 def test_no_call_does_harm(
     make: Callable[[], Ode], fmi: str, sanitizer: str, tmp_path: Path

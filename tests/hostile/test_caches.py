@@ -23,6 +23,7 @@ from pam_cosim.simulation import Simulator
 from pam_cosim.simulation.native import prepare_driver
 from tests.fmu import models
 from tests.hostile.small_disk import disks_can_be_made, on_disk
+from tests.tiers import quick
 
 TIMES = np.linspace(0.0, 2.0, 21)
 ROOT = Path(__file__).parents[2]
@@ -84,9 +85,7 @@ DAMAGE: dict[str, Callable[[Path], object]] = {
 }
 
 
-@pytest.mark.parametrize(
-    "what", [pytest.param(w, marks=[pytest.mark.full] * (w == "a compiled model")) for w in MAKE]
-)
+@pytest.mark.parametrize("what", quick(MAKE, "a model as data"))
 def test_what_is_damaged_is_made_again(cache: Path, what: str) -> None:
     """Each file in each way, with those that were made from it gone, so that it is asked for."""
     expected = _run(MAKE[what]())
@@ -141,8 +140,9 @@ def test_eight_at_once(cache: Path) -> None:
     assert not left and all(is_whole(p) for p in _files(cache) if p.name.endswith(".sums"))
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not disks_can_be_made(), reason="no disk can be made here")
-@pytest.mark.parametrize("how", [pytest.param("full", marks=pytest.mark.full), "read-only"])
+@pytest.mark.parametrize("how", ["full", "read-only"])
 def test_a_cache_that_takes_nothing(
     cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str
 ) -> None:

@@ -20,6 +20,7 @@ from tests.fmu import models
 from tests.hostile.reading import make
 from tests.openmodelica.compiler import OMC, WHY_NOT
 from tests.simulation.misbehaving import hanging, patched
+from tests.tiers import quick
 
 TIMES = np.linspace(0.0, 2.0, 21)
 STEP = "pam_core *core = &c->core;"
@@ -66,7 +67,7 @@ def test_a_solver_that_fails_is_replaced_and_that_is_said(tmp_path: Path) -> Non
             simulator.run(TIMES, parameters={"taw": 1.0})
 
 
-@pytest.mark.parametrize("interpolation", ["linear", "previous"])
+@pytest.mark.parametrize("interpolation", quick(["linear", "previous"], "linear"))
 def test_inputs_that_rise_and_jump(tmp_path: Path, interpolation: str) -> None:
     inputs = Inputs([0.0, 0.33, 0.33, 1.5, 2.0], {"u": [0.0, 1.0, 3.0, -1.0, 2.0]}, interpolation)  # type: ignore[arg-type]
     with Simulator(models.fmu(models.lag)) as simulator:
@@ -76,6 +77,7 @@ def test_inputs_that_rise_and_jump(tmp_path: Path, interpolation: str) -> None:
     assert run.solver and run["y"] == pytest.approx(expected["y"], abs=1e-6)
 
 
+@pytest.mark.full
 def test_where_both_fail_the_first_reason_is_said(tmp_path: Path) -> None:
     with (
         IsolatedSimulator(failing(tmp_path)) as simulator,
@@ -108,6 +110,7 @@ def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
         assert run[name] == pytest.approx(expected[name], abs=1e-6 * float(np.ptp(expected[name])))
 
 
+@pytest.mark.full
 def test_equations_that_hang_or_never_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setenv("HANG", "fmi2GetDerivatives")
     only = exchange_only(hanging(tmp_path), tmp_path / "Only.fmu")
@@ -141,6 +144,7 @@ def told(fmu: Path, folder: Path, capfd: pytest.CaptureFixture[str], sentence: s
     assert capfd.readouterr().out.count(sentence) == 1
 
 
+@pytest.mark.full
 def test_the_commands_say_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
     fmu = exchange_only(study.build("Isotonic"), tmp_path / "Only.fmu")
     told(fmu, tmp_path, capfd, "Only.fmu is for model exchange: run with CVode")

@@ -37,6 +37,7 @@ def alive(group: int) -> bool:
     return True
 
 
+@pytest.mark.full
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="processes cannot be held here")
 @pytest.mark.parametrize("way", quick(("held", "resumed", "at work"), "held"))
 def test_jobs_end_with_the_server(way: str) -> None:

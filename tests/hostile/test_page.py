@@ -77,7 +77,9 @@ class Deaf:
         await asyncio.Event().wait()
 
 
-@pytest.mark.parametrize(("size", "most"), [(10, 30_000), (1_000_000, 200)])
+@pytest.mark.parametrize(
+    ("size", "most"), [pytest.param(10, 30_000, marks=pytest.mark.full), (1_000_000, 200)]
+)
 def test_a_window_that_never_reads_is_given_up(workbench: Workbench, size: int, most: int) -> None:
     async def told() -> tuple[int, int]:
         socket = Deaf()

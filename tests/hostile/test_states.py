@@ -114,6 +114,7 @@ def test_any_bytes(path: Path) -> None:
     assert any(REFUSED in end for end in ends) and any(not end for end in ends)
 
 
+@pytest.mark.full
 def test_the_state_of_another_model(path: Path) -> None:
     with IsolatedSimulator(models.fmu(models.delayed_start)) as other:
         stepper = other.stepper()

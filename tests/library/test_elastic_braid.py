@@ -63,6 +63,7 @@ def test_pull_is_the_derivative_of_the_least_energy(strain: float) -> None:
     assert np.max(inelastic / expected) > 1 + 5 * strain  # the stretch is no small matter
 
 
+@pytest.mark.full
 def test_a_static_map_of_a_soft_braid_names_the_stretch(tmp_path: Path) -> None:
     """Least energies with noise; three pressures fitted and two held out."""
     noise = np.random.default_rng(11)

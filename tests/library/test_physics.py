@@ -12,6 +12,7 @@ from hypothesis import strategies as st
 
 from tests.library.ode import Model, Values
 from tests.library.shelf import BENCH, benches, on_bench, tree
+from tests.tiers import quick
 
 R, GAMMA = 287.05, 1.4
 MASS_OFF = (
@@ -221,7 +222,10 @@ def _state(name: str, unit: str) -> st.SearchStrategy[float]:
     )
 
 
-@pytest.mark.parametrize("bench", benches())
+@pytest.mark.parametrize(
+    "bench",
+    quick(benches(), "PneumaticMuscle.Benches.Isotonic", "PneumaticMuscle.Benches.TankFilling"),
+)
 @settings(max_examples=60, deadline=None, derandomize=True)
 @given(data=st.data())
 def test_rates_and_slopes_are_finite(bench: str, data: st.DataObject) -> None:

@@ -122,6 +122,7 @@ def test_every_effect_begins_at_rest() -> None:
     check_each(check_effect, storing())
 
 
+@pytest.mark.full
 def test_states_that_begin_at_rest_are_marked() -> None:
     check_each(check_marks, one_of_each_family())
 

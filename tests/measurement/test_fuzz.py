@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -93,12 +94,14 @@ LAB = {
 }  # fmt: skip
 
 
+@pytest.mark.full
 @settings(max_examples=300, deadline=None, derandomize=True)
 @given(st.sampled_from(sorted(LAB)), EDITS)
 def test_mutated_files_of_a_lab(file, edits):
     read_mutated(LAB, file, edits)
 
 
+@pytest.mark.full
 @settings(max_examples=200, deadline=None, derandomize=True)
 @given(st.text(max_size=70) | st.text(alphabet="mkgsPaKdegC0123456789.*/^()- %", max_size=30))
 def test_any_text_as_unit(text):

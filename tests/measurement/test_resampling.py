@@ -138,6 +138,7 @@ def long_data(tmp_path, u: np.ndarray, sigma: str = "") -> DataSet:
     return read_data_set(tmp_path, describe)
 
 
+@pytest.mark.full
 def test_a_search_takes_means_of_very_many_rows(tmp_path):
     time = np.arange(0.0, 120.0, 1e-3)
     data = long_data(

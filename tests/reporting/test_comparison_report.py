@@ -1,10 +1,13 @@
 from __future__ import annotations
 
+import pytest
+
 from pam_cosim.reporting import comparison_report
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import make_comparison, make_data
 
 
+@pytest.mark.full
 def test_scores_stand_in_readable_units():
     comparison = make_comparison(make_data(), 10.0)
     text = checked(comparison_report(comparison)).text
@@ -15,6 +18,7 @@ def test_scores_stand_in_readable_units():
     assert "Model beside model" not in text
 
 
+@pytest.mark.full
 def test_models_beside_each_other_with_the_best_marked():
     data = make_data()
     good, bad = make_comparison(data, 0.0, "A.Full"), make_comparison(data, 10.0, "A.Base")
@@ -26,6 +30,7 @@ def test_models_beside_each_other_with_the_best_marked():
     assert best in html
 
 
+@pytest.mark.full
 def test_equal_names_are_numbered():
     data = make_data()
     text = checked(comparison_report(make_comparison(data, 0.0), [make_comparison(data, 5.0)])).text

@@ -36,6 +36,7 @@ def test_every_verdict_makes_a_sound_page_that_names_what_was_tried(kind):
     assert "pam-cosim" in page.text and "1800 " in f"{page.text} "
 
 
+@pytest.mark.full
 def test_each_verdict_is_said_and_explained_in_its_own_words():
     texts = {kind: checked(report(kind)).text for kind in KINDS}
     assert "These data show no missing effect" in texts["none_missing"]
@@ -94,6 +95,7 @@ def test_the_error_before_and_after_stands_first_in_readable_units():
     )
 
 
+@pytest.mark.full
 def test_what_may_be_missing_is_a_bar_with_its_numbers():
     diagnosis = make_diagnosis("identified")
     assert "Probability of what may be missing" not in report(
@@ -173,6 +175,7 @@ def test_the_final_model_can_be_read():
     assert "Modelica text" not in checked(report("none_missing")).text
 
 
+@pytest.mark.full
 def test_two_renderings_are_identical():
     assert diagnosis_report(make_diagnosis("identified")) == report("identified")
 
@@ -196,6 +199,7 @@ def test_without_holdout_runs_nothing_is_said_of_them_but_the_note():
     assert "On the fitted runs the rms error of" in text
 
 
+@pytest.mark.full
 def test_fifteen_points_of_one_run_with_gaps():
     data = make_data(("fit",), samples=15)
     data.runs[0].measurements["T"][[3, 4, 9]] = np.nan

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 import numpy as np
+import pytest
 
 from pam_cosim.ledger import BalanceEntry, Ledger, TermSeries
 from pam_cosim.reporting.account.ledger_words import telling_entries
@@ -28,6 +29,7 @@ def _ledger(places: bool = True) -> Ledger:
     return Ledger("Isotonic", entries, (), ("force", "sensor"), True, 9.0, 1.0, {}, domain=DOMAIN)
 
 
+@pytest.mark.full
 def test_same_ledger_same_picture() -> None:
     with drawing():
         first, second = (png(ledger_figure(_ledger())) for _ in range(2))

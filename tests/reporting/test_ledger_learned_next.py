@@ -110,6 +110,7 @@ def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     assert "act in the force balance" not in agreed
 
 
+@pytest.mark.full
 def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
     data = make_data()
     diagnosis = make_diagnosis("unknown", data, learned=make_learned(data))

@@ -54,6 +54,7 @@ def test_stiff_branch_meets_the_tolerance() -> None:
     assert np.all(_errors(0.7, 71, tolerances) < tolerances)
 
 
+@pytest.mark.full
 def test_error_is_proportional_to_the_tolerance() -> None:
     """Through two jumps of the relaxation oscillator, whose times carry the error of all that went before."""
     tolerances = 10.0 ** -np.arange(4.0, 10.0)

@@ -73,10 +73,11 @@ _LATER = ("fmi2GetReal", "fmi2SetRealInputDerivatives", "fmi2Terminate")
 @pytest.mark.parametrize(
     "function",
     [
-        "load",
-        "fmi2Instantiate",
         "fmi2DoStep",
-        *(pytest.param(f, marks=pytest.mark.full) for f in _EVERY + _LATER),
+        *(
+            pytest.param(f, marks=pytest.mark.full)
+            for f in ("load", "fmi2Instantiate", *_EVERY, *_LATER)
+        ),
     ],
 )
 def test_call_that_never_returns(
@@ -109,6 +110,7 @@ def test_fmu_that_is_never_freed(
     assert processes_of(path) == [] and os.listdir(temporary) == []
 
 
+@pytest.mark.full
 def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path) -> None:
     path = hanging(tmp_path, "load")
     assert study.describe(str(path)).parameters["tau"].start == 0.5  # read without loading it
@@ -118,6 +120,7 @@ def test_one_that_hangs_while_it_is_loaded_is_not_loaded_again(tmp_path: Path) -
     ) == 200
 
 
+@pytest.mark.full
 def test_slow_run_that_goes_on_is_not_ended(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

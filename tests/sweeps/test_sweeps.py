@@ -143,6 +143,7 @@ def test_runs_over_time_as_a_table(tmp_path: Path) -> None:
     )
 
 
+@pytest.mark.full
 def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
     path = models.fmu(models.breaks_down)
     vary = {"floor": [-1e6, -2e6, 0.6]}
@@ -231,6 +232,7 @@ def test_a_file_that_no_sweep_left_is_not_touched(tmp_path: Path) -> None:
     assert other.read_bytes() == b"somebody's\n\0\xff" and not (tmp_path / "s.csv").exists()
 
 
+@pytest.mark.full
 def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
     pam.draw(reference, tmp_path / "lines.png")
     pam.draw(swept(), tmp_path / "courses.png")
@@ -251,7 +253,7 @@ def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
     assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
 
 
-@pytest.mark.parametrize("workers", [1, 2])
+@pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.full)])
 def test_runs_are_kept_as_they_are_made(workers: int, monkeypatch: pytest.MonkeyPatch) -> None:
     """Not all of them at the end, however fast the machine is: what is told is what is kept."""
     for limit in ("_BATCH", "_OPENINGS", "_WORTH"):  # each run is a batch, and worth a process

@@ -135,6 +135,7 @@ def test_what_cannot_be_cut_or_begun_is_refused(window: Window, command: dict) -
     assert window.session.state is state
 
 
+@pytest.mark.full
 def test_a_study_with_cuts_and_starts_is_saved_printed_and_repeated(
     folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

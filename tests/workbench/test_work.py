@@ -62,6 +62,7 @@ def test_some_are_fitted_and_the_others_held(window: Window, shared: Session) ->
     ]
 
 
+@pytest.mark.full
 def test_stopped_it_stands_still_and_resumed_it_ends_as_if_it_had_not(
     window: Window, shared: Session
 ) -> None:
@@ -88,6 +89,7 @@ def heard(window: Window) -> int:
     return now
 
 
+@pytest.mark.full
 def test_what_was_stopped_is_given_up_for_something_else(window: Window, shared: Session) -> None:
     window.do(do="fit", method="particle-swarm")
     window.until("progress")

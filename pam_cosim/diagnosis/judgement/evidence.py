@@ -154,9 +154,14 @@ def information_criterion(
     for parameters that are not where they are known to be beforehand; the others, which paid for nothing, by their
     squared error; and how many sets of so many effects there are.
     """
+    return evidence_without_choice(fit, scale, candidate) + model_space.cost(effects)
+
+
+def evidence_without_choice(fit: Fit, scale: NoiseScale, candidate: Candidate | None) -> float:
+    """The information criterion but for how many sets of effects there are."""
     held = fit.residuals["holdout"]
     lost = _undetermined_count(candidate) if candidate else 0
-    known = bic(fit, *scale) + scale.penalty(fit) * lost + model_space.cost(effects)
+    known = bic(fit, *scale) + scale.penalty(fit) * lost
     return known + (held.chi2 / scale.divisor if held.samples else 0.0)
 
 

@@ -26,7 +26,7 @@ class ModelSpace:
 
     def cost(self, effects: Collection[str]) -> float:
         """Twice the logarithm of the number of such sets (extended criterion, Chen and Chen 2008)."""
-        likely = sum(name in self.expected for name in effects)
+        likely = sum(name in self.expected for name in effects) if self.expected else 0
         return _cost(self.every, len(self.expected), likely, len(effects) - likely)
 
 

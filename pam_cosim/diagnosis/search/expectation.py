@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.fitting import Linear, bounded_minimum, bounded_step, prior_rows, reduction_by
@@ -178,6 +179,11 @@ class PredictedModel:
         return (*(e for e in self.start if e != self.exchanged), *(a.effect for a in self.added))
 
     @cached_property
+    def set_of_effects(self) -> frozenset[str]:
+        """All effects, in no order."""
+        return frozenset(self.effects)
+
+    @cached_property
     def within_bounds(self) -> PredictedFit | None:
         """What is expected when all parameters keep to their bounds; None: it is not known."""
         if self.beside is None or self.exchanged:
@@ -273,6 +279,7 @@ class LinearisedNeighbourhood:
         gains = self._gains([at for _, at in some])
         return [(gain, a, at) for gain, (a, at) in zip(gains, some, strict=True)]
 
+    @cached_property
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
         return [
@@ -280,12 +287,13 @@ class LinearisedNeighbourhood:
             for gain, a, _ in self._single(False)
         ]
 
-    def with_two(self, first: int) -> list[PredictedModel]:
-        """Two further effects of other families, one of them among so many that do most by themselves."""
+    @cached_property
+    def with_two(self) -> list[PredictedModel]:
+        """Two further effects of other families, one of them among those that do most by themselves."""
         best = sorted(self._single(False), key=lambda entry: (-entry[0], entry[1].effect))
         pairs = [
             ((a, b), np.concatenate([at, bt]))
-            for n, (_, a, at) in enumerate(best[:first])
+            for n, (_, a, at) in enumerate(best[: CRITERIA.search.starts])
             for _, b, bt in best[n + 1 :]
             if b.family != a.family
         ]
@@ -295,6 +303,7 @@ class LinearisedNeighbourhood:
             for gain, (added, _) in zip(gains, pairs, strict=True)
         ]
 
+    @cached_property
     def with_another_form(self) -> list[PredictedModel]:
         """An effect exchanged for another of its family, as if that could do all that the first one does."""
         of = {self.family[e]: e for e in self.effects}

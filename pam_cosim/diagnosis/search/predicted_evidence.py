@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.judgement.evidence import NoiseScale, information_criterion
+from pam_cosim.diagnosis.judgement.evidence import NoiseScale, evidence_without_choice
 from pam_cosim.diagnosis.search.expectation import (
     Additions,
     EffectDirections,
@@ -23,11 +23,53 @@ from pam_cosim.diagnosis.search.search import FitRequest
 from pam_cosim.fitting import Fit, Linear
 
 
-class Proposal(NamedTuple):
-    """A model that nobody fitted: from which one it starts, None: the base model, and what is expected of it."""
+class Start:
+    """A fitted model that others start from, with what is the same for all of these.
 
-    fit: Fit
-    start: Candidate | None
+    Args:
+        fit: of the model.
+        candidate: the model; None: the base model.
+    """
+
+    def __init__(self, fit: Fit, candidate: Candidate | None) -> None:
+        self.fit, self.candidate = fit, candidate
+        self._residuals = [
+            (s.chi2, s.samples)
+            for s in (fit.residuals["fit"], fit.residuals["holdout"])
+            if s.samples
+        ]
+        self._fitted_chi2 = max(fit.residuals["fit"].chi2, 1e-300)
+        self._evidence: dict[NoiseScale, tuple[float, float]] = {}
+
+    def evidence(self, scale: NoiseScale) -> tuple[float, float]:
+        """The evidence against it, but for how many sets of effects there are; and what a parameter costs."""
+        if scale not in self._evidence:
+            known = evidence_without_choice(self.fit, scale, self.candidate)
+            self._evidence[scale] = known, scale.penalty(self.fit)
+        return self._evidence[scale]
+
+    def expected_gain(
+        self,
+        reduction: float,
+        scale: NoiseScale,
+        noise_floor: float,
+        lost: float = CRITERIA.search.not_linear,
+    ) -> float:
+        """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
+
+        The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
+        """
+        left = 1 - (1 - lost) * reduction / self._fitted_chi2
+        gain = 0.0
+        for chi2, samples in self._residuals:
+            gain += max(chi2 - max(left * chi2, noise_floor * samples), 0.0)
+        return gain / scale.divisor
+
+
+class Proposal(NamedTuple):
+    """A model that nobody fitted: from which one it starts, and what is expected of it."""
+
+    start: Start
     prediction: PredictedModel
 
 
@@ -44,6 +86,10 @@ class PredictedEvidence:
         self._probes_beside: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
         self._base_additions: tuple[tuple[int, ...], Additions] = ((), Additions([]))
         self._merged: dict[tuple[str, ...], tuple[Additions, int, Additions]] = {}
+        self._starts: dict[tuple[str, ...], Start] = {}
+        self._neighbourhoods: dict[
+            tuple[str, ...], tuple[Linear, Additions, LinearisedNeighbourhood]
+        ] = {}
         self._success_shares: defaultdict[int, list[float]] = defaultdict(list)
 
     # ---- what was looked at -----------------------------------------------------------------------------------
@@ -80,24 +126,25 @@ class PredictedEvidence:
 
     def most_promising(self, count: int) -> list[PredictedModel]:
         """So many of the effects that promise most by themselves."""
-        return self._single_additions(self.ranking.base, None)[:count]
+        return self._single_additions(None)[:count]
 
     def leading_families(self, c: Candidate, count: int) -> list[str]:
         """So many families of which a member promises most beside a model."""
         families = (
-            self.ranking.search.family[e.added[0].effect] for e in self._single_additions(c.fit, c)
+            self.ranking.search.family[e.added[0].effect] for e in self._single_additions(c)
         )
         return list(dict.fromkeys(families))[:count]
 
-    def _single_additions(self, fit: Fit, c: Candidate | None) -> list[PredictedModel]:
-        """One further effect beside a fitted model, what promises most first."""
-        assert fit.linear is not None
+    def _single_additions(self, c: Candidate | None) -> list[PredictedModel]:
+        """One further effect beside a fitted model, None: the base model; what promises most first."""
+        start = self._start(c)
+        assert start.fit.linear is not None
         noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
-        every = self._neighbourhood(c.effects if c else (), fit.linear).with_one()
+        every = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
         return sorted(
             every,
             key=lambda e: (
-                self.predicted_criterion(Proposal(fit, c, e), noise_floor, scale),
+                self.predicted_criterion(Proposal(start, e), noise_floor, scale),
                 e.effects,
             ),
         )
@@ -140,7 +187,7 @@ class PredictedEvidence:
         every = [
             p
             for p in _from_nearest_start(self._expected(count))
-            if frozenset(p.prediction.effects) not in tried
+            if p.prediction.set_of_effects not in tried
         ]
         chosen: dict[tuple[str, ...], Proposal] = {}
         for threshold in self.ranking.acceptance_thresholds(count, possibly):
@@ -216,26 +263,26 @@ class PredictedEvidence:
             *{c.effects: c for c in (*known, *lacking.values())}.values(),
         ]
         for c in starts:
-            fit, effects = (c.fit, c.effects) if c else (self.ranking.base, ())
-            if fit.linear is None or len(effects) + 2 < count:
+            start, effects = self._start(c), c.effects if c else ()
+            if start.fit.linear is None or len(effects) + 2 < count:
                 continue
-            beside = self._neighbourhood(effects, fit.linear)
+            beside = self._neighbourhood(effects, start.fit.linear)
             more = count - len(effects)
             if more == 0 and unsolved:
-                every = beside.with_another_form()
+                every = beside.with_another_form
             elif more == 1 and (count == 1 or further or effects in lacking):
-                every = beside.with_one()
+                every = beside.with_one
             elif more == 2 and further and effects:
-                every = beside.with_two(first)
+                every = beside.with_two
             else:
                 continue
-            yield from (Proposal(fit, c, e) for e in every)
+            yield from (Proposal(start, e) for e in every)
 
     def _expects_large_reduction(
         self, best: Candidate, p: Proposal, trust: float, noise_floor: float
     ) -> bool:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
-        now, own = best.fit.residuals["fit"], p.fit.residuals["fit"]
+        now, own = best.fit.residuals["fit"], p.start.fit.residuals["fit"]
         excess = now.chi2 - noise_floor * now.samples
         if (
             len(p.prediction.effects) > len(best.effects)
@@ -264,27 +311,27 @@ class PredictedEvidence:
             reduction: of the squared error; default: that within the bounds of all parameters.
             lost: share of the reduction that is lost on the way.
         """
-        fit, start, e = p
+        start, e = p
         expected = e.within_bounds if reduction is None else None
-        known = information_criterion(fit, scale, e.effects, self.ranking.search.model_space, start)
-        known += self._additional_parameters(e) * scale.penalty(fit)
+        known, penalty = start.evidence(scale)
+        known += self.ranking.search.model_space.cost(e.effects)
+        known += self._additional_parameters(e) * penalty
         if expected is not None:
-            known += expected.chi2_priors - fit.chi2_priors
+            known += expected.chi2_priors - start.fit.chi2_priors
             reduction = expected.reduction
         gained = e.reduction if reduction is None else reduction
-        return known - _expected_gain(gained, fit, scale, noise_floor, lost)
+        return known - start.expected_gain(gained, scale, noise_floor, lost)
 
     def _additional_parameters(self, e: PredictedModel) -> int:
         """How many parameters a model has more than the one that it starts from."""
-        return sum(a.cost for a in e.added) - (
-            self.ranking.search.cost[e.exchanged] if e.exchanged else 0
-        )
+        lost = self.ranking.search.cost[e.exchanged] if e.exchanged else 0
+        return sum([a.cost for a in e.added]) - lost
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return self.ranking.information_criterion(c, scale) - _expected_gain(
-            gain, c.fit, scale, noise_floor
+        return self.ranking.information_criterion(c, scale) - self._start(c).expected_gain(
+            gain, scale, noise_floor
         )
 
     def fit_request(self, e: PredictedModel) -> FitRequest:
@@ -296,6 +343,14 @@ class PredictedEvidence:
         start = self.ranking.fitted[e.start].fit.values if e.start else self.ranking.base.values
         expected = e.within_bounds
         return FitRequest(e.effects, values | start, expected.values if expected else {})
+
+    def _start(self, c: Candidate | None) -> Start:
+        """A fitted model to start from; None: the base model."""
+        effects, fit = (c.effects, c.fit) if c else ((), self.ranking.base)
+        known = self._starts.get(effects)
+        if known is None or known.fit is not fit or known.candidate is not c:
+            self._starts[effects] = known = Start(fit, c)
+        return known
 
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
@@ -319,28 +374,11 @@ class PredictedEvidence:
                 whole = Additions([*({a.effect: a for a in additions.every} | own).values()])
                 self._merged[effects] = merged = (additions, len(own), whole)
             additions = merged[2]
-        return LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)
-
-
-def _expected_gain(
-    reduction: float,
-    fit: Fit,
-    scale: NoiseScale,
-    noise_floor: float,
-    lost: float = CRITERIA.search.not_linear,
-) -> float:
-    """What a reduction of the squared error counts: some of it is lost on the way, as models are not linear.
-
-    The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
-    """
-    fitted, held = fit.residuals["fit"], fit.residuals["holdout"]
-    left = 1 - (1 - lost) * reduction / max(fitted.chi2, 1e-300)
-    gain = sum(
-        max(s.chi2 - max(left * s.chi2, noise_floor * s.samples), 0.0)
-        for s in (fitted, held)
-        if s.samples
-    )
-    return gain / scale.divisor
+        known = self._neighbourhoods.get(effects)
+        if known is None or known[0] is not linear or known[1] is not additions:
+            made = LinearisedNeighbourhood(effects, linear, self.ranking.search.family, additions)
+            self._neighbourhoods[effects] = known = (linear, additions, made)
+        return known[2]
 
 
 def _from_nearest_start(promises: Iterable[Proposal]) -> list[Proposal]:
@@ -348,6 +386,6 @@ def _from_nearest_start(promises: Iterable[Proposal]) -> list[Proposal]:
     every = list(promises)
     lack: dict[frozenset[str], int] = {}
     for p in every:
-        names = frozenset(p.prediction.effects)
-        lack[names] = min(len(p.prediction.added), lack.get(names, len(p.prediction.added)))
-    return [p for p in every if len(p.prediction.added) == lack[frozenset(p.prediction.effects)]]
+        names, added = p.prediction.set_of_effects, len(p.prediction.added)
+        lack[names] = min(added, lack.get(names, added))
+    return [p for p in every if len(p.prediction.added) == lack[p.prediction.set_of_effects]]

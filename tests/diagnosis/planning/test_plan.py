@@ -157,6 +157,7 @@ def test_an_identified_effect_is_tested_against_what_came_near(diagnosis: Diagno
         study.plan(replace(found, candidates=(spring, both)))
 
 
+@pytest.mark.full
 def test_nothing_missing_is_tested_against_effects_that_the_recordings_hardly_show(
     diagnosis: Diagnosis, monkeypatch: pytest.MonkeyPatch
 ) -> None:

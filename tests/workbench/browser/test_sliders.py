@@ -31,6 +31,7 @@ def test_a_slider_moves_curve_and_error(opened: Open, address: str) -> None:
     ) == pytest.approx(0.88, abs=0.005)
 
 
+@pytest.mark.full
 def test_undo_takes_the_value_back(opened: Open, address: str) -> None:
     page = opened(address)
     page.get_by_role("button", name="Reset").click()
