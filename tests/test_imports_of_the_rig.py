@@ -54,6 +54,7 @@ def test_the_rig_is_no_part_of_the_wheel() -> None:
     assert not {"rig", "refsim"} & set(wheel["only-include"])
 
 
+@pytest.mark.full
 def test_the_rig_is_a_distribution_of_its_own(tmp_path: Path) -> None:
     """Its wheel makes data in an empty folder, with nothing of the checkout but what the wheel holds."""
     (wheel,) = WheelBuilder(str(ROOT / "refsim")).build(

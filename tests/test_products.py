@@ -16,6 +16,7 @@ from pam_cosim.fitting import HoldoutUncertainty
 from tests.fitting.models import vessel_data
 from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
 from tests.reporting.test_ledger_learned_next import make_learned, make_ledger
+from tests.tiers import quick
 
 DATA = make_data()
 PRODUCTS = {
@@ -75,7 +76,7 @@ def test_real_products(tmp_path: Path) -> None:
         assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
 
 
-@pytest.mark.parametrize("name", PRODUCTS)
+@pytest.mark.parametrize("name", quick(PRODUCTS, "comparison", "fit", "unknown"))
 def test_every_product_draws_and_prints_itself(name: str, tmp_path: Path) -> None:
     pam.draw(PRODUCTS[name], tmp_path / "picture.png")
     assert (tmp_path / "picture.png").stat().st_size > 5000

@@ -56,7 +56,6 @@ from rig.plan import default_plan, random_plan
 from rig.quadrature import Approach
 from rig.schedule import Phase, Schedule
 from rig.tank import Vessel, orifice_port, simulate_vessel, valve_ports
-from tests.tiers import quick
 
 TIMES = np.arange(1001) / 100
 STEP = Schedule.of([Phase(5.0, u_in=0.35), Phase(5.0, u_out=0.35)])
@@ -192,6 +191,7 @@ def test_vessel_refuses_effects_of_a_muscle():
 # --- muscle ------------------------------------------------------------------------------------------------
 
 
+@pytest.mark.full
 def test_result_does_not_depend_on_the_integrator():
     lsoda = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
     radau = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, method="Radau", rtol=1e-9)
@@ -411,9 +411,8 @@ def test_names_carry_parameters_and_unknown_ones_are_refused():
 # --- data sets ---------------------------------------------------------------------------------------------
 
 
-@pytest.mark.parametrize(
-    "name", quick(["elasticity:linear", "dry_friction:dahl", "leak:orifice"], "elasticity:linear")
-)
+@pytest.mark.full
+@pytest.mark.parametrize("name", ["elasticity:linear", "dry_friction:dahl", "leak:orifice"])
 def test_recorded_effect_sizes_are_current(name):
     recorded = json.loads(SIZES.read_text())["effects"][name]["base at truth"]
     assert effect_size(default_plan(), [effect_of(name)]) == pytest.approx(recorded, abs=0.02)
@@ -484,6 +483,7 @@ def test_true_parameters_lie_off_the_defaults():
     assert MuscleParameters().mu_fb != TRUTH.mu_fb
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("seed", range(5))
 def test_random_plans_fill_ten_seconds_and_lift_their_load(seed):
     plan = random_plan(seed)
@@ -495,6 +495,7 @@ def test_random_plans_fill_ten_seconds_and_lift_their_load(seed):
         assert one.signals["x"].max() > 0.02
 
 
+@pytest.mark.full
 def test_command_line_writes_the_same_bytes_again(tmp_path, capsys):
     for name in ("a", "b"):
         assert main([str(tmp_path / name), "--effect", "elasticity:linear", "--seed", "1"]) == 0

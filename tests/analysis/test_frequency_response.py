@@ -97,6 +97,7 @@ def test_what_has_not_settled_is_said(bent: str) -> None:
     )
 
 
+@pytest.mark.full
 def test_saved_loaded_drawn_and_shown(bent: str, tmp_path: Path) -> None:
     response = pam.frequency_response(bent, input="u", amplitude=0.5, frequencies=[0.1, 1.0])
     again = pam.load(pam.save(response, tmp_path / "f.npz"))

@@ -129,6 +129,7 @@ def test_a_state_is_found_from_outputs() -> None:
     assert "Not at rest" in linear.notes[-1]
 
 
+@pytest.mark.full
 def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
     """Such an FMU is foreign: it runs in a process of its own."""
     built = pam.build("Isotonic")

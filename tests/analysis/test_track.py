@@ -95,6 +95,7 @@ def test_the_muscle_follows_slowly_and_not_fast() -> None:
     assert tracking.actuation["u_in"].max() <= 0.35 and tracking.actuation["u_out"].min() >= 0.145
 
 
+@pytest.mark.full
 def test_saved_loaded_drawn_and_shown(slide: str, tmp_path: Path) -> None:
     tracking = pam.track(slide, proportional, **WORDS)
     assert pam.load(pam.save(tracking, tmp_path / "t.npz")).as_dict() == tracking.as_dict()

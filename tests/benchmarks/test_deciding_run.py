@@ -17,6 +17,8 @@ from rig.named import EFFECTS
 from rig.played import PlayedSchedule
 from rig.schedule import Phase, Schedule
 
+pytestmark = pytest.mark.full  # of the measuring, not of the product
+
 
 def test_a_table_is_played_as_phases_are() -> None:
     phases = Schedule.of([Phase(0.5, u_in=0.3), Phase(0.3), Phase(0.7, u_out=0.25)])

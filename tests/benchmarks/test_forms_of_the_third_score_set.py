@@ -26,6 +26,8 @@ from rig.muscle import MuscleParameters
 from rig.schedule import Phase, SampledSchedule, Schedule
 from rig.states import REST, held, now_at
 
+pytestmark = pytest.mark.full  # of the measuring, not of the product
+
 MUSCLE = MuscleParameters()
 BRAID = (MUSCLE.length, MUSCLE.fibre_squared)
 STEP = Schedule.of([Phase(1.0), Phase(9.0, u_in=0.3)])

@@ -29,6 +29,8 @@ from rig.catalogue.valve_dynamics import ValveLag
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.schedule import SampledSchedule
 
+pytestmark = pytest.mark.full  # of the measuring, not of the product
+
 CASES = 300
 
 

@@ -36,6 +36,8 @@ from rig.schedule import SampledSchedule
 from rig.seen.leak import PulledCrimp
 from tests.library.shelf import effects, tree
 
+pytestmark = pytest.mark.full  # of the measuring, not of the product
+
 COUNT = 400
 
 

@@ -24,6 +24,8 @@ from rig.effect import Effect
 from rig.muscle import MuscleParameters
 from tests.tiers import quick
 
+pytestmark = pytest.mark.full  # of the measuring, not of the product
+
 WHICH, COUNT = "score3", 400
 LINES = apart.module("lines")
 CHECKS = apart.module("checks")

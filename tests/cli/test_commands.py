@@ -161,6 +161,7 @@ def test_compare_params_against_json_report(command: Command, place: Path, data:
     assert 'src="http' not in page and 'href="http' not in page
 
 
+@pytest.mark.full
 def test_compare_with_another_model(
     command: Command, place: Path, data: Path, bench: Callable[[str], Path]
 ) -> None:

@@ -102,6 +102,7 @@ def test_the_judgement_is_repeated_from_what_is_inside(
     assert "p 8.41 kPa" in str(pam.evidence(place / "thing.fmu"))
 
 
+@pytest.mark.full
 def test_other_recordings_are_noticed(judged: Path, command: Command, place: Path) -> None:
     """A judgement that says it is repeated whatever is inside would be none."""
 

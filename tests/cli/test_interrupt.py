@@ -131,7 +131,7 @@ MOMENTS = {
 }
 
 
-@pytest.mark.parametrize("moment", quick(MOMENTS, "simulate", "diagnose"))
+@pytest.mark.parametrize("moment", quick(MOMENTS, "simulate"))
 def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     shutil.copytree(measured, place, dirs_exist_ok=True)
     words, event, later = MOMENTS[moment]

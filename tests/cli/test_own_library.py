@@ -76,6 +76,7 @@ def test_hidden_effect_is_named(
     assert holdout(best) < 0.1 * holdout(diagnosis["base"]) and holdout(best) < 1.3
 
 
+@pytest.mark.full
 def test_nothing_is_found_where_nothing_is_hidden(
     command: Callable[..., Outcome], place: Path
 ) -> None:

@@ -68,6 +68,7 @@ def test_the_written_class_starts_from_the_refitted_values(tmp_path: Path) -> No
     assert f"= {fitted['c_1']:.6g} " in after.modelica_source and after.formula != term.formula
 
 
+@pytest.mark.full
 def test_ripple_is_found_with_its_size_and_length() -> None:
     term = _learned("ripple")
     (addend,) = term.terms

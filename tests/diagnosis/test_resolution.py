@@ -143,6 +143,7 @@ def vessel(folder: Path, text: str = EXPERIMENT) -> pam.Check:
     return pam.check(pam.read(folder), workers=0)
 
 
+@pytest.mark.full
 def test_the_deviations_of_a_vessel_are_those_of_its_fit(tmp_path: Path) -> None:
     """The fit is asked at the optimum and the check at the start values, so that they are alike, not equal."""
     told = vessel(tmp_path / "rig").told

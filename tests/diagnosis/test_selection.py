@@ -76,6 +76,7 @@ def test_a_rich_law_that_a_few_steps_do_not_bring_far_is_found() -> None:
     assert one.tried.index(("GeneralLeak",)) < min(pairs, default=len(one.tried))
 
 
+@pytest.mark.full
 def test_few_models_are_fitted_where_nothing_explains_what_is_missing() -> None:
     strange = world({}, strange=5.0)
     select_effects(strange, strange.fitted(()))
@@ -140,6 +141,7 @@ def test_what_stands_for_a_family_is_looked_at_first_where_time_is_short() -> No
     assert {p.effect for p in short.probes} == {p.effect for p in every.probes}
 
 
+@pytest.mark.full
 def test_the_same_answer_twice() -> None:
     a, b = (world({"LinearBladder": 5.0, "ThermocoupleLag": 3.0}) for _ in range(2))
     first, second = (select_effects(w, w.fitted(())) for w in (a, b))

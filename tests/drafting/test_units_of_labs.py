@@ -101,6 +101,7 @@ def test_what_no_formula_can_hold_is_scaled_and_turned(tmp_path: Path, head: str
     np.testing.assert_allclose(x - x.mean(), CONTRACTION - CONTRACTION.mean(), atol=1e-6)
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("first", "factor", "unit"),
     [(0.0, 1e3, "ms"), (0.0, 1e6, "us"), (1.7e9, 1e3, "ms"), (1.7e9, 1e6, "us"), (0.0, 1e9, "ns")],

@@ -110,6 +110,7 @@ def _scaled(problem: Problem) -> Problem:
     return rows, whole, low[kept] * size[kept], high[kept] * size[kept]
 
 
+@pytest.mark.full
 @settings(max_examples=300, deadline=None)
 @given(problems())
 def test_a_quadratic_form_comes_to_what_its_rows_come_to(problem: Problem) -> None:

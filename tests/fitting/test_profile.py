@@ -14,6 +14,7 @@ from tests.fitting.models import vessel_data
 from tests.fitting.test_swarm import confounded
 
 
+@pytest.mark.full
 def test_profile_of_a_well_determined_fit_ends_where_its_interval_does(tmp_path: Path) -> None:
     data = vessel_data()
     fit = pam.fit(data)

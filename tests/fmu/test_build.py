@@ -51,6 +51,7 @@ def test_interface_reads_back_exactly(make) -> None:  # type: ignore[no-untyped-
     )
 
 
+@pytest.mark.full
 def test_same_model_same_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     first = models.fmu(models.lag).read_bytes()
     assert build_fmu(models.lag(), tmp_path / "again.fmu").read_bytes() == first

@@ -204,6 +204,7 @@ def test_source_of_a_hostile_model_holds_no_text_of_it(place: Path) -> None:
     assert "??" not in source and "system" not in outside and "int x" not in outside
 
 
+@pytest.mark.full
 def test_files_of_a_folder_keep_to_the_folder(place: Path) -> None:
     """The command builds it under a name of its own; what a class calls itself is no path."""
     file = place / "Lib.mo"

@@ -24,6 +24,7 @@ def two(seed: int, offset: float) -> tuple[tuple, tuple]:
     return (t, y), (s - offset, z)
 
 
+@pytest.mark.full
 def test_the_offset_is_met_within_its_spread():
     errors, spreads = [], []
     for seed in range(30):

@@ -152,6 +152,7 @@ def test_a_search_takes_means_of_very_many_rows(tmp_path):
     assert condensed(means)[0] is means
 
 
+@pytest.mark.full
 def test_a_search_keeps_every_row_of_pulses_and_of_few_rows(tmp_path):
     pulses = (np.arange(120_000) % 4 < 1) * 0.35
     data = long_data(tmp_path, pulses)

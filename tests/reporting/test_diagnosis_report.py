@@ -48,6 +48,7 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
     assert "do not trust them as physical values" in texts["unknown"]
 
 
+@pytest.mark.full
 @pytest.mark.usefixtures("without_pictures")
 def test_a_fault_of_an_instrument_is_not_called_physics():
     diagnosis = make_diagnosis("identified")
@@ -147,6 +148,7 @@ def test_where_the_error_sits_is_a_table_too():
     assert "x filling, 40 kPa < p < 120 kPa 71 % 22 %" in text
 
 
+@pytest.mark.full
 def test_the_next_experiment_and_the_missing_term_are_told():
     text = checked(report("ambiguous")).text
     assert (
@@ -167,6 +169,7 @@ def test_titles_and_names_cannot_carry_markup():
     assert title in checked(html).text
 
 
+@pytest.mark.full
 def test_the_final_model_can_be_read():
     html = report("identified")
     page = checked(html)
@@ -266,6 +269,7 @@ def test_a_family_whose_form_is_open_is_said_to_be_so() -> None:
     assert "in a form that is open" in text
 
 
+@pytest.mark.full
 @pytest.mark.usefixtures("without_pictures")
 def test_families_that_were_not_looked_for_are_named():
     known = {

@@ -95,6 +95,7 @@ def test_outputs_cost_no_steps() -> None:
     assert few[1] == pytest.approx(many[1], abs=1e-13)
 
 
+@pytest.mark.full
 def test_dense_output_is_as_good_as_the_steps() -> None:
     exact = _van_der_pol_reference(1000.0, 0.7, 1401)[0]
     with Simulator(models.fmu(models.van_der_pol)) as simulator:

@@ -130,6 +130,7 @@ def test_time_limit() -> None:
         assert simulator.run([0.0, 1.0])["y"].size == 2
 
 
+@pytest.mark.full
 def test_thousands_of_runs_in_one_process() -> None:
     """Neither memory nor open files grow, over runs and over instances."""
 

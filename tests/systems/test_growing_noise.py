@@ -48,6 +48,7 @@ def data(tmp_path: Path) -> Callable[[str], DataSet]:
     return lambda statement: pam.read(_folder(tmp_path / "data", statement))
 
 
+@pytest.mark.full
 def test_each_sample_counts_by_its_own_noise(data: Callable[[str], DataSet]) -> None:
     growing = data(f"sigma_of_reading = {GROWTH}\n")
     signal = growing.signals["p"]
@@ -62,6 +63,7 @@ def test_each_sample_counts_by_its_own_noise(data: Callable[[str], DataSet]) -> 
     assert fitted.comparison.chi2_reduced("holdout") == pytest.approx(1.0, abs=0.06)
 
 
+@pytest.mark.full
 def test_without_the_statement_the_scatter_is_left(data: Callable[[str], DataSet]) -> None:
     assert pam.fit(data("")).comparison.scores["fit"]["p"].chi2_reduced > 10.0
 
@@ -86,6 +88,7 @@ def test_slopes_are_those_of_the_residuals(data: Callable[[str], DataSet]) -> No
             )
 
 
+@pytest.mark.full
 def test_the_statement_is_kept_when_a_data_set_is_written(
     data: Callable[[str], DataSet], tmp_path: Path
 ) -> None:
@@ -118,6 +121,7 @@ def test_weights_of_single_readings() -> None:
     np.testing.assert_allclose(slope(np.array([3.0, 10.0]), signal, reading), [1 / 3, 1 / 5])
 
 
+@pytest.mark.full
 @pytest.mark.parametrize(
     ("statement", "problem"),
     [

@@ -52,6 +52,7 @@ def faulty(folder: Path, *faults: Fault) -> DataSet:
     return study.read(write_light_data(folder / "data", seed=1, faults=faults))
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("fault", EACH)
 def test_a_fault_is_measured(tmp_path: Path, fault: Fault) -> None:
     effect, name, (low, high), true = FAULTS[fault]

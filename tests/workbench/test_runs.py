@@ -71,6 +71,7 @@ def test_a_cut_run_begins_at_its_new_first_sample(window: Window, recorded: Path
     np.testing.assert_allclose(residual, whole[before:] - model[before:], atol=1e-3)
 
 
+@pytest.mark.full
 def test_cuts_and_starts_are_steps_that_can_be_taken_back(window: Window) -> None:
     before, stood = chi2(window), window.session.state
     window.do(do="cut", run="run-01", begin=LATE, end=3.0)

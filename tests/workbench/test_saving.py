@@ -50,6 +50,7 @@ def work_a_little(window: Window) -> None:
     window.do(do="set", values={name: low + 0.01 * (high - low), "muscle.mu_fb": 0.0213})
 
 
+@pytest.mark.full
 def test_what_was_saved_comes_back_with_the_same_numbers(window: Window, folder: Path) -> None:
     work_a_little(window)
     assert not window.last("steps")["saved"]

@@ -180,6 +180,7 @@ def test_two_windows_see_the_same_move(client: TestClient) -> None:
         assert until(one, "answer")["id"] == 1
 
 
+@pytest.mark.full
 def test_downloads(client: TestClient) -> None:
     script = client.get("/download/script.py")
     assert script.status_code == 200 and "import pam_cosim as pam" in script.text

@@ -99,6 +99,7 @@ def test_two_searches_with_one_seed_are_one(diagnosis: Diagnosis, plan: RunPlan)
     assert again.as_dict() == plan.as_dict()
 
 
+@pytest.mark.full
 def test_a_second_run_adds_to_the_first(diagnosis: Diagnosis) -> None:
     plan = study.plan(diagnosis, seconds="2 s", runs=2)
     assert plan.chi2 == pytest.approx(sum(run.chi2 for run in plan.runs))
@@ -131,6 +132,7 @@ def test_a_verdict_without_rivals_leaves_nothing_to_decide(diagnosis: Diagnosis)
         study.plan(replace(diagnosis, rivals=diagnosis.rivals[:1]))
 
 
+@pytest.mark.full
 def test_an_identified_effect_is_tested_against_what_came_near(diagnosis: Diagnosis) -> None:
     """What contains the verdict's family can say all that its law says: it is no challenger."""
     spring, creep = diagnosis.candidates
