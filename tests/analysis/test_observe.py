@@ -81,6 +81,7 @@ def test_settles_where_riccati_says(lag: str) -> None:
     assert observation.deviations["x"][0] == pytest.approx(1 / np.hypot(1, 1 / noise), rel=1e-6)
 
 
+@pytest.mark.full
 def test_an_input_that_nobody_measures(lag: str) -> None:
     """A constant one is found, and its uncertainty falls as that of a mean of samples does."""
     time = np.arange(0, 20, 0.05)

@@ -21,6 +21,7 @@ def test_six_parameters_come_back(tmp_path: Path) -> None:
         assert outcome.parameters[name] == pytest.approx(true, rel=0.03), name
 
 
+@pytest.mark.full
 def test_inputs_are_those_of_the_run(tmp_path: Path) -> None:
     """Held between the samples: a step is two rows at one time."""
     run = pam.read(write_data(tmp_path / "data")).fit_runs[0]

@@ -13,6 +13,7 @@ from tests.cli.conftest import Outcome
 Command = Callable[..., Outcome]
 
 
+@pytest.mark.full
 def test_files(command: Command, place: Path) -> None:
     done = command("bode", "LumpedLinear", "--by", "p_in", "--of", "F", "--amplitude", "0.5 bar", "--frequencies",
                    "0.1:20:5", "--json", "b.json", "-o", "b.csv", "--plot", "b.png")  # fmt: skip

@@ -45,6 +45,7 @@ def test_from_files_to_a_comparison(command: Command, place: Path) -> None:
     assert "steps of a regulator" in compared.out and "holdout" in compared.out
 
 
+@pytest.mark.full
 def test_page(command: Command, place: Path, capsys: pytest.CaptureFixture[str]) -> None:
     """The commands and the script of ``docs/new-data-set.md`` run as they stand, and its example is what is written."""
     page = (ROOT / "docs" / "new-data-set.md").read_text()

@@ -73,6 +73,7 @@ def test_records_what_is_asked_for() -> None:
     assert rig.trajectory["valve.inlet.m_flow"][0] > 0
 
 
+@pytest.mark.full
 def test_state_goes_back_and_forth(foreign: str) -> None:
     with pam.start(foreign, {"load.m": "5 kg"}) as rig:
         rig.step(0.3, u_in=0.35)

@@ -147,6 +147,7 @@ def test_fmpy_reads_the_same_and_its_master_comes_to_the_same(tmp_path: Path) ->
     assert [(p.name, p.type, p.value) for p in bound] == [("x_start", "Real", "2.0")]
 
 
+@pytest.mark.full
 def test_fmpy_couples_to_the_same(tmp_path: Path) -> None:
     """FMPy's master is Jacobi's with outputs that are held; an input of the system arrives a step late."""
     wires = '<ssd:Connection startConnector="u" endElement="a" endConnector="u"/>' + WIRE.replace(

@@ -40,6 +40,7 @@ def rival(effect: str, family: str, data: DataSet, **values: float) -> Candidate
     )
 
 
+@pytest.mark.full
 def test_creep_without_end_is_a_spring(data: DataSet) -> None:
     spring = rival("LinearBladder", "elasticity", data, k=250.0)
     slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)

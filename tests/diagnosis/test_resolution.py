@@ -155,6 +155,7 @@ def test_the_deviations_of_a_vessel_are_those_of_its_fit(tmp_path: Path) -> None
         assert 0.5 < known.deviation / deviation < 2.0
 
 
+@pytest.mark.full
 def test_measuring_the_temperature_of_a_vessel_helps(tmp_path: Path) -> None:
     """Pressure alone says little of heat, and nothing of what reads a temperature."""
     check = vessel(tmp_path / "rig")

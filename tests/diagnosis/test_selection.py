@@ -12,6 +12,7 @@ import pytest
 from pam_cosim.comparison import Reproducibility
 from pam_cosim.diagnosis.search.selection import _Models, select_effects
 from tests.diagnosis.linear_world import KNOWN, SHELF, LinearWorld, world
+from tests.tiers import quick
 
 
 def families(searched: LinearWorld) -> set[str]:
@@ -27,7 +28,12 @@ def test_nothing_is_tried_where_nothing_is_missing() -> None:
 
 
 @pytest.mark.parametrize(
-    "effect", ["LinearBladder", "OrificeLeak", "ThermocoupleLag", "GeneralWall"]
+    "effect",
+    quick(
+        ["LinearBladder", "OrificeLeak", "ThermocoupleLag", "GeneralWall"],
+        "OrificeLeak",
+        "ThermocoupleLag",
+    ),
 )
 @pytest.mark.parametrize("strength", [1.5, 30.0])
 def test_one_effect_weak_and_strong(effect: str, strength: float) -> None:
@@ -63,6 +69,7 @@ def test_a_third_effect_is_found_that_acts_in_another_way_beside_the_base_model(
         assert some[1] + members[1] < every / 2
 
 
+@pytest.mark.full
 def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
     assert families(world({"LinearBladder": 5.0, "YoungBladder": 2.0})) >= {"elasticity"}
 
@@ -197,6 +204,7 @@ def test_models_of_an_earlier_search_are_tried() -> None:
     }
 
 
+@pytest.mark.full
 def test_every_form_is_tried_in_the_place_of_each_of_several_effects_that_leave_structure() -> None:
     several = world({"LinearBladder": 30.0, "ThermocoupleLag": 20.0}, strange=2.0)
     selection = select_effects(several, several.fitted(()))
@@ -254,6 +262,7 @@ def test_what_does_the_likest_to_the_samples_is_tried_in_the_place_of_an_effect(
     assert not any(frozenset({"HangingMass", name}) in asked for name in leaks)
 
 
+@pytest.mark.full
 def test_a_general_member_that_leaves_noise_is_held_against_those_of_other_families() -> None:
     one = world({"GeneralLeak": 30.0})
     (only,) = select_effects(one, one.fitted(())).path

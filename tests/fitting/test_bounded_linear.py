@@ -65,6 +65,7 @@ def test_it_is_within_bounds_and_as_low_as_scipys(problem: Problem) -> None:
         )
 
 
+@pytest.mark.full
 @settings(max_examples=200, deadline=None)
 @given(problems(), st.integers(0, 2**32 - 1))
 def test_no_other_point_of_the_box_is_lower(problem: Problem, seed: int) -> None:

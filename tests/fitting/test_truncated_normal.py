@@ -9,6 +9,7 @@ from scipy.stats import kstest, truncnorm
 from pam_cosim.fitting.truncated_normal import truncated_normal
 
 
+@pytest.mark.full
 def test_one_dimension_is_the_truncated_normal() -> None:
     """Also where the mean lies beyond a bound, as with a parameter that ends there."""
     for mean in (0.3, -2.0, 5.0):

@@ -12,23 +12,33 @@ from pam_cosim.files import read_file
 from tests.hostile.corpora.data_sets import REFUSED, TAKEN
 from tests.hostile.judged import judged
 from tests.hostile.reading import make
+from tests.tiers import quick
 
 ONE = 10.0  # s of processor time
 MEMORY = 1000.0  # MB
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="limits of memory")
 
 
+LONG = (
+    "an unknown key of 2000 lines",
+    "a header of 100000 columns",
+    "10000 runs",
+)  # a second and more each
+
+
 @pytest.fixture(scope="module")
-def outcomes(tmp_path_factory: pytest.TempPathFactory) -> dict[str, dict[str, Any]]:
+def outcomes(
+    tmp_path_factory: pytest.TempPathFactory, request: pytest.FixtureRequest
+) -> dict[str, dict[str, Any]]:
     """What comparing came to, in one process with limits."""
-    folder = tmp_path_factory.mktemp("data")
-    for number, changes in enumerate((*REFUSED.values(), *TAKEN.values())):
-        make(folder / f"set-{number:03}", changes)
-    told = judged("reading", folder, "compare")
-    return dict(zip((*REFUSED, *TAKEN), told, strict=True))
+    folder, every = tmp_path_factory.mktemp("data"), REFUSED | TAKEN
+    names = [name for name in every if name not in LONG or request.config.getoption("--full")]
+    for number, name in enumerate(names):
+        make(folder / f"set-{number:03}", every[name])
+    return dict(zip(names, judged("reading", folder, "compare"), strict=True))
 
 
-@pytest.mark.parametrize("name", REFUSED)
+@pytest.mark.parametrize("name", quick(REFUSED, *(n for n in REFUSED if n not in LONG)))
 def test_what_cannot_be_used_is_said_in_a_sentence(
     outcomes: dict[str, dict[str, Any]], name: str
 ) -> None:

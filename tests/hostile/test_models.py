@@ -12,6 +12,7 @@ from pam_cosim.compiler import elementwise
 from pam_cosim.errors import ModelError
 from tests.hostile.corpora.models import REFUSED, TAKEN, model
 from tests.hostile.judged import judged
+from tests.tiers import quick
 
 ONE = 30.0  # s of processor time
 MEMORY = 1000.0  # MB
@@ -22,7 +23,12 @@ LONG = (
     "nested sums",
     "loops in loops",
     "2^40 empty instances",
-)  # seconds each
+    "2^40 instances",
+    "2^18 instances",
+    "arrays of arrays",
+    "elseif 3000",
+    "too many unknowns",
+)  # a second and more each
 
 
 @pytest.fixture(scope="module")
@@ -37,9 +43,7 @@ def outcomes(
     return dict(zip(names, judged("compiling", folder), strict=True))
 
 
-@pytest.mark.parametrize(
-    "name", [pytest.param(n, marks=[pytest.mark.full] * (n in LONG)) for n in REFUSED]
-)
+@pytest.mark.parametrize("name", quick(REFUSED, *(n for n in REFUSED if n not in LONG)))
 def test_what_asks_for_too_much_is_refused_with_its_place(
     outcomes: dict[str, dict[str, Any]], name: str
 ) -> None:
@@ -59,7 +63,7 @@ def test_few_of_them_can_be_compiled_after_all(outcomes: dict[str, dict[str, Any
     assert compiled <= {"annotation 5000 deep", "String of an array", "redeclared by itself"}
 
 
-@pytest.mark.parametrize("name", TAKEN)
+@pytest.mark.parametrize("name", quick(TAKEN, *(n for n in TAKEN if n not in LONG)))
 def test_what_is_large_and_can_be_taken_is(outcomes: dict[str, dict[str, Any]], name: str) -> None:
     assert outcomes[name]["end"] == "compiled" and outcomes[name]["seconds"] < ONE, outcomes[name]
 

@@ -62,6 +62,7 @@ def place(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     return tmp_path
 
 
+@pytest.mark.full
 @pytest.mark.parametrize("what", COMMANDS)
 def test_places_that_hold_no_file(
     place: Path, capfd: pytest.CaptureFixture[str], what: str
@@ -78,7 +79,7 @@ def test_places_that_hold_no_file(
         assert sorted(place.rglob("*")) == before, name
 
 
-@pytest.mark.parametrize("name", quick(NAMES, *NAMES[:2]))
+@pytest.mark.parametrize("name", quick(NAMES, NAMES[0]))
 def test_names_are_names(place: Path, capfd: pytest.CaptureFixture[str], name: str) -> None:
     """Nothing in them is run, looked up or set in colours; runs and files are told by them as they are."""
     assert main([*RUN, f"-o{name}.csv"]) == 0

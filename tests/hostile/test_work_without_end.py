@@ -46,6 +46,7 @@ def test_a_run_says_how_far_it_came_and_what_to_do(
     assert [p.name for p in tmp_path.iterdir()] == ["Chatter.mo"]
 
 
+@pytest.mark.full
 def test_a_sweep_goes_on(model: str, capfd: pytest.CaptureFixture[str]) -> None:
     assert main(["sweep", model, "--vary", "k=1,1e7,2", *LONG, "-o", "x.csv"]) == 0
     out, err = capfd.readouterr()

@@ -120,6 +120,7 @@ def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
     return place
 
 
+@pytest.mark.full
 def test_pictures_are_drawn() -> None:
     figure = gallery(PICTURES, FAMILIES, columns=4)
     assert len(figure.axes) == 22 and all(axes.patches for axes in figure.axes)

@@ -136,6 +136,7 @@ def test_what_is_no_map_is_one_error(tmp_path: Path, columns: str, run: str, mes
     assert caught.value.file is not None and caught.value.line
 
 
+@pytest.mark.full
 def test_a_model_that_is_asked_for_gets_the_maps_of_the_data(tmp_path: Path) -> None:
     columns = '[columns]\nu_in = { column = "u", gain = "45 mA/V", offset = "20 mA", fit = "gain" }'
     folder = recorded_in_volts(tmp_path / "data", columns)

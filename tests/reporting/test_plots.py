@@ -22,6 +22,7 @@ from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, new_figure
 from pam_cosim.simulation import Trajectory
 from tests.reporting.synthetic import SIGNALS, make_comparison, make_data, make_diagnosis
+from tests.tiers import quick
 
 
 def size(path):
@@ -73,13 +74,14 @@ def test_the_most_telling_course_is_a_holdout_run_where_there_is_one():
     assert run.run.role == "fit"
 
 
-@pytest.mark.parametrize("kind", ["identified", "none_missing"])
+@pytest.mark.parametrize("kind", quick(["identified", "none_missing"], "identified"))
 @pytest.mark.parametrize("samples", [15, 1000])
 def test_the_ladder_figure_is_a_png_of_1350_pixels(tmp_path, kind, samples):
     error_ladder_figure(make_diagnosis(kind, make_data(samples=samples)), tmp_path / "ladder.png")
     assert size(tmp_path / "ladder.png")[0] == 1350
 
 
+@pytest.mark.full
 def test_a_comparison_as_png(tmp_path):
     data = make_data()
     plot_comparison(make_comparison(data, 3.0), tmp_path / "c.png", [make_comparison(data, 0.0)])

@@ -49,6 +49,7 @@ def _errors(end: float, count: int, tolerances: Array) -> Array:
         )
 
 
+@pytest.mark.full
 def test_stiff_branch_meets_the_tolerance() -> None:
     tolerances = 10.0 ** -np.arange(4.0, 10.0)
     assert np.all(_errors(0.7, 71, tolerances) < tolerances)

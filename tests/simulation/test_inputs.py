@@ -51,6 +51,7 @@ def test_single_sample() -> None:
         assert course.at(np.array([0.0, 9.0]))[0].tolist() == [3.0, 3.0]
 
 
+@pytest.mark.full
 @settings(max_examples=200, deadline=None)
 @given(
     st.lists(st.integers(0, 20), min_size=1, max_size=30).map(sorted),

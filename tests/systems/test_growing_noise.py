@@ -68,6 +68,7 @@ def test_without_the_statement_the_scatter_is_left(data: Callable[[str], DataSet
     assert pam.fit(data("")).comparison.scores["fit"]["p"].chi2_reduced > 10.0
 
 
+@pytest.mark.full
 def test_slopes_are_those_of_the_residuals(data: Callable[[str], DataSet]) -> None:
     growing = data('sigma_of_reading = "2 %"\n')
     with Simulator(

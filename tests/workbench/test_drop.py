@@ -66,6 +66,7 @@ def test_what_is_wrong_is_shown_at_its_cell(window: Window, recorded: Path) -> N
     assert not window.session.folder.exists()
 
 
+@pytest.mark.full
 def test_it_ends_as_a_data_set_as_if_written_by_hand(window: Window, recorded: Path) -> None:
     for name in ("run-01", "run-02"):
         put(window, f"{name}.csv", (recorded / f"{name}.csv").read_bytes())

@@ -74,6 +74,7 @@ def test_what_was_saved_comes_back_with_the_same_numbers(window: Window, folder:
         assert fresh.last("study")["with_effects"] == "with LinearBladder"
 
 
+@pytest.mark.full
 def test_every_step_of_a_session_can_be_saved_and_loaded(window: Window, folder: Path) -> None:
     """What a step holds here is what the check of a saved study knows of it."""
     work_a_little(window)

@@ -59,6 +59,7 @@ def test_it_separates_the_rivals_better_than_chance(plan: RunPlan) -> None:
     assert min(run.table["u_in"]) >= 0.0 and max(run.table["u_in"]) <= 0.35
 
 
+@pytest.mark.full
 def test_laws_that_fit_as_well_stand_for_their_family(diagnosis: Diagnosis) -> None:
     """A second spring that fits as well is separated from the creep too, and from the first spring not at all."""
     spring, creep = diagnosis.candidates
@@ -106,6 +107,7 @@ def test_a_second_run_adds_to_the_first(diagnosis: Diagnosis) -> None:
     assert plan.chi2 > 1.5 * plan.runs[0].chi2
 
 
+@pytest.mark.full
 def test_predicted_signals_keep_their_limits(diagnosis: Diagnosis) -> None:
     plan = study.plan(diagnosis, limits={"p": ("0 kPa", "120 kPa")}, seconds="3 s")
     for signals in plan.runs[0].predicted.values():
