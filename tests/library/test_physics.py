@@ -115,7 +115,6 @@ def test_energy_of_a_muscle_balances(text: str, tmp_path: Path) -> None:
     )
 
 
-@pytest.mark.full
 def test_a_hose_that_widens_keeps_mass_and_energy(tmp_path: Path) -> None:
     """The work p dV = V e p dp is stored in the hose: V e p^2/2 [J]."""
     composition = on_bench("GeneralLine", BENCH)

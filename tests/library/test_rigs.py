@@ -255,7 +255,6 @@ def swing(
     return position
 
 
-@pytest.mark.full
 def test_a_spring_swings_as_newton_has_it() -> None:
     times, p, x_0 = np.linspace(0, 1, 201), 150e3, -5.0 / 2e5
     made = run(
