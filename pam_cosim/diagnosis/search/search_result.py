@@ -1,8 +1,8 @@
 """What a search comes to that is given the fitted runs; where held-out runs contradict it, what all runs come to.
 
-Fitted runs may leave the choice between effects to chance that held-out runs tell apart: the model that was chosen
-leaves noise in the first and structure in the others. Then the effects are searched for anew with all runs fitted. The
-answer has taken every run there is, so that nothing checks it any more, and it says so.
+Fitted runs may leave the choice between effects to chance that held-out runs tell apart: the model that was chosen, or
+the base model already, leaves noise in the first and structure in the others. Then the effects are searched for anew
+with all runs fitted. The answer has taken every run there is, so that nothing checks it any more, and it says so.
 """
 
 from __future__ import annotations
@@ -108,7 +108,7 @@ def search_fit_runs(
 def search_all_runs(
     subject: Subject, fit_runs_result: SearchResult, deadline: float
 ) -> SearchResult | None:
-    """What all runs come to, where held-out runs contradict what the fitted ones did.
+    """What all runs come to, where held-out runs contradict what the fitted ones did, or the base model alone.
 
     None where they do not, where all runs together leave structure too, and where the time is over.
 
@@ -116,7 +116,11 @@ def search_all_runs(
         subject, deadline: as ``search_fit_runs``.
         fit_runs_result: what the fitted runs came to.
     """
-    if not contradicted_by_holdout(fit_runs_result.last) or time.monotonic() >= deadline:
+    # fitted runs in which the base model leaves noise cannot tell what is missing in the others
+    unseen = contradicted_by_holdout(fit_runs_result.base)
+    if not (unseen or contradicted_by_holdout(fit_runs_result.last)):
+        return None
+    if time.monotonic() >= deadline:
         return None
     fit_runs_result.search.say(AllRunsSearched().message)
     roles: list[Role] = ["fit"] * len(fit_runs_result.search.data.runs)

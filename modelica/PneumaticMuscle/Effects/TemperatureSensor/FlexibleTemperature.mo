@@ -5,7 +5,7 @@ model FlexibleTemperature "The temperature reading has errors of zero, span and 
   parameter Real offset(unit="K", min=-20, max=20, nominal=1) = 1 "What the reading has too much"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2.5, 2.5}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.05 "Factor on the reading"
-    annotation (Dialog(group="Effect"), __PamCosim(typical={0.5, 1.05}));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01 "Half of what 20 K adds to the slope"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
 protected
@@ -16,8 +16,7 @@ equation
   annotation (Documentation(info="<html>
 <p>y = T_atm + offset + gain d + bend d^2/(20 K), d = (u - T_atm). Source: zero, span and linearity error, the three
 lines of a transducer's data sheet (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">IEC 61298</a>-2);
-typical 0.5 to 2.5 K, 0.4 to 5 %, 0.1 to 1 % over 40 K; the gain down to 0.5, see
-<a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.TemperatureGain\">TemperatureGain</a>.</p>
+typical 0.5 to 2.5 K, 0.4 to 5 %, 0.1 to 1 % over 40 K.</p>
 <p>Fingerprint: the temperature is off by a smooth curve of itself, at rest too; pressure and contraction are right.</p>
 </html>"));
 end FlexibleTemperature;

@@ -5,7 +5,7 @@ model GeneralTemperature "The temperature reading is any smooth function of the 
   parameter Real offset(unit="K", min=-20, max=20, nominal=1) = 1 "What the reading has too much"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2.5, 2.5}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.05 "Factor on the reading"
-    annotation (Dialog(group="Effect"), __PamCosim(typical={0.5, 1.05}));
+    annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
   parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.03) = 0.01 "Coefficient of the second power, per 20 K"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
   parameter Real c(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0 "Coefficient of the third power, per 20 K squared"

@@ -38,8 +38,7 @@ radiation and stem conduction as a conductance to what stays at ambient temperat
 another power of the flow (0.6), that the pressure multiplies, or that only filling blows at, are met within 3 % of what
 they change in the reading. Typical tau as for
 <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleLag\">ThermocoupleLag</a>, b 0 to 5, loss 0 to
-0.1; to 1 with short wires, see
-<a href=\"modelica://PneumaticMuscle.Effects.TemperatureSensor.TemperatureGain\">TemperatureGain</a>.</p>
+0.1.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleLag\">ThermocoupleLag</a>,
 later in holds than while gas flows, and later in venting than in filling; with losses the reading stops short of the
 gas temperature.</p>
