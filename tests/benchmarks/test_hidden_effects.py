@@ -42,7 +42,6 @@ def _digest(folder: Path) -> dict[str, str]:
     return {p.name: hashlib.sha256(p.read_bytes()).hexdigest() for p in sorted(folder.iterdir())}
 
 
-@pytest.mark.full
 def test_same_case_gives_the_same_bytes(tmp_path):
     made = [make(case_of("tuning", _number("new_form"))) for _ in range(2)]
     for k, one in enumerate(made):
@@ -132,7 +131,6 @@ def test_nothing_hidden_leaves_the_noise_alone():
             assert noise == pytest.approx(sensors.sigma[name], rel=0.15)
 
 
-@pytest.mark.full
 def test_the_data_do_not_say_what_is_hidden(tmp_path):
     made = make(case_of("tuning", 0))
     write(made, tmp_path)
@@ -186,7 +184,6 @@ def test_what_a_free_parameter_does_is_projected_away(ruler):
 FORMS = [*table.FORMS, *table.STRANGE]
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("form", FORMS, ids=lambda f: f"{f.family}-{f.name}")
 def test_every_form_changes_what_is_measured_and_vanishes_with_its_strength(form):
     muscle = MuscleParameters(load=3.0)

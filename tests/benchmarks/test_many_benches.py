@@ -123,7 +123,6 @@ def test_what_can_be_hidden_follows_from_the_hooks_of_an_effect() -> None:
     assert not BENCHES["SwitchedMuscle"].takes(Quantisation("T"), ["p"])
 
 
-@pytest.mark.full
 def test_the_library_has_a_member_for_what_is_hidden_on_a_bench() -> None:
     asked = {(c.design.rig.model, f.family) for c in first() for f in c.hidden if f not in FAULTS}
     for model, family in sorted(asked):
@@ -139,12 +138,7 @@ def _small(bench: str, which: str = "tuning2") -> many.Case:
     return replace(null, design=replace(design, rate=min(design.rate, 200.0), runs=3))
 
 
-_SLOW = ("Isotonic", "Isometric", "VerticalLoad", "Antagonistic", "SwitchedMuscle")
-
-
-@pytest.mark.parametrize(
-    "bench", [pytest.param(b, marks=pytest.mark.full) if b in _SLOW else b for b in BENCHES]
-)
+@pytest.mark.parametrize("bench", BENCHES)
 def test_a_data_set_is_read_and_the_truth_leaves_its_noise(bench: str, tmp_path: Path) -> None:
     made = many.make(_small(bench))
     many.write(made, tmp_path)
@@ -180,7 +174,6 @@ def test_quantised_readings_are_whole_steps_and_a_late_clock_shifts_all() -> Non
     assert np.ptp(written[0]["T"]) > 1.0 and len(set(written[0]["T"].tolist())) > 50
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("bench", ["Isotonic", "SwitchedMuscle"])
 def test_a_controller_follows_its_reference_and_its_currents_are_what_is_told(bench: str) -> None:
     for seed in range(40):
@@ -287,9 +280,7 @@ def test_brier_score_and_classes_of_stated_probabilities() -> None:
     assert stated_probability(either) == (0.8, True)
 
 
-@pytest.mark.parametrize(
-    "probability", [{}, pytest.param({"probability": 0.97}, marks=pytest.mark.full)]
-)
+@pytest.mark.parametrize("probability", [{}, {"probability": 0.97}])
 def test_report_of_many_benches(tmp_path: Path, probability: dict[str, float]) -> None:
     lines = [
         result(

@@ -22,7 +22,6 @@ from blind_cases.setups import SIGNALS, Design, draw
 from blind_cases.sizes import Ruler, calibrated
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
-from tests.tiers import quick
 
 pytestmark = pytest.mark.full  # of the measuring, not of the product
 
@@ -88,7 +87,6 @@ def test_forms_are_new_of_each_family_in_none_and_each_is_checked() -> None:
         assert (form.family, form.name) == (kind.family, kind.form) and not form.catalogue
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("number", range(len(NEW)))
 def test_the_rig_runs_at_the_bounds_of_a_strength(number: int) -> None:
     form = NEW[number]
@@ -109,7 +107,6 @@ def measured() -> tuple[Ruler, MuscleParameters]:
     return Ruler(replace(bench, plan=(*bench.plan[:2], bench.plan[-1]))), bench.muscle
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("number", range(len(NEW)))
 def test_a_visible_size_is_reached(measured: tuple[Ruler, MuscleParameters], number: int) -> None:
     """3 standard deviations, where the strength is bounded by instruments quieter or louder."""
@@ -120,7 +117,6 @@ def test_a_visible_size_is_reached(measured: tuple[Ruler, MuscleParameters], num
     assert _fitting_noise(sensors, size, 3.0)[1] == pytest.approx(3.0, rel=0.5)
 
 
-@pytest.mark.full
 @pytest.mark.parametrize("bench", SIGNALS)
 def test_forms_run_on_each_bench_that_takes_them(bench: str) -> None:
     signals = SIGNALS[bench][0][0]
@@ -157,7 +153,7 @@ def _small(start: str, bench: str = "TankFilling") -> many.Case:
     return replace(case, design=design, start=start)
 
 
-@pytest.mark.parametrize("bench", quick(["TankFilling", "VerticalLoad"], "TankFilling"))
+@pytest.mark.parametrize("bench", ["TankFilling", "VerticalLoad"])
 def test_a_recording_begins_in_motion_with_what_the_whole_run_has(bench: str) -> None:
     case = _small("stated", bench)
     setup = draw(case.rng(1), case.design).driven()

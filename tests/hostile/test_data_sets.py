@@ -12,7 +12,7 @@ from pam_cosim.files import read_file
 from tests.hostile.corpora.data_sets import REFUSED, TAKEN
 from tests.hostile.judged import judged
 from tests.hostile.reading import make
-from tests.tiers import quick
+from tests.tiers import of_this_tier, quick_but
 
 ONE = 10.0  # s of processor time
 MEMORY = 1000.0  # MB
@@ -32,13 +32,13 @@ def outcomes(
 ) -> dict[str, dict[str, Any]]:
     """What comparing came to, in one process with limits."""
     folder, every = tmp_path_factory.mktemp("data"), REFUSED | TAKEN
-    names = [name for name in every if name not in LONG or request.config.getoption("--full")]
+    names = of_this_tier(every, LONG, request.config)
     for number, name in enumerate(names):
         make(folder / f"set-{number:03}", every[name])
     return dict(zip(names, judged("reading", folder, "compare"), strict=True))
 
 
-@pytest.mark.parametrize("name", quick(REFUSED, *(n for n in REFUSED if n not in LONG)))
+@pytest.mark.parametrize("name", quick_but(REFUSED, LONG))
 def test_what_cannot_be_used_is_said_in_a_sentence(
     outcomes: dict[str, dict[str, Any]], name: str
 ) -> None:

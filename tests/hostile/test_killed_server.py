@@ -11,8 +11,6 @@ from pathlib import Path
 
 import pytest
 
-from tests.tiers import quick
-
 SERVER = """
 import pickle, sys, time
 from pam_cosim.workbench.job_process import Worker
@@ -39,7 +37,7 @@ def alive(group: int) -> bool:
 
 @pytest.mark.full
 @pytest.mark.skipif(not hasattr(signal, "SIGSTOP"), reason="processes cannot be held here")
-@pytest.mark.parametrize("way", quick(("held", "resumed", "at work"), "held"))
+@pytest.mark.parametrize("way", ("held", "resumed", "at work"))
 def test_jobs_end_with_the_server(way: str) -> None:
     place = Path(__file__).parents[2]
     with subprocess.Popen(

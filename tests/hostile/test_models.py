@@ -12,7 +12,7 @@ from pam_cosim.compiler import elementwise
 from pam_cosim.errors import ModelError
 from tests.hostile.corpora.models import REFUSED, TAKEN, model
 from tests.hostile.judged import judged
-from tests.tiers import quick
+from tests.tiers import of_this_tier, quick_but
 
 ONE = 30.0  # s of processor time
 MEMORY = 1000.0  # MB
@@ -37,13 +37,13 @@ def outcomes(
 ) -> dict[str, dict[str, Any]]:
     """What compiling came to, in one process with limits."""
     folder, every = tmp_path_factory.mktemp("models"), REFUSED | TAKEN
-    names = [name for name in every if name not in LONG or request.config.getoption("--full")]
+    names = of_this_tier(every, LONG, request.config)
     for number, name in enumerate(names):
         (folder / f"{number:03}.mo").write_text(every[name])
     return dict(zip(names, judged("compiling", folder), strict=True))
 
 
-@pytest.mark.parametrize("name", quick(REFUSED, *(n for n in REFUSED if n not in LONG)))
+@pytest.mark.parametrize("name", quick_but(REFUSED, LONG))
 def test_what_asks_for_too_much_is_refused_with_its_place(
     outcomes: dict[str, dict[str, Any]], name: str
 ) -> None:
@@ -63,7 +63,7 @@ def test_few_of_them_can_be_compiled_after_all(outcomes: dict[str, dict[str, Any
     assert compiled <= {"annotation 5000 deep", "String of an array", "redeclared by itself"}
 
 
-@pytest.mark.parametrize("name", quick(TAKEN, *(n for n in TAKEN if n not in LONG)))
+@pytest.mark.parametrize("name", quick_but(TAKEN, LONG))
 def test_what_is_large_and_can_be_taken_is(outcomes: dict[str, dict[str, Any]], name: str) -> None:
     assert outcomes[name]["end"] == "compiled" and outcomes[name]["seconds"] < ONE, outcomes[name]
 

@@ -60,6 +60,7 @@ def test_what_only_held_out_runs_show_is_found_and_not_called_checked(diagnosis:
     assert [run.role for run in diagnosis.data.runs] == ["fit", "fit", "holdout", "holdout"]
     assert diagnosis.final.comparison.scores["holdout"]
     assert diagnosis.final.comparison.chi2_reduced("fit") < 1.1
+    assert {c.effects for c in diagnosis.candidates} >= {(e,) for e in verdict.effects}
 
 
 @pytest.mark.full

@@ -117,10 +117,8 @@ def search_all_runs(
         fit_runs_result: what the fitted runs came to.
     """
     # fitted runs in which the base model leaves noise cannot tell what is missing in the others
-    unseen = contradicted_by_holdout(fit_runs_result.base)
-    if not (unseen or contradicted_by_holdout(fit_runs_result.last)):
-        return None
-    if time.monotonic() >= deadline:
+    contradicted = any(map(contradicted_by_holdout, (fit_runs_result.last, fit_runs_result.base)))
+    if not contradicted or time.monotonic() >= deadline:
         return None
     fit_runs_result.search.say(AllRunsSearched().message)
     roles: list[Role] = ["fit"] * len(fit_runs_result.search.data.runs)
