@@ -15,8 +15,13 @@ from tests.library.shelf import effects
 LEFT = (
     0.05  # of what the base model leaves; beside three standard deviations of noise nobody sees it
 )
-LESS_WELL = {"guard_tube": 0.1, "flushed_probe": 0.1}
-"""A friction that is not there below a contraction; a thermometer in a stream that changes sides: not contained."""
+LESS_WELL = {"flushed_probe": 0.1}
+"""A thermometer in a stream that changes sides: not contained."""
+
+NEAR = {
+    "guard_tube": {"F_0": 0.5, "F_p": 0.5, "growth": 1.2, "bow": 0.2, "d": 4e-4, "at_once": 1.0}
+}
+"""Where the fit of a friction that is not there below a contraction begins; from elsewhere it ends at 0.1 and more."""
 
 
 def _forms() -> Iterator[type[Effect]]:
@@ -40,7 +45,7 @@ def test_a_general_member_takes_a_law_of_its_family_away(form: str) -> None:
     law = FORMS[form]()
     shares = []
     for name in _general(law.family):
-        left, size = left_of(law, name)
+        left, size = left_of(law, name, NEAR.get(form))
         shares.append(left / size)
         if shares[-1] < LEFT:
             break
