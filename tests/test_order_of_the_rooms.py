@@ -11,7 +11,9 @@ PACKAGE = Path(__file__).parents[1] / "pam_cosim"
 # From the ground to the roof; the rooms of a line know nothing of each other.
 FLOORS = (
     ("errors", "arrays", "criteria", "renamed", "resources", "wording"),
-    ("files", "counts", "units", "processes"),
+    ("files", "counts", "processes"),
+    ("cache",),
+    ("units",),
     ("exports", "model"),
     ("compiler",),
     ("catalogue",),

@@ -12,13 +12,13 @@ from pathlib import Path
 
 import casadi as ca
 
+from pam_cosim.cache import cached, cached_folder, digest, folder_in_cache, folder_is_whole
 from pam_cosim.compiler.budget import check_source
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.cache import cached, cached_folder, digest, folder_in_cache, folder_is_whole
 from pam_cosim.fmu.compile import (
     PLATFORMS,
     binary_folder,

@@ -20,9 +20,9 @@ from pathlib import Path
 import fmpy
 import ziglang
 
+from pam_cosim.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
 from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
 from pam_cosim.processes.interrupts import run_tool
 from pam_cosim.resources import fmu_runtime
 

@@ -8,10 +8,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from xml.etree import ElementTree as Xml
 
+from pam_cosim.cache import digest
 from pam_cosim.catalogue import effects_in
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import ModelError
-from pam_cosim.fmu.cache import digest
 from pam_cosim.fmu.structure import Dependencies, continuous_dependencies, initial_dependencies
 from pam_cosim.fmu.table import Kind, VariableEntry
 from pam_cosim.model.interface import Variable

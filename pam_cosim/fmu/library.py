@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from pathlib import Path
 
+from pam_cosim.cache import cached, digest
 from pam_cosim.catalogue import full_name
 from pam_cosim.compiler import (
     Ode,
@@ -17,7 +18,6 @@ from pam_cosim.compiler import (
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
-from pam_cosim.fmu.cache import cached, digest
 from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.model.references import START_VALUES, is_fmu
 

@@ -12,9 +12,9 @@ from collections.abc import Callable, Mapping
 from functools import cache, partial
 from pathlib import Path
 
+from pam_cosim.cache import cached
 from pam_cosim.compiler import Ode, ode_bytes, read_ode
 from pam_cosim.files import make_folder, write_bytes
-from pam_cosim.fmu.cache import cached
 from pam_cosim.resources import shipped_models
 
 _KIND, _SUFFIX = "odes", ".ode"

@@ -5,9 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from pam_cosim.cache import cached_folder, digest
 from pam_cosim.catalogue import qualified, with_input_maps
 from pam_cosim.compiler import read_library, read_structure
-from pam_cosim.fmu.cache import cached_folder, digest
 from pam_cosim.model.input_map import InputMap
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import sources_of

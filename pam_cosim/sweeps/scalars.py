@@ -7,7 +7,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.integrate import trapezoid
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
@@ -56,6 +55,8 @@ def _steady(t: Array, y: Array, share: float) -> float:
 
 
 def _integral(t: Array, y: Array, _: float) -> float:
+    from scipy.integrate import trapezoid  # a fifth of a second, which few need
+
     return float(trapezoid(y, t))
 
 

@@ -8,9 +8,15 @@ that it is absolute, such as ``psia``, is refused, for its numbers are others.
 from __future__ import annotations
 
 import re
+import sys
 from functools import cache, lru_cache
+from importlib.metadata import version
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Any
 
+from pam_cosim.cache import cached_folder, digest
+from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 
 _ALIASES = {
@@ -44,12 +50,32 @@ class UnitError(ValueError):
 
 @cache
 def registry() -> Any:
-    """The one registry of units, pint's: a third of a second, which a process without units does not spend."""
+    """The one registry of units, pint's, which a process without units does not load.
+
+    What pint reads from its definitions, in near half a second, is kept in the cache, where that can be written.
+    """
     import pint
 
-    registry: Any = pint.UnitRegistry(autoconvert_offset_to_baseunit=True, cache_folder=None)
+    key = digest(pint.__version__, pint.__file__, version("flexparser"), sys.version)
+    try:
+        registry = _registry(cached_folder("units", key, _definitions))
+    except InputError:
+        registry = _registry(None)
     registry.formatter.default_format = "~"
     return registry
+
+
+def _registry(folder: Path | None) -> Any:
+    import pint
+
+    return pint.UnitRegistry(autoconvert_offset_to_baseunit=True, cache_folder=folder)
+
+
+def _definitions() -> dict[str, bytes]:
+    """The files that pint keeps of its definitions, by name; pint itself does not write them whole or not at all."""
+    with TemporaryDirectory() as folder:
+        _registry(Path(folder))
+        return {file.name: file.read_bytes() for file in sorted(Path(folder).iterdir())}
 
 
 def registry_errors(*further: type[Exception]) -> tuple[type[Exception], ...]:

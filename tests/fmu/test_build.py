@@ -211,7 +211,7 @@ def test_unknown_platform(tmp_path: Path) -> None:
 
 
 def test_cached_fmu_compiles_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pam_cosim.fmu.cache.cache_dir", lambda: tmp_path)
+    monkeypatch.setattr("pam_cosim.cache.cache_dir", lambda: tmp_path)
     made = []
 
     def make() -> Ode:

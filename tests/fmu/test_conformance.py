@@ -27,10 +27,10 @@ from fmpy.ssp.simulation import simulate_ssp
 from fmpy.validation import validate_fmu
 from lxml import etree
 
+from pam_cosim.cache import cache_dir
 from pam_cosim.compiler import compile_model
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import build_fmu, build_model
-from pam_cosim.fmu.cache import cache_dir
 from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, Simulator

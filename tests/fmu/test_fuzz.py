@@ -13,8 +13,8 @@ from pathlib import Path
 import fmpy
 import pytest
 
+from pam_cosim.cache import cache_dir
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.cache import cache_dir
 from pam_cosim.fmu.compile import PLATFORMS, native_platform
 from tests.fmu import models
 

@@ -11,12 +11,12 @@ import casadi as ca
 import numpy as np
 import pytest
 
+from pam_cosim.cache import cache_dir
 from pam_cosim.compiler import with_sensitivities
 from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fmu import build_source
 from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
-from pam_cosim.fmu.cache import cache_dir
 from pam_cosim.fmu.tape import OPERATIONS
 from pam_cosim.resources import fmu_runtime
 from pam_cosim.simulation import Inputs, Simulator

@@ -13,11 +13,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from pam_cosim.cache import cache_dir, is_whole
 from pam_cosim.compiler import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import cached_fmu
 from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
-from pam_cosim.fmu.cache import cache_dir, is_whole
 from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.simulation import Simulator
 from pam_cosim.simulation.native import prepare_driver

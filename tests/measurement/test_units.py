@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.units import UnitError, convert, parse_quantity
+from pam_cosim.units.grammar import registry
 
 
 @pytest.mark.parametrize(
@@ -55,3 +56,23 @@ def test_numbers():
 def test_units_that_do_not_fit_a_pressure(unit):
     with pytest.raises(UnitError):
         convert(1.0, unit, "Pa")
+
+
+def test_what_is_kept_of_the_registry_is_the_registry(tmp_path, monkeypatch):
+    """Made, loaded, made again where a file was cut; and without a cache that can be written."""
+    monkeypatch.setenv("PAM_COSIM_CACHE", str(tmp_path / "cache"))
+    made = registry.__wrapped__()
+    files = sorted((tmp_path / "cache").rglob("*.pickle"))
+    before = [file.read_bytes() for file in files]
+    files[0].write_bytes(before[0][:20])
+    again = registry.__wrapped__()
+    assert files and [file.read_bytes() for file in files] == before
+    (tmp_path / "a file").touch()
+    monkeypatch.setenv("PAM_COSIM_CACHE", str(tmp_path / "a file" / "cache"))
+    without = registry.__wrapped__()
+    names = sorted(filter(str.isidentifier, made))  # a registry lists plurals that it read as well
+    expected = [made.get_base_units(name) for name in names]
+    for other in (again, without):
+        assert [(factor, f"{unit}") for factor, unit in map(other.get_base_units, names)] == [
+            (factor, f"{unit}") for factor, unit in expected
+        ]
