@@ -79,10 +79,15 @@ def has_co_simulation(path: Path) -> bool:
 
 
 def _description(path: Path) -> ModelDescription:
+    return _read(*_state(path))
+
+
+def _state(path: Path) -> tuple[Path, int, int]:
+    """A file as it is now."""
     if not Path(path).is_dir():
         check_regular(Path(path))
     file = Path(path).stat()
-    return _read(Path(path), file.st_mtime_ns, file.st_size)
+    return Path(path), file.st_mtime_ns, file.st_size
 
 
 @lru_cache(maxsize=_KEPT)
@@ -182,11 +187,14 @@ def read_interface(path: Path) -> Interface:
     Raises:
         InputError: not an FMU of FMI 2.0 or 3.0.
     """
-    return interface_of(read_description(path))
+    read_description(path)
+    return _interface(*_state(path))
 
 
-def interface_of(description: ModelDescription) -> Interface:
-    """The interface that a model description declares."""
+@lru_cache(maxsize=_KEPT)
+def _interface(path: Path, changed: int, size: int) -> Interface:
+    """The interface that the description of a file declares, as it was at an instant."""
+    description = _read(path, changed, size)
     groups: dict[str, dict[str, Variable]] = {
         "input": {},
         "output": {},

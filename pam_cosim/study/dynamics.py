@@ -16,7 +16,7 @@ from pam_cosim.analysis.linear_course import LinearCourse
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
 from pam_cosim.analysis.sines import Sines, respond, respond_from_start
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of
+from pam_cosim.fmu.read import exchange_description, has_exchange, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting, resolve, value_of
@@ -48,17 +48,8 @@ def exchange(model: str, files: models.Paths = ()) -> Exchange:
         InputError: no such model, or one without model exchange.
     """
     path = models.build(model, files=files)
-    return Exchange(path, not is_fmu(model), interface_of(exchange_description(path)))
-
-
-def interface(model: str, files: models.Paths = ()) -> Interface:
-    """As ``models.describe``, also for an FMU for model exchange alone."""
-    path = models.build(model, files=files)
-    return (
-        interface_of(exchange_description(path))
-        if has_exchange(path)
-        else models.describe(model, files)
-    )
+    exchange_description(path)
+    return Exchange(path, not is_fmu(model), read_interface(path))
 
 
 def linearise(
@@ -271,7 +262,8 @@ def frequency_response(
         raise InputError("frequencies must be above zero")
     if most_periods < 2:
         raise InputError("two periods at least are compared")
-    path, face = models.build(model, files=files), interface(model, files)
+    path = models.build(model, files=files)
+    face = read_interface(path)
     exchanging = has_exchange(path)
     if input not in face.inputs:
         raise InputError(f"{face.model} has no input '{input}'; {did_you_mean(input, face.inputs)}")

@@ -149,17 +149,22 @@ def run(
 ) -> tuple[Values, Interface]:
     """Outputs of a run in which both valves are opened and shut, where there are valves."""
     with Simulator(fmu) as simulator:
-        known = simulator.interface.inputs
-        drive = {
-            name: np.array(course) / (_OPENED if known[name].unit == "1" else 1)
-            for name, course in _DRIVE.items()
-            if name in known
-        }
-        inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
-        courses = simulator.run(
-            TIMES, parameters=parameters, inputs=inputs, tolerance=tolerance
-        ).values
-        return {name: courses[name] for name in simulator.interface.outputs}, simulator.interface
+        return driven(simulator, parameters, tolerance), simulator.interface
+
+
+def driven(
+    simulator: Simulator, parameters: dict[str, float], tolerance: float | None = None
+) -> Values:
+    """As ``run``, of a model that is open."""
+    known = simulator.interface.inputs
+    drive = {
+        name: np.array(course) / (_OPENED if known[name].unit == "1" else 1)
+        for name, course in _DRIVE.items()
+        if name in known
+    }
+    inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
+    courses = simulator.run(TIMES, parameters=parameters, inputs=inputs, tolerance=tolerance).values
+    return {name: courses[name] for name in simulator.interface.outputs}
 
 
 def noise(variable: Variable) -> float:

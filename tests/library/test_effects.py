@@ -9,12 +9,14 @@ import pytest
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.compiler import Ode
 from pam_cosim.fmu import read_interface
+from pam_cosim.simulation import Simulator
 from tests.library.shelf import (
     base,
     benches,
     built,
     compiled,
     composed,
+    driven,
     effects,
     homes,
     law_bench,
@@ -92,14 +94,13 @@ def test_runs_within_its_bounds_on_every_bench(effect: EffectClass) -> None:
 
 
 def _run_within_bounds(effect: EffectClass, bench: str) -> None:
-    fmu = built(bench, effect.name)
-    _, interface = run(fmu, {})
-    for name in on_bench(effect.name, bench).parameters[effect.name]:
-        v = interface.parameters[name]
-        for value in (v.min, v.max):
-            assert value is not None
-            outputs, _ = run(fmu, {name: value})
-            assert all(np.isfinite(y).all() for y in outputs.values()), (bench, name, value)
+    with Simulator(built(bench, effect.name)) as simulator:
+        for name in on_bench(effect.name, bench).parameters[effect.name]:
+            v = simulator.interface.parameters[name]
+            for value in (v.min, v.max):
+                assert value is not None
+                outputs = driven(simulator, {name: value})
+                assert all(np.isfinite(y).all() for y in outputs.values()), (bench, name, value)
 
 
 @every_effect
