@@ -12,6 +12,7 @@ from scipy.signal import lsim
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.model.interface import Interface
+from pam_cosim.simulation import Simulator
 from rig.effect import Effect
 from rig.seen.creep import EyringCreep
 from rig.seen.dead_volume import Chamber
@@ -24,7 +25,18 @@ from rig.seen.thermocouple_lag import Bead, Shares
 from rig.seen.valve_dynamics import LimitedRate
 from rig.seen.wall_heat import LayeredWall
 from tests.library.rig_spans import left_of
-from tests.library.shelf import BENCH, base, built, effects, homes, law_bench, noise, on_bench, run
+from tests.library.shelf import (
+    BENCH,
+    base,
+    built,
+    driven,
+    effects,
+    homes,
+    law_bench,
+    noise,
+    on_bench,
+    run,
+)
 from tests.library.spans import DRIVE, HARNESS, Law, course_misses
 from tests.tiers import quick
 
@@ -52,11 +64,11 @@ def test_runs_at_the_corners_of_its_bounds_on_every_bench(effect: EffectClass) -
 
 
 def _run_at_corners(effect: EffectClass, bench: str) -> None:
-    fmu = built(bench, effect.name)
-    _, interface = run(fmu, {})
-    for corner in _corners(interface, on_bench(effect.name, bench).parameters[effect.name]):
-        outputs, _ = run(fmu, corner)
-        assert all(np.isfinite(y).all() for y in outputs.values()), (bench, corner)
+    names = on_bench(effect.name, bench).parameters[effect.name]
+    with Simulator(built(bench, effect.name)) as simulator:
+        for corner in _corners(simulator.interface, names):
+            outputs = driven(simulator, corner)
+            assert all(np.isfinite(y).all() for y in outputs.values()), (bench, corner)
 
 
 def _corners(interface: Interface, names: Sequence[str]) -> Iterator[dict[str, float]]:
