@@ -48,7 +48,7 @@ def exchange(model: str, files: models.Paths = ()) -> Exchange:
         InputError: no such model, or one without model exchange.
     """
     path = models.build(model, files=files)
-    exchange_description(path)
+    exchange_description(path)  # or says why there is none
     return Exchange(path, not is_fmu(model), read_interface(path))
 
 
