@@ -17,7 +17,7 @@ from fmpy.model_description import ModelDescription
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, fmi_version, read_interface, real_variables
+from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, real_variables
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
@@ -56,7 +56,7 @@ class ExchangeModel:
     def __init__(self, path: Path) -> None:
         self.path = Path(path)
         self._description = exchange_description(self.path)
-        self.interface: Interface = read_interface(self.path)
+        self.interface: Interface = interface_of(self._description)
         self._variables = self.interface.variables
         scalars = real_variables(self._description)
         self._references = {v.name: v.valueReference for v in scalars}

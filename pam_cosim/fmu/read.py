@@ -79,15 +79,10 @@ def has_co_simulation(path: Path) -> bool:
 
 
 def _description(path: Path) -> ModelDescription:
-    return _read(*_state(path))
-
-
-def _state(path: Path) -> tuple[Path, int, int]:
-    """A file as it is now."""
     if not Path(path).is_dir():
         check_regular(Path(path))
     file = Path(path).stat()
-    return Path(path), file.st_mtime_ns, file.st_size
+    return _read(Path(path), file.st_mtime_ns, file.st_size)
 
 
 @lru_cache(maxsize=_KEPT)
@@ -187,14 +182,12 @@ def read_interface(path: Path) -> Interface:
     Raises:
         InputError: not an FMU of FMI 2.0 or 3.0.
     """
-    read_description(path)
-    return _interface(*_state(path))
+    return interface_of(read_description(path))
 
 
 @lru_cache(maxsize=_KEPT)
-def _interface(path: Path, changed: int, size: int) -> Interface:
-    """The interface that the description of a file declares, as it was at an instant."""
-    description = _read(path, changed, size)
+def interface_of(description: ModelDescription) -> Interface:
+    """The interface that a model description declares; nobody writes into it."""
     groups: dict[str, dict[str, Variable]] = {
         "input": {},
         "output": {},

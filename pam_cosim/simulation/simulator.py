@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import read_description, read_interface, real_variables
+from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation.any_stepper import Abilities, abilities_of
 from pam_cosim.simulation.driver import (
@@ -79,7 +79,7 @@ class Simulator:
         self.limit: tuple[float, float] | None = CRITERIA.run.longest
         self.path = Path(path)
         self._description = read_description(self.path)
-        self.interface: Interface = read_interface(self.path)
+        self.interface: Interface = interface_of(self._description)
         self._settable = self.interface.settable
         self._references = {v.name: v.valueReference for v in real_variables(self._description)}
         self._units = {name: variable.unit for name, variable in self.interface.variables.items()}

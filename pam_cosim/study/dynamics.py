@@ -16,7 +16,7 @@ from pam_cosim.analysis.linear_course import LinearCourse
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
 from pam_cosim.analysis.sines import Sines, respond, respond_from_start
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, has_exchange, read_interface
+from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting, resolve, value_of
@@ -48,8 +48,7 @@ def exchange(model: str, files: models.Paths = ()) -> Exchange:
         InputError: no such model, or one without model exchange.
     """
     path = models.build(model, files=files)
-    exchange_description(path)  # or says why there is none
-    return Exchange(path, not is_fmu(model), read_interface(path))
+    return Exchange(path, not is_fmu(model), interface_of(exchange_description(path)))
 
 
 def linearise(

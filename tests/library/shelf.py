@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from functools import cache
 from pathlib import Path
 
@@ -165,6 +165,21 @@ def driven(
     inputs = Inputs(_DRIVE_TIMES, drive, "linear") if drive else None
     courses = simulator.run(TIMES, parameters=parameters, inputs=inputs, tolerance=tolerance).values
     return {name: courses[name] for name in simulator.interface.outputs}
+
+
+def without_numbers(
+    effect: str,
+    bench: str,
+    places: Callable[[Interface, Sequence[str]], Iterable[dict[str, float]]],
+) -> list[dict[str, float]]:
+    """Where outputs are not finite: of the stated values, and of places by the interface and the own parameters."""
+    names = on_bench(effect, bench).parameters[effect]
+    with Simulator(built(bench, effect)) as simulator:
+        return [
+            place
+            for place in ({}, *places(simulator.interface, names))
+            if not all(np.isfinite(y).all() for y in driven(simulator, place).values())
+        ]
 
 
 def noise(variable: Variable) -> float:
