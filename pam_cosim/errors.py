@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from pathlib import Path
 
+from pam_cosim.wording import printable
+
 
 @dataclass
 class InputError(Exception):
@@ -30,7 +32,7 @@ class InputError(Exception):
             place += f":{self.column}"
         elif self.column:
             place += f": column '{self.column}'"
-        return f"{place}: {self.message}" if place else self.message
+        return printable(f"{place}: {self.message}" if place else self.message)
 
     def __reduce__(self) -> tuple[type, tuple[object, ...]]:
         return type(self), (self.message, self.file, self.line, self.column)

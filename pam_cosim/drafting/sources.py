@@ -91,8 +91,6 @@ def _source(
         table = read_table(file, replace(layout, ignore=(*layout.ignore, *left_out), words=codes))
     except InputError as error:
         raise _with_hint(error) from None
-    if not table.columns:
-        raise InputError("there is no column of numbers", file)
     labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
     return RecordingSource(file, table, left_out, own, labels)
 

@@ -224,6 +224,7 @@ class Objective:
         if self._latest is not None and self._latest[0] == z.tobytes():
             return self._latest[1]
         self.evaluations += 1
+        self._latest = None  # the start values leave its point, also where the model breaks down
         try:
             runs, left = self._with_starts_eliminated(z)
         except SimulationFailure as failure:
@@ -423,12 +424,23 @@ class Objective:
         """As ``jacobian``, with the start values where they are."""
         if not len(z):
             return np.zeros((len(at), 0))
-        exact, columns = self._exact_at(z), []
+        exact, columns, compared = self._exact_at(z), [], None
         for i, is_exact in enumerate(self._exact):
-            columns.append(
-                exact[:, i] if exact is not None and is_exact else self._difference(z, at, i)
-            )
+            if exact is not None and is_exact:
+                columns.append(exact[:, i])
+                continue
+            compared = self._before_elimination(z, at) if compared is None else compared
+            columns.append(self._difference(z, compared, i))
         return np.column_stack(columns)
+
+    def _before_elimination(self, z: Array, at: Array) -> Array:
+        """The residuals that those of a moved point are compared with.
+
+        To first order the start values stay where they are, and ``at`` lacks what they can take away.
+        """
+        if not (self._to_first_order and self.starts):
+            return at
+        return np.concatenate([self._without_slopes(z, range(len(self.runs))), at[self.size :]])
 
     def _with_starts_following(self, jacobian: Array) -> tuple[Array, dict[int, Array]]:
         """The slopes with the start values moving along, so that least is left; and how those of each run move."""

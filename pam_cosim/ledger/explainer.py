@@ -16,7 +16,12 @@ from pam_cosim.ledger.model import Model
 from pam_cosim.ledger.radau import further_nodes, integrate
 from pam_cosim.ledger.smoothed_models import SmoothedModel
 from pam_cosim.ledger.smoother import smooth
-from pam_cosim.ledger.smoothing_problem import Point, SmoothingProblem, unknown_sizes
+from pam_cosim.ledger.smoothing_problem import (
+    Point,
+    SmoothingProblem,
+    unknown_sizes,
+    with_free,
+)
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
 
@@ -58,11 +63,18 @@ class Explainer:
         self.free = [n for n in data.fit if n in interface.parameters]
         self.low = np.array([data.fit[n].min for n in self.free])
         self.high = np.array([data.fit[n].max for n in self.free])
-        starts = data.parameters_of(data.runs[0], values)
         defaults = {n: v.start or 0.0 for n, v in interface.parameters.items()}
+        begin = {n: f.start for n, f in data.fit.items() if f.start is not None}
         self.start = np.clip(
-            [float({**defaults, **starts}[n]) for n in self.free], self.low, self.high
+            [float({**defaults, **begin, **values}[n]) for n in self.free], self.low, self.high
         )
+        self.acts = np.array(
+            [
+                [n not in run.parameters and f"{n}@{run.name}" not in values for n in self.free]
+                for run in data.runs
+            ],
+            dtype=bool,
+        ).reshape(len(data.runs), len(self.free))
         self.notes: list[str] = []
         self.grids: dict[int, Grid] = {}
         self.same: dict[str, tuple[str, ...]] = {}
@@ -97,6 +109,7 @@ class Explainer:
             prior_deviation,
             self.low,
             self.high,
+            self.acts,
             np.ones(model.states),
             np.ones(len(unknown_inputs)),
         )
@@ -104,7 +117,7 @@ class Explainer:
         ranges = np.ptp(states[0], axis=0)
         size = np.where(ranges > 0, ranges, np.maximum(np.max(np.abs(states[0]), axis=0), 1e-6))
         p = none.parameters(self.start)
-        unknown_size = unknown_sizes(model, grid, states[0], self.start, p, self.sigma.tolist())
+        unknown_size = unknown_sizes(none, states[0], p)
         return replace(none, size=size, unknown_size=unknown_size), states
 
     def _spacing(self) -> float:
@@ -132,8 +145,7 @@ class Explainer:
             self._spacing(),
         )
         grid, model = make_grid(*args), Model(augmented.ode, [], self.free, self.signals)
-        p = grid.parameters.copy()
-        p[:, model.free_at] = self.start
+        p = with_free(grid.parameters, model, self.start, self.acts)
         states = integrate(model, grid, p)
         further = [np.zeros(0) for _ in grid.runs]
         for _ in range(CRITERIA.ledger.refinements):

@@ -280,7 +280,7 @@ def mapped(entry: BalanceEntry, x: str, y: str, cells: int = 16) -> Map:
     ys = np.concatenate([c.against[y] for c in entry.courses])
     value = np.concatenate([c.value for c in entry.courses])
     deviation = np.concatenate([c.deviation for c in entry.courses])
-    bins = [np.linspace(v.min(), v.max() or 1.0, cells + 1) for v in (ys, xs)]
+    bins = [np.histogram_bin_edges(v, cells) for v in (ys, xs)]
     count, y_edges, x_edges = np.histogram2d(ys, xs, bins=bins)
     total, _, _ = np.histogram2d(ys, xs, bins=bins, weights=value)
     spread, _, _ = np.histogram2d(ys, xs, bins=bins, weights=deviation)

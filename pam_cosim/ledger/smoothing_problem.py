@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.ledger.block_tridiagonal import BlockTridiagonal
 from pam_cosim.ledger.grid import STAGE, Grid
-from pam_cosim.ledger.model import Model
+from pam_cosim.ledger.model import Model, Slopes
 
 SLACK = 1e-5  # of a state's range: what a step may miss the model by
 _START = 1e-3  # of a state's range: how well the model knows its own start
@@ -26,6 +26,7 @@ class SmoothingProblem:
         sigma: (S,) standard deviations of the samples [SI].
         prior: (Q,) values of the free parameters [SI], and ``spread`` (Q,) how far they may be off.
         low, high: (Q,) bounds.
+        acts: (R, Q) whether a free parameter acts on a run: one that is known for it, or is its own, does not.
         size: (n,) sizes of the states.
         unknown_size: (m,) sizes of the missing terms [SI].
     """
@@ -37,14 +38,36 @@ class SmoothingProblem:
     spread: Array
     low: Array
     high: Array
+    acts: NDArray[np.bool_]
     size: Array
     unknown_size: Array
 
     def parameters(self, free: Array) -> Array:
         """All parameters of the runs, (R, P), with values for the free ones."""
-        p = self.grid.parameters.copy()
-        p[:, self.model.free_at] = free
-        return p
+        return with_free(self.grid.parameters, self.model, free, self.acts)
+
+    def everything(self, x: Array, p: Array) -> Slopes:
+        """Rates and signals at the nodes, with states (N, n) and parameters (N, P)."""
+        grid = self.grid
+        slopes = self.model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p)
+        return self._where_they_act(slopes, grid.run_of_node)
+
+    def rates_inside(self, s: Array, p: Array) -> Slopes:
+        """Rates inside the steps, with states (M, n) and parameters (M, P)."""
+        grid = self.grid
+        time = grid.time[grid.left] + STAGE * grid.step
+        slopes = self.model.rates(time, s, grid.stage_inputs, grid.stage_delayed, p)
+        return self._where_they_act(slopes, grid.run_of_node[grid.left])
+
+    def _where_they_act(self, slopes: Slopes, run: NDArray[np.intp]) -> Slopes:
+        return slopes._replace(by_parameter=slopes.by_parameter * self.acts[run][:, None, :])
+
+
+def with_free(parameters: Array, model: Model, free: Array, acts: NDArray[np.bool_]) -> Array:
+    """All parameters of the runs, (R, P), with values (Q,) for the free ones where they act (R, Q)."""
+    p = parameters.copy()
+    p[:, model.free_at] = np.where(acts, free, p[:, model.free_at])
+    return p
 
 
 @dataclass(frozen=True)
@@ -98,10 +121,8 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     p[:, model.unknown_at] = point.w
     p_stage[:, model.unknown_at] = (1 - STAGE) * point.w[at] + STAGE * point.w[at + 1]
     h = grid.step
-    node = model.everything(grid.time, point.x, grid.node_inputs, grid.node_delayed, p)
-    inner = model.rates(
-        grid.time[at] + STAGE * h, point.s, grid.stage_inputs, grid.stage_delayed, p_stage
-    )
+    node = problem.everything(point.x, p)
+    inner = problem.rates_inside(point.s, p_stage)
     f2, a2, b2, c2 = (v[at + 1, :n] for v in node)
     f1, a1, b1, c1 = inner
     hh, h1 = h[:, None, None], h[:, None]
@@ -185,15 +206,13 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     )
 
 
-def unknown_sizes(
-    model: Model, grid: Grid, x: Array, free: Array, parameters: Array, sigma: Sequence[float]
-) -> Array:
+def unknown_sizes(problem: SmoothingProblem, x: Array, parameters: Array) -> Array:
     """(m,) [SI]: the term that would change a rate by its own largest size, or an output by its range.
 
     Zero where a term acts on nothing.
     """
-    p = parameters[grid.run_of_node]
-    slopes = model.everything(grid.time, x, grid.node_inputs, grid.node_delayed, p)
+    model = problem.model
+    slopes = problem.everything(x, parameters[problem.grid.run_of_node])
     n = model.states
     rate = np.quantile(np.abs(slopes.value[:, :n]), 0.95, axis=0)
     reach = np.concatenate([rate, np.ptp(slopes.value[:, n:], axis=0)])

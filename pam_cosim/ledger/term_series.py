@@ -56,10 +56,8 @@ def _imitated(explanation: SmoothedModel, parameters: Array, j: int) -> Array:
 
     Rates only are asked, weighed by the size of their states: what a parameter does to a signal at once, no term does.
     """
-    grid, model = explanation.problem.grid, explanation.problem.model
-    point = explanation.smoothed.point
-    slopes = model.everything(grid.time, point.x, grid.node_inputs, grid.node_delayed, parameters)
-    n = model.states
+    slopes = explanation.problem.everything(explanation.smoothed.point.x, parameters)
+    n = explanation.problem.model.states
     weight = 1 / explanation.problem.size
     unknown_input = slopes.by_unknown_input[:, :n, j] * weight
     free = slopes.by_parameter[:, :n] * weight[:, None]

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 from math import sqrt
 
 import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
@@ -110,11 +111,11 @@ def merged(
     if not len(further_rows):
         raise ClockError("the two files have no time in common")
     time = first.time[rows]
-    before = np.searchsorted(time, moved[further_rows], side="right") - 1
-    shared = (before >= 0) & (time[np.maximum(before, 0)] == moved[further_rows])
-    new = further_rows[~shared]
+    place, ahead = _places_in(time, moved[further_rows])
+    new, shared = further_rows[place < 0], further_rows[place >= 0]
+    place = place[place >= 0]
     times = np.concatenate([time, moved[new]])
-    order = np.argsort(times, kind="stable")
+    order = np.lexsort((np.concatenate([np.ones(len(time)), ~ahead]), times))
 
     def joined(values: Array, others: Array) -> Array:
         return locked(np.concatenate([values, others])[order])
@@ -126,18 +127,33 @@ def merged(
         )
     for name, values in second.inputs.items():
         if name not in inputs:
-            inputs[name] = joined(_interpolated(moved, values, time, interpolation), values[new])
+            at_rows = _interpolated(moved, values, time, interpolation)
+            at_rows[place] = values[shared]
+            inputs[name] = joined(at_rows, values[new])
     missing = np.full(len(new), np.nan)
     measured = {name: joined(values[rows], missing) for name, values in first.measurements.items()}
     for name, values in second.measurements.items():
         if name not in measured:
             at_rows = np.full(len(time), np.nan)
-            at_rows[before[shared]] = values[further_rows[shared]]
+            at_rows[place] = values[shared]
             measured[name] = joined(at_rows, values[new])
     notes = (*first.notes, *second.notes)
     return replace(
         first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes
     )
+
+
+def _places_in(time: Array, others: Array) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+    """Which of the times (n,) each of the others (m,) is, -1 for a new one; which of the new ones come ahead of theirs.
+
+    A step is two rows at one time. Where only the others have one, its first row is new.
+    """
+    place = np.searchsorted(time, others, side="right") - 1
+    known = (place >= 0) & (time[np.maximum(place, 0)] == others)
+    begins_step = known & np.append(others[1:] == others[:-1], False)
+    both = begins_step & (place > 0) & (time[np.maximum(place - 1, 0)] == others)
+    new = ~known | (begins_step & ~both)
+    return np.where(new, -1, place - both), begins_step[new]
 
 
 def _interpolated(time: Array, values: Array, at: Array, interpolation: Interpolation) -> Array:

@@ -40,14 +40,26 @@ class ColumnMapping:
         }
         return frozenset(named | own)
 
+    @property
+    def clock(self) -> frozenset[str | int]:
+        """Names or places of the columns of the file that times are read from."""
+        time = self.tables.get(TIME)
+        if time is not None and time.formula is not None:
+            return frozenset(_names_in(time.formula))
+        return frozenset([TIME if time is None or time.column is None else time.column])
+
     def names_in_formulas(self) -> frozenset[str]:
         """Names that formulas hold; those that are no columns do no harm."""
         formulas = [table.formula for table in self.tables.values() if table.formula]
-        return frozenset(quoted or bare for one in formulas for quoted, bare in _NAME.findall(one))
+        return frozenset(name for one in formulas for name in _names_in(one))
 
     def error(self, message: str, name: str, *key: str) -> InputError:
         """An error about the entry of a column."""
         return self.document.error(f"column {shown(name)}: {message}", *self.places[name], *key)
+
+
+def _names_in(formula: str) -> list[str]:
+    return [quoted or bare for quoted, bare in _NAME.findall(formula)]
 
 
 def with_columns(table: Table, renaming: ColumnMapping) -> Table:
@@ -108,11 +120,18 @@ def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:
         result = quantity(column.values, column.unit) * _stated(one.gain, 1.0)
         if one.offset is not None:
             key = "offset"
-            result = result + _stated(one.offset, 0.0)
+            result = result + _shift(one.offset, column.unit)
         values, unit = with_unit(result)
     except registry_errors(UnitError) as error:
         raise renaming.error(f"{key}: {error}", name, key) from None
     return replace(column, unit=unit, values=np.array(values))
+
+
+def _shift(offset: str | float, unit: str) -> Any:
+    """The offset of a column in ``unit``: of temperatures a difference; of what a gain makes one, a temperature."""
+    if isinstance(offset, str) and quantity(0.0, unit).check("[temperature]"):
+        return quantity(parse_quantity(offset, "K", difference=True), "K")
+    return _stated(offset, 0.0)
 
 
 def _stated(value: str | float | None, otherwise: float) -> Any:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from pathlib import Path
 
+from pam_cosim.errors import InputError
 from pam_cosim.measurement.hdf5_table import read_hdf5
 from pam_cosim.measurement.matlab_table import read_matlab
 from pam_cosim.measurement.parquet_table import read_parquet
@@ -27,9 +28,13 @@ def read_table(file: Path, stated: Layout | None = None) -> Table:
     """Reads a file of any format; what has no ending of a binary one is a text.
 
     Raises:
-        InputError: see the reader of the format.
+        InputError: see the reader of the format; no column is read.
     """
-    return _READERS.get(file.suffix.lower(), read_text_table)(file, stated or Layout())
+    table = _READERS.get(file.suffix.lower(), read_text_table)(file, stated or Layout())
+    if not table.columns:
+        message = "no column is read: none is of numbers, or [recording] ignore leaves them out"
+        raise InputError(message, file)
+    return table
 
 
 def is_text(file: Path) -> bool:

@@ -66,7 +66,7 @@ def _places(opened: Any) -> dict[str, Any]:
     places = {"": opened}
 
     def look(name: str, one: Any) -> None:
-        if not name.startswith("#"):  # MATLAB's own.
+        if not name.startswith("#") and _has_values(one):  # MATLAB's own.
             places[name] = one
 
     opened.visititems(look)
@@ -85,8 +85,13 @@ def _members(group: Any) -> Iterator[tuple[str, Any]]:
     import h5py
 
     for name in group:
-        if isinstance(group.get(name, getlink=True), h5py.HardLink):
+        if isinstance(group.get(name, getlink=True), h5py.HardLink) and _has_values(group[name]):
             yield name, group[name]
+
+
+def _has_values(one: Any) -> bool:
+    """Whether it is a group or a data set that is not empty: a file may name types too."""
+    return _is_group(one) or getattr(one, "shape", None) is not None
 
 
 def _is_group(one: Any) -> bool:

@@ -131,11 +131,6 @@ def _constant(document: ExperimentFile, known: Variable) -> InputMap:
 def _map(document: ExperimentFile, known: Variable, table: ColumnTable) -> InputMap:
     path = ("columns", known.name)
     gain, offset = 1.0 if table.gain is None else table.gain, table.offset
-    shift = (
-        0.0
-        if offset is None
-        else _quantity(document, offset, known.unit, *path, "offset", difference=True)
-    )
     for raw in dict.fromkeys((known.unit, *_RECORDED_IN)):
         try:
             factor = parse_quantity(gain, quotient(known.unit, raw))
@@ -143,6 +138,10 @@ def _map(document: ExperimentFile, known: Variable, table: ColumnTable) -> Input
             continue
         if factor == 0.0:
             raise document.error(f"the gain of {known.name} must not be zero", *path, "gain")
+        same = raw == known.unit  # a temperature is shifted by a difference
+        shift = 0.0
+        if offset is not None:
+            shift = _quantity(document, offset, known.unit, *path, "offset", difference=same)
         return InputMap(known.name, known.unit, raw, factor, shift)
     message = f'gain of {known.name}: {gain} does not fit; write for example "0.05 {quotient(known.unit, "V")}"'
     raise document.error(message, *path, "gain")

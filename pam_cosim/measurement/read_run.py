@@ -185,6 +185,7 @@ def _layout(stated: RecordingTable, renaming: ColumnMapping, interface: Interfac
         ignore=tuple(stated.ignore or ()),
         missing=frozenset(word.casefold() for word in stated.missing or ()),
         asked=frozenset(asked),
+        clock=renaming.clock,
     )
 
 

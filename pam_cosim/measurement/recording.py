@@ -79,12 +79,15 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
 
     Without such words an empty cell is a slip, which is told as an error.
     """
-    columns = [table.columns[name].values for name in needed if name in table.columns]
+    needed = [name for name in needed if name in table.columns]
+    columns = [table.columns[name].values for name in needed]
     if not table.missing or not columns:
         return table
     whole = np.asarray(~np.isnan(np.array(columns)).any(axis=0))
     if whole.all():
         return table
+    if not whole.any():
+        raise InputError(f"no row has all that is needed: {listed(needed)}", table.file)
     kept = {
         name: replace(column, values=column.values[whole]) for name, column in table.columns.items()
     }

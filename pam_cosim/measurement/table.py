@@ -77,6 +77,7 @@ class Layout:
         ignore: patterns of names of columns that are not read; ``*`` stands for any text.
         missing: of a text, words that stand where a sample is missing, in small letters.
         asked: names that a pattern with ``*`` does not mean.
+        clock: names, headings or places of the columns of times, in which every number is one; None: not known.
         words: of a text, by column: numbers of the words that it may hold.
     """
 
@@ -90,6 +91,7 @@ class Layout:
     ignore: tuple[str, ...] = ()
     missing: frozenset[str] = frozenset()
     asked: frozenset[str] = field(default=frozenset())
+    clock: frozenset[str | int] | None = None
     words: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
 
     def keeps(self, heading: str, name: str) -> bool:

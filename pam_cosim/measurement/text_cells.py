@@ -34,6 +34,7 @@ class Reader:
         self.decimal = decimal
         self.words: list[Mapping[str, float]] = [{} for _ in names]
         self.missing: frozenset[str] = frozenset()
+        self.clock: frozenset[int] | None = None  # places of columns of times; None: not known
         self.met: dict[str, None] = {}
 
     def cells(self, lines: list[Line]) -> Iterator[Line]:
@@ -48,19 +49,30 @@ class Reader:
         """(n,) of each column that is kept; NaN where a cell is empty."""
         blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
         whole = [np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))]
-        return [self._without_missing(column) for column in whole]
+        return [
+            values if self._is_clock(place, values) else self._without_missing(values)
+            for place, values in zip(self.keep, whole, strict=True)
+        ]
+
+    def _is_clock(self, place: int, values: NDArray[np.float64]) -> bool:
+        """Whether a column is of times; where that is not known, one that never falls is."""
+        if self.clock is not None:
+            return place in self.clock
+        return bool((np.diff(values) >= 0.0).all())
 
     def _without_missing(self, values: NDArray[np.float64]) -> NDArray[np.float64]:
-        """NaN where a number stands that is stated to mean a missing sample, however written; a clock has none."""
+        """NaN where a number stands that is stated to mean a missing sample, however written."""
         for word in sorted(self.missing):
-            number = word.replace(",", ".") if self.decimal == "," else word
-            if not _NUMBER.fullmatch(number) or bool((np.diff(values) >= 0.0).all()):
-                continue
-            there = values == float(number)
+            number = self._with_point(word)
+            there = values == float(number) if _NUMBER.fullmatch(number) else np.array(False)
             if there.any():
                 self.met[word] = None
                 values = np.where(there, np.nan, values)
         return values
+
+    def _with_point(self, cell: str) -> str:
+        """A number as this text writes it, with a decimal point."""
+        return cell.replace(",", ".") if self.decimal == "," else cell
 
     def _block(self, lines: list[Line]) -> list[NDArray[np.float64]]:
         plain = self._plain(lines)
@@ -121,7 +133,7 @@ class Reader:
                 line,
                 self.names[column],
             )
-        if cell.casefold() in self.missing:
+        if cell.casefold() in self.missing and not _NUMBER.fullmatch(self._with_point(cell)):
             self.met[cell] = None
             return math.nan
         words = self.words[column]

@@ -49,6 +49,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     reader = Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
+    reader.clock = _clock(layout, names, stated)
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
@@ -73,6 +74,19 @@ def _words_of_columns(
         of_heading = stated.words.get(heading, {})
         words.append(stated.words.get(name, of_heading))
     return words
+
+
+def _clock(
+    layout: TextLayout, names: Sequence[tuple[str, str]], stated: Layout
+) -> frozenset[int] | None:
+    """Places of the columns of times, where the layout says which they are."""
+    if stated.clock is None:
+        return None
+    columns = zip(names, layout.headings, strict=True)
+    return frozenset(
+        i for i, ((name, _), (heading, _)) in enumerate(columns)
+        if not stated.clock.isdisjoint((name, heading, i + 1))
+    )  # fmt: skip
 
 
 def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:

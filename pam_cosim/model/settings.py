@@ -46,12 +46,29 @@ def value_of(value: Setting, variable: Variable) -> float:
     Raises:
         InputError: as ``resolve``.
     """
-    number = _number(value, variable)
-    if not np.isfinite(number):
-        raise InputError(f"{_said(value, variable)}: the value must be a finite number")
+    number = _finite(value, variable, difference=False)
     low, high = variable.min, variable.max
     if (low is not None and number < low) or (high is not None and number > high):
         raise InputError(f"{_said(value, variable)}: must be {_range(variable)}")
+    return number
+
+
+def size_of(what: str, value: Setting, variable: Variable) -> float:
+    """A size above zero [SI], such as an amplitude or a standard deviation: a difference, of which 1 degC is 1 K.
+
+    Raises:
+        InputError: as ``resolve``, or the size is not above zero.
+    """
+    size = _finite(value, variable, difference=True)
+    if not size > 0:
+        raise InputError(f"{what} must be above zero, not {size:g}")
+    return size
+
+
+def _finite(value: Setting, variable: Variable, difference: bool) -> float:
+    number = _number(value, variable, difference)
+    if not np.isfinite(number):
+        raise InputError(f"{_said(value, variable)}: the value must be a finite number")
     return number
 
 
@@ -72,7 +89,7 @@ def _said(value: Setting, variable: Variable) -> str:
     return shown(f"{variable.name}={value}")
 
 
-def _number(value: Setting, variable: Variable) -> float:
+def _number(value: Setting, variable: Variable, difference: bool) -> float:
     try:
         return float(value)
     except TypeError:
@@ -82,6 +99,6 @@ def _number(value: Setting, variable: Variable) -> float:
     except ValueError:
         pass
     try:
-        return parse_quantity(value, variable.unit)
+        return parse_quantity(value, variable.unit, difference=difference)
     except UnitError as problem:
         raise InputError(f"{_said(value, variable)}: {problem}") from None

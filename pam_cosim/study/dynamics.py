@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal
 
@@ -19,7 +19,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import exchange_description, has_exchange, interface_of, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu
-from pam_cosim.model.settings import Setting, resolve, value_of
+from pam_cosim.model.settings import Setting, resolve, size_of, value_of
 from pam_cosim.simulation import Inputs, Trajectory, models
 from pam_cosim.wording import did_you_mean
 
@@ -266,9 +266,7 @@ def frequency_response(
     exchanging = has_exchange(path)
     if input not in face.inputs:
         raise InputError(f"{face.model} has no input '{input}'; {did_you_mean(input, face.inputs)}")
-    size = value_of(amplitude, replace(face.inputs[input], min=None, max=None))
-    if not size > 0:
-        raise InputError(f"the amplitude must be above zero, not {size:g}")
+    size = size_of("the amplitude", amplitude, face.inputs[input])
     sines = Sines(
         input,
         tuple(face.outputs if outputs is None else outputs),

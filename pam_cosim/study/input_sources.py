@@ -14,6 +14,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.compiler.elementwise import elementwise, with_place
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement import read_recording
+from pam_cosim.measurement.table import since_first
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import value_of
 from pam_cosim.simulation import Inputs, Trajectory
@@ -131,7 +132,12 @@ def _time(columns: dict[str, Any]) -> Array | None:
     head = _time_head(columns)
     if head is None:
         return None
-    return _converted(head, columns.pop(head), "s")
+    values = np.asarray(columns.pop(head))
+    if values.dtype.kind == "M":  # times of day
+        return since_first(values)
+    if values.dtype.kind == "m":
+        return np.asarray(values / np.timedelta64(1, "s"), dtype=float)
+    return _converted(head, values, "s")
 
 
 def _split(head: str) -> tuple[str, str | None]:

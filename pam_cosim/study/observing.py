@@ -16,7 +16,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_recording
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu
-from pam_cosim.model.settings import Setting, resolve, value_of
+from pam_cosim.model.settings import Setting, resolve, size_of
 from pam_cosim.simulation import Trajectory, models
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.study.dynamics import conditions_of, exchange, state_names
@@ -136,7 +136,4 @@ def _deviation(name: str, value: Setting, face: Interface) -> float:
     groups = face.inputs | face.outputs | face.locals
     if name not in groups:
         raise InputError(f"{face.model} has no variable '{name}'; {did_you_mean(name, groups)}")
-    size = value_of(value, replace(groups[name], min=None, max=None))
-    if not size > 0:
-        raise InputError(f"{name}: a standard deviation must be above zero, not {size:g}")
-    return size
+    return size_of(f"{name}: a standard deviation", value, groups[name])

@@ -12,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.cosimulation import Controller
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.settings import Setting, value_of
+from pam_cosim.model.settings import Setting, size_of, value_of
 from pam_cosim.simulation import Inputs, Trajectory, models
 from pam_cosim.study.coupling import couple
 from pam_cosim.wording import did_you_mean
@@ -126,10 +126,8 @@ def _sizes(plant: Interface, output: str, mean: Setting, amplitude: Setting) -> 
         raise InputError(
             f"{plant.model} has no output '{output}'; {did_you_mean(output, plant.outputs)}"
         )
-    middle, swing = (value_of(value, plant.outputs[output]) for value in (mean, amplitude))
-    if not swing > 0:
-        raise InputError(f"the amplitude must be above zero, not {swing:g}")
-    return middle, swing
+    variable = plant.outputs[output]
+    return value_of(mean, variable), size_of("the amplitude", amplitude, variable)
 
 
 def _name_of(controller: str | Callable[[], Controller]) -> str:

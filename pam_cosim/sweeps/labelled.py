@@ -9,12 +9,10 @@ import numpy as np
 import pandas
 import xarray
 
-from pam_cosim.sweeps.names import FAILURE
+from pam_cosim.sweeps.names import FAILURE, RUN, TIME
 
 if TYPE_CHECKING:
     from pam_cosim.sweeps.result import Sweep
-
-RUN = "run"
 
 
 def axis_name(sweep: Sweep, name: str) -> str:
@@ -56,7 +54,7 @@ def skeleton(sweep: Sweep) -> xarray.Dataset:
     }
     failures = np.array(sweep.table.failures(), dtype=object).reshape(shape)
     if sweep.outputs:
-        coordinates["time"] = ("time", sweep.time, {"units": "s"})
+        coordinates[TIME] = (TIME, sweep.time, {"units": "s"})
     made = xarray.Dataset({**variables, FAILURE: (dims, failures)}, coordinates)
     made.attrs = {
         "model": sweep.interface.model,
@@ -72,7 +70,7 @@ def output(sweep: Sweep, name: str) -> xarray.DataArray:
     variable = sweep.interface.variables[name]
     values = sweep.table.output(sweep.outputs.index(name)).reshape(*shape, sweep.time.size)
     attributes = {"units": variable.unit or "1", "long_name": variable.description or name}
-    return xarray.DataArray(values, dims=(*dims, "time"), attrs=attributes, name=name)
+    return xarray.DataArray(values, dims=(*dims, TIME), attrs=attributes, name=name)
 
 
 def _axes(sweep: Sweep) -> tuple[tuple[str, ...], tuple[int, ...], dict[str, Any]]:

@@ -19,6 +19,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Inputs
 from pam_cosim.sweeps.design import Design
 from pam_cosim.sweeps.executors import run_all
+from pam_cosim.sweeps.names import FAILURE, RUN, TIME
 from pam_cosim.sweeps.records import Records, RunResult
 from pam_cosim.sweeps.result import Sweep
 from pam_cosim.sweeps.scalars import Scalar
@@ -66,6 +67,7 @@ class SweepPlan:
                     f"the input '{name}' is given over time and varied; keep one of them"
                 )
         self._check_patterns()
+        self._check_scalars()
         if not self.keep and not self.scalars:
             raise InputError(
                 "a sweep that keeps no trajectories needs a scalar of each run, such as max(T)"
@@ -80,6 +82,17 @@ class SweepPlan:
             if twice is not None:
                 raise InputError(
                     f"the input '{twice}' is in '{pattern.name}' and given otherwise; keep one of them"
+                )
+
+    def _check_scalars(self) -> None:
+        """Each has a name of its own in the result."""
+        taken = {name: "what is varied" for name in self.design.names}
+        taken |= {name: "a variable that is kept over time" for name in self.outputs if self.keep}
+        taken |= {name: "a column of every sweep" for name in (FAILURE, RUN, TIME)}
+        for scalar in self.scalars:
+            if scalar.name in taken:
+                raise InputError(
+                    f"a scalar has the name of {taken[scalar.name]}, '{scalar.name}'; give it another"
                 )
 
     def identity(self) -> dict[str, Any]:

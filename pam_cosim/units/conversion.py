@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import re
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -39,7 +40,7 @@ def examples(unit: str) -> str:
 def convert(
     values: ArrayLike, unit: str, target: str, *, difference: bool = False
 ) -> NDArray[np.float64]:
-    """Numbers in ``unit`` as numbers in ``target``.
+    """Numbers in ``unit`` as numbers in ``target``; a hertz is a turn a second where the other unit has an angle.
 
     Args:
         values: any shape; NaN stays NaN.
@@ -65,9 +66,23 @@ def convert(
     numbers = np.array(values, dtype=float)
     try:
         with np.errstate(over="ignore", invalid="ignore"):
-            return np.asarray(registry().Quantity(numbers, source).to(goal).magnitude, dtype=float)
+            converted = registry().Quantity(numbers, source).to(goal).magnitude
+            return np.asarray(converted, dtype=float) * _turns(source, goal)
     except registry_errors(ValueError, OverflowError):
         raise UnitError(f"unit {shown(unit)} cannot be converted to '{target}'") from None
+
+
+def _turns(source: Any, goal: Any) -> float:
+    """2 pi between a frequency in hertz and an angular speed: pint takes a radian for the number 1."""
+    angles = _power("radian", registry().get_root_units(goal)[1])
+    angles -= _power("radian", registry().get_root_units(source)[1])
+    frequencies = _power("hertz", source) - _power("hertz", goal)
+    return math.tau**angles if angles == frequencies else 1.0
+
+
+def _power(name: str, unit: Any) -> float:
+    """Of a unit of that name, with any prefix, in a product of units."""
+    return float(sum(power for one, power in unit._units.items() if one.endswith(name)))
 
 
 def parse_quantity(value: str | float, target: str, *, difference: bool = False) -> float:

@@ -14,6 +14,8 @@ import typer
 import pam_cosim as pam
 from pam_cosim import study
 from pam_cosim.cli.app import app
+from pam_cosim.model.interface import Variable
+from pam_cosim.model.settings import size_of
 from pam_cosim.simulation import IsolatedSimulator, Simulator
 from tests.cli.conftest import Outcome, everything
 from tests.cli.test_bad_input import refused
@@ -131,6 +133,10 @@ def test_an_fmu_takes_them_alike(own: bool) -> None:
         (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--set", "u_in=0.3", "-o", "s.csv"], ["both set and varied"]),
         (["sweep", BENCH, "--vary", "p_supply=138,207 kPa", "-o", "s.csv"], ["p_supply=138,207 kPa", "each of them"]),
         (["sweep", BENCH, "--vary", "p_supply=138:207 kPa:3", "-o", "s.csv"], ["each of them"]),
+        (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--scalar", "u_in=max(T)", "-o", "s.csv"], ["'u_in'", "is varied"]),
+        (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--scalar", "failure=max(T)", "-o", "s.csv"], ["'failure'"]),
+        (["sweep", BENCH, "--vary", "u_in=0.1,0.2", "--scalar", "T=max(T)", "--trajectories", "-o", "s.nc"],
+         ["'T'", "is kept over time"]),
         (["build", "TankFilling", "Isotonic", "-o", "One.fmu"], ["One.fmu", "2 models"]),
         (["build", "-o", "All.fmu"], ["All.fmu", "models"]),
         (["build", "TankFilling", "My.TankFilling", "-o", "out"], ["TankFilling.fmu"]),
@@ -144,6 +150,17 @@ def test_what_cannot_be_set(
     before = everything(place)
     refused(command(*words), message)
     assert everything(place) == before
+
+
+@pytest.mark.parametrize(
+    ("value", "size"), [("0.5 degC", 0.5), ("0.9 degF", 0.5), ("2 K", 2), (2, 2)]
+)
+def test_a_size_is_a_difference(value: str | float, size: float) -> None:
+    """A standard deviation of 0.5 degC was one of 273.65 K."""
+    temperature = Variable("T", "K", min=200.0)
+    assert size_of("the amplitude", value, temperature) == pytest.approx(size)
+    with pytest.raises(pam.InputError, match="the amplitude must be above zero, not 0"):
+        size_of("the amplitude", "0 degC", temperature)
 
 
 @pytest.mark.parametrize("value", ["much", "1 kg", float("nan"), None])

@@ -134,3 +134,14 @@ def test_what_moves_nothing_adds_nothing() -> None:
         addition(BASE.linear, type(probe)(probe.effect, probe.family, probe.own_parameters, idle))
         is None
     )
+
+
+def test_parameters_that_move_no_sample_cost_nothing() -> None:
+    assert BASE.linear is not None
+    (probe,) = WORLD.probe(BASE, (), ["LinearBladder"])
+    own = probe.own_parameters
+    idle = replace(
+        probe, own_parameters=(*own, "idle.a", "idle.b"), inactive_parameters=("idle.a", "idle.b")
+    )
+    costs = [addition(BASE.linear, p).cost for p in (probe, idle)]  # type: ignore[union-attr]
+    assert costs[0] == costs[1] == len(own)

@@ -13,8 +13,15 @@ from pam_cosim import study
 from pam_cosim.catalogue import effect_classes
 from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, refitted, try_learned
-from pam_cosim.diagnosis.description.learning_library import forms, quantities
+from pam_cosim.diagnosis.description.learning import (
+    LearnedTerm,
+    TermSamples,
+    coefficients_of,
+    learn,
+    refitted,
+    try_learned,
+)
+from pam_cosim.diagnosis.description.learning_library import Form, Quantity, forms, quantities
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
@@ -123,3 +130,23 @@ def test_forms_are_distinct_and_finite() -> None:
     library = forms(known)
     assert len({(f.text, f.shape) for f in library}) == len(library) > 20
     assert all(np.isfinite(f.values(variables)).all() for f in library)
+
+
+@pytest.mark.parametrize("alike", [1.0, 30.0], ids=["imitated", "by itself"])
+@pytest.mark.parametrize("groups", [(0, 1, 2, 3), (0, 1, 2)], ids=["cross-validated", "held out"])
+def test_a_form_that_a_free_parameter_imitates_explains_no_more(
+    alike: float, groups: tuple[int, ...]
+) -> None:
+    """Least squares took the form and the parameter against each other, and the score came to one."""
+    rng, count = np.random.default_rng(1), 4000
+    imitated, own = 30.0 * rng.standard_normal((count, 1)), rng.standard_normal(count)
+    value = own + 2.0 * rng.standard_normal(count)
+    value -= imitated[:, 0] * (imitated[:, 0] @ value) / float(imitated[:, 0] @ imitated[:, 0])
+    term = TermSamples(
+        value, np.ones(count), {"x": imitated[:, 0] + alike * own}, np.repeat(np.arange(4), count // 4),
+        groups, imitated, ("k",),
+    )  # fmt: skip
+    found = coefficients_of(term, [Form("x / x_0", (Quantity("x", "m", 1.0, True),))])
+    assert found.score == pytest.approx(0.2, abs=0.05)
+    assert found.fit_score == pytest.approx(0.2, abs=0.05)
+    assert found.left == pytest.approx(4.0, rel=0.1)

@@ -285,3 +285,14 @@ def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_e
     models.try_exchanging()
     answer = models.ranking.answer()
     assert answer is not None and answer.effects == pair
+
+
+def test_a_model_is_near_in_whichever_order_it_was_fitted() -> None:
+    chosen, other = ("LinearBladder", "HangingMass"), ("LinearBladder", "OrificeLeak")
+    pair = world(dict.fromkeys(chosen, 20.0), alike="leak")
+    models = _Models(pair, pair.fitted(()), math.inf)
+    best = pair.candidate(chosen)
+    for order in (other, other[::-1]):
+        models.fitted.clear()
+        models._record([best, pair.candidate(order), pair.candidate(("LinearBladder",))])
+        assert models._is_near(other, "HangingMass", best)

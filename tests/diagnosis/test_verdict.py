@@ -353,3 +353,11 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
         for c in (GOOD, one)
     )
     assert unsure < sure - 0.1
+
+
+def test_what_is_unknown_is_not_nothing() -> None:
+    """A verdict without families had the probability that nothing is missing."""
+    verdict = judge(BASE, [], [])
+    assert verdict.kind == "unknown" and verdict.families == ()
+    assert not verdict.names(()) and not verdict.names(("leak",))
+    assert judge(fitted(1.0, holdout=1.02, score=1.0), [], []).names(())

@@ -24,11 +24,13 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.start_values import StartValues, eliminate
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
 from rig import short
 from rig.measurement import measure, write_data_set
 from rig.plan import default_plan
+from tests.fitting.models import data_set, recording
 
 CUT = 2.5  # s
 
@@ -444,3 +446,29 @@ def test_offsets_of_signals_that_are_read_at_different_times() -> None:
     assert slopes.shape == (12, 2)
     assert slopes[6:, 0].tolist() == seldom.tolist() and slopes[:6, 1].all()
     assert slopes.sum() == objective.size
+
+
+@pytest.mark.parametrize("share", [0.01, 0.1])
+def test_slopes_by_differences_are_the_exact_ones_where_starts_are_eliminated(share: float) -> None:
+    """They were compared with residuals from which the start values had taken their part away."""
+    time = np.linspace(0.0, 2.0, 61)
+    y = np.exp(-2.5 * time) + share * np.exp(-0.5 * time)
+    y += 0.01 * np.random.default_rng(0).standard_normal(len(time))
+    run = replace(recording(time, {"y": y}), start=Start(mode="estimated"))
+    data, at = data_set("TwoDecays", [run], {"y": 0.01}), np.array([2.0])
+    free = [Free("a", 0.0, 100.0, 2.0, "1", nominal=1.0)]
+    fixed = {"g": share, "s@run": 1.0, "w@run": 1.0}
+    found = []
+    for sensitivities in (("a", START_VALUES), (START_VALUES,)):
+        model = build_model(
+            str(Path(__file__).parent / "TwoDecays.mo"),
+            sensitivities=sensitivities,
+            where_smooth=True,
+        )
+        with Simulator(model) as simulator:
+            objective = Objective(
+                simulator, data, data.fit_runs, free, fixed, starts_to_first_order=True
+            )
+            found.append(objective.jacobian(at, objective.residuals(at))[: objective.size, 0])
+    exact, differences = found
+    assert np.linalg.norm(differences - exact) < 0.01 * np.linalg.norm(exact)

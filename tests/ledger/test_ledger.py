@@ -15,9 +15,14 @@ from pam_cosim import study
 from pam_cosim.catalogue import effect_classes, unknown_terms
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
-from pam_cosim.fmu import build_model, build_source
+from pam_cosim.fmu import build_model, build_source, source_ode
 from pam_cosim.ledger import BalanceEntry, Ledger, binned, keep_ledger, mapped
-from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.ledger.augmented import AugmentedModel
+from pam_cosim.ledger.explainer import Explainer
+from pam_cosim.ledger.ledger import TermSeries
+from pam_cosim.ledger.sensor import try_sensors
+from pam_cosim.measurement import DataSet, FreeParameter, Signal
+from pam_cosim.model.domain import Domain
 from pam_cosim.simulation import Inputs, Simulator
 from rig.flow import P_ATM
 from rig.instruments import ClockOffset
@@ -25,7 +30,7 @@ from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle
 from rig.named import effect_of
 from rig.short import PLAN, write_light_data
-from tests.fitting.models import recording
+from tests.fitting.models import data_set, recording
 from tests.tiers import quick
 
 BALANCE = {
@@ -254,3 +259,30 @@ def _isometric(effect: str | None) -> DataSet:
     return DataSet(
         Path("rig"), "a rig", "PneumaticMuscle.Benches.Isometric", signals, {}, {}, (run,)
     )
+
+
+@pytest.mark.parametrize("known", [True, False], ids=["known", "fitted by itself"])
+def test_what_is_known_of_a_run_stays(known: bool) -> None:
+    """The value that runs share was written into all of them."""
+    model = Path(__file__).parents[1] / "fitting" / "Decay.mo"
+    time, rng, runs = np.linspace(0.0, 1.0, 101), np.random.default_rng(0), []
+    for name, rate in (("second", 5.0), ("first", 2.0)):
+        y = np.exp(-rate * time) + 0.01 * rng.standard_normal(len(time))
+        own = {"a": 5.0} if known and rate == 5.0 else {}
+        runs.append(replace(recording(time, {"y": y}), name=name, parameters=own))
+    data = data_set("Decay", runs, {"y": 0.01}, [FreeParameter("a", 0.0, 10.0, 3.0, "1")])
+    augmented = AugmentedModel(source_ode("Decay", model.read_text(), []), (), False)
+    values = {"a": 2.0} if known else {"a": 2.0, "a@second": 5.0}
+    explainer = Explainer(data, values, [augmented], Domain())
+    problem, states = explainer.problem(augmented, ())
+    alone = try_sensors(problem, states, [("y", "1")])
+    assert alone.chi2 / (2 * len(time)) == pytest.approx(1.0, abs=0.3)
+    assert alone.point.free == pytest.approx([2.0], abs=0.05)
+
+
+def test_a_map_ends_where_its_variables_do() -> None:
+    """A variable below zero that ended at zero had a map up to one."""
+    time = np.linspace(0.0, 1.0, 100)
+    course = TermSeries("run", "fit", time, time, np.ones(100), {"v": -time, "rest": 0 * time})
+    plane = mapped(BalanceEntry("force", 0, 0, 0, courses=(course,)), "v", "rest", 4)
+    np.testing.assert_allclose(plane.x_edges, [-1.0, -0.75, -0.5, -0.25, 0.0])

@@ -216,3 +216,13 @@ def test_links_out_of_a_file_are_not_followed(tmp_path):
         out["x"] = h5py.SoftLink("/far/x")
     assert "there is none" in refusal(tmp_path / "run.h5").message
     assert "no group 'far'" in refusal(tmp_path / "run.h5", Layout(table="far")).message
+
+
+def test_named_types_and_empty_data_sets_are_no_columns(tmp_path: Path) -> None:
+    file = tmp_path / "run.h5"
+    with h5py.File(file, "w") as out:
+        for name, values in zip(NAMES, (TIME, P, X), strict=True):
+            out[name] = values
+        out["mytype"] = np.dtype("f8")
+        out["nothing"] = h5py.Empty("f8")
+    assert set(read_table(file).columns) == {"time", "p", "x"}

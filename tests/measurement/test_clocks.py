@@ -7,7 +7,8 @@ import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set
-from pam_cosim.measurement.clocks import ClockError, estimate_offset
+from pam_cosim.measurement.clocks import ClockError, estimate_offset, merged
+from pam_cosim.measurement.recording import Recording
 from tests.measurement.bench import MODEL, describe
 
 
@@ -110,3 +111,26 @@ def test_faults(rig, logger, line, words):
     assert caught.value.line == line, caught.value
     for word in words:
         assert word in caught.value.message
+
+
+def at_rows(recording, *names: str) -> list[list[float]]:
+    columns = {**recording.inputs, **recording.measurements}
+    return [recording.time.tolist(), *(columns[name].tolist() for name in names)]
+
+
+def test_a_step_of_the_second_file_stays_one() -> None:
+    """Both of its rows were dropped where the first file has a sample at that time."""
+    time = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
+    first = Recording(time, {}, {"p": time + 10.0})
+    steps, levels = np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0])
+    both = merged(first, Recording(steps, {"u": levels}, {"x": levels}), 0.0, "linear")
+    assert at_rows(both, "u")[:2] == [[0, 0.5, 1, 1, 1.5, 2], [0, 0, 0, 5, 5, 5]]
+    np.testing.assert_array_equal(both.measurements["p"], [10, 10.5, np.nan, 11, 11.5, 12])
+    np.testing.assert_array_equal(both.measurements["x"], [0, np.nan, 0, 5, np.nan, 5])
+
+
+def test_a_step_of_both_files_has_two_rows() -> None:
+    steps, levels = np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0])
+    one, other = Recording(steps, {"u": levels}, {}), Recording(steps, {"v": -levels}, {})
+    both = merged(one, other, 0.0, "linear")
+    assert at_rows(both, "u", "v") == [steps.tolist(), levels.tolist(), (-levels).tolist()]

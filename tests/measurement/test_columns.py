@@ -174,3 +174,40 @@ def test_the_documents_examples_are_valid(tmp_path):
         "p": "kPa",
         "x": "mm",
     }
+
+
+@pytest.mark.parametrize(
+    ("heading", "entry", "kelvin"),
+    [
+        ("T [degC]", 'offset = "0.5 degC"', 293.65),
+        ("T [K]", 'offset = "-273.15 K"', -253.15),
+        ("T [degC]", 'offset = "0.9 degF"', 293.65),
+        ("U [V]", 'column = "U", gain = "10 K/V", offset = "20 degC"', 493.15),
+    ],
+)
+def test_the_offset_of_a_temperature(lab, heading: str, entry: str, kelvin: float) -> None:
+    """0.5 degC more is 0.5 K more, and no 273.65 K; where a gain makes a temperature of volts, it is one itself."""
+    text = f"time [s],{heading}\n0,20\n1,20\n"
+    run = read_data_set(lab(f"{HEAD}[columns]\nT = {{ {entry} }}\n{RUN}", text), describe).runs[0]
+    np.testing.assert_allclose(run.measurements["T"], kelvin)
+
+
+def test_a_name_cannot_steer_a_terminal(lab) -> None:
+    columns = '[columns]\n"\\u001b[31mq" = { column = "b" }\n'
+    with pytest.raises(InputError) as caught:
+        read_data_set(lab(HEAD + columns + RUN, "time [s],b\n0,1\n1,2\n"), describe)
+    assert "31mq" in str(caught.value) and str(caught.value).isprintable()
+
+
+@pytest.mark.parametrize("interval", ["", 'interval = "1 ms"\n'])
+def test_no_column_is_left(lab, interval: str) -> None:
+    with pytest.raises(InputError, match="no column is read"):
+        read_data_set(
+            lab(f'{HEAD}[recording]\nignore = ["*"]\n{interval}{RUN}', "a,b\n1,2\n"), describe
+        )
+
+
+def test_no_row_is_left(lab) -> None:
+    text = "time [s],u_in [A],p [kPa]\n0,-,1\n1,-,2\n"
+    with pytest.raises(InputError, match="no row has all that is needed: time, u_in"):
+        read_data_set(lab(f'{HEAD}[recording]\nmissing = ["-"]\n{RUN}', text), describe)

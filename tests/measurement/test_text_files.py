@@ -234,3 +234,38 @@ def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) 
         sum(len(run.time) for run in runs) == 4 and sum(run.sample_count("F") for run in runs) == 3
     )
     assert "left out: 1 of 5 rows" in runs[0].notes[0]
+
+
+CLOCKS = ("", "column = 'stamp'", "column = 1", "formula = 'stamp * 1'")
+
+
+@pytest.mark.parametrize("gap", ["", "\n500,nan,200"], ids=["plain", "cell by cell"])
+def test_a_missing_number_is_none_in_a_column_that_rises(tmp_path: Path, gap: str) -> None:
+    """A map whose readings rise was taken for a clock, which keeps the number."""
+    (tmp_path / "a.csv").write_text(
+        f"p [kPa],x [mm],F [N]\n100,-999,-999\n200,1,10\n300,2,20{gap}\n"
+    )
+    (tmp_path / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n'
+        '[recording]\nmissing = ["-999", "nan"]\n[[runs]]\nfile = "a.csv"\n'
+    )
+    runs = pam.read(tmp_path).runs
+    assert min(float(run.inputs["x"].min()) for run in runs) == pytest.approx(1e-3)
+
+
+@pytest.mark.parametrize("named", CLOCKS)
+@pytest.mark.parametrize("cell", ["", "nan"], ids=["plain", "cell by cell"])
+def test_a_time_may_be_a_number_that_means_missing_elsewhere(
+    tmp_path: Path, named: str, cell: str
+) -> None:
+    head = "stamp [s]" if named else "time [s]"
+    (tmp_path / "a.csv").write_text(
+        f"{head},u_in [A],p [kPa]\n0,0.3,100\n1,0.3,1\n2,0.3,1\n3,0.3,{cell}\n"
+    )
+    (tmp_path / "experiment.toml").write_text(
+        'model = "PneumaticMuscle.Benches.TankFilling"\n[recording]\nmissing = ["1", "nan"]\n'
+        f'[columns]\n{f"time = {{ {named} }}" if named else ""}\n[[runs]]\nfile = "a.csv"\n'
+    )
+    (run,) = pam.read(tmp_path).runs
+    np.testing.assert_array_equal(run.time, [0, 1, 2, 3])
+    assert np.isnan(run.measurements["p"][1:3]).all()

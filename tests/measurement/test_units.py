@@ -76,3 +76,22 @@ def test_what_is_kept_of_the_registry_is_the_registry(tmp_path, monkeypatch):
         assert [(factor, f"{unit}") for factor, unit in map(other.get_base_units, names)] == [
             (factor, f"{unit}") for factor, unit in expected
         ]
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "target", "expected"),
+    [
+        (60.0, "rpm", "Hz", 1.0),
+        (60.0, "cycles/min", "Hz", 1.0),
+        (1.0, "Hz", "rad/s", 2 * np.pi),
+        (2.0, "kHz", "rad/s", 4e3 * np.pi),
+        (360.0, "deg/s", "Hz", 1.0),
+        (3.0, "Hz/V", "rad/(s.V)", 6 * np.pi),
+        (60.0, "rpm", "rad/s", 2 * np.pi),
+        (2.0, "kHz", "Hz", 2e3),
+        (2.0, "Hz", "1/s", 2.0),
+    ],
+)
+def test_a_hertz_is_a_turn_a_second(value: float, unit: str, target: str, expected: float) -> None:
+    """pint takes a radian for the number 1, so 60 rpm were 6.28 Hz."""
+    assert float(convert(value, unit, target)) == pytest.approx(expected)

@@ -36,6 +36,16 @@ SOURCES: dict[str, Any] = {
     "units": {"time [ms]": TIME * 1e3, "u_in [mA]": CURRENT * 1e3, "p_supply [bar]": SUPPLY / 1e5},
     "frame": pandas.DataFrame({"time": TIME, "u_in": CURRENT, "p_supply [kPa]": SUPPLY / 1e3}),
     "index": pandas.DataFrame({"u_in": CURRENT, "p_supply": SUPPLY}, index=pandas.Index(TIME)),
+    "times since the start": pandas.DataFrame(
+        {"u_in": CURRENT, "p_supply": SUPPLY}, index=pandas.to_timedelta(TIME, unit="s")
+    ),
+    "times of day": pandas.DataFrame(
+        {
+            "time": pandas.Timestamp("2026-03-01 08:00") + pandas.to_timedelta(TIME, unit="s"),
+            "u_in": CURRENT,
+            "p_supply": SUPPLY,
+        }
+    ),
     "structured": _structured(),
     "file": _csv,
 }

@@ -261,7 +261,13 @@ def _samples(entry: BalanceEntry) -> TermSamples:
 
 @dataclass(frozen=True)
 class FittedForms:
-    """Forms with coefficients, standard deviations of these, and what the free parameters do beside them."""
+    """Forms with coefficients, standard deviations of these, and what the free parameters do beside them.
+
+    Attributes:
+        score: part of the mean square that the forms explain, in groups that they were not learned from, of what the
+            free parameters alone leave; ``fit_score``: in those that they were.
+        left: the mean square that the forms leave in groups that they were not learned from.
+    """
 
     forms: tuple[Form, ...]
     coefficients: Array
@@ -269,6 +275,7 @@ class FittedForms:
     free: Array
     score: float
     fit_score: float
+    left: float
 
 
 def select_forms(
@@ -390,34 +397,40 @@ def _regularised_solution(matrix: Array, right: Array) -> Array:
 
 
 def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> FittedForms:
+    """The forms with least squares of the learning groups, and what they explain beyond the free parameters alone."""
     columns = [samples.column(f) for f in picked]
     rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
     q = samples.imitated.shape[1]
     fitted = np.isin(samples.group, samples.learning_groups)
 
-    def solve(kept: NDArray[np.bool_]) -> Array:
-        return _regularised_solution(rows[kept].T @ rows[kept], rows[kept].T @ samples.value[kept])
+    def solve(kept: NDArray[np.bool_], of: Array = rows) -> Array:
+        return _regularised_solution(of[kept].T @ of[kept], of[kept].T @ samples.value[kept])
 
-    solution = solve(fitted)
+    solution, without_forms = solve(fitted), solve(fitted, samples.imitated)
     # left-out groups show how far the coefficients can be trusted (jackknife: Efron and Tibshirani 1993)
     each = np.array([solve(fitted & (samples.group != g)) for g in samples.learning_groups])
     n = len(samples.learning_groups)
     deviation = np.sqrt((n - 1) / n * ((each - each.mean(axis=0)) ** 2).sum(axis=0))
-    nuisance = samples.value - samples.imitated @ solution[:q]
 
-    def score(kept: NDArray[np.bool_]) -> float:
-        error = samples.value[kept] - rows[kept] @ solution
-        return 1 - float(error @ error) / float(nuisance[kept] @ nuisance[kept])
+    def mean_squares(kept: NDArray[np.bool_]) -> tuple[float, float]:
+        """With the forms, and with the free parameters alone."""
+        errors = samples.value - rows @ solution, samples.value - samples.imitated @ without_forms
+        return float(np.mean(errors[0][kept] ** 2)), float(np.mean(errors[1][kept] ** 2))
 
     others = ~fitted
     if others.any():
-        held_out_score = score(others)
+        left, before = mean_squares(others)
     else:
-        held_out_score = 1 - _cross_validation_error(samples, columns) / float(
-            np.mean(nuisance[fitted] ** 2)
-        )
+        left, before = (_cross_validation_error(samples, of) for of in (columns, []))
+    left_fitted, before_fitted = mean_squares(fitted)
     return FittedForms(
-        tuple(picked), solution[q:], deviation[q:], solution[:q], held_out_score, score(fitted)
+        tuple(picked),
+        solution[q:],
+        deviation[q:],
+        solution[:q],
+        1 - left / before,
+        1 - left_fitted / before_fitted,
+        left,
     )
 
 

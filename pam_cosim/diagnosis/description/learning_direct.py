@@ -139,7 +139,7 @@ def _in_balance(
         fit_score=fitted.fit_score,
         parameters=dict(zip(samples.free, fitted.free.tolist(), strict=True)),
     )
-    return DirectTerm(learned, entry, float(np.mean(samples.value**2)) * (1 - fitted.score))
+    return DirectTerm(learned, entry, fitted.left)
 
 
 # ---- what a term could be a function of -----------------------------------------------------------------------------

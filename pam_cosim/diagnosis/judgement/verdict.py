@@ -69,6 +69,8 @@ class Verdict:
         """Whether it says that just these families are missing, or may be."""
         if self.kind == "ambiguous":
             return bool(families) and set(families) <= set(self.families)
+        if self.kind == "unknown" and not self.families:
+            return False  # something is missing, and it is none of the families
         return set(families) == set(self.families)
 
     @property

@@ -99,8 +99,9 @@ def addition(
     columns = [part for shape in shapes for part in (shape.slopes, shape.whole[:, None])]
     columns += [(base.residual - r)[:, None] for r in probe.further]
     basis = _orthonormal(np.column_stack(columns))
+    cost = max(len(probe.own_parameters) - len(probe.inactive_parameters), 1)
     return (
-        EffectDirections(probe.effect, probe.family, basis, len(probe.own_parameters), shapes)
+        EffectDirections(probe.effect, probe.family, basis, cost, shapes)
         if basis.shape[1]
         else None
     )

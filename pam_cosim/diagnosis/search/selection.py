@@ -406,7 +406,8 @@ class _Models:
     def _is_near(self, effects: tuple[str, ...], name: str, best: Candidate) -> bool:
         """Whether a model leaves little of what an effect of the best model explains beside the others."""
         left = _without(best.effects, name)
-        other, without = self.fitted.get(effects), self.fitted.get(left)
+        by_set = {frozenset(names): c for names, c in self.fitted.items()}
+        other, without = by_set.get(frozenset(effects)), by_set.get(frozenset(left))
         if other is None or (left and without is None):
             return False
         fit = without.fit if without is not None else self.base
