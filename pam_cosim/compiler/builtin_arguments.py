@@ -26,8 +26,8 @@ def evaluated_arguments(
     return [evaluator.evaluate(argument, scope, names) for argument in node.arguments]
 
 
-def argument_at(position: int, *counts: int) -> Builtin:
-    """A function that returns one of its arguments."""
+def argument_at(position: int, *counts: int, name: str = "") -> Builtin:
+    """A function that returns one of its arguments, which may be given by ``name``."""
 
     def builtin(evaluator: Evaluator, node: Call, scope: Scope, names: Environment) -> Value:
         if len(node.arguments) not in counts and not node.named:
@@ -36,7 +36,9 @@ def argument_at(position: int, *counts: int) -> Builtin:
             )
         if node.named and position >= len(node.arguments):
             named = dict(node.named)
-            return evaluator.evaluate(next(iter(named.values())), scope, names)
+            if name not in named:
+                raise ModelError(f"{node.function.text}() has no argument '{name}'")
+            return evaluator.evaluate(named[name], scope, names)
         return evaluator.evaluate(node.arguments[position], scope, names)
 
     return builtin

@@ -190,7 +190,7 @@ BUILTINS: dict[str, Builtin] = {
     "der": _der,
     "noEvent": argument_at(0, 1),
     "smooth": argument_at(1, 2),
-    "homotopy": argument_at(0, 1, 2),
+    "homotopy": argument_at(0, 2, name="actual"),
     "inStream": _refused("inStream"),
     "actualStream": _refused("actualStream"),
     "scalar": lambda e, n, s, v: arithmetic.flattened(evaluated_arguments(e, n, s, v, 1))[0],

@@ -70,8 +70,16 @@ class Components(Holders, Protocol):
     """What evaluation asks of the one who makes instances."""
 
     budget: Budget
-    constants: Evaluator
     calls: Calls
+
+    @property
+    def constants(self) -> Evaluator:
+        """Values that are known when a model is compiled."""
+        ...
+
+    def is_structural(self, instance: Instance) -> bool:
+        """Whether the structure of the model follows from the value of a Real parameter."""
+        ...
 
     def function(self, of: Class) -> Instance:
         """A function as a holder of its inputs, outputs and statements."""
@@ -141,8 +149,8 @@ class Evaluator:
     # ---- entry points -------------------------------------------------------------------------------------
 
     def bound(self, bound: Bound, names: Environment = NO_NAMES) -> Value:
-        """The value of an expression at its place."""
-        return self.evaluate(bound.expression, bound.scope, names)
+        """The value of an expression at its place, where ``names`` have values."""
+        return self.evaluate(bound.expression, bound.scope, {**names, **bound.names})
 
     def integer(self, expression: Expression, scope: Scope, names: Environment = NO_NAMES) -> int:
         """A value that must be an integer constant."""
@@ -272,12 +280,30 @@ class Evaluator:
             referent = first_of(self.instantiator, name, scope, node)
         referent = self._subscripted(referent, subscripts, scope, names)
         for name, subscripts in node.parts[1:]:
-            referent = self._subscripted(
-                member_of(self.instantiator, referent, name, node), subscripts, scope, names
-            )
+            referent = self._member_of_each(referent, name, subscripts, node, scope, names)
         if isinstance(referent, ClassValue):
             raise ModelError(f"'{node.text}' is a class, not a variable")
         return referent
+
+    def _member_of_each(
+        self,
+        holder: Value,
+        name: str,
+        subscripts: tuple[Expression, ...],
+        node: Reference,
+        scope: Scope,
+        names: Environment,
+    ) -> Value:
+        """A member with its subscripts, of every element of an array (Modelica 3.6, section 10.5.2)."""
+        if isinstance(holder, Instance):
+            holder = self.instantiator.expand(holder)
+            holder = holder if holder.elements is None else holder.elements
+        if isinstance(holder, list):
+            return [
+                self._member_of_each(one, name, subscripts, node, scope, names) for one in holder
+            ]
+        member = member_of(self.instantiator, holder, name, node)
+        return self._subscripted(member, subscripts, scope, names)
 
     def _subscripted(
         self, array: Value, subscripts: tuple[Expression, ...], scope: Scope, names: Environment
@@ -483,6 +509,9 @@ class Evaluator:
                 f"'{definition.qualified_name}' is a {definition.kind}: it cannot be called"
             )
         modification: Mod = bind(Modification(tuple(arguments)), scope, node.at)
+        for entry in modification.entries.values():
+            if entry.value is not None:
+                entry.value.names = names
         return self.instantiator.record(of, definition.name, modification)
 
     def combinations(self, node: Call, scope: Scope, names: Environment) -> list[Value]:

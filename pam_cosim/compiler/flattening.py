@@ -78,6 +78,9 @@ class _Flattener:
 
     def run(self) -> FlatModel:
         root = self.flat.root
+        for leaf in root.leaves():  # first what the structure follows from
+            if leaf.variability == "parameter" and leaf.primitive != "Real":
+                self.symbols.value(leaf)
         for leaf in root.leaves():
             if leaf.variability != "constant":
                 self.symbols.value(leaf)
@@ -131,6 +134,11 @@ class _Flattener:
         if isinstance(equation, Equality):
             self._equality(equation, scope, names, initial)
         elif isinstance(equation, Connect):
+            if any(condition is not True for condition in self.symbols.branches):
+                raise ModelError(
+                    "connect() stands in an if-equation whose condition may change: "
+                    "make what it depends on final, constant or Boolean"
+                )
             self.connections.add(equation, scope, names)
         elif isinstance(equation, For):
             for point in self.symbols.points(equation.iterators, scope, names):

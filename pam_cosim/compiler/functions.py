@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.assertions import check
 from pam_cosim.compiler.budget import checked_size
-from pam_cosim.compiler.evaluation import Environment, Evaluator, Value
+from pam_cosim.compiler.evaluation import NO_NAMES, Environment, Evaluator, Value
 from pam_cosim.compiler.instance import Class, Instance, Scope
 from pam_cosim.compiler.syntax import (
     Assignment,
@@ -102,7 +102,10 @@ def _with_defaults(
         if key in given:
             local[key] = given[key]
         elif value is not None:
-            local[key] = evaluator.evaluate(value.expression, value.scope, local)
+            own = (
+                value.scope.instance is function
+            )  # else it is written where the function is modified
+            local[key] = evaluator.bound(value, local if own else NO_NAMES)
         elif child in inputs:
             raise ModelError(f"function {name} needs its input '{key}'")
         else:

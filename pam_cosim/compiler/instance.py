@@ -5,8 +5,9 @@ They refer to each other: a place belongs to an instance, a modification to its 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from dataclasses import dataclass, field
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field, replace
+from typing import Any
 
 from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
@@ -55,18 +56,19 @@ class Class:
 
 @dataclass(eq=False, repr=False)
 class Bound:
-    """An expression and the place where its names are looked up."""
+    """An expression and the place where its names are looked up; but for ``names`` that have values already."""
 
     expression: Expression
     scope: Scope
+    names: Mapping[str, Any] = field(default_factory=dict)
 
     def element(self, index: int) -> Bound:
         """Element ``index`` (from 0) of an array-valued expression."""
-        return Bound(Element(self.expression.at, self.expression, index), self.scope)
+        return replace(self, expression=Element(self.expression.at, self.expression, index))
 
     def member(self, name: str) -> Bound:
         """A member of a record-valued expression."""
-        return Bound(Member(self.expression.at, self.expression, name), self.scope)
+        return replace(self, expression=Member(self.expression.at, self.expression, name))
 
     @property
     def source(self) -> SourceText:
@@ -104,6 +106,11 @@ class Mod:
             for name, entry in self.entries.items()
         }
         return Mod(self.at, self.source, value, entries, self.redeclaration, False, self.final)
+
+    def of_one(self) -> Mod:
+        """The modification of one component of an array: what was said of each of them is said of it."""
+        entries = {name: replace(entry, each=False) for name, entry in self.entries.items()}
+        return replace(self, entries=entries)
 
 
 NOTHING = Mod(0, None)

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from typing import TypeAlias
 
 from pam_cosim.compiler.budget import Budget, checked_size
+from pam_cosim.compiler.constants import Constants
 from pam_cosim.compiler.declared_type import DEPTH, DeclaredType, declared_type
-from pam_cosim.compiler.evaluation import Calls, Evaluator
+from pam_cosim.compiler.evaluation import Calls
 from pam_cosim.compiler.instance import NOTHING, Bound, Class, Instance, Mod, Scope
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.modification import ATTRIBUTES, bind, merge
@@ -32,6 +34,9 @@ _INHERITED_PREFIXES = frozenset(
 )
 
 
+_Key: TypeAlias = tuple[ClassDefinition, Scope | None, Mod | None, Mod | None]
+
+
 class Instantiator:
     """Builds instances; one for each compile."""
 
@@ -39,11 +44,14 @@ class Instantiator:
         self.lookup = lookup
         self.calls = calls
         self.budget = Budget()
-        self.constants = Evaluator(self)
-        self._packages: dict[ClassDefinition, Instance] = {}
-        self._functions: dict[
-            tuple[ClassDefinition, Scope | None, Mod | None, Mod | None], Instance
-        ] = {}
+        self.constants = Constants(self)
+        lookup.package_of = self.package
+        self._packages: dict[_Key, Instance] = {}
+        self._functions: dict[_Key, Instance] = {}
+
+    def is_structural(self, instance: Instance) -> bool:
+        """Whether the structure of the model follows from the value of a Real parameter."""
+        return instance in self.constants.structural
 
     # ---- whole classes ------------------------------------------------------------------------------------
 
@@ -56,15 +64,12 @@ class Instantiator:
 
     def package(self, of: Class) -> Instance:
         """A package as a holder of constants; they are expanded when somebody asks for them."""
-        key = of.definition
-        if of.over is not None or key not in self._packages:
-            instance = Instance(
-                of.definition.qualified_name, None, None, None, kind="package", expanded=True
-            )
+        key = of.definition, of.outer, of.over, of.under
+        if key not in self._packages:
+            name = of.definition.qualified_name
+            instance = Instance(name, None, None, None, kind="package", expanded=True)
+            self._packages[key] = instance  # before it is whole: its bases may be looked up in it
             self.populate(instance, of, NOTHING)
-            if of.over is not None:
-                return instance
-            self._packages[key] = instance
         return self._packages[key]
 
     def function(self, of: Class) -> Instance:
@@ -290,9 +295,9 @@ class Instantiator:
             if len(sizes) > 1:
                 self._expand_array(element, sizes[1:], place)
             else:
-                self._expand_scalar(
-                    element, declared_type(self.lookup, declaration.type, scope, modification)
-                )
+                element.modification = modification.of_one()
+                type_ = declared_type(self.lookup, declaration.type, scope, element.modification)
+                self._expand_scalar(element, type_)
             instance.elements.append(element)
 
     def _expand_scalar(self, instance: Instance, type_: DeclaredType) -> None:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 from pam_cosim.compiler import names
 from pam_cosim.compiler.budget import LIMITS
-from pam_cosim.compiler.instance import Class, Scope
+from pam_cosim.compiler.instance import Class, Instance, Scope
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.syntax import ClassDefinition, Extends, TypeName
 from pam_cosim.errors import ModelError
@@ -15,6 +17,7 @@ class Lookup:
 
     def __init__(self, library: Library) -> None:
         self.library = library
+        self.package_of: Callable[[Class], Instance] | None = None  # where packages are instances
         self._static: dict[ClassDefinition, Scope] = {}
         self._static_bases: dict[ClassDefinition, list[Class]] = {}
         self._static_members: dict[tuple[ClassDefinition, str], Class | None] = {}
@@ -112,11 +115,27 @@ class Lookup:
         ):
             return Class(inserted, scope)
         if scope.instance is None:
+            own = self._class_of_package(Class(definition, scope.outer), name)
+            if own is not None:
+                return own
             for base in self.bases(Class(definition, scope.outer)):
                 inherited = self.member(self.inside(base), name)
                 if inherited is not None:
                     return inherited
         return self._imported(definition, name)
+
+    def class_in(self, of: Class, name: str) -> Class | None:
+        """A class that is declared in, inherited or imported by a class, with what modifies that one."""
+        own = self._class_of_package(of, name) if of.over is not None else None
+        return own or self.member(self.inside(of), name)
+
+    def _class_of_package(self, of: Class, name: str) -> Class | None:
+        """A class as the package has it, in which constants may have other values than where it is inherited from."""
+        definition = of.definition
+        inherits = bool(definition.extends) or definition.alias is not None or of.over is not None
+        if self.package_of is None or definition.kind != "package" or not inherits:
+            return None
+        return self.package_of(of).classes.get(name)
 
     def bases(self, of: Class) -> list[Class]:
         """The classes that a class extends or is short for, as far as they are found; built-in types are not."""
@@ -180,5 +199,5 @@ class Lookup:
         for name in names:
             if of is None:
                 return None
-            of = self.member(self.inside(of), name)
+            of = self.class_in(of, name)
         return of

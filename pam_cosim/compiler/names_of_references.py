@@ -116,7 +116,7 @@ def _class_member(components: Holders, of: Class, name: str, node: Reference) ->
         if name in literals:
             return EnumerationLiteral(name, literals.index(name) + 1)
         raise ModelError(f"enumeration {definition.qualified_name} has no '{name}'")
-    nested = components.lookup.member(components.lookup.inside(of), name)
+    nested = components.lookup.class_in(of, name)
     if nested is not None:
         return ClassValue(nested)
     bases = components.lookup.bases(of) if definition.alias is not None else []

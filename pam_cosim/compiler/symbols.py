@@ -79,6 +79,8 @@ class SymbolTable(Evaluator):
                 message = f"parameter '{instance.name}' has a value, and fixed=false leaves it to initial equations"
                 raise self.at_declaration(instance, message)
             return self.late.setdefault(instance.name, ca.SX.sym(instance.name))
+        if self.instantiator.is_structural(instance):
+            return self.instantiator.constants.value(instance)
         value = arithmetic.simplified(self.assigned(instance))
         if isinstance(value, ca.SX) or instance.prefixes & {"final", "protected"}:
             return value
