@@ -67,8 +67,14 @@ def _recipe(
     """What determines a model, and how it is compiled."""
     key = flat_hash(model, files=files, library=library)
 
+    def compiled() -> Ode:
+        ode = compile_model(model, files=files)
+        if flat_hash(model, files=files) != key:
+            raise InputError("a Modelica file changed since this began: begin again", model)
+        return ode
+
     def make() -> Ode:
-        ode = cached_ode(key, lambda: compile_model(model, files=files))
+        ode = cached_ode(key, compiled)
         known = smooth_parameters(ode) if where_smooth else sensitivities
         chosen = [name for name in sensitivities if name in known and name != START_VALUES]
         starts = (

@@ -8,6 +8,7 @@ import sys
 import zipfile
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 from xml.etree import ElementTree as Xml
 
 import casadi as ca
@@ -17,8 +18,10 @@ from fmpy.validation import validate_fmu
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.fmu import build_fmu, build_model, build_source, cached_fmu, read_interface
+from pam_cosim.fmu import library as fmu_library
 from pam_cosim.fmu.compile import universal_binary
 from pam_cosim.model.interface import Variable
+from pam_cosim.simulation import Simulator
 from tests.fmu import models
 
 ALL = [
@@ -270,3 +273,25 @@ def test_universal_binary_keeps_its_slices() -> None:
             int.from_bytes(fat[8 + 20 * i + k : 12 + 20 * i + k], "big") for k in (8, 12)
         )
         assert fat[offset : offset + size] == data and offset % 16384 == 0
+
+
+def test_a_model_that_changes_while_it_is_compiled_is_not_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """It was kept under the hash of the text before, and found again when that text came back."""
+    monkeypatch.setattr("pam_cosim.cache.cache_dir", lambda: tmp_path)
+    file, before = tmp_path / "A.mo", "model A output Real y = time; end A;"
+    file.write_text(before)
+    compile_now = fmu_library.compile_model
+
+    def changed_first(*arguments: Any, **named: Any) -> Ode:
+        file.write_text(before.replace("time", "2*time"))
+        return compile_now(*arguments, **named)
+
+    with monkeypatch.context() as within:
+        within.setattr(fmu_library, "compile_model", changed_first)
+        with pytest.raises(InputError, match="changed since this began"):
+            build_model(str(file))
+    file.write_text(before)
+    with Simulator(build_model(str(file))) as simulator:
+        assert simulator.run([0.0, 1.0])["y"][-1] == 1.0
