@@ -144,7 +144,7 @@ class RecognitionCriteria:
         4000, "samples", "noise is estimated from pieces of so many, of a long recording"
     )
     noise_pieces: int = decides(5, "pieces", "spread over the recording")
-    held: float = decides(
+    stepwise: float = decides(
         0.9, "of samples", "neighbours that are equal, of an input that is held between steps"
     )
     imposed: float = decides(
@@ -237,7 +237,7 @@ class StartCriteria:
     range: float = decides(
         3.0, "of range", "sd of a start value by what the run itself goes through in that state"
     )
-    told: float = decides(
+    informed: float = decides(
         0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it"
     )
     own_parameter: float = decides(
@@ -479,7 +479,7 @@ class EvidenceCriteria:
     beyond_doubt: float = decides(
         0.02, "of the excess", "the one family whose form nobody listed leaves no more", BLIND
     )
-    apart: float = decides(3.0, "times that", "every other family must leave then", BLIND)
+    rival_ratio: float = decides(3.0, "times that", "every other family must leave then", BLIND)
     temperature: float = decides(
         4.0,
         "1",

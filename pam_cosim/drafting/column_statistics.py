@@ -71,4 +71,4 @@ def is_held(values: Array) -> bool:
     count = int(changed.sum())
     in_a_row = int((changed[1:] & changed[:-1]).sum())
     mostly_within_one_sample = 2 * (count - in_a_row) > count
-    return count > 0 and float(np.mean(~changed)) >= _C.held and mostly_within_one_sample
+    return count > 0 and float(np.mean(~changed)) >= _C.stepwise and mostly_within_one_sample

@@ -177,7 +177,7 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
 def _feeds(one: Array, other: Array) -> bool:
     """Whether one pressure stays above another and varies little."""
     steady = float(np.nanmin(one)) > 0.0 and span(one) < _C.steady * float(np.nanmean(one))
-    return steady and float(np.mean(one >= other)) > _C.held and span(other) > span(one)
+    return steady and float(np.mean(one >= other)) > _C.stepwise and span(other) > span(one)
 
 
 def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:

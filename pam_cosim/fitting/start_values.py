@@ -111,7 +111,7 @@ class StartValues:
 
     def determined(self) -> NDArray[np.bool_]:
         """(k,) which of them the data tell, and not what is known beforehand alone."""
-        return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.told)
+        return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
 
 
 def start_values(

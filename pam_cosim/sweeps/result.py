@@ -151,14 +151,14 @@ class Sweep:
         names = [f"{name} {self._span(i)}" for i, name in enumerate(self.design.names)]
         varied = ", ".join(names)
         lines = [f"{len(self)} runs of {self.interface.model} ({self.design.kind}): {varied}"]
-        lines += [f"  {line}" for line in self.told()]
+        lines += [f"  {line}" for line in self.summary_lines()]
         if self.failed:
             lines.append(
                 f"  {len(self.failed)} runs failed; the first: {next(iter(self.failed.values()))}"
             )
         return "\n".join(lines)
 
-    def told(self) -> list[str]:
+    def summary_lines(self) -> list[str]:
         """A line for each scalar: between which values it lies."""
         lines = []
         for scalar in self.scalars:

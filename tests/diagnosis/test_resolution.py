@@ -71,7 +71,7 @@ def test_a_parameter_that_moves_nothing_is_known_as_well_as_its_bounds() -> None
 
 def test_an_effect_shows_by_what_no_free_parameter_does() -> None:
     (shown,) = (
-        rows(stated("Spring", "elasticity", 30 * unit(0) + 20 * unit(1))).identifiability().shown
+        rows(stated("Spring", "elasticity", 30 * unit(0) + 20 * unit(1))).identifiability().effects
     )
     assert shown.size == pytest.approx(20.0, rel=1e-6)
     needed = math.sqrt(CRITERIA.evidence.very_strong + PRICE)
@@ -91,8 +91,8 @@ def test_what_does_nothing_is_hidden_and_a_faint_effect_is_not_visible() -> None
 def test_what_begins_at_a_threshold_shows_where_it_was_seen_or_not_at_all() -> None:
     strong = stated("Ceiling", "saturation", 50 * unit(1), weaker=0.0)
     weak = stated("High", "saturation", 1 * unit(1), weaker=0.0)
-    assert [s.least for s in rows(strong).identifiability().shown] == [1.0]
-    assert [s.least for s in rows(weak).identifiability().shown] == [math.inf]
+    assert [s.least for s in rows(strong).identifiability().effects] == [1.0]
+    assert [s.least for s in rows(weak).identifiability().effects] == [math.inf]
 
 
 def test_a_strength_is_extrapolated_from_the_weakest_look_that_shows() -> None:
@@ -146,7 +146,7 @@ def vessel(folder: Path, text: str = EXPERIMENT) -> pam.Check:
 @pytest.mark.full
 def test_the_deviations_of_a_vessel_are_those_of_its_fit(tmp_path: Path) -> None:
     """The fit is asked at the optimum and the check at the start values, so that they are alike, not equal."""
-    told = vessel(tmp_path / "rig").told
+    told = vessel(tmp_path / "rig").identifiability
     fit = pam.fit(pam.read(tmp_path / "rig"))
     for known in told.parameters:
         estimate = fit.parameters[known.name]
@@ -159,7 +159,7 @@ def test_the_deviations_of_a_vessel_are_those_of_its_fit(tmp_path: Path) -> None
 def test_measuring_the_temperature_of_a_vessel_helps(tmp_path: Path) -> None:
     """Pressure alone says little of heat, and nothing of what reads a temperature."""
     check = vessel(tmp_path / "rig")
-    assert {"temperature_sensor", "thermocouple_lag"} <= set(check.told.hidden) | set(
+    assert {"temperature_sensor", "thermocouple_lag"} <= set(check.identifiability.hidden) | set(
         check.no_place
     )
     (temperature,) = [h for h in check.helps if h.option.text.startswith("T in every run")]
@@ -174,7 +174,7 @@ def test_a_parameter_that_data_do_not_determine_is_named(tmp_path: Path) -> None
     text = EXPERIMENT.replace(
         '"tank.n" =', '"tank.V" = { min = "16.2 l", max = "16.3 l" }\n"tank.n" ='
     ).replace('"tank.V" = "16.2 l"\n', "")
-    known = {k.name: k for k in vessel(tmp_path / "rig", text).told.parameters}
+    known = {k.name: k for k in vessel(tmp_path / "rig", text).identifiability.parameters}
     assert not known["tank.V"].determined
     assert known["tank.n"].determined
 

@@ -45,7 +45,7 @@ def test_times_of_runs_that_have_not_settled_are_missing_and_said_to_be() -> Non
     times = {"filling time": "time_to(p, 90 %)"}
     short = swept(scalars=times, stop_time=5.0)
     assert np.isnan(short.column("filling time")).all()
-    assert short.told() == [
+    assert short.summary_lines() == [
         "filling time: 8 runs have not settled, so that the whole change is not known; make them longer"
     ]
     full = pam.sweep(

@@ -159,5 +159,5 @@ def _tell(made: Sweep) -> None:
             f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each"
         )
     typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
-    for line in made.told():
+    for line in made.summary_lines():
         typer.echo(line)

@@ -260,7 +260,7 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
         left[c.family] = min(left.get(c.family, math.inf), c.fit.residuals["fit"].excess)
     family = min(left, key=lambda f: left[f], default="")
     if any(
-        excess <= CRITERIA.evidence.apart * left[family]
+        excess <= CRITERIA.evidence.rival_ratio * left[family]
         for other, excess in left.items()
         if other != family
     ):

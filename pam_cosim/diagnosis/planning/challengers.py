@@ -62,10 +62,10 @@ def _runners_up(diagnosis: Diagnosis, best: Candidate) -> list[Candidate]:
 
 def _faintest(diagnosis: Diagnosis, files: Sequence[Path]) -> list[DetectableEffect]:
     """Of each family the effect that the recordings show best, and of these the ones that must be strongest to show."""
-    told = check(diagnosis.data, diagnosis.model, files=files, workers=0).told
+    known = check(diagnosis.data, diagnosis.model, files=files, workers=0).identifiability
     shown = [
         one
-        for family, one in told.families.items()
+        for family, one in known.families.items()
         if one.least <= CRITERIA.resolution.strongest
         and family not in diagnosis.not_tried
         and not is_ratio(one.effect)

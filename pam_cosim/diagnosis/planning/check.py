@@ -64,7 +64,7 @@ class Check(Printed):
     Attributes:
         data: the measurement, with the noise levels that were used.
         model: the base model.
-        told: what the fitted runs can tell.
+        identifiability: what the fitted runs can tell.
         no_place: families whose effects find no place in the model.
         helps: further measurements, the most useful first; none that would bring nothing.
         failed: effects that could not be simulated.
@@ -72,7 +72,7 @@ class Check(Printed):
 
     data: DataSet
     model: str
-    told: Identifiability
+    identifiability: Identifiability
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
@@ -84,13 +84,13 @@ class Check(Printed):
             "model": self.model,
             "parameters": {
                 k.name: {**plain_fields(k), "determined": k.determined}
-                for k in self.told.parameters
+                for k in self.identifiability.parameters
             },
-            "confused": self.told.confused,
-            "effects": self.told.shown,
-            "visible": sorted(self.told.visible),
-            "alike": self.told.alike,
-            "hidden": self.told.hidden,
+            "confused": self.identifiability.confused,
+            "effects": self.identifiability.effects,
+            "visible": sorted(self.identifiability.visible),
+            "alike": self.identifiability.alike,
+            "hidden": self.identifiability.hidden,
             "no_place": self.no_place,
             "helps": self.helps,
             "failed": self.failed,
@@ -110,7 +110,7 @@ class Check(Printed):
 
     def _about_parameters(self) -> list[str]:
         lines = []
-        for k in self.told.parameters:
+        for k in self.identifiability.parameters:
             value, deviation = (
                 format_quantity(k.start, k.unit),
                 format_quantity(k.deviation, k.unit, 2),
@@ -122,12 +122,16 @@ class Check(Printed):
             )
         lines += [
             f"  {a} and {b} are hardly told apart (correlation {r:+.3f})"
-            for a, b, r in self.told.confused
+            for a, b, r in self.identifiability.confused
         ]
         return ["free parameters:", *lines] if lines else ["no free parameter"]
 
     def _about_families(self) -> list[str]:
-        best, visible, hidden = self.told.families, self.told.visible, self.told.hidden
+        best, visible, hidden = (
+            self.identifiability.families,
+            self.identifiability.visible,
+            self.identifiability.hidden,
+        )
         shown = [_detection_limit_text(best[family]) for family in best if family in visible]
         faint = [
             _detection_limit_text(best[family])
@@ -152,10 +156,10 @@ class Check(Printed):
         return lines + self._about_confused_families()
 
     def _about_confused_families(self) -> list[str]:
-        if not self.told.alike:
+        if not self.identifiability.alike:
             return []
         lines = ["families that would show, but not be told apart at their usual strength:"]
-        for a in self.told.alike:
+        for a in self.identifiability.alike:
             pair = f"{a.family} ({a.effect}) may be taken for {a.other_family} ({a.other})"
             lines.append(f"  {pair}, {_strength_range_text(a.least)}")
         return lines
@@ -269,16 +273,16 @@ def check(
         samples[option] += run.sample_count(signal)
     option_of_rows = [belongs[i] for i in rows_of_series(objective, count)]
     rows = Rows(base, {f.name: f.unit for f in free}, probes, option_of_rows, samples)
-    told = rows.identifiability()
+    identifiability = rows.identifiability()
     tried = {p.family for p in probes} | {f.family for f in search.failed}
     return Check(
         data=data,
         model=name,
-        told=told,
+        identifiability=identifiability,
         no_place=tuple(
             f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried
         ),
-        helps=tuple(_helps(rows, told)),
+        helps=tuple(_helps(rows, identifiability)),
         failed=tuple(search.failed),
     )
 

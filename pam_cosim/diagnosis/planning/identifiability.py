@@ -93,20 +93,20 @@ class Identifiability:
     Attributes:
         parameters: the free ones.
         confused: pairs of parameters that are hardly told apart, with the correlation of their estimates.
-        shown: every effect that was simulated, the one that is shown best first.
+        effects: every effect that was simulated, the one that is shown best first.
         alike: families that are shown but not told apart, the worst first.
     """
 
     parameters: tuple[ParameterPrecision, ...]
     confused: tuple[Confused, ...]
-    shown: tuple[DetectableEffect, ...]
+    effects: tuple[DetectableEffect, ...]
     alike: tuple[ConfusedPair, ...]
 
     @cached_property
     def families(self) -> dict[str, DetectableEffect]:
         """By family, the effect of it that is shown best."""
         best: dict[str, DetectableEffect] = {}
-        for one in self.shown:
+        for one in self.effects:
             best.setdefault(one.family, one)
         return best
 
