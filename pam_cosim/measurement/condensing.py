@@ -9,8 +9,7 @@ import numpy as np
 
 from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.noise import complete_noise
-from pam_cosim.measurement.recording import Recording
-from pam_cosim.measurement.resampling import resampled, with_noise_of_means
+from pam_cosim.measurement.resampling import resampled_run, with_noise_of_means
 from pam_cosim.units import format_quantity
 
 MOST_ROWS = 30_000  # of all runs: five times six runs of 10 s at 100 Hz
@@ -44,7 +43,7 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
     return result, f'{said}; state resample = "..." under [recording] for another interval'
 
 
-def _lost(recording: Recording, means: Recording, name: str) -> float:
+def _lost(recording: Run, means: Run, name: str) -> float:
     """What an input varies beside its means: standard deviation over the samples."""
     at = np.interp(recording.time, means.time, means.inputs[name])
     return float(np.std(recording.inputs[name] - at))
@@ -57,18 +56,10 @@ def _rounded(interval: float) -> float:
 
 
 def _means(run: Run, interval: float) -> Run | None:
-    recording = Recording(run.time, run.inputs, run.measurements, run.notes, run.averaged)
-    means = resampled(recording, interval, run.interpolation)
-    if any(
-        _lost(recording, means, name) > PULSES * float(np.ptp(values))
-        for name, values in run.inputs.items()
-    ):
-        return None
-    return replace(
-        run,
-        time=means.time,
-        inputs=means.inputs,
-        measurements=means.measurements,
-        notes=means.notes,
-        averaged=means.averaged,
+    means = resampled_run(run, interval)
+    lost = {name: _lost(run, means, name) for name in run.inputs}
+    return (
+        None
+        if any(lost[name] > PULSES * float(np.ptp(values)) for name, values in run.inputs.items())
+        else means
     )

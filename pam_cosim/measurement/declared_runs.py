@@ -17,9 +17,10 @@ from pam_cosim.measurement.parameters import free_parameter, known_values
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import pieces_of
 from pam_cosim.measurement.points import Points
-from pam_cosim.measurement.read_run import read_points, read_run
+from pam_cosim.measurement.read_run import read_points, read_run, resampling_interval
 from pam_cosim.measurement.read_start import with_start
 from pam_cosim.measurement.recording import Recording
+from pam_cosim.measurement.resampling import resampled_run
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import UnitError, parse_quantity
@@ -220,15 +221,20 @@ def _begun(
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
     """
     mode, cut = instead.start(run), instead.cut(run)
+    interval = resampling_interval(document, index)
+
+    def means(one: Run) -> Run:
+        return one if interval is None else resampled_run(one, interval)
+
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
     if cut is None:
-        return with_start(document, interface, index, run, mode)
+        return with_start(document, interface, index, means(run), mode)
     made = cut_run(whole if run.name == whole.name else run, cut)
     table = document.content.runs[index]
     periodic = document.content.periodic if table.periodic is None else table.periodic
     elsewhere = made.time[0] != run.time[0] or (bool(periodic) and made.time[-1] != run.time[-1])
-    return with_start(document, interface, index, made, mode, anew=bool(elsewhere))
+    return with_start(document, interface, index, means(made), mode, anew=bool(elsewhere))
 
 
 def _curve(run: Run, points: Points, first: bool) -> Run:

@@ -19,7 +19,6 @@ from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of
-from pam_cosim.measurement.resampling import resampled
 from pam_cosim.measurement.table import TIME, Column, Layout, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
@@ -50,14 +49,22 @@ def read_run(
             recording = merged(recording, other, offset.value, run.interpolation)
         except ClockError as error:
             raise document.error(f"{logger.file}: {error}", *where) from None
-    stated = _stated(document, run)
-    if stated.resample is not None:
-        level: KeyPath = (
-            (*place, "recording") if run.recording.resample is not None else ("recording",)
-        )
-        interval = _duration(document, stated.resample, *level, "resample")
-        recording = resampled(recording, interval, run.interpolation)
     return recording, tuple(files)
+
+
+def resampling_interval(document: ExperimentFile, index: int) -> float | None:
+    """Over how long the rows of a run become means [s]; None where it is not stated.
+
+    Raises:
+        InputError: it is not a time above zero.
+    """
+    run = document.content.runs[index]
+    stated = _stated(document, run).resample
+    if stated is None:
+        return None
+    own = run.recording.resample is not None
+    level: KeyPath = ("runs", index, "recording") if own else ("recording",)
+    return _duration(document, stated, *level, "resample")
 
 
 def read_points(

@@ -7,7 +7,7 @@ little within the interval. An input that steps keeps the time and both values o
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from math import sqrt
 
 import numpy as np
@@ -23,12 +23,14 @@ from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 
 _Places = NDArray[np.int64]
+_SAME = 1e-6  # of the interval: two means at times no farther apart share a row
 
 
 def resampled(recording: Recording, interval: float, interpolation: Interpolation) -> Recording:
     """Means over about ``interval`` [s]; a recording that is no denser stays as it is.
 
-    The rows of the means are at the mean times of their samples. Rows of inputs alone stand at the beginning, the end
+    The rows of the means are at the mean times of their samples; a signal that has fewer samples than others has rows
+    of its own where those lie elsewhere. Rows of inputs alone stand at the beginning, the end
     and both sides of each step; where inputs are held (``interpolation`` "previous"), also where a mean begins. A mean
     of fewer than half as many samples as usual, between steps, is left out of the measurements.
     """
@@ -47,34 +49,61 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         name: v + np.add.reduceat(recording.inputs[name] - np.repeat(v, sizes), starts) / sizes
         for name, v in first.items()
     }
-    means = {name: _mean(v, starts) for name, v in recording.measurements.items()}
-    times = np.concatenate([middle, time[kept]])
+    means = {name: _mean(time, v, starts) for name, v in recording.measurements.items()}
+    elsewhere = {
+        name: np.flatnonzero(np.abs(mean.time - middle) > _SAME * interval)
+        for name, mean in means.items()
+    }
+    further = np.unique(
+        np.array([(means[n].time[k], k) for n, at in elsewhere.items() for k in at]).reshape(-1, 2),
+        axis=0,
+    )
+    own_time, of_mean = further[:, 0], further[:, 1].astype(np.int64)
+    times = np.concatenate([middle, time[kept], own_time])
     # Stable: of rows at one time the mean before a step comes first.
-    order = np.lexsort((np.concatenate([starts, kept]), times))
+    order = np.lexsort((np.concatenate([starts, kept, starts[of_mean]]), times))
     order = order[~_third(times[order])]
+
+    def of_input(name: str, values: Array) -> Array:
+        own = _own(recording, name, kept, starts, inputs, interpolation)
+        held = interpolation == "previous"
+        there = values[of_mean] if held else np.interp(own_time, time, recording.inputs[name])
+        return locked(np.concatenate([values, own, there])[order])
+
+    def of_measurement(name: str, mean: _Mean) -> Array:
+        values, there = mean.values.copy(), np.full(len(own_time), np.nan)
+        for k in elsewhere[name]:
+            there[(of_mean == k) & (own_time == mean.time[k])] = values[k]
+        values[elsewhere[name]] = np.nan
+        return locked(np.concatenate([values, np.full(len(kept), np.nan), there])[order])
+
     result = replace(
         recording,
         time=locked(times[order]),
-        inputs={
-            name: locked(
-                np.concatenate([v, _own(recording, name, kept, starts, inputs, interpolation)])[
-                    order
-                ]
-            )
-            for name, v in inputs.items()
-        },
-        measurements={
-            name: locked(np.concatenate([v, np.full(len(kept), np.nan)])[order])
-            for name, (v, _) in means.items()
-        },
+        inputs={name: of_input(name, v) for name, v in inputs.items()},
+        measurements={name: of_measurement(name, mean) for name, mean in means.items()},
         averaged={
-            name: Averaged(samples, record_step(recording.measurements[name]))
-            for name, (_, samples) in means.items()
+            name: Averaged(mean.samples, record_step(recording.measurements[name]))
+            for name, mean in means.items()
         },
     )
     means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
     note = f"{count} rows are {len(order)}: {means_of}"
     return replace(result, notes=(*recording.notes, note))
+
+
+def resampled_run(run: Run, interval: float) -> Run:
+    """A run of means over about ``interval`` [s], as ``resampled``."""
+    recording = Recording(run.time, run.inputs, run.measurements, run.notes, run.averaged)
+    means = resampled(recording, interval, run.interpolation)
+    return replace(
+        run,
+        time=means.time,
+        inputs=means.inputs,
+        measurements=means.measurements,
+        notes=means.notes,
+        averaged=means.averaged,
+    )
 
 
 def noise_of_mean(sigma: float, averaged: Averaged) -> float:
@@ -149,14 +178,26 @@ def _own(
     return means[name][np.searchsorted(starts, rows, side="right") - 1]
 
 
-def _mean(values: Array, starts: _Places) -> tuple[Array, int]:
-    """Means of the samples there are, and of how many usually."""
+@dataclass(frozen=True)
+class _Mean:
+    """Means (k,) of the samples there are, NaN of too few; their mean times (k,) [s]; of how many they usually are."""
+
+    values: Array
+    time: Array
+    samples: int
+
+
+def _mean(time: Array, values: Array, starts: _Places) -> _Mean:
     present = np.isfinite(values)
     counts = np.add.reduceat(present.astype(np.int64), starts)
     sums = np.add.reduceat(np.where(present, values, 0.0), starts)
     usual = int(np.median(counts[counts > 0])) if counts.any() else 1
     enough = counts >= max(1.0, usual / 2)
-    return np.where(enough, sums / np.maximum(counts, 1), np.nan), usual
+    at = np.add.reduceat(np.where(present, time, 0.0), starts)
+    several = np.maximum(counts, 1)
+    return _Mean(
+        np.where(enough, sums / several, np.nan), np.where(enough, at / several, np.nan), usual
+    )
 
 
 def _third(times: Array) -> NDArray[np.bool_]:

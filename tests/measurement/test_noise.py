@@ -173,3 +173,14 @@ def test_an_estimated_noise_holds_the_steps_already():
     coarse = np.round(20 * np.sin(TIME) + white(3))
     known = completed(StatedSignal("x", "m"), coarse)
     assert known.sigma == estimate_noise(TIME, coarse) and known.step == pytest.approx(1.0)
+
+
+@pytest.mark.parametrize("rate", [200.0, 240.0, 500.0])
+def test_a_sensor_that_is_slower_than_its_logger(rate: float) -> None:
+    """Most differences were zero, and a noise of 20 um came out as 3 nm."""
+    rng, time = np.random.default_rng(5), np.arange(0.0, 10.0, 1e-3)
+    readings = 5e-3 * np.sin(np.arange(0.0, 10.1, 1 / rate)) + 2e-5 * rng.standard_normal(
+        len(np.arange(0.0, 10.1, 1 / rate))
+    )
+    held = np.round(readings[np.floor(time * rate).astype(int)], 8)
+    assert estimate_noise(time, held) == pytest.approx(2e-5, rel=0.1)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import numpy as np
 import pandas as pd
 import pytest
@@ -29,7 +31,10 @@ def recording(rate: float = 1000.0, duration: float = 10.0, noisy: bool = True) 
 @pytest.mark.parametrize("held", ["linear", "previous"])
 def test_steps_of_inputs_keep_time_and_value(held):
     before, after = recording(), resampled(recording(), 0.02, held)
-    assert len(after.time) < 0.12 * len(before.time)
+    rows = {"linear": 2, "previous": 3}[
+        held
+    ]  # of means, of the slower signal, of where means begin
+    assert len(after.time) < rows * 0.051 * len(before.time)
     assert np.all(np.diff(after.time) >= 0)
     edges = np.flatnonzero(np.diff(after.inputs["u"]))
     assert len(edges) == 2
@@ -159,3 +164,41 @@ def test_a_search_keeps_every_row_of_pulses_and_of_few_rows(tmp_path):
     assert condensed(data)[0] is data
     data = long_data(tmp_path, pulses[:MOST_ROWS])
     assert condensed(data)[0] is data
+
+
+@pytest.mark.parametrize("interval", [0.02, 0.05])
+@pytest.mark.parametrize("held", ["linear", "previous"])
+def test_a_slower_signal_keeps_its_times(interval: float, held: str) -> None:
+    """Its means stood at the middle of all rows, up to half an interval late: 16 standard deviations of its noise."""
+    time = np.arange(0.0, 10.0, 1e-3)
+    x = np.where(np.arange(len(time)) % 20 == 0, 15e-3 * np.sin(np.pi * time), np.nan)
+    p, u = 1e5 * np.sin(time), np.where(time < 4.0, 0.0, 1.0)
+    after = resampled(Recording(time, {"u": u}, {"x": x, "p": p}), interval, held)  # type: ignore[arg-type]
+    there = np.isfinite(after.measurements["x"])
+    assert there.sum() > 9.0 / interval
+    error = after.measurements["x"][there] - 15e-3 * np.sin(np.pi * after.time[there])
+    assert np.abs(error).max() < (1e-9 if interval == 0.02 else 6e-5)
+    there = np.isfinite(after.measurements["p"])
+    assert np.abs(after.measurements["p"][there] - 1e5 * np.sin(after.time[there])).max() < 15.0
+    assert (np.diff(after.time) >= 0).all() and np.unique(after.inputs["u"]).tolist() == [0, 1]
+
+
+@pytest.mark.parametrize("interval", ["20 ms", "100 ms"])
+def test_a_recording_is_split_before_its_means_are_taken(tmp_path: Path, interval: str) -> None:
+    """A clock that began anew was no pause any more beside means; a mean could go across it, and across a cut."""
+    once = np.arange(0.0, 5.0, 1e-3)
+    time, x = np.tile(once, 2), np.concatenate([np.zeros(5000), np.ones(5000)])
+    rows = "".join(f"{t:.3f},{v:g}\n" for t, v in zip(time, x, strict=True))
+    (tmp_path / "run.csv").write_text(f"time [s],x [mm]\n{rows}")
+    head = f'model = "{MODEL}"\ngaps = "split"\n[recording]\nresample = "{interval}"\n[[runs]]\nfile = "run.csv"\n'
+    (tmp_path / "experiment.toml").write_text(head)
+    first, second = read_data_set(tmp_path, describe).runs
+    for run, level in ((first, 0.0), (second, 1e-3)):
+        values = run.measurements["x"][np.isfinite(run.measurements["x"])]
+        assert len(values) < 300 and values == pytest.approx(np.full(len(values), level))
+    (tmp_path / "experiment.toml").write_text(
+        f'{head}from = "2.0005 s"\n'.replace("split", "through")
+    )
+    (run,) = read_data_set(tmp_path, describe).runs
+    half = int(interval.split()[0]) / 2e3
+    assert run.time[0] == pytest.approx(2.0005 + half, abs=1e-3)
