@@ -63,7 +63,8 @@ class _Draft:
 
     def __init__(self, structure: Structure, tree: ClassTree) -> None:
         self.structure, self.tree = structure, tree
-        self.names = {p.path for p in structure.parts if not names.parent(p.path)}
+        parts = {p.path for p in structure.parts if not names.parent(p.path)}
+        self.names = parts | {c.name for c in tree.components(structure.model)}
         self.modifications: list[tuple[str, str]] = []
         self.components: list[_Component] = []
         self.connections: list[str] = []

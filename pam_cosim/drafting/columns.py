@@ -14,7 +14,7 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.time_column import with_time
-from pam_cosim.drafting.vocabulary import Meaning, is_count, read_heading
+from pam_cosim.drafting.vocabulary import Heading, Meaning, is_count, read_heading
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
@@ -103,7 +103,7 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
     first = next(iter(places.values()))
     if any(column.unit != first.unit for column in places.values()):
         raise _two_units(name, places, sources)
-    reading = read_heading(name, first.unit)
+    reading = _reading(name, first.unit, [column.values for column in places.values()])
     one = RecordedColumn(
         name,
         reading.unit,
@@ -132,6 +132,16 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
     if not one.stated:
         one = replace(one, why=(*one.why, f"unit {reading.unit} by its name"))
     return one
+
+
+def _reading(name: str, unit: str, recorded: Sequence[Array]) -> Heading:
+    """What a heading says; a pressure that moves is none of the atmosphere: ``p_atm`` is one in that unit."""
+    bare = re.sub(r"[\W_]+atm$", "", name, flags=re.IGNORECASE)
+    if bare != name and not all(map(_varies_little, recorded)):
+        in_atmospheres = read_heading(bare, unit or "atm")
+        if in_atmospheres.meaning is not None and in_atmospheres.meaning.kind == "pressure":
+            return replace(in_atmospheres, written=in_atmospheres.written and bool(unit.strip()))
+    return read_heading(name, unit)
 
 
 def _words_in(sources: Sequence[RecordingSource], name: str, heading: str) -> tuple[str, ...]:
@@ -176,8 +186,14 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
 
 def _feeds(one: Array, other: Array) -> bool:
     """Whether one pressure stays above another and varies little."""
-    steady = float(np.nanmin(one)) > 0.0 and span(one) < _C.steady * float(np.nanmean(one))
+    steady = float(np.nanmin(one)) > 0.0 and _varies_little(one)
     return steady and float(np.mean(one >= other)) > _C.stepwise and span(other) > span(one)
+
+
+def _varies_little(values: Array) -> bool:
+    """Whether values span a small part of their mean; those of an empty column do."""
+    present = values[np.isfinite(values)]
+    return not present.size or span(present) < _C.steady * float(np.mean(present))
 
 
 def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:

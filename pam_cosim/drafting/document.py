@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from textwrap import wrap
 
@@ -16,6 +16,7 @@ from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface, Variable
 
 _WIDTH = 110
+_DURATIONS = ("interval", "resample")
 
 
 @dataclass(frozen=True)
@@ -109,11 +110,22 @@ def _recording(draft: Draft) -> Iterator[str]:
         )
         yield f"# resample = {_value(draft.resample)}"
     for name, value in stated.items():
-        yield f"{name} = {_value(value)}"
+        yield f"{name} = {_setting(name, value)}"
     for name, why in draft.ignored.items():
         yield from remark(f"not read: {name}, {why}")
     if draft.ignored:
-        yield f"ignore = {_value(list(draft.ignored))}"
+        yield f"ignore = {_texts(draft.ignored)}"
+
+
+def _setting(key: str, value: object) -> str:
+    """A value of ``[recording]``; a word or a name is a text, also where it looks like a number."""
+    if isinstance(value, list):
+        return _texts(value)
+    return toml_string(value) if isinstance(value, str) and key not in _DURATIONS else _value(value)
+
+
+def _texts(values: Iterable[str]) -> str:
+    return f"[{', '.join(map(toml_string, values))}]"
 
 
 def _columns(draft: Draft) -> Iterator[str]:

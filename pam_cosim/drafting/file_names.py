@@ -14,7 +14,9 @@ from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import Meaning, folded, kinds_of, known_unit, says_no_load
 from pam_cosim.units import convert
 
-_NUMBER = r"(?P<number>\d+(?:[.,]\d+|p\d+)?)"
+# A hyphen behind a letter, a digit or a closing sign separates; behind a sign that separates, it is a minus.
+_SIGN = r"(?P<sign>(?:(?<![^\s=_@:;,(\[-])-|\N{MINUS SIGN})?)"
+_NUMBER = rf"{_SIGN}(?P<number>\d+(?:[.,]\d+|p\d+)?)"
 _QUANTITY = re.compile(
     rf"(?:(?P<word>[a-z]+)[ =_-]?)?{_NUMBER}[ _-]?(?P<unit>%|[a-z]+)?(?![a-z0-9])", re.IGNORECASE
 )
@@ -129,7 +131,9 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
     left = [one for one in own if one.text not in everywhere]
     most = CRITERIA.recognition.longest
     return [
-        one for one in left if one.kind == "length" or convert(one.value, one.unit, "m") <= most
+        one
+        for one in left
+        if one.kind == "length" or convert(abs(one.value), one.unit, "m") <= most
     ]
 
 
@@ -139,23 +143,16 @@ def said_in(stem: str) -> list[Said]:
     for match in _QUANTITY.finditer(stem):
         word = folded(match["word"] or "")
         kinds = [kind for kind in kinds_of(word) if kind in _KINDS] if word else []
-        value = float(match["number"].replace(",", ".").replace("p", "."))
+        size = float(match["number"].replace(",", ".").replace("p", "."))
         written = match["unit"] or ""
         unit = known_unit(_UNITS.get(folded(written), written))
         kind = _kind(kinds, unit)
         if kind == "ratio" and not unit:
-            unit = "%" if value >= 1.0 else "1"
+            unit = "%" if size >= 1.0 else "1"
         if kind and unit:
-            bare = f"{match['number']}{match[0].rpartition(match['number'])[2]}"
-            found.append(
-                Said(
-                    (match[0] if kinds else bare).strip(" _-"),
-                    word if kinds else "",
-                    value,
-                    unit,
-                    kind,
-                )
-            )
+            text = match[0] if kinds else match[0][match.start("sign") - match.start() :]
+            value = -size if match["sign"] else size
+            found.append(Said(text.rstrip(" _-"), word if kinds else "", value, unit, kind))
     return found
 
 

@@ -110,6 +110,6 @@ def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
         return replace(one, meaning=None)
     if kind == "command" and largest > _LARGEST_COMMAND:
         return replace(one, unknown="counts")
-    unit = usual_unit(kind, largest)
+    unit = usual_unit(str(one.meaning), largest) or usual_unit(kind, largest)
     why = f"no unit is written; numbers up to {largest:.4g} are taken as {unit}" if unit else ""
     return replace(one, unit=unit, why=(*one.why, why) if why else one.why)

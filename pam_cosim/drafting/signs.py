@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
 from pam_cosim.arrays import Array
@@ -9,6 +11,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import correlation
 from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.scaling import scaled_entry
 from pam_cosim.model.interface import Variable
 
@@ -22,9 +25,13 @@ def signed_entry(
     variable: Variable,
     pressure: dict[int, Array] | None,
 ) -> tuple[ColumnEntry, dict[int, Array]]:
-    """A contraction that falls while the pressure rises counts the other way, as does a pull below zero."""
+    """A contraction that falls while the pressure rises counts the other way, as does a pull below zero.
+
+    A length says itself which way it counts: what is made of one stays.
+    """
     meaning = meaning_of(variable)
-    if meaning is None or entry.formula is not None or entry.gain is not None:
+    column = choice.fed[entry.name]
+    if meaning is None or column.of("length"):
         return entry, values
     why = ""
     if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
@@ -34,8 +41,24 @@ def signed_entry(
         why = "it is below zero: its sign is turned round, so that a pull is positive"
     if not why:
         return entry, values
-    turned = scaled_entry(entry.name, choice.fed[entry.name], "-1", None, (*entry.why, why))
+    turned = _turned(replace(entry, why=(*entry.why, why)), column)
     return turned, {i: -v for i, v in values.items()}
+
+
+def _turned(entry: ColumnEntry, column: RecordedColumn) -> ColumnEntry:
+    """The entry that gives the same numbers with the other sign."""
+    if entry.held:
+        return replace(entry, held={i: -value for i, value in entry.held.items()})
+    if entry.formula is not None:
+        return replace(entry, formula=f"-({entry.formula})")
+    if entry.gain is not None:
+        offset = entry.offset and _negated(entry.offset)
+        return replace(entry, gain=_negated(entry.gain), offset=offset)
+    return scaled_entry(entry.name, column, "-1", None, entry.why)
+
+
+def _negated(quantity: str) -> str:
+    return quantity.removeprefix("-") if quantity.startswith("-") else f"-{quantity}"
 
 
 def _mostly_negative(values: Array) -> bool:

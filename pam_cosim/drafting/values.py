@@ -16,7 +16,7 @@ from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.stated_value import StatedValue, text_of
 from pam_cosim.drafting.vocabulary import Meaning, fits, read_variable
 from pam_cosim.drafting.words import UNITS
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, parse_quantity
 
 _C = CRITERIA.recognition
@@ -74,10 +74,19 @@ def recorded(
         why = f"{column.name} was recorded, and this is its mean"
         for i, values in column.values.items():
             steady = is_ambient or span(values) == 0.0 or is_constant(values)
-            if steady and np.isfinite(values).any():
-                mean = float(np.nanmean(convert(values, column.unit, unit)))
+            if not steady or not np.isfinite(values).any():
+                continue
+            mean = float(np.nanmean(convert(values, column.unit, unit)))
+            if _is_possible(mean, interface.parameters[alike[0]]):
                 told[i][alike[0]] = StatedValue(text_of(mean, unit), mean, why)
     return told
+
+
+def _is_possible(value: float, parameter: Variable) -> bool:
+    """Whether a parameter may have a value: a gauge pressure of the room is none of the atmosphere."""
+    low = -np.inf if parameter.min is None else parameter.min
+    high = np.inf if parameter.max is None else parameter.max
+    return bool(low <= value <= high)
 
 
 def _parameters_that_mean(meaning: Meaning, unit: str, interface: Interface) -> list[str]:

@@ -15,6 +15,8 @@ from functools import lru_cache
 
 from pam_cosim.drafting.words import (
     ABSOLUTE,
+    ANY_PRESSURE,
+    ATMOSPHERE,
     DIRECTIONS,
     KINDS,
     NO_LOAD,
@@ -22,6 +24,7 @@ from pam_cosim.drafting.words import (
     ROLES,
     SAID_IN_PASSING,
     SPELLINGS,
+    STANDS_FOR,
     UNITS,
     USUAL_UNITS,
     WITHOUT_ROLES,
@@ -75,6 +78,7 @@ def folded(text: str) -> str:
 def read_heading(name: str, unit: str) -> Heading:
     """What a column is, by its name and unit."""
     stated = "" if is_count(unit) else known_unit(unit)
+    absolute = _says_absolute(unit, name)
     if not unit.strip():
         stated, name = _unit_in_name(name)
     small = [folded(word) for word in split_words(name)]
@@ -82,9 +86,15 @@ def read_heading(name: str, unit: str) -> Heading:
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
     unknown = not stated and not is_dimensionless(unit)
-    absolute = pressure_reference(unit)[1] == "absolute" or any(map(ABSOLUTE.fullmatch, small))
     written = bool(stated) and stated == unit.strip()
     return Heading(meaning, stated, written, unknown, absolute, share)
+
+
+def _says_absolute(unit: str, name: str) -> bool:
+    """Whether a heading says that a pressure is absolute: by a word, by its unit, or by one in its name: ``p_psia``."""
+    units = [unit, *re.split(r"[\W_]+", name)]
+    by_unit = any(pressure_reference(one)[1] == "absolute" for one in units)
+    return by_unit or any(ABSOLUTE.fullmatch(folded(word)) for word in split_words(name))
 
 
 def direction_word(word: str) -> int:
@@ -180,32 +190,45 @@ def _unit_beside(part: str, rest: Sequence[str]) -> str:
     if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
         return ""
     kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
-    is_role = bool(_roles_of([folded(part)]))
-    if not unit or (is_role and "length" not in kinds):
+    if not unit or (_is_role(part, rest) and "length" not in kinds):
         return ""
     among = {kind for kind in UNITS if fits(unit, kind)}
-    if "ratio" in among:
-        among |= {"contraction", "length"}  # Of the length at rest.
+    # "valve_A", "valve_A1" and "F_g" name valves and a weight.
+    if len(part) > 1 and part.isalpha():
+        among |= {also for kind in among for also in STANDS_FOR.get(kind, ())}
     says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
     return unit if says_so or "voltage" in among else ""
 
 
+def _is_role(part: str, rest: Sequence[str]) -> bool:
+    """Whether a part of a name says which quantity it is, as "in" and "atm" do that are units too.
+
+    Behind the name of one pressure "atm" is its unit: ``pm_atm``, ``p_set_atm``.
+    """
+    word = folded(part)
+    if word == ATMOSPHERE and [folded(one) for one in rest] not in ([one] for one in ANY_PRESSURE):
+        return False
+    return bool(_roles_of([word]))
+
+
 def _meaning(words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
     named = _kinds_in(words)
-    kind = _kind_with_unit(named, unit, exact) if unit else _kind_without_unit(named)
+    roles = _roles_of(words)
+    kind = _kind_with_unit(named, unit, exact) if unit else _kind_without_unit(named, roles)
     if kind is None:
         return None
     if kind in WITHOUT_ROLES:
         return Meaning(kind)
     of_valves = set(OF_VALVES)
-    roles = _roles_of(words)
     return Meaning(
         kind, frozenset(roles & of_valves if kind in ("command", "current") else roles - of_valves)
     )
 
 
-def _kind_without_unit(named: Sequence[str]) -> str | None:
-    """What the words say first; a commanded current or contraction is a command."""
+def _kind_without_unit(named: Sequence[str], roles: set[str]) -> str | None:
+    """What the words say first; a commanded current or contraction is a command, an ambient T no time."""
+    if "ambient" in roles and "temperature" in named:
+        return "temperature"
     kind = named[0] if named else None
     return "command" if "command" in named and kind in ("current", "contraction") else kind
 

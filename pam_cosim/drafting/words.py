@@ -28,8 +28,9 @@ UNITS = {
 
 KINDS = {
     "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
-    "pressure": "=p =pm =pk =ps =psup =psupply =psource pressure druck pression press",
-    "temperature": "=temp temperature temperatur thermo",
+    "pressure": "=p =pm =pk =ps =psup =psupply =psource =pamb =patm =baro barometer barometr pressure "
+    "druck pression press",
+    "temperature": "=t =tamb =temp temperature temperatur thermo",
     "current": "=i =u =strom =courant current strom courant intensite",
     "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
     "force": "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull =traction",
@@ -49,8 +50,12 @@ ROLES = {
     "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
     "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
-    "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor",
+    "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor =amb =tamb =pamb =patm =atm =umg "
+    "=baro barometer barometr",
 }
+ATMOSPHERE = "atm"
+ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
+"""Words, folded, for no pressure in particular: behind one of them "atm" says which, behind others it is a unit."""
 WITHOUT_ROLES = ("count", "direction")
 OF_VALVES = ("inlet", "exhaust")
 SAID_IN_PASSING = frozenset(
@@ -80,6 +85,8 @@ NO_LOAD = (
     "sanscharge",
     "zeroload",
 )
+STANDS_FOR = {"ratio": ("contraction", "length"), "mass": ("force",), "current": ("command",)}
+"""What is also measured in the units of a kind: shares of a length, what hangs on a muscle, what drives a valve."""
 _WRITTEN = {
     "bar": "bar",
     "kPa": "kpa",
@@ -95,7 +102,9 @@ _WRITTEN = {
     "N": "newton, n",
     "degC": "celsius, c, degc, grad c, deg c",
     "degF": "fahrenheit, f, degf, grad f, deg f",
+    "kg": "kg",
     "A": "ampere, amp, a",
+    "mA": "ma",
     "V": "volt, volts, v",
     "mm": "mm, millimeter",
     "inch": "inch, in., zoll, \", ''",
@@ -112,6 +121,7 @@ ABSOLUTE = re.compile(r"abs|pabs|absol.*")
 # Unit that numbers without one most likely have, by their largest magnitude: of a laboratory's muscle.
 USUAL_UNITS: dict[str, tuple[tuple[float, str], ...]] = {
     "pressure": ((1.2, "MPa"), (15.0, "bar"), (2e3, "kPa"), (inf, "Pa")),
+    "ambient pressure": ((1.2, "bar"), (16.0, "psi"), (120.0, "kPa"), (1.2e3, "hPa"), (inf, "Pa")),
     "contraction": ((0.7, "m"), (inf, "mm")),
     "length": ((0.7, "m"), (inf, "mm")),
     "ratio": ((1.0, ""), (inf, "%")),

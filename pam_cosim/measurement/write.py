@@ -15,6 +15,7 @@ from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.free_parameter import FreeParameter
 from pam_cosim.measurement.read import read_data_set
+from pam_cosim.measurement.start import Start
 from pam_cosim.measurement.table import TIME
 from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface
@@ -32,7 +33,8 @@ def write_data_set(
     """Writes ``data_set`` to ``folder`` and returns it as it reads from there.
 
     Nothing is written unless everything can be read back. A run's CSV file is called after the run; other files of
-    the folder stay as they are.
+    the folder stay as they are. Samples of a lead are written where the rows of its time still are those that they were
+    read from; otherwise their cells are empty, and the lead, which is not scored, begins without them.
 
     Args:
         folder: made when it is missing.
@@ -68,6 +70,18 @@ def _file_name(run: Run) -> str:
     return f"{run.name}.csv"
 
 
+def _with_lead(run: Run) -> dict[str, NDArray[np.float64]]:
+    """The measurements with the samples of the lead, where these are still of the run's own rows."""
+    measurements = dict(run.measurements)
+    early = run.time < run.time[0] + run.start.lead
+    for name, (time, values) in run.start.leading.items():
+        if name in measurements and np.array_equal(time, run.time[early]):
+            whole = measurements[name].copy()
+            whole[early] = values
+            measurements[name] = whole
+    return measurements
+
+
 def _write_texts(folder: Path, texts: Mapping[str, str]) -> None:
     for name, text in texts.items():
         file = folder / name
@@ -88,7 +102,8 @@ class _Writer:
         self.si = {TIME: "s", **{name: variable.unit for name, variable in variables.items()}}
 
     def table(self, run: Run) -> str:
-        columns = {**({} if run.is_static else {TIME: run.time}), **run.inputs, **run.measurements}
+        time = {} if run.is_static else {TIME: run.time}
+        columns = {**time, **run.inputs, **_with_lead(run)}
         values = [self._converted(name, column) for name, column in columns.items()]
         header = ",".join(self._heading(name) for name in columns)
         rows = (",".join(self._cell(value) for value in row) for row in np.column_stack(values))
@@ -157,10 +172,7 @@ class _Writer:
             yield f'\n[[runs]]\nfile = {toml_string(_file_name(run))}\nrole = "{run.role}"'
             if run.is_static:
                 yield 'kind = "static"'
-            if run.start.mode is not None and not run.start.chosen and not run.start.seconds:
-                yield f'start = "{run.start.mode}"'
-            if run.start.periodic:
-                yield "periodic = true"
+            yield from self._start(run.start)
             if run.interpolation != "linear":
                 yield f'interpolation = "{run.interpolation}"'
             own = {
@@ -173,6 +185,20 @@ class _Writer:
             if free:
                 yield "[runs.fit]"
             yield from map(self._free_table, free)
+
+    def _start(self, start: Start) -> Iterator[str]:
+        if start.mode is not None and not start.chosen:
+            yield f'start = "{start.mode}"'
+        if start.seconds:
+            held = ", ".join([*self._values(start.before), f"for = {self._seconds(start.seconds)}"])
+            yield f"before = {{ {held} }}"
+        if start.lead:
+            yield f"lead = {self._seconds(start.lead)}"
+        if start.periodic:
+            yield "periodic = true"
+
+    def _seconds(self, seconds: float) -> str:
+        return self._quantity(TIME, seconds)
 
     def _values(self, values: Mapping[str, float]) -> Iterator[str]:
         return (

@@ -146,3 +146,17 @@ def test_each_component_is_modified_once():
         "Drive = PneumaticMuscle.Effects.ValveDynamics.ValveDelay, redeclare model Area"
         in composition.text
     )
+
+
+def test_what_is_added_has_a_name_that_no_variable_of_the_model_has(tmp_path):
+    """Neither one of its own nor one that it inherits."""
+    file = tmp_path / "Mine.mo"
+    file.write_text(
+        "package Mine partial model Named parameter Real deadVolume2 = 1; end Named;"
+        " model Bench extends PneumaticMuscle.Benches.Isotonic; extends Named;"
+        " parameter Real deadVolume = 1; end Bench; end Mine;"
+    )
+    composition = compose(read_library(files=[file]), "Mine.Bench", ["DeadVolume"], files=[file])
+    assert composition is not None
+    assert "DeadVolume deadVolume3 " in composition.text
+    assert all(name.startswith("deadVolume3.") for name in composition.parameters["DeadVolume"])

@@ -6,6 +6,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
+import h5py
 import numpy as np
 import pytest
 
@@ -201,6 +202,50 @@ def test_columns_that_are_parameters(tmp_path: Path) -> None:
     own = written(made)["runs"][0]["parameters"]
     assert own["load.m"] == "5 kg" and own["ambient.T"].startswith("295.15")
     assert sorted(written(made)["recording"]["ignore"]) == ["Masse", "Raumtemperatur", "mm"]
+
+
+def logged(file: Path, heads: str, further: str) -> Path:
+    """A muscle that is filled by 100 kPa while further columns stay as they are."""
+    rows = (f"{0.1 * i:.1f};{min(i, 99)};{min(i, 99) / 3:.2f};{further}\n" for i in range(120))
+    file.write_text(f"t [s];p [kPa];x [mm];{heads}\n" + "".join(rows))
+    return file
+
+
+@pytest.mark.parametrize(
+    ("heads", "rows"),
+    [("T_amb [degC];p_amb [kPa]", "22;98.5"), ("Tamb [K];P_atm [bar]", "295.15;0.985"),
+     ("T_amb;P_atm", "22;985"), ("T_amb_C;patm_kPa", "22;98.5"), ("T_Umg [degC];baro [hPa]", "22;985")],
+)  # fmt: skip
+def test_what_is_around_the_rig_is_no_signal(tmp_path: Path, heads: str, rows: str) -> None:
+    made = pam.new(tmp_path / "rig", [logged(tmp_path / "a.csv", heads, rows)])
+    (run,) = made.data.runs
+    assert run.parameters["ambient.T"] == pytest.approx(295.15)
+    assert run.parameters["ambient.p"] == pytest.approx(98_500.0)
+    assert {*run.inputs, *run.measurements} == {"p", "x"}
+
+
+def test_a_pressure_in_atmospheres_that_moves_is_the_muscles(tmp_path: Path) -> None:
+    rows = "".join(f"{0.1 * i:.1f};{min(i, 99) / 33};{min(i, 99) / 3:.2f}\n" for i in range(120))
+    (tmp_path / "a.csv").write_text("t [s];p_atm;x [mm]\n" + rows)
+    (run,) = pam.new(tmp_path / "rig", [tmp_path / "a.csv"]).data.runs
+    course = {**run.inputs, **run.measurements}["p"]
+    assert float(np.ptp(course)) == pytest.approx(3 * 101_325.0)
+
+
+def test_a_gauge_pressure_around_the_rig_is_none_of_the_atmosphere(tmp_path: Path) -> None:
+    made = pam.new(tmp_path / "rig", [logged(tmp_path / "a.csv", "p_amb [kPa]", "0")])
+    assert "ambient.p" not in made.data.runs[0].parameters
+
+
+def test_texts_that_look_like_numbers_are_read_back(tmp_path: Path) -> None:
+    """A column and a group of a file that are called by numbers, and a number for missing samples."""
+    with h5py.File(tmp_path / "a.h5", "w") as file:
+        for name, scale in (("t [s]", 0.1), ("p [kPa]", 1.0), ("x [mm]", 0.3), ("101", 0.0)):
+            file[f"1/{name}"] = scale * np.arange(99)
+        file["2/t [s]"] = np.arange(3.0)
+    stated = {"table": "1", "missing": "-999"}
+    made = pam.new(tmp_path / "rig", [tmp_path / "a.h5"], recording=stated)
+    assert written(made)["recording"] == {"table": "1", "missing": ["-999"], "ignore": ["101"]}
 
 
 @pytest.mark.parametrize(

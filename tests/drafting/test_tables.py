@@ -11,6 +11,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.drafting import NewDataSet
+from pam_cosim.drafting.file_names import said_in
 from tests.drafting.labs import LENGTH
 from tests.drafting.tables import grid, loop, no_load, noise, write
 
@@ -58,6 +59,36 @@ def test_files_of_one_contraction_each_whose_names_tell_it_and_the_muscle(tmp_pa
     assert held == ["0 mm", "15 mm", "30 mm", "45 mm"]
     assert sorted(run["role"] for run in content["runs"]) == ["fit", "fit", "fit", "holdout"]
     assert content["runs"][0]["role"] == content["runs"][3]["role"] == "fit"
+
+
+@pytest.mark.parametrize(
+    ("stem", "value", "unit"),
+    [("map_eps=-5%", -5.0, "%"), ("map_eps=5%", 5.0, "%"), ("eps-5%", 5.0, "%"), ("eps_-5%", -5.0, "%"),
+     ("map_-10mm", -10.0, "mm"), ("map -10mm", -10.0, "mm"), ("map-10mm", 10.0, "mm"), ("-10mm", -10.0, "mm"),
+     ("map--10mm", -10.0, "mm"), ("map (-10mm)", -10.0, "mm"), ("map - 10mm", 10.0, "mm"),
+     ("x=\N{MINUS SIGN}2,5mm", -2.5, "mm"), ("0-5bar", 5.0, "bar"), ("DMSP-20-300_-5%", -5.0, "%")],
+)  # fmt: skip
+def test_a_minus_in_a_name_is_no_separator(stem: str, value: float, unit: str) -> None:
+    assert [(one.value, one.unit) for one in said_in(stem)] == [(value, unit)]
+
+
+def test_a_muscle_that_was_stretched_by_names_of_files(tmp_path: Path) -> None:
+    files = []
+    for percent in (-5, 5):
+        p, _, pull = grid(PRESSURES, [LENGTH * percent / 100])
+        rows = list(zip(p / 1e5, pull, strict=True))
+        files.append(write(tmp_path / f"DMSP-20-300 eps={percent}%.csv", "p [bar],F [N]", rows))
+    runs = written(pam.new(tmp_path / "rig", files))["runs"]
+    assert [run["parameters"]["s"] for run in runs] == ["-15 mm", "15 mm"]
+
+
+def test_a_pull_below_zero_by_names_of_files_is_turned_round(tmp_path: Path) -> None:
+    files = []
+    for load in (50, 100):
+        rows = [[float(i), 5.0 * i - load / 50] for i in range(6)]
+        files.append(write(tmp_path / f"F=-{load}N.csv", "p [bar],x [mm]", rows))
+    made = pam.new(tmp_path / "rig", files)
+    assert [run.parameters["F"] for run in made.data.runs] == [50.0, 100.0]
 
 
 def test_one_question_where_nobody_says_at_which_contraction(tmp_path: Path) -> None:

@@ -37,6 +37,12 @@ def drafted(
     return pam.new(tmp_path / "rig", [file], **wishes).data  # type: ignore[arg-type]
 
 
+def remarks(tmp_path: Path) -> str:
+    """The text of the description in one line."""
+    text = (tmp_path / "rig" / "experiment.toml").read_text(encoding="utf-8")
+    return " ".join(text.replace("\n#", "").split())
+
+
 @pytest.mark.parametrize(
     ("unit", "factor", "ambient"),
     [
@@ -69,6 +75,15 @@ def test_a_pressure_is_gauge_whatever_its_unit_says(
 def test_a_name_says_that_a_pressure_is_absolute(tmp_path: Path, name: str) -> None:
     heads = f"time [s],p_set [bar],{name} [bar],x [mm]"
     data = drafted(tmp_path, heads, p=lambda p: (p + AMBIENT) / 1e5)
+    np.testing.assert_allclose(data.runs[0].measurements["p"], PRESSURE, atol=0.1)
+
+
+@pytest.mark.parametrize(("name", "factor"), [("p_psia", 6894.757293168), ("pressure_bara", 1e5)])
+def test_a_unit_in_a_name_says_that_a_pressure_is_absolute(
+    tmp_path: Path, name: str, factor: float
+) -> None:
+    heads = f"time [s],p_set [bar],{name},x [mm]"
+    data = drafted(tmp_path, heads, p=lambda p: (p + AMBIENT) / factor)
     np.testing.assert_allclose(data.runs[0].measurements["p"], PRESSURE, atol=0.1)
 
 
@@ -105,6 +120,25 @@ def test_what_no_formula_can_hold_is_scaled_and_turned(tmp_path: Path, head: str
     data = drafted(tmp_path, f"time [s],p_set [bar],p [bar],{head}", x=lambda x: (0.2 - x) / 0.0254)
     x = data.runs[0].measurements["x"]
     np.testing.assert_allclose(x - x.mean(), CONTRACTION - CONTRACTION.mean(), atol=1e-6)
+
+
+@pytest.mark.parametrize("head", ["strain [%]", "strain's course [%]", "strain_pct"])
+def test_a_strain_that_falls_where_the_pressure_rises_is_turned_round(
+    tmp_path: Path, head: str
+) -> None:
+    """By its formula, and by its gain where no formula can hold it."""
+    data = drafted(tmp_path, f"time [s],p_set [bar],p [bar],{head}", x=lambda x: -x / 0.24e-2)
+    x = data.runs[0].measurements["x"]
+    np.testing.assert_allclose(x - x.mean(), CONTRACTION - CONTRACTION.mean(), atol=1e-6)
+    assert "its sign is turned round" in remarks(tmp_path)
+
+
+@pytest.mark.parametrize(
+    ("name", "turned"), [("x [mm]", True), ("strain [%]", True), ("length [mm]", False)]
+)
+def test_a_length_says_itself_which_way_it_counts(tmp_path: Path, name: str, turned: bool) -> None:
+    drafted(tmp_path, f"time [s],p_set [bar],p [bar],{name}", x=lambda x: 100 - 1e3 * x)
+    assert ("its sign is turned round" in remarks(tmp_path)) == turned
 
 
 @pytest.mark.full

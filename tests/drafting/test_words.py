@@ -43,6 +43,31 @@ from pam_cosim.drafting.vocabulary import read_heading, read_variable, usual_uni
         ("Bemerkung", "", "None", ""),
         ("knee_r_rad", "", "None", "rad"),
         ("p_min", "", "pressure", ""),
+        ("F_kg", "", "force", "kg"),
+        ("load_kg", "", "force", "kg"),
+        ("LOAD_KG", "", "force", "kg"),
+        ("Kraft kg", "", "force", "kg"),
+        ("F_g", "", "force", ""),
+        ("valve_in_mA", "", "inlet current", "mA"),
+        ("valve_out_ma", "", "exhaust current", "mA"),
+        ("valve_A", "", "command", ""),
+        ("valve_A1", "", "command", ""),
+        ("T_degC", "", "temperature", "degC"),
+        ("t_s", "", "time", "s"),
+        ("T_amb", "", "ambient temperature", ""),
+        ("T_amb_C", "", "ambient temperature", "degC"),
+        ("Tamb", "degC", "ambient temperature", "degC"),
+        ("p_amb", "kPa", "ambient pressure", "kPa"),
+        ("p_Umg", "mbar", "ambient pressure", "mbar"),
+        ("P_atm", "", "ambient pressure", ""),
+        ("P_atm_kPa", "", "ambient pressure", "kPa"),
+        ("Patm", "", "ambient pressure", ""),
+        ("baro", "hPa", "ambient pressure", "hPa"),
+        ("barometric pressure", "hPa", "ambient pressure", "hPa"),
+        ("p", "atm", "pressure", "atm"),
+        ("pm_atm", "", "pressure", "atm"),
+        ("p1_atm", "", "pressure", "atm"),
+        ("p_set_atm", "", "set pressure", "atm"),
     ],
 )
 def test_headings(name: str, unit: str, meaning: str, read_unit: str) -> None:
@@ -71,6 +96,9 @@ def test_variables(name: str, description: str, unit: str, meaning: str) -> None
 def test_absolute_and_known() -> None:
     assert read_heading("Druck 1", "bar a").absolute and read_heading("p", "bar abs").absolute
     assert not read_heading("p", "bar").absolute
+    for name in ("p_psia", "pressure_psia", "p_bara", "p_set_kPaa"):
+        assert read_heading(name, "").absolute, name
+    assert not any(read_heading(name, "").absolute for name in ("p_psi", "p_psig", "p_para"))
     assert read_heading("Muskeldruck", "bar").known > read_heading("p Kanal sieben", "bar").known
 
 
@@ -79,7 +107,9 @@ def test_absolute_and_known() -> None:
     [("pressure", 0.6, "MPa"), ("pressure", 6.0, "bar"), ("pressure", 600.0, "kPa"), ("force", 600.0, "N"),
      ("contraction", 0.05, "m"), ("contraction", 50.0, "mm"), ("temperature", 25.0, "degC"),
      ("temperature", 300.0, "K"),
-     ("current", 0.35, "A"), ("current", 350.0, "mA"), ("ratio", 0.2, ""), ("ratio", 20.0, "%")],
+     ("current", 0.35, "A"), ("current", 350.0, "mA"), ("ratio", 0.2, ""), ("ratio", 20.0, "%"),
+     ("ambient pressure", 1.013, "bar"), ("ambient pressure", 14.7, "psi"), ("ambient pressure", 101.3, "kPa"),
+     ("ambient pressure", 1013.0, "hPa"), ("ambient pressure", 101_300.0, "Pa")],
 )  # fmt: skip
 def test_units_by_magnitude(kind: str, largest: float, unit: str) -> None:
     assert usual_unit(kind, largest) == unit

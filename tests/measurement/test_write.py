@@ -51,6 +51,40 @@ def test_round_trip(make, tmp_path, units):
     assert sorted(item.name for item in (tmp_path / "a").iterdir()) == ["copy"]
 
 
+@pytest.mark.parametrize("units", [None, UNITS], ids=["bench units", "chosen units"])
+@pytest.mark.parametrize(
+    "stated",
+    ['lead = "0.15 s"', 'before = { p_supply = "200 kPa", for = "5 s" }',
+     'start = "steady"\nlead = "100 ms"\nbefore = { u_in = "0.1 A", p_supply = "2 bar", for = "2 s" }',
+     'periodic = true\nlead = "0.15 s"'],
+)  # fmt: skip
+def test_what_is_stated_of_the_start_reads_back(make, tmp_path, stated, units):
+    last = 'file = "run-01.csv"'
+    data = read_data_set(make(("experiment.toml", last, f"{last}\n{stated}")), describe)
+    run, copy = data.runs[0], write_data_set(tmp_path / "copy", data, BENCH, units=units).runs[0]
+    one, two = run.start, copy.start
+    assert (one.mode, one.periodic) == (two.mode, two.periodic)
+    assert (two.lead, two.seconds) == pytest.approx((one.lead, one.seconds))
+    assert one.lead or one.seconds
+    assert dict(two.before) == pytest.approx(dict(one.before))
+    assert list(one.leading) == list(two.leading)
+    for name, leading in one.leading.items():
+        np.testing.assert_allclose(two.leading[name], leading, rtol=1e-8)
+    for name, values in run.measurements.items():
+        np.testing.assert_allclose(copy.measurements[name], values, rtol=1e-7)
+
+
+def test_a_lead_without_its_samples_is_not_scored_either(make, tmp_path):
+    last = 'file = "run-01.csv"'
+    data = read_data_set(make(("experiment.toml", last, f'{last}\nlead = "0.15 s"')), describe)
+    run, *others = data.runs
+    bare = replace(run, start=replace(run.start, leading={}))
+    copy = write_data_set(tmp_path / "copy", replace(data, runs=(bare, *others)), BENCH).runs[0]
+    assert copy.start.lead == 0.15
+    assert [copy.sample_count(name) for name in ("p", "x")] == [1, 1]
+    assert np.isnan(copy.start.leading["p"][1]).all()
+
+
 def test_titles_are_quoted(make, tmp_path):
     title = 'a "quoted" \\ title\nwith ümlaut \t'
     data = replace(read_data_set(make(), describe), title=title)
