@@ -8,6 +8,7 @@ from html import escape
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 from scipy.linalg import expm
 
 from pam_cosim.analysis.operating_point import OperatingPoint
@@ -82,8 +83,9 @@ class LinearModel(Exported):
 
     @property
     def is_stable(self) -> bool:
-        """Whether every deviation decays."""
-        return bool(np.all(self.poles.real < 0))
+        """Whether every deviation decays; what an integrator holds does not."""
+        sizes = np.abs(self.poles)
+        return bool(np.all((self.poles.real < 0) & ~_is_integrator(sizes)))
 
     @property
     def modes(self) -> list[Mode]:
@@ -93,16 +95,15 @@ class LinearModel(Exported):
         values, right = np.linalg.eig(self.A)
         left = np.linalg.pinv(right)
         order = np.lexsort((-values.imag, np.abs(values)))
-        largest = float(np.abs(values).max())
+        still = _is_integrator(np.abs(values))
         return [
-            self._mode(values[i], right[:, i] * left[i], largest)
+            self._mode(values[i], right[:, i] * left[i], bool(still[i]))
             for i in order
             if values[i].imag >= 0
         ]
 
-    def _mode(self, pole: complex, taking_part: Array, largest: float) -> Mode:
+    def _mode(self, pole: complex, taking_part: Array, still: bool) -> Mode:
         size, real = abs(pole), pole.real
-        still = size <= _INTEGRATOR * largest or size == 0.0
         share = np.abs(taking_part) / max(float(np.abs(taking_part).sum()), np.finfo(float).tiny)
         return Mode(
             complex(pole),
@@ -344,6 +345,11 @@ class LinearModel(Exported):
         )
         point = escape(str(self.point)).replace("\n", "<br>")
         return f"<p><b>{escape(self.model)}</b> {point}</p><table><tr><th></th>{head}</tr>{body}</table>{text}"
+
+
+def _is_integrator(sizes: Array) -> NDArray[np.bool_]:
+    """(n,) whether each pole of these magnitudes is as good as zero beside the largest."""
+    return np.asarray(sizes <= _INTEGRATOR * sizes.max(initial=0.0))
 
 
 def _mode_text(mode: Mode) -> str:

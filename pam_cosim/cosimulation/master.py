@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import contextlib
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 
 from pam_cosim.cosimulation.network import CouplingFailure, Moment, Network, SystemState
-from pam_cosim.cosimulation.parts import CoupledFmu, Port
+from pam_cosim.cosimulation.parts import Port
 from pam_cosim.errors import InputError
 
 # Hairer, Norsett, Wanner, Solving ODEs I, II.4: safety, and how much a step may change at once.
@@ -138,7 +138,7 @@ class _Chooser:
         self._network, self._plan = network, plan
         self._next = plan.length
         self._largest, self._smallest = stop / _FEWEST, _SMALLEST * stop
-        self._nominal = _nominal(network)
+        self._nominal = {signal: network.nominal(signal) for signal in network.signals}
         self._seen = dict.fromkeys(network.signals, 0.0)
 
     def go(self, end: float, write_down: Callable[[], None]) -> None:
@@ -222,17 +222,3 @@ class _Chooser:
         scale = max(self._nominal[signal], self._seen[signal], abs(halves))
         allowed = self._plan.tolerance * scale * (2**self._plan.order - 1)
         return abs(halves - whole) / allowed if allowed > 0 else 0.0
-
-
-def _nominal(network: Network) -> Mapping[Port, float]:
-    """The size of each signal that its model declares; 0: it does not."""
-    sizes = {}
-    for signal in network.signals:
-        component = network.components[signal.component]
-        declared = (
-            component.interface.outputs[signal.variable].nominal
-            if isinstance(component, CoupledFmu)
-            else None
-        )
-        sizes[signal] = abs(declared or 0.0)
-    return sizes

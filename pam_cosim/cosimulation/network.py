@@ -23,9 +23,8 @@ Loops = Literal["refuse", "delay", "iterate"]
 Values = dict[Port, float]
 
 _ITERATIONS = 20  # of Newton's method on an algebraic loop
-_LOOP_TOLERANCE = 1e-10  # relative, of the variables of an algebraic loop
-_NUDGE = 1e-6  # relative, of a variable of a loop for a finite difference
-_SMALLEST = 1e-300  # a difference below this is none
+_LOOP_TOLERANCE = 1e-10  # of the size of a variable of an algebraic loop
+_NUDGE = 1e-6  # of the size of a variable of a loop for a finite difference
 _SAME_TIME = 1e-9  # of the distance of two samples
 
 
@@ -132,6 +131,7 @@ class Network:
         self.work = RunCost(dict.fromkeys(fmus, 0))
         self._sequential, self._linear = method == "gauss-seidel", extrapolation == "linear"
         self._loop, self._passes = _loop_and_passes(components, connections, loops)
+        self._loop_sizes = np.array([self.nominal(source) for source in self._loop])
         self._feeds = _feeds(components, connections)
         self._courses = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
@@ -155,6 +155,13 @@ class Network:
                 self.steppers[name].initialised()
             self._refresh(name, {})
         self.now.slopes = dict.fromkeys(self.signals, 0.0)
+
+    def nominal(self, signal: Port) -> float:
+        """The size of an output that its model declares; 0: it does not."""
+        component = self.components[signal.component]
+        if not isinstance(component, CoupledFmu):
+            return 0.0
+        return abs(component.interface.outputs[signal.variable].nominal or 0.0)
 
     # --- one step ------------------------------------------------------------------------------------------
 
@@ -216,13 +223,19 @@ class Network:
     def _solve_loop(self) -> None:
         """Newton's method for the outputs at which the algebraic loops were cut."""
         guess = np.array([self.now.values[source] for source in self._loop])
+        best = np.inf
         for _ in range(_ITERATIONS):
             error = self._residual(guess)
-            size = np.abs(guess) + np.abs(guess + error)
-            if np.all(np.abs(error) <= _LOOP_TOLERANCE * size + _SMALLEST):
+            sizes = np.max([self._loop_sizes, np.abs(guess), np.abs(guess + error)], axis=0)
+            miss = float(np.max(np.abs(error) / np.maximum(sizes, 1.0)))
+            # of a variable that has only been zero nothing but rounding is left, which has no size to be compared with
+            is_rounding = best <= miss <= _LOOP_TOLERANCE
+            if is_rounding or np.all(np.abs(error) <= _LOOP_TOLERANCE * sizes):
+                self._loop_sizes = np.maximum(self._loop_sizes, np.abs(guess))
                 return
+            best = min(best, miss)
             try:
-                guess = guess - np.linalg.solve(self._slope(guess, error), error)
+                guess = guess - np.linalg.solve(self._slope(guess, error, sizes), error)
             except np.linalg.LinAlgError:
                 break
         first, loop = self._loop[0], ", ".join(map(str, self._loop))
@@ -237,12 +250,12 @@ class Network:
         self._pass()
         return np.array([self.now.values[s] - z for s, z in zip(self._loop, guess, strict=True)])
 
-    def _slope(self, guess: Array, error: Array) -> Array:
+    def _slope(self, guess: Array, error: Array, sizes: Array) -> Array:
         """The residual's derivatives by finite differences, as a matrix."""
         columns = []
         for i in range(guess.size):
             nudged = guess.copy()
-            nudged[i] += _NUDGE * max(abs(guess[i]), abs(error[i]))
+            nudged[i] += _NUDGE * (sizes[i] or 1.0)
             columns.append((self._residual(nudged) - error) / (nudged[i] - guess[i]))
         return np.stack(columns, axis=1)
 

@@ -52,7 +52,7 @@ def rows_of(inputs: Inputs, time: Array) -> tuple[Array, dict[str, Array]]:
 
     Args:
         inputs: over time, joined by lines or held.
-        time: (m,) at which there are to be rows [s].
+        time: (m,) at which there are to be rows, not decreasing [s]; after the last of them there are none.
     """
     at, values = inputs.time, dict(inputs.values)
     if inputs.interpolation == "previous":
@@ -63,4 +63,5 @@ def rows_of(inputs: Inputs, time: Array) -> tuple[Array, dict[str, Array]]:
     places = np.searchsorted(at, further)
     rows = np.insert(at, places, further)
     columns = {name: np.insert(v, places, np.interp(further, at, v)) for name, v in values.items()}
-    return rows, columns
+    within = rows <= time[-1]
+    return rows[within], {name: v[within] for name, v in columns.items()}

@@ -110,7 +110,7 @@ class Stepper:
         can_go_back: bool = False,
     ) -> list[float]:
         """As ``AnyStepper``."""
-        given, rising = dict(inputs or {}), slopes or {}
+        given, rising, ends = dict(inputs or {}), slopes or {}, dict[str, float]()
         if self._abilities.slopes:
             self._set(given)
             self._set_slopes({name: rising.get(name, 0.0) for name in given})
@@ -121,9 +121,11 @@ class Stepper:
                     for name, value in given.items()
                 }
             )
+            # what follows at once from an input would else be read half a step late
+            ends = {n: given[n] + duration * slope for n, slope in rising.items() if slope}
         self._step(duration, can_go_back)
         self.time += duration
-        return self.read(names)
+        return self.read(names, ends)
 
     def save(self) -> int:
         """As ``AnyStepper``."""

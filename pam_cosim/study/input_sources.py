@@ -15,7 +15,7 @@ from pam_cosim.compiler.elementwise import elementwise, with_place
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement import read_recording
 from pam_cosim.measurement.table import since_first
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import value_of
 from pam_cosim.simulation import Inputs, Trajectory
 from pam_cosim.units import UnitError, convert
@@ -155,12 +155,21 @@ def _named(head: str, interface: Interface) -> str:
 
 
 def _values(name: str, head: str, given: Any, time: Array, interface: Interface) -> Array:
+    if isinstance(given, str):
+        return np.full(time.shape, _constant(head, given, interface.inputs[name]))
     if callable(given):
         given = [_at(name, given, float(t)) for t in time]
-    elif isinstance(given, str):
-        given = value_of(given, interface.inputs[name])
     values = _converted(head, given, interface.inputs[name].unit)
     return np.full(time.shape, values) if values.ndim == 0 else values
+
+
+def _constant(head: str, text: str, variable: Variable) -> float:
+    """A value [SI] in its own unit, or in that of its head where it has none."""
+    try:
+        number = float(text)
+    except ValueError:
+        return value_of(text, variable)
+    return value_of(float(_converted(head, number, variable.unit)), variable)
 
 
 def _at(name: str, function: Callable[[float], Any], t: float) -> float:

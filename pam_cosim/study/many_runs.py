@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.counts import checked_seed, checked_workers
+from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable
 from pam_cosim.fmu import read_interface
 from pam_cosim.model.interface import Interface
@@ -58,7 +59,7 @@ def sweep(
             every combination is a run, and for a "list", run by run (or a mapping for each run, or a pandas frame);
             its lowest and highest value for "random" and "latin-hypercube". A span may be a text, "0.2:0.35:16" or
             "0.2:0.35". By the name "inputs": inputs over time, a list of whatever ``inputs`` takes (files, mappings of
-            arrays or functions, frames), or by their names.
+            arrays or functions, frames), or by their names; all begin at one time, and last values stay.
         parameters: of every run, as in ``simulate``.
         inputs: of every run, as in ``simulate``.
         stop_time: of every run, as in ``simulate``.
@@ -122,6 +123,20 @@ def _patterns(
     """The inputs over time that a sweep varies; none where it does not."""
     if not varies_inputs(vary, interface):
         return ()
-    return read_patterns(
+    patterns = read_patterns(
         vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0]
     )
+    _check_beginnings(patterns)
+    return patterns
+
+
+def _check_beginnings(patterns: Sequence[Pattern]) -> None:
+    """Raises ``InputError`` where they do not all begin at one time: all runs have the times of one."""
+    one = patterns[0]
+    for other in patterns[1:]:
+        begin, differs = float(one.inputs.time[0]), float(other.inputs.time[0])
+        if differs != begin:
+            raise InputError(
+                f"'{INPUTS}' is varied, and '{one.name}' begins at {begin:g} s, '{other.name}' at {differs:g} s: all "
+                "runs of a sweep begin at one time"
+            )

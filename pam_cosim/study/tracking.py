@@ -41,7 +41,8 @@ def track(
     """Lets a controlled output follow sines and measures the error.
 
     The controller's inputs and outputs are joined to those of the plant by their names; what the output shall be goes
-    to its input ``<output>_wanted``. What it says is held until its next sample, so an FMU acts a sample late.
+    to its input ``<output>_wanted``. It acts at samples, an FMU as one in Python: what it makes of its inputs of that
+    time stays until the next one.
 
     Args:
         plant: a bench, a Modelica class, a ``.mo`` or an ``.fmu`` file.
@@ -73,7 +74,12 @@ def track(
     rows = []
     for i, (frequency, one) in enumerate(zip(chosen, made, strict=True)):
         system = couple(
-            {_PLANT: plant, _CONTROL: one}, joined, parameters, files=files, timeout=timeout
+            {_PLANT: plant, _CONTROL: one},
+            joined,
+            parameters,
+            samples=_samples(one, interval),
+            files=files,
+            timeout=timeout,
         )
         wanted = _sine(middle, swing, float(frequency), lead, periods)
         run = system.simulate(
@@ -138,6 +144,11 @@ def _name_of(controller: str | Callable[[], Controller]) -> str:
 
 def _interval(one: str | Controller, rate: float) -> float:
     return one.seconds if isinstance(one, Controller) else 1 / rate
+
+
+def _samples(one: str | Controller, interval: float) -> dict[str, float]:
+    """Of a controller that does not say it itself: what is wanted has points of its own, at which it is not to act."""
+    return {} if isinstance(one, Controller) else {_CONTROL: interval}
 
 
 def _face(one: str | Controller, files: models.Paths) -> Interface:

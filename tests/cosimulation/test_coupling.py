@@ -117,6 +117,18 @@ def test_fmu_without_slopes_keeps_the_order(tmp_path: Path) -> None:
     assert math.log2(errors[0] / errors[1]) == pytest.approx(2, abs=0.4)
 
 
+@pytest.mark.parametrize("settings", [{}, {"method": "jacobi", "extrapolation": "constant"}])
+def test_fmu_without_slopes_shows_the_present_input(tmp_path: Path, settings: Any) -> None:
+    """y = 2 u, where u rises along a line, and what is joined to y."""
+    change = {'canInterpolateInputs="true"': 'canInterpolateInputs="false"'}
+    plain = repacked(pam.build(gain(tmp_path, "Two", 2)), tmp_path / "plain.fmu", change)
+    system = pam.couple({"a": str(plain), "b": gain(tmp_path, "Three", 3)}, ["a.y -> b.u"])
+    rising = pam.Inputs([0.0, 1.0], {"a.u": [0.0, 1.0]})
+    course = system.simulate(1, step=0.1, inputs=rising, **settings).trajectory
+    for name, factor in (("a.u", 1), ("a.y", 2), ("b.y", 6)):
+        np.testing.assert_allclose(course[name], factor * course.time, atol=1e-11)
+
+
 def test_units_are_converted(tmp_path: Path) -> None:
     source = written(
         tmp_path,
@@ -280,6 +292,43 @@ def test_algebraic_loop_is_named_and_solved(tmp_path: Path) -> None:
         assert word in str(caught.value), word
     run = system.simulate(1, step=0.1, loops="iterate")  # y = 3 (-2 y) + 1
     assert run.trajectory["a.y"] == pytest.approx(1 / 7, rel=1e-9)
+
+
+def loop(folder: Path, up: str, down: str) -> pam.System:
+    """Two FMUs that act on one another at once; w is given over time."""
+    parts = {
+        name: written(
+            folder,
+            name.upper(),
+            f"input Real u(start=0);\ninput Real w(start=0);\noutput Real y;\nequation\ny = {law};",
+        )
+        for name, law in (("a", up), ("b", down))
+    }
+    return pam.couple(parts, ["a.y -> b.u", "b.y -> a.u"])
+
+
+def test_loop_whose_variables_become_zero(tmp_path: Path) -> None:
+    """y = 0.3 (-0.7 y) + w, where w falls to zero: nothing is relative to what is zero."""
+    w = pam.Inputs([0, 0.5, 0.5, 1], {"a.w": [1, 1, 0, 0]})
+    run = loop(tmp_path, "0.3*u + w", "-0.7*u").simulate(1, step=0.1, loops="iterate", inputs=w)
+    time, y = run.trajectory.time, run.trajectory["a.y"]
+    np.testing.assert_allclose(y[time < 0.49], 1 / 1.21, rtol=1e-9)
+    np.testing.assert_allclose(y[time > 0.51], 0.0, atol=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("up", "down", "solution"),
+    [
+        ("0.3*u", "-0.7*u", 0.0),
+        ("0.3*(u + 0.1) - 0.03", "-0.7*u", 0.0),  # but for rounding
+        ("0.3*u + 1e-12", "-0.7*u", 1e-12 / 1.21),
+        ("0.3*u + 1e6", "-0.7*u", 1e6 / 1.21),
+        ("0.3*u + 1", "-tanh(u)", 0.8006756946),  # y + 0.3 tanh(y) = 1
+    ],
+)
+def test_loop_of_any_size(tmp_path: Path, up: str, down: str, solution: float) -> None:
+    run = loop(tmp_path, up, down).simulate(1, step=0.1, loops="iterate")
+    np.testing.assert_allclose(run.trajectory["a.y"], solution, rtol=1e-9, atol=1e-16)
 
 
 def test_loop_with_a_step_of_delay_settles_where_it_contracts(tmp_path: Path) -> None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -18,7 +19,7 @@ from pam_cosim.diagnosis.judgement.next_experiment import (
 )
 from pam_cosim.diagnosis.judgement.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
-from pam_cosim.measurement import DataSet, read_data_set
+from pam_cosim.measurement import DataSet, Run, Signal, read_data_set
 from rig.short import write_light_data
 
 
@@ -66,11 +67,69 @@ def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:
     with Hypothesis(a, data) as first, Hypothesis(b, data) as second:
         run = data.runs[1]
         one, two = first.predict(run), second.predict(run)
-        plain = float(np.sum((one.values - two.values) ** 2))
-        held = second.refitted_miss(one, two)
-        second._held = np.zeros((1, len(second.free)))  # nothing measured yet
+        plain = float(np.sum(((one.values - two.values) / one.sigma) ** 2))
+        measured = second.refitted_miss(one, two)
+        second._information_root = np.zeros((1, len(second.free)))  # nothing measured yet
         free = second.refitted_miss(one, two)
-    assert free < 0.02 * plain and free < held < plain
+    assert free < 0.02 * plain and free < measured < plain
+
+
+FIRST_ORDER = """model FirstOrder
+  input Real u(start=0);
+  parameter Real k(min=0, max=10) = 1;
+  output Real y;
+protected
+  Real s(start=0, fixed=true);
+equation
+  der(s) = k*u - s;
+  y = s;
+end FirstOrder;
+"""
+TIME = np.linspace(0.0, 5.0, 51)
+RISE = 1 - np.exp(-TIME)  # what y is for a unit of k and u
+
+
+def first_order(
+    k: float, signal: Signal, samples: np.ndarray, free: bool = True
+) -> tuple[Candidate, DataSet]:
+    """y = k u (1 - exp(-t)), and a recording of it with u = 1."""
+    run = Run("r", Path(), "fit", "linear", {}, TIME, {"u": np.ones(51)}, {"y": samples})
+    data = DataSet(Path(), "", "FirstOrder", {"y": signal}, {}, {}, (run,))
+    estimate = Estimate(k, k, k, at_bound=not free)
+    fit = Fit("FirstOrder", {"k": estimate}, None, {}, 1)  # type: ignore[arg-type]
+    return Candidate("", "", "", (), ("k",), fit, equations=FIRST_ORDER), data
+
+
+@pytest.mark.parametrize("taken", [slice(0, 51), slice(0, 51, 10), slice(0, 0)])
+def test_only_samples_that_were_taken_say_something_of_the_parameters(taken: slice) -> None:
+    samples = np.full(51, np.nan)
+    samples[taken] = RISE[taken]
+    with Hypothesis(*first_order(1.0, Signal("y", "1", 0.01), samples)) as known:
+        information = float(np.sum(known.information_root**2))
+    assert information == pytest.approx(np.sum((RISE[taken] / 0.01) ** 2), rel=1e-4)
+
+
+def test_a_signal_that_a_run_has_not_says_nothing() -> None:
+    candidate, data = first_order(1.0, Signal("y", "1", 0.01), RISE)
+    data = replace(data, runs=(replace(data.runs[0], measurements={}),))
+    with Hypothesis(candidate, data) as known:
+        assert not known.information_root.any()
+
+
+def test_samples_count_by_the_noise_of_their_readings() -> None:
+    """Noise of 0.001 and a tenth of the reading: at 20 it is 2, whatever it was in the recording."""
+    signal = Signal("y", "1", 0.05, sigma_of_reading=0.1, sigma_at_zero=0.001)
+    with Hypothesis(*first_order(1.0, signal, RISE)) as known:
+        information = float(np.sum(known.information_root**2))
+        run = replace(known.data.runs[0], inputs={"u": np.full(51, 20.0)})
+        truth = known.predict(run)
+    expected = RISE**2 / (0.001**2 + (0.1 * RISE) ** 2)
+    assert information == pytest.approx(np.sum(expected), rel=1e-4)
+    np.testing.assert_allclose(truth.sigma, np.hypot(0.001, 2 * RISE), rtol=1e-4)
+    with Hypothesis(*first_order(1.1, signal, RISE, free=False)) as other:
+        miss = other.refitted_miss(truth, other.predict(run))
+    expected = (2 * RISE) ** 2 / (0.001**2 + (2 * RISE) ** 2)
+    assert miss == pytest.approx(np.sum(expected), rel=1e-4)
 
 
 def test_a_parameter_that_one_run_does_not_state_varies(data: DataSet) -> None:

@@ -11,6 +11,9 @@ import pytest
 import xarray
 
 import pam_cosim as pam
+from pam_cosim.measurement import rows_of
+from pam_cosim.study.input_sources import inputs_of
+from pam_cosim.study.runs import _course
 
 BENCH = "TankFilling"
 TIME = np.array([0.0, 1.0, 1.0, 3.0])
@@ -71,6 +74,39 @@ def test_functions_and_constants_of_time() -> None:
     run = pam.simulate(BENCH, inputs={"u_in": ramp, "p_supply": "150 kPa"}, stop_time="2 s")
     line = pam.Inputs([0.0, 2.0], {"u_in": [0.2, 0.3], "p_supply": [1.5e5, 1.5e5]})
     np.testing.assert_allclose(run["p"], pam.simulate(BENCH, inputs=line)["p"], rtol=1e-6, atol=0.1)
+
+
+@pytest.mark.parametrize(
+    ("head", "text"),
+    [("p_supply [kPa]", "138 kPa"), ("p_supply [kPa]", "138"), ("p_supply [bar]", "138 kPa"),
+     ("p_supply", "1.38 bar"), ("p_supply", "138e3")],
+)  # fmt: skip
+def test_a_constant_is_in_its_own_unit_or_that_of_its_head(head: str, text: str) -> None:
+    made = inputs_of({head: text}, pam.describe(BENCH), lambda: np.array([0.0, 1.0]))
+    assert made is not None
+    np.testing.assert_allclose(made.values["p_supply"], [1.38e5, 1.38e5], rtol=1e-12)
+
+
+@pytest.mark.parametrize("held", [False, True])
+def test_a_run_that_is_predicted_ends_where_it_is_to_end(held: bool) -> None:
+    """However long its inputs go on, and whether a row of them is after the end or one step is at it."""
+    inputs = pam.Inputs(
+        [0.0, 2.0, 5.0, 60.0], {"u_in": [0.3, 0.3, 0.2, 0.0]}, "previous" if held else "linear"
+    )
+    course, times = _course(pam.describe(BENCH), inputs, 5, 1)
+    assert course is not None
+    rows, columns = rows_of(course, times)
+    np.testing.assert_allclose(rows, [0, 1, 2, 3, 4, 5, 5] if held else [0, 1, 2, 3, 4, 5])
+    after = [0.3, 0.3, 0.3, 0.2] if held else [0.3 - 0.1 / 3, 0.3 - 0.2 / 3, 0.2]
+    np.testing.assert_allclose(columns["u_in"], [0.3, 0.3, 0.3, *after], rtol=1e-12)
+
+
+def test_patterns_of_a_sweep_begin_at_one_time() -> None:
+    """Else the beginning of one would be left out without a word: all runs have the times of one."""
+    early, late = ({"time": [begin, begin + 3.0], "u_in": [0.3, 0.3]} for begin in (0.0, 2.0))
+    wanted = r"'early' begins at 0 s, 'late' at 2 s: all runs of a sweep begin at one time"
+    with pytest.raises(pam.InputError, match=wanted):
+        pam.sweep(BENCH, {"inputs": {"early": early, "late": late}}, scalars=["max(p)"], workers=1)
 
 
 def test_an_earlier_run_drives_another() -> None:

@@ -32,11 +32,11 @@ class Hypothesis:
         self.values = candidate.fit.values | candidate.fit.start_values
         self.free = [n for n, e in candidate.fit.parameters.items() if not e.at_bound and not e.run]
         self.sigma = {n: s.sigma for n, s in data.fitted_signals.items()}
-        name, told = candidate.equations.split()[1], [parameter_of(n) for n in self.free]
+        name, differentiated = candidate.equations.split()[1], [parameter_of(n) for n in self.free]
         self._simulator = Simulator(
-            build_source(name, candidate.equations, files, sensitivities=told, lean=True)
+            build_source(name, candidate.equations, files, sensitivities=differentiated, lean=True)
         )
-        self._held: Array | None = None
+        self._information_root: Array | None = None
 
     def __enter__(self) -> Hypothesis:
         return self
@@ -50,7 +50,7 @@ class Hypothesis:
         return self._simulator.interface
 
     def predict(self, run: Run, tolerance: float | None = None) -> Prediction:
-        """Signals of a run and their slopes, all samples of all signals, in noise standard deviations.
+        """Signals of a run, their slopes and their noise: a sample of each signal at each row of the run.
 
         Args:
             run: inputs, known parameters and sample times.
@@ -68,7 +68,7 @@ class Hypothesis:
         }
         wanted = [*self.sigma, *slopes.values()]
         comparison = simulate_run(self._simulator, self.data, run, self.values, tolerance, wanted)
-        values = np.concatenate([comparison.model[s] / sigma for s, sigma in self.sigma.items()])
+        values = np.concatenate([comparison.model[s] for s in self.sigma])
         columns = np.zeros((len(values), len(self.free)))
         for j, p in enumerate(self.free):
             size = (
@@ -79,32 +79,42 @@ class Hypothesis:
             if size:
                 columns[:, j] = np.concatenate(
                     [
-                        size * comparison.model[slopes[s, p]] / sigma
+                        size * comparison.model[slopes[s, p]]
                         if (s, p) in slopes
                         else np.zeros(len(run.time))
-                        for s, sigma in self.sigma.items()
+                        for s in self.sigma
                     ]
                 )
-        return Prediction(values, columns)
+        noise = [self._noise(s, comparison.model[s]) for s in self.sigma]
+        return Prediction(values, columns, np.concatenate(noise))
+
+    def _noise(self, signal: str, values: Array) -> Array:
+        """(n,) standard deviations of readings of these values."""
+        return np.broadcast_to(self.data.signals[signal].sigma_at(values), values.shape)
 
     @property
     def information_root(self) -> Array:
         """(k, k) triangular: the fit runs resist a change of the parameters by the square of its product."""
-        if self._held is None:
-            rows = [
-                np.zeros((1, len(self.free))),
-                *(self.predict(r).slopes for r in self.data.fit_runs),
-            ]
-            self._held = np.asarray(np.linalg.qr(np.vstack(rows), mode="r"))
-        return self._held
+        if self._information_root is None:
+            rows = [np.zeros((1, len(self.free))), *map(self._information_rows, self.data.fit_runs)]
+            self._information_root = np.asarray(np.linalg.qr(np.vstack(rows), mode="r"))
+        return self._information_root
+
+    def _information_rows(self, run: Run) -> Array:
+        """(m, k) slopes of the m samples that were taken in a run, in standard deviations of their noise."""
+        never = np.full(len(run.time), np.nan)
+        taken = np.isfinite(np.concatenate([run.measurements.get(s, never) for s in self.sigma]))
+        prediction = self.predict(run)
+        return np.asarray((prediction.slopes / prediction.sigma[:, None])[taken])
 
     def refitted_miss(self, truth: Prediction, own: Prediction) -> float:
         """Sum of squares that is left when this hypothesis is fitted to what it has seen and to a new run as well.
 
-        To first order in the parameters. A parameter without sensitivities stays where it is.
+        To first order in the parameters. A parameter without sensitivities stays where it is. The noise is that of the
+        truth's readings: both are weighed by it, also where it grows with the reading.
         """
-        miss = truth.values - own.values
-        rows = np.vstack([own.slopes, self.information_root])
+        miss = (truth.values - own.values) / truth.sigma
+        rows = np.vstack([own.slopes / truth.sigma[:, None], self.information_root])
         size = np.linalg.norm(rows, axis=0)
         size[size == 0] = 1.0
         target = np.concatenate([miss, np.zeros(len(self.information_root))])
@@ -114,7 +124,14 @@ class Hypothesis:
 
 @dataclass(frozen=True)
 class Prediction:
-    """(n,) values and (n, k) slopes, in noise standard deviations."""
+    """What a model predicts of n samples.
+
+    Attributes:
+        values: (n,) in the units of the signals, one signal after another.
+        slopes: (n, k) by the free parameters.
+        sigma: (n,) standard deviation of the noise of a reading.
+    """
 
     values: Array
     slopes: Array
+    sigma: Array

@@ -131,12 +131,12 @@ class _Search:
             usable.sort(key=lambda entry: -entry[0])
             child = self._scored(self._child([course for _, course in usable[: criteria.parents]]))
             usable += [child] if child is not None else []
-        best = max(score for score, _ in usable)
-        nearly = [entry for entry in usable if entry[0] >= criteria.as_good * best]
-        course = min(nearly, key=lambda entry: (entry[1].complexity, -entry[0]))[1]
-        # what was drawn is judged as it is, also where other runs are known
-        chances = [entry[0] for entry in drawn if entry is not None]
+        # what counts of a run is what it adds to those before it
         base = soft_minimum(self._total(np.zeros(len(self.rivals.pairs))))
+        most = max(score for score, _ in usable) - base
+        nearly = [entry for entry in usable if entry[0] - base >= criteria.as_good * most]
+        course = min(nearly, key=lambda entry: (entry[1].complexity, -entry[0]))[1]
+        chances = [entry[0] for entry in drawn if entry is not None]
         return self._planned(
             course, names, float(np.median(chances)) - base if chances else float("nan")
         )
@@ -167,8 +167,8 @@ class _Search:
         rows = len(run.time)
         predicted = {
             name: {
-                signal: one.values[i * rows : (i + 1) * rows] * sigma
-                for i, (signal, sigma) in enumerate(self.rivals.sigma.items())
+                signal: one.values[i * rows : (i + 1) * rows]
+                for i, signal in enumerate(self.rivals.sigma)
             }
             for name, one in zip(names, predictions, strict=True)
         }

@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 from collections.abc import Sequence
 from contextlib import ExitStack
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -68,7 +69,7 @@ class Rivals:
 
     @property
     def sigma(self) -> dict[str, float]:
-        """Noise of the signals that are predicted, in their order [SI]."""
+        """Noise of the signals that are predicted, in their order [SI]; where it grows, its root mean square."""
         return self._hypotheses[0].sigma
 
     def run_of(self, course: Course, interval: float | None = None) -> Run:
@@ -103,9 +104,7 @@ class Rivals:
             predictions: by each model.
             weight: number of samples that each row stands for.
         """
-        scaled = [
-            Prediction(one.values * weight**0.5, one.slopes * weight**0.5) for one in predictions
-        ]
+        scaled = [replace(one, sigma=one.sigma / weight**0.5) for one in predictions]
         models = self._hypotheses
         return np.array([
             min(models[j].refitted_miss(scaled[i], scaled[j]), models[i].refitted_miss(scaled[j], scaled[i]))
@@ -125,10 +124,10 @@ class Rivals:
         )
 
     def _is_allowed(self, predictions: Prediction, rows: int) -> bool:
-        for i, (name, sigma) in enumerate(self.sigma.items()):
+        for i, name in enumerate(self.sigma):
             if name in self.limits.outputs:
                 low, high = self.limits.outputs[name]
-                values = predictions.values[i * rows : (i + 1) * rows] * sigma
+                values = predictions.values[i * rows : (i + 1) * rows]
                 if values.min() < low or values.max() > high:
                     return False
         return True

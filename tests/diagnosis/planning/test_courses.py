@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from pam_cosim.diagnosis.planning import Limits, limits_of
 from pam_cosim.diagnosis.planning.course import Course
+from pam_cosim.diagnosis.planning.design import _Search
 from pam_cosim.diagnosis.planning.moves import Moves
 from pam_cosim.diagnosis.planning.rivals import soft_minimum
 from pam_cosim.errors import InputError
@@ -132,3 +134,43 @@ def test_the_soft_minimum_lies_above_the_least_pair_and_near_it() -> None:
     far = soft_minimum(np.array([40.0, 4000.0]))
     assert 40.0 < far < 40.0 + 8 * np.log(2) + 1e-9
     assert soft_minimum(np.array([41.0, 4000.0])) > far  # the nearest pair counts most
+
+
+class _ThreeCourses:
+    """Moves and rivals of a rig that knows three courses: one that brings most, one that brings less and is simpler,
+    and one that is simplest and brings next to nothing."""
+
+    pairs = ((0, 1),)
+
+    def __init__(self) -> None:
+        kinds = ((100.0, 9), (90.0, 5), (0.1, 1))
+        self.courses = [SimpleNamespace(chi2=chi2, complexity=size) for chi2, size in kinds]
+        self.number = 0
+
+    def drawn(self, rng: object) -> SimpleNamespace:
+        self.number += 1
+        return self.courses[self.number % 3]
+
+    def recorded(self) -> list[SimpleNamespace]:
+        return []
+
+    def changed(self, rng: object, course: SimpleNamespace) -> SimpleNamespace:
+        return course
+
+    def joined(self, rng: object, one: SimpleNamespace, two: SimpleNamespace) -> SimpleNamespace:
+        return one
+
+    def thinned(self, course: SimpleNamespace) -> np.ndarray:
+        return np.array([course.chi2])
+
+
+@pytest.mark.parametrize("known", [0.0, 500.0])
+def test_a_later_run_is_chosen_by_what_it_adds(
+    known: float, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """However much the runs before it have brought, the simplest course is no substitute for one that decides."""
+    rig, chosen = _ThreeCourses(), []
+    monkeypatch.setattr(_Search, "_planned", lambda self, course, *rest: chosen.append(course))
+    search = _Search(rig, rig, np.random.default_rng(0), known=np.array([known]))  # type: ignore[arg-type]
+    search.best(("a", "b"))
+    assert chosen[0].chi2 == 90.0

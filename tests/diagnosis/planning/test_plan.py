@@ -175,8 +175,9 @@ def test_nothing_missing_is_tested_against_effects_that_the_recordings_hardly_sh
         shown("ViscousFriction", "rate_friction", 0.4, **{"damper.c": 20.0}),
         shown("PositionOffset", "position_offset", math.inf),
     ]
-    told = SimpleNamespace(families={one.family: one for one in each})
-    monkeypatch.setattr(challengers, "check", lambda *_, **__: SimpleNamespace(told=told))
+    known = SimpleNamespace(families={one.family: one for one in each})
+    checked = SimpleNamespace(identifiability=known)
+    monkeypatch.setattr(challengers, "check", lambda *_, **__: checked)
     base = replace(diagnosis.candidates[0].fit, parameters={})
     sound = replace(
         diagnosis,
