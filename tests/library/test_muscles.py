@@ -72,6 +72,27 @@ def test_a_fluidic_muscle_pulls_what_its_maker_says(
     assert made.values["F"][-1] == pytest.approx(pull, rel=within)
 
 
+def test_the_air_muscle_pulls_what_the_slides_say_and_rubs_on_nothing() -> None:
+    """AM, theoretical force equation 1 at full length: 476 N at 600 kPa, 134 N more than with 216 fibres that rub."""
+    muscle, pressure, angle = rig("imposed-pressure", "imposed-length", "AirMuscle", "F"), 6e5, 23.0
+    slope = np.tan(np.radians(angle))
+    pull = np.pi / 4 * 0.01**2 * pressure * (3 / slope**2 - (1 + slope**-2))
+    made = run(muscle, np.linspace(0, 1, 11), inputs=held(1.0, p=pressure, s=0.0))
+    assert made.values["F"][-1] == pytest.approx(pull, abs=0.01)
+    assert made.warnings == ()
+
+
+def test_fibres_that_do_not_fit_on_a_sleeve_are_warned_of() -> None:
+    muscle, times = (
+        rig("imposed-pressure", "imposed-length", "AirMuscle", "F"),
+        np.linspace(0, 1, 3),
+    )
+    own = {"muscle.fibres": 216.0, "muscle.mu_fb": 0.015, "muscle.mu_d": 0.8}
+    made = run(muscle, times, own, held(1.0, p=6e5, s=0.0))
+    assert made.values["F"][-1] == pytest.approx(342.45, abs=0.1)
+    assert len(made.warnings) == 1 and "148.338 cm2 of 94.2478 cm2" in made.warnings[0]
+
+
 def test_a_short_fluidic_muscle_pulls_as_its_makers_tool_says_and_not_as_it_was_measured() -> None:
     """112 mm at 620 kPa: 499 N by the tool, 351 N measured, 335 N by the law of those who did."""
     muscle = rig("imposed-pressure", "imposed-length", "DMSP10", "F")

@@ -42,12 +42,19 @@ equation
     + "but stated are L0 = " + String(sleeve.L0) + " m, fittings = " + String(sleeve.fittings) + " m, D0 = "
     + String(sleeve.D0) + " m, turns = " + String(sleeve.turns) + ", b = " + String(sleeve.b) + " m, alpha_0 = "
     + String(sleeve.alpha_0) + " rad; set to 0 what shall follow from the others");
+  assert(A_fibre >= 0 and A_fibre < Constants.pi*D0*L0,
+    "the fibres do not fit on the sleeve: by DP (48) they cover " + String(1e4*A_fibre) + " cm2 of "
+    + String(1e4*Constants.pi*D0*L0) + " cm2, so that no heat passes; state fibres, w and z",
+    AssertionLevel.warning);
   annotation (defaultComponentName="muscle", Documentation(info="<html>
 <p>L0 - fittings = b cos(alpha_0), n pi D0 = b sin(alpha_0), the cylinder of
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1): <code>sleeve</code> states any three of L0, D0,
 turns, b and alpha_0 with D0 or turns among them, and the others, which are zero, follow. More may be stated if they
 agree within 2 %; the angle is then taken from alpha_0 before b, and from b before turns. A run ends at its start with a
 message where they do not agree, or do not determine the sleeve.</p>
+<p>Number and width of the fibres do not follow: the defaults are those of
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 1. A run warns where such fibres would cover
+more than the sleeve, DP (46)-(48).</p>
 <p>Fittings count in the length that a ruler measures and do not contract: the contraction ratio is that of the rest. In
 a muscle whose fittings are not known the effect
 <a href=\"modelica://PneumaticMuscle.Effects.EndShape.TonduEnds\">TonduEnds</a> finds them, fittings = L0 (1 - 1/k).</p>

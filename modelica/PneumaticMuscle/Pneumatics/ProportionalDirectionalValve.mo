@@ -35,7 +35,8 @@ equation
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 10041</a>-1): y = (u - u_mid)/u_full within the stroke,
 behind a lag tau, and effective areas in proportion to what y is beyond the overlap, with the flow of
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (40)-(42). An overlap below zero, a valve that
-bleeds in the middle, is left out. All sizes are for illustration: take them from the data sheet, or fit them. A closed
-valve bleeds what a thousandth of its stroke opens.</p>
+bleeds in the middle, is left out. All sizes are for illustration: take them from the data sheet, or fit them. In the
+middle either side bleeds through A_open (sqrt(o^2 + 1e-6) - o)/(2 (1 - o)), o the overlap: 1.3e-5 A_open at 0.02, 5e-4
+A_open without any.</p>
 </html>"));
 end ProportionalDirectionalValve;

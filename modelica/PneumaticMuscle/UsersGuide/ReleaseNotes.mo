@@ -48,6 +48,12 @@ before the inlet, <a href=\"modelica://PneumaticMuscle.Interfaces.Feed\">Interfa
 <a href=\"modelica://PneumaticMuscle.Domain\">Domain</a>.</li>
 <li>Icons, dialogs in groups, choices for every replaceable model; a bibliography,
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">References</a>.</li>
+<li><a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a> and
+<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.GeneralGas\">GeneralGas</a> balance energy for every share e;
+their films and that of <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a> are meant
+at ambient pressure and temperature, also in a vessel that starts elsewhere.
+<a href=\"modelica://PneumaticMuscle.Muscles.AirMuscle\">Muscles.AirMuscle</a> has no friction, and
+<a href=\"modelica://PneumaticMuscle.Muscles.AnyGeometry\">AnyGeometry</a> warns of fibres that do not fit on it.</li>
 </ul>
 <p><b>0.1.0</b></p>
 <ul>

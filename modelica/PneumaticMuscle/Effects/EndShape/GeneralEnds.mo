@@ -3,7 +3,7 @@ model GeneralEnds
   "The pull differs from the cylinder's by any smooth law of contraction, one part of which fades with pressure"
   extends Interfaces.Cylinder;
   extends FamilyMember(final general=true,
-    final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0");
+    final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0, c_3=0");
   parameter Real a_0(unit="1", min=-0.7, max=0.5, nominal=0.1) = 0 "Excess that fades, at full length"
     annotation (Dialog(group="Effect"));
   parameter Real a_1(unit="1", min=-2, max=0.5, nominal=0.1) = -0.05 "What it gains in proportion to contraction"

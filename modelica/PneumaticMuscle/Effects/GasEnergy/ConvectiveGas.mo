@@ -29,6 +29,8 @@ g/s)^0.8. Source: <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">D
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Dittus and Boelter 1930</a> for turbulent flow, Nu ~
 Re^0.8; a jet stirs the gas while it is filled and for 0.05 s after, free convection is left in a hold. DP (60) falls
 away, so that no value of h_0 and h_1 gives the base law back. Typical h_0 3 to 10, h_1 5 to 200 W/(m2.K).</p>
+<p>Open: a muscle's wall takes the same film, with the jet of the inside, for its outer side too, see
+<a href=\"modelica://PneumaticMuscle.Laws.Heat.FilmWall\">Laws.Heat.FilmWall</a>.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGas\">EnergyGas</a>, with less heating
 while gas flows than the slow return to ambient in the hold lets expect.</p>
 </html>"));

@@ -13,6 +13,7 @@ model FlexibleGas "Mass and energy balance, with heat exchange that grows with d
   parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
+  outer Ambient ambient "Surroundings";
   Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which h_1 is added";
@@ -29,8 +30,8 @@ equation
   p*V = m*Constants.R*T;
   V*der(p) = -Constants.gamma*p*der(V) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   tau_jet*der(m_jet) = port.m_flow - m_jet;
-  h_wall = h_0*exp(n_p*log(max(p, 1.0)/p_reference)
-      + 0.5*n_T*log(((T - T_reference)^2 + T_smooth^2)/T_reference_difference^2))
+  h_wall = h_0*exp(n_p*log(max(p, 1.0)/ambient.p)
+      + 0.5*n_T*log(((T - ambient.T)^2 + T_smooth^2)/T_reference_difference^2))
     + h_1*((m_jet^2 + m_smooth^2)/m_reference^2)^0.4;
   annotation (Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.ConvectiveGas\">ConvectiveGas</a> with h = h_0
@@ -41,6 +42,8 @@ Pr)^n with Gr in proportion to density squared and temperature difference, n = 1
 has neither. DP (60) falls away, so that no value of the parameters gives the base law back. Where the flow counts by an
 exponent of 0.6 the readings keep 1 % of what the balance changes. Typical h_0 2 to 10, h_1 5 to 200 W/(m2.K), n_p 0 to
 0.67, n_T 0 to 0.33, tau_jet 0.02 to 0.5 s.</p>
+<p>Open: a muscle's wall takes the same film, with jet and pressure of the inside, for its outer side too, see
+<a href=\"modelica://PneumaticMuscle.Laws.Heat.FilmWall\">Laws.Heat.FilmWall</a>.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.ConvectiveGas\">ConvectiveGas</a>; after
 filling the temperature returns to ambient fast at first and then slowly.</p>
 </html>"));

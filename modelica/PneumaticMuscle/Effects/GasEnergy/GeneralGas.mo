@@ -26,6 +26,7 @@ model GeneralGas "Mass and energy balance of any gas, with any smooth law of its
   parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
+  outer Ambient ambient "Surroundings";
   Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which h_1 is added";
@@ -41,10 +42,10 @@ initial equation
 equation
   der(m) = port.m_flow;
   p*(V - b*m) = m*Constants.R*T;
-  (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - e*b*der(m)) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
+  (V - e*b*m)*der(p) = -Constants.gamma*p*(der(V) - b*der(m)) + (Constants.gamma - 1)*(heatPort.Q_flow + port.H_flow);
   tau_jet*der(m_jet) = 0.5*((1 + out)*sqrt(port.m_flow^2 + m_smooth^2) + (1 - out)*port.m_flow) - m_jet;
-  h_wall = exp(n_T*log(max(T, 1.0)/T_reference) + n_V*log(V/V_reference))*(h_0*exp(n_p*log(max(p, 1.0)/p_reference)
-      + 0.5*n_d*log(((T - T_reference)^2 + T_smooth^2)/T_reference_difference^2))
+  h_wall = exp(n_T*log(max(T, 1.0)/ambient.T) + n_V*log(V/V_reference))*(h_0*exp(n_p*log(max(p, 1.0)/ambient.p)
+      + 0.5*n_d*log(((T - ambient.T)^2 + T_smooth^2)/T_reference_difference^2))
     + h_1*exp(0.5*n_m*log((m_jet^2 + m_smooth^2)/m_reference^2)));
   annotation (Documentation(info="<html>
 <p>As <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.RealGas\">RealGas</a> with h = (T/T_atm)^n_T (V/0.1
@@ -57,6 +58,8 @@ powers of the gas' properties, of the size of the space and of the flow (<a
 href=\"modelica://PneumaticMuscle.UsersGuide.References\">McAdams 1954</a>). <a
 href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (60) falls away, so that no value of the parameters
 gives the base law back. Typical as there, n_T and n_V -1 to 1, out 0 to 1.</p>
+<p>Open: a muscle's wall takes the same film, with jet and pressure of the inside, for its outer side too, see
+<a href=\"modelica://PneumaticMuscle.Laws.Heat.FilmWall\">Laws.Heat.FilmWall</a>.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a>.</p>
 </html>"));
 end GeneralGas;

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ValveArea;
 model GeneralArea "The effective area is any smooth function of pressure ratio, pressures, current and side"
   extends Interfaces.ValveArea;
   extends FamilyMember(final general=true,
-    final absent="b_r=0, b_2=0, b_4=0, b_6=0, b_8=0, b_p=0, b_s=0, b_u=0, b_v=0, b_d=0, u_p=0");
+    final absent="b_r=0, b_2=0, b_4=0, b_6=0, b_8=0, b_p=0, b_s=0, b_u=0, b_v=0, b_e=0, b_f=0, b_d=0, u_p=0");
   parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1
     "What the logarithm of the area loses with the pressure ratio"
     annotation (Dialog(group="Effect"));

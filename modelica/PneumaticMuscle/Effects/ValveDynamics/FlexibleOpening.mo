@@ -6,14 +6,14 @@ model FlexibleOpening "The openings follow late, by a dead time, a lag and at a 
   parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
   parameter Types.Time travel(min=1e-6, max=2, nominal=0.05) = 0.01
-    "Time that opening to the area at 0.35 A takes at the greatest rate"
+    "Time that opening from shut to 3.69e-7 m2 takes at the greatest rate"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
     annotation (Dialog(group="Effect"));
   parameter Types.Time dead_time(min=1e-6, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
 protected
   parameter Types.Time t_0(fixed=false) "Start time";
-  constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A, to which travel refers";
+  constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A, before the factor C_A, to which travel refers";
   constant Types.Area A_smooth = 4e-9 "Difference of areas over which opening and closing change roles";
   Types.Area d[2](each nominal=1e-7) "What the openings still lack";
   Real by[2](each unit="1") "Factor on both times: 1 in opening, ratio in closing";

@@ -4,12 +4,12 @@ model OpeningRateLimit "The openings of the valves change at a limited rate, ano
     A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
   extends FamilyMember(final absent="travel=1e-6, ratio=1");
   parameter Types.Time travel(min=1e-6, max=4, nominal=0.1) = 0.1
-    "Time that opening takes, from shut to the area at 0.35 A"
+    "Time that opening takes, from shut to 3.69e-7 m2"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Time of closing by that of opening"
     annotation (Dialog(group="Effect"));
 protected
-  constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A";
+  constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A, before the factor C_A";
   constant Types.Area A_smooth = 4e-9 "Difference of areas over which opening, rest and closing change roles";
   Real side[2](each unit="1") "1 in opening, -1 in closing";
 initial equation
@@ -25,7 +25,8 @@ equation
 <p>A_dot = A_0/travel sgn(A_set - A), in closing A_0/(ratio travel), for either valve, A_0 = 3.69e-7 m2, the sign
 rounded over 1 % of A_0. Source: a stepping motor, a worm gear or a pilot stage whose flow is limited moves the spool at
 one speed (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Merritt 1967</a>, chapter 7); data sheets state
-the time of a full stroke. Typical 20 to 500 ms. Both valves are shut before the start.</p>
+the time of a full stroke. Typical 20 to 500 ms. A_set has the factor C_A of the valve: at 0.35 A it is C_A A_0. Both
+valves are shut before the start.</p>
 <p>Fingerprint: the flow grows and falls in straight lines; a small opening takes less time than a large one.</p>
 </html>"));
 end OpeningRateLimit;

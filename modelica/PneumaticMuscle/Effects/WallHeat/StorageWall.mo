@@ -23,6 +23,9 @@ equation
 typical C as for <a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>, r 0.2 to 2. Without a
 heat capacity and with r = 1 it is Laws.Heat.FilmWall; with a large one only the film inside and the inner half of the
 wall resist.</p>
+<p>It is absent where it stands for a wall between two films, as a muscle's. In place of a vessel's
+<a href=\"modelica://PneumaticMuscle.Laws.Heat.MetalWall\">MetalWall</a>, which has no film outside, C = 1e-4 J/K and r
+= 1 leave half of the conductance, and C = 1e5 J/K is the base.</p>
 <p>Fingerprint: twice the heat flow at the beginning of a filling, so that pressure and temperature are at first lower
 than with a wall that stores nothing; then, and in venting, as
 <a href=\"modelica://PneumaticMuscle.Effects.WallHeat.WarmWall\">WarmWall</a>. A vessel whose gas takes no heat from its

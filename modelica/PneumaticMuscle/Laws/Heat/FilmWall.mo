@@ -12,5 +12,8 @@ mass and energy (<a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.EnergyGa
 but not with <a href=\"modelica://PneumaticMuscle.Laws.Gases.PolytropicMuscleGas\">PolytropicMuscleGas</a>: a muscle on
 a 207 kPa supply would stall at 50 kPa, because the power law never lets the temperature return to ambient. Since that
 law is the default of the muscle, this wall is too.</p>
+<p>Open: a film of its own outside. 1/h_c = 2/h_film + t/k also where h_film depends on the jet or the pressure inside,
+of which the air outside knows nothing: with the laws of the gas ConvectiveGas, FlexibleGas, RealGas, FreeConvectionGas
+and GeneralGas of <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy\">Effects.GasEnergy</a>.</p>
 </html>"));
 end FilmWall;
