@@ -17,7 +17,7 @@ from pam_cosim.drafting.scaling import scaled_entry
 from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.units import convert, parse_quantity
+from pam_cosim.units import UnitError, convert, parse_quantity
 
 _C = CRITERIA.recognition
 _GRAVITY = "9.80665 m/s2"
@@ -44,16 +44,30 @@ def named_entry(
         return contraction_entry(name, column, interface, stated)
     if kind == "force" and fits(column.unit, "mass"):
         return _weight(name, column)
-    numbers = {i: convert(v, column.unit, variable.unit) for i, v in column.values.items()}
+    numbers = _converted(name, column, variable.unit)
     if column.absolute and kind == "pressure":
         return _gauge_pressure(name, column, numbers)
     return ColumnEntry(name, column.name, unit_to_state(column), why=column.why), numbers
 
 
+def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]:
+    """The numbers of a column in a unit.
+
+    Raises:
+        InputError: its own is of another kind.
+    """
+    try:
+        return {i: convert(v, column.unit, unit) for i, v in column.values.items()}
+    except UnitError as problem:
+        raise InputError(
+            f"column '{column.name}' cannot be taken for {name}: {problem}; name another one"
+        ) from None
+
+
 def _weight(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:
     """A force that was recorded as a mass."""
     gravity = parse_quantity(_GRAVITY, "m/s2")
-    numbers = {i: convert(v, column.unit, "kg") * gravity for i, v in column.values.items()}
+    numbers = {i: v * gravity for i, v in _converted(name, column, "kg").items()}
     why = (*column.why, f"a force in {column.unit}, times gravity")
     return scaled_entry(name, column, _GRAVITY, None, why), numbers
 

@@ -101,7 +101,7 @@ def shown_effect(effect: EffectClass, fits: bool) -> ShownEffect:
     """An effect with what its class and its documentation say."""
     return ShownEffect(
         name=effect.name,
-        family=effect.family.replace("_", " "),
+        family=effect.family,
         balance=effect.balance,
         description=effect.description,
         equation=_equations(effect),

@@ -16,14 +16,16 @@ MOST_POINTS = 4000  # of a curve, one for each pixel of the widest screens
 
 
 def measured_curves(data: DataSet) -> list[PlottedCurve]:
-    """Times and measured signals of all runs; of points at rest, what they are drawn over instead of times, rising."""
+    """Times from the first one on and measured signals of all runs; of points at rest, what they are drawn over instead
+    of times, rising."""
     curves = []
     for run in data.runs:
         factor = readable_factor(run.along.unit) if run.along else 1.0
-        time = shown_times(_rising(run, run.time * factor))
+        begin = 0.0 if run.is_static else float(run.time[0])
+        time = shown_times(_rising(run, run.time * factor - begin))
         for name, values in run.measurements.items():
             shown = thinned(_rising(run, values * _factor(data, name)))
-            curves.append(PlottedCurve(run.name, name, {"time": time, "values": shown}))
+            curves.append(PlottedCurve(run.name, name, {"time": time, "values": shown}, begin))
     return curves
 
 
@@ -82,6 +84,12 @@ def thinned(values: Array) -> Array:
         np.array(first)[:, None], np.stack([bottom, top], 1), np.stack([top, bottom], 1)
     )
     return np.where(np.isfinite(pairs), pairs, np.nan).ravel()
+
+
+def shown_instants(time: Array) -> list[float]:
+    """Times as numbers of few digits, as many from the first one on, whatever clock they are of."""
+    first = float(time[0]) if len(time) else 0.0
+    return [first + float(f"{t - first:.6g}") for t in time.tolist()]
 
 
 def _parts(count: int) -> np.ndarray | None:

@@ -50,6 +50,7 @@ from pam_cosim.reporting.account import (
     words,
 )
 from pam_cosim.units import readable_factor
+from pam_cosim.workbench.curves import shown_instants
 from pam_cosim.workbench.protocol import (
     CandidateEvent,
     Json,
@@ -251,7 +252,7 @@ def _courses(entry: BalanceEntry, domain: Domain) -> Json:
         runs.append(
             {
                 "run": c.run,
-                "time": _list(c.time[kept]),
+                "time": shown_instants(c.time[kept]),
                 "term": _list(value),
                 "low": _list(value - reach),
                 "high": _list(value + reach),

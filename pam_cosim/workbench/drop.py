@@ -8,7 +8,7 @@ import shutil
 import tempfile
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any
 
@@ -19,13 +19,16 @@ from pam_cosim.drafting import NewDataSet
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.measurement import any_text
+from pam_cosim.model.interface import Interface
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
 from pam_cosim.workbench.commands.checks import names_of, text_of
+from pam_cosim.workbench.curves import shown_instants
 from pam_cosim.workbench.job_queue import failed_by
-from pam_cosim.workbench.paths import inside, safe_name
+from pam_cosim.workbench.paths import free_name, inside, safe_name
 from pam_cosim.workbench.protocol import DraftEvent, DroppedEvent, DroppedFile, Excerpt, Json
+from pam_cosim.workbench.state_events import short_name
 
 MOST_BYTES = 200_000_000  # of one file
 MOST_TOGETHER = 2_000_000_000
@@ -50,26 +53,30 @@ class Drop:
     files: tuple[Path, ...] = ()
     place: Path = field(default_factory=lambda: Path(tempfile.mkdtemp(prefix="pam-cosim-drop-")))
     recordings: list[Path] = field(default_factory=list)
+    _names: dict[str, str] = field(default_factory=dict)  # here, by the name that each came with
+    _last: DraftEvent | None = None  # of which something could be made
 
     def close(self) -> None:
         """Removes what was dropped."""
         shutil.rmtree(self.place, ignore_errors=True)
 
     def put(self, name: str, content: bytes | bytearray) -> DroppedEvent:
-        """Takes a file; one of the same name is replaced.
+        """Takes a file; one that came by the same name is replaced.
 
         Raises:
             InputError: it is too large, or there are too many; there is no room for it.
         """
         if len(content) > MOST_BYTES:
             raise InputError(f"{shown(name)} is larger than {MOST_BYTES // 1_000_000} MB")
-        target = inside(self.place, safe_name(name))
+        made = self._names.get(name) or free_name(safe_name(name), self._names.values())
+        target = inside(self.place, made)
         if target not in self.recordings and len(self.recordings) >= MOST_FILES:
             raise InputError(f"more than {MOST_FILES} files at once cannot be taken")
         others = sum(file.stat().st_size for file in self.recordings if file != target)
         if others + len(content) > MOST_TOGETHER:
             raise InputError(f"more than {MOST_TOGETHER // 1_000_000} MB together cannot be taken")
         write_bytes(target, content)
+        self._names[name] = made
         if target not in self.recordings:
             self.recordings = sorted([*self.recordings, target])
         return self.dropped()
@@ -80,6 +87,10 @@ class Drop:
         for file in gone & set(self.recordings):
             file.unlink(missing_ok=True)
         self.recordings = [file for file in self.recordings if file not in gone]
+        if not self.recordings:
+            self._last = None
+        here = {file.name for file in self.recordings}
+        self._names = {name: made for name, made in self._names.items() if made in here}
         return self.dropped()
 
     def dropped(self) -> DroppedEvent:
@@ -92,8 +103,21 @@ class Drop:
             try:
                 made = self._new(Path(scratch) / self.folder.resolve().name, wishes)
             except InputError as problem:
-                return DraftEvent(failed=failed_by(problem), excerpt=self._excerpt(problem))
-            return _drafted(made)
+                failed, excerpt = failed_by(problem), self._excerpt(problem)
+                return replace(self._fields(wishes), failed=failed, excerpt=excerpt)
+            self._last = _drafted(made)
+            return self._last
+
+    def _fields(self, wishes: Mapping[str, Any]) -> DraftEvent:
+        """What can be said of the files though nothing could be made of them: of the bench that is asked for, or as
+        it was when something could."""
+        bench = str(wishes.get("model"))
+        last = self._last or DraftEvent(title=self.folder.resolve().name, benches=_benches())
+        fields = replace(last, guesses=(), starts=(), to_check=(), toml="", curves=())
+        other = bench in last.benches and bench != short_name(last.model)
+        return (
+            replace(fields, model=bench, **_quantities(study.describe(bench))) if other else fields
+        )
 
     def create(self, wishes: Mapping[str, Any]) -> None:
         """Writes the data set.
@@ -150,7 +174,7 @@ def _texts_by_name(value: Any, key: str) -> dict[str, str]:
 def _drafted(made: NewDataSet) -> DraftEvent:
     data = made.data
     text = (made.folder / "experiment.toml").read_text(encoding="utf-8")
-    interface = study.describe(data.model)
+    quantities = _quantities(study.describe(data.model))
     return DraftEvent(
         title=data.title,
         model=made.model,
@@ -158,28 +182,38 @@ def _drafted(made: NewDataSet) -> DraftEvent:
         starts=made.starts,
         to_check=made.to_check,
         runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
-        names=tuple(
-            {
-                "name": n,
-                "unit": unit_text(v.unit),
-                "input": n in interface.inputs,
-                "description": v.description,
-            }
-            for n, v in {**interface.inputs, **interface.outputs}.items()
-        ),
-        parameters=tuple(
-            {
-                "name": n,
-                "unit": unit_text(v.unit),
-                "description": v.description,
-                "value": None if v.start is None else v.start * readable_factor(v.unit),
-            }
-            for n, v in interface.parameters.items()
-        ),
-        benches=tuple(study.benches()),
+        **quantities,
+        benches=_benches(),
         toml=text,
         curves=tuple(_curves(made)),
     )
+
+
+def _benches() -> tuple[str, ...]:
+    return tuple(study.benches())
+
+
+def _quantities(interface: Interface) -> Json:
+    """What a column can be taken for, and what can be stated, of a bench."""
+    names = tuple(
+        {
+            "name": n,
+            "unit": unit_text(v.unit),
+            "input": n in interface.inputs,
+            "description": v.description,
+        }
+        for n, v in {**interface.inputs, **interface.outputs}.items()
+    )
+    parameters = tuple(
+        {
+            "name": n,
+            "unit": unit_text(v.unit),
+            "description": v.description,
+            "value": None if v.start is None else v.start * readable_factor(v.unit),
+        }
+        for n, v in interface.parameters.items()
+    )
+    return {"names": names, "parameters": parameters}
 
 
 def _curves(made: NewDataSet) -> list[Json]:
@@ -195,7 +229,7 @@ def _curves(made: NewDataSet) -> list[Json]:
                     "run": run.name,
                     "signal": name,
                     "unit": unit_text(unit),
-                    "time": _numbers(run.time[kept]),
+                    "time": shown_instants(run.time[kept]),
                     "values": _numbers(shown_values),
                 }
             )

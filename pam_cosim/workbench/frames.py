@@ -16,11 +16,16 @@ from pam_cosim.workbench.protocol import Json
 
 @dataclass(frozen=True)
 class PlottedCurve:
-    """Of one run and signal: its arrays by what they are, "time", "values" or "residual", all of one length."""
+    """Of one run and signal: its arrays by what they are, "time", "values" or "residual", all of one length.
+
+    Attributes:
+        begin: that "time" counts from.
+    """
 
     run: str
     signal: str
     arrays: dict[str, Array]
+    begin: float = 0.0
 
 
 def frame(
@@ -28,6 +33,7 @@ def frame(
 ) -> bytes:
     """The binary message with these curves."""
     runs: dict[str, list[Json]] = {}
+    begins = {c.run: c.begin for c in curves}
     parts: list[Array] = []
     places: dict[int, int] = {}
     at = 0
@@ -40,7 +46,9 @@ def frame(
                 at += len(values)
             told |= {"n": len(values), f"{what}_at": places[id(values)]}
         runs.setdefault(c.run, []).append(told)
-    named = [{"name": run, "signals": signals} for run, signals in runs.items()]
+    named = [
+        {"name": run, "from": begins[run], "signals": signals} for run, signals in runs.items()
+    ]
     header = json.dumps(
         {
             "event": "curves",
@@ -62,7 +70,7 @@ def is_model(message: bytes) -> bool:
 
 
 def read_frame(message: bytes) -> tuple[Json, dict[tuple[str, str, str], Array]]:
-    """Header of a frame, and its arrays by run, signal and what they are.
+    """Header of a frame, and its arrays by run, signal and what they are; times as they were recorded.
 
     Raises:
         ValueError: not a frame.
@@ -78,7 +86,7 @@ def read_frame(message: bytes) -> tuple[Json, dict[tuple[str, str, str], Array]]
         for signal in run["signals"]:
             for key, at in signal.items():
                 if key.endswith("_at"):
-                    arrays[run["name"], signal["name"], key.removesuffix("_at")] = floats[
-                        at : at + signal["n"]
-                    ]
+                    what, values = key.removesuffix("_at"), floats[at : at + signal["n"]]
+                    begin = run["from"] if what == "time" else 0.0
+                    arrays[run["name"], signal["name"], what] = values + begin
     return header, arrays

@@ -11,7 +11,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
 from pam_cosim.workbench.job_process import Worker
-from pam_cosim.workbench.protocol import Json, StudyEvent
+from pam_cosim.workbench.protocol import DraftEvent, DroppedEvent, Json, StudyEvent
 from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.windows import Listener, Windows
 
@@ -130,7 +130,7 @@ class Workbench:
 
     def _open(self, drop: Drop) -> None:
         self.session, self.drop = self._session(), None
-        self.windows.forget("Dropped", "Draft")
+        self.windows.forget(DroppedEvent, DraftEvent)
         drop.close()
         self.wake()
 

@@ -17,10 +17,13 @@ from pam_cosim.workbench.protocol import (
     BusyEvent,
     FailedEvent,
     IdleEvent,
+    LedgerEvent,
     LineEvent,
+    NoDiagnosisEvent,
     PageEvent,
     ProgressEvent,
     RankingEvent,
+    VerdictEvent,
 )
 
 if TYPE_CHECKING:
@@ -41,12 +44,14 @@ class Job:
         text: the last headline.
         began: seconds since the epoch.
         finish: called with the result, in the study's thread.
+        values: of the study when it began [SI]: sliders may be moved while it is stopped.
     """
 
     what: str
     text: str
     finish: Callable[[Any], None]
     following: Following
+    values: Mapping[str, float] = field(default_factory=dict)
     began: float = field(default_factory=time.time)
     held: bool = False
     drawn: float = 0.0
@@ -88,7 +93,9 @@ class JobQueue:
         self.make_room()
         session, windows = self.session, self.session.windows
         windows.forget(lines=True)
-        self.job = job = Job(what, text, finish, Following(session.state.data))
+        self.job = job = Job(
+            what, text, finish, Following(session.state.data), dict(session.state.values)
+        )
         windows.tell(job.busy())
         opened = session.opened
         further = {} if what == "fit" else {"workers": session.workers}
@@ -140,17 +147,19 @@ class JobQueue:
         self.session.worker.end()
         self._over("stopped")
         self.session.draw()
-        self.tell_diagnosis()
         self.session.prepare()
+
+    def clear_diagnosis(self) -> None:
+        """Tells that what was said of a diagnosis counts no more."""
+        self.session.windows.forget(RankingEvent, VerdictEvent, LedgerEvent)
+        self.session.windows.tell(NoDiagnosisEvent())
 
     def tell_diagnosis(self) -> None:
         """Tells the verdict of the standing study, or that there is none."""
-        windows, diagnosis = self.session.windows, self.session.state.diagnosis
-        windows.forget("Ranking", "Verdict", "Ledger")
-        for event in (
-            diagnosis_events(diagnosis) if diagnosis is not None else [RankingEvent((), (), False)]
-        ):
-            windows.tell(event)
+        diagnosis = self.session.state.diagnosis
+        self.clear_diagnosis()
+        for event in [] if diagnosis is None else diagnosis_events(diagnosis):
+            self.session.windows.tell(event)
 
     def failed(self, problem: BaseException, during: str = "") -> None:
         """Tells all windows what went wrong."""
@@ -159,8 +168,10 @@ class JobQueue:
     def _over(self, end: str) -> None:
         job, self.job = self.job, None
         assert job is not None
-        self.session.windows.forget("Busy")
+        self.session.windows.forget(BusyEvent)
         self.session.windows.tell(IdleEvent(job.what, end, time.time() - job.began))
+        if job.what == "diagnose" and end != "done":  # its ranking is none that could be taken from
+            self.tell_diagnosis()
 
     def _heard(self, job: Job, said: object) -> None:
         if job is not self.job:
@@ -201,7 +212,7 @@ class JobQueue:
             ProgressEvent(standing.evaluations, rms, standing.chi2_reduced, shown, str(standing))
         )
         if values and time.monotonic() - job.drawn >= _PACE:
-            session.draw_passing(values)
+            session.draw_passing({**job.values, **values})
             job.drawn = time.monotonic()
 
     def _done(self, job: Job, well: bool, result: Any) -> None:

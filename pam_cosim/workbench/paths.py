@@ -3,12 +3,15 @@
 from __future__ import annotations
 
 import re
+from collections.abc import Collection
+from itertools import chain, count
 from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 
-_NAME = re.compile(r"[A-Za-z0-9_][A-Za-z0-9_. ()+-]{0,99}")
+_LONGEST = 100
+_NAME = re.compile(rf"[A-Za-z0-9_][A-Za-z0-9_. ()+-]{{0,{_LONGEST - 1}}}")
 
 
 def safe_name(name: str) -> str:
@@ -18,10 +21,19 @@ def safe_name(name: str) -> str:
         InputError: nothing is left of it.
     """
     last = re.split(r"[\\/]", name)[-1]
-    made = re.sub(r"[^A-Za-z0-9_.()+ -]", "_", last).lstrip(". -")[-100:]
+    made = re.sub(r"[^A-Za-z0-9_.()+ -]", "_", last).lstrip(". -")[-_LONGEST:]
     if not _NAME.fullmatch(made):
         raise InputError(f"{shown(name)} cannot be the name of a file")
     return made.rstrip(" .")
+
+
+def free_name(name: str, taken: Collection[str]) -> str:
+    """The name of a file, numbered where there is one of that name, in whatever case, already."""
+    used = {one.casefold() for one in taken}
+    stem, dot, ending = name.rpartition(".")
+    stem, ending = (stem, dot + ending) if stem else (name, "")
+    numbered = (f"{stem[: _LONGEST - len(ending) - 5]}-{i}{ending}" for i in count(2))
+    return next(one for one in chain([name], numbered) if one.casefold() not in used)
 
 
 def is_name_here(name: str) -> bool:

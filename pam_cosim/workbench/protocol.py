@@ -7,11 +7,12 @@ beside them), times in seconds; a number that does not exist is null.
 
 A frame of curves is one binary message: the length of a header (unsigned, 4 bytes, little-endian), the header (JSON,
 padded with spaces so that what follows begins at a multiple of 4 bytes), then 32-bit floats. The header is
-``{"event": "curves", "kind": kind, "version": n, "answers": id, "label": text, "runs": [{"name": run, "signals":
-[{"name": signal, "n": count, "values_at": place, ...}]}]}``, places in floats. In a frame of kind "measured" each
-signal has ``time_at`` too, of all that was recorded; in one of kind "model", or "reference" (the model as it was before
-the last step), ``residual_at``. The values are those at the times of the measured ones; missing samples, and the model
-where a run was cut, are NaN.
+``{"event": "curves", "kind": kind, "version": n, "answers": id, "label": text, "runs": [{"name": run, "from": time,
+"signals": [{"name": signal, "n": count, "values_at": place, ...}]}]}``, places in floats. In a frame of kind
+"measured" each signal has ``time_at`` too, of all that was recorded, counted from the time that its run has as
+``from``: 32 bits hold the time since 1970 to two minutes only. In one of kind "model", or "reference" (the model as it
+was before the last step), it has ``residual_at``; "reference" without runs: there is no such model any more. The values
+are those at the times of the measured ones; missing samples, and the model where a run was cut, are NaN.
 """
 
 from __future__ import annotations
@@ -144,7 +145,8 @@ class StudyEvent(PageEvent):
 
     Attributes:
         state: "open", or "drop" where there is no data set yet.
-        model: the base model. with_effects: what is shown now, in words.
+        model: the base model. short: what it is called for short: a class by its last name, a file without its folder.
+        with_effects: what is shown now, in words.
         notes: what a reader of results should know of the data.
         benches: models to choose from. methods: of a fit.
         file: what the model was written to, relative to the folder; None: it was not.
@@ -156,6 +158,7 @@ class StudyEvent(PageEvent):
     folder: str
     state: str
     model: str = ""
+    short: str = ""
     with_effects: str = ""
     runs: tuple[ShownRun, ...] = ()
     signals: tuple[ShownSignal, ...] = ()
@@ -459,6 +462,13 @@ class LedgerEvent(PageEvent):
 
 
 @dataclass(frozen=True)
+class NoDiagnosisEvent(PageEvent):
+    """The ranking, the verdict and the ledger that were told are no longer those of the study; others may follow."""
+
+    event: ClassVar[str] = "no_diagnosis"
+
+
+@dataclass(frozen=True)
 class CheckEvent(PageEvent):
     """What the data can tell about the model before any fit, as text."""
 
@@ -523,7 +533,8 @@ class Excerpt:
 
 @dataclass(frozen=True)
 class DraftEvent(PageEvent):
-    """What becomes of the dropped files; where that fails, why and where, and the rest is empty.
+    """What becomes of the dropped files; where that fails, why and where, and of the rest what can be said otherwise:
+    title, model, runs, names, parameters and benches as they were last, or none.
 
     Attributes:
         model: the bench that is proposed. guesses: ``{"what", "taken_as", "why"}`` of each column, run and noise.

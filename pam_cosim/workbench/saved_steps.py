@@ -46,12 +46,14 @@ class ChooseStep(CheckedTable):
 
 
 class FitStep(CheckedTable):
-    """Parameters were fitted, from these values [SI]."""
+    """Parameters were fitted, from these values [SI]; ``kept``: beside those that it began with, where others had been
+    moved while it was stopped."""
 
     do: Literal["fit"]
     method: Annotated[Name, AfterValidator(checked_method)]
     free: Names
     start: Values
+    kept: Values = {}
 
 
 class DiagnoseStep(CheckedTable):

@@ -152,6 +152,7 @@ def _state(content: SavedContent, folder: Path, first: State) -> State:
         rungs=tuple(_rung(one) for one in content.ladder),
         milestone=content.milestone,
         steps=tuple(step_of(plain_step(one)) for one in content.steps),
+        loaded=len(content.steps),
         file=content.file,
     )
 

@@ -114,6 +114,13 @@ def _updated(arguments: _Arguments) -> str:
     return f"values |= {_numbers(arguments['values'])}"
 
 
+def _fitted(arguments: _Arguments) -> str:
+    stated = f"{_numbers(arguments['start'])} | fit.values"
+    if "kept" in arguments:
+        return f"values = {_numbers(arguments['kept'])} | {stated}"
+    return f"values |= {stated}"
+
+
 _VALUES: Mapping[str, Callable[[_Arguments], str]] = {
     SET: _updated,
     START: _updated,
@@ -121,7 +128,7 @@ _VALUES: Mapping[str, Callable[[_Arguments], str]] = {
     CUT: _replaced,
     BEGIN: _replaced,
     CHOOSE: lambda _: "values = {}",
-    FIT: lambda a: f"values |= {_numbers(a['start'])} | fit.values",
+    FIT: _fitted,
     TAKE: lambda a: f"values = {_numbers(a['kept'])} | candidate.fit.values",
 }
 """The values after a step of a kind, where it changes them."""

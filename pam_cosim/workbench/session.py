@@ -13,6 +13,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
+from pam_cosim.catalogue import qualified
 from pam_cosim.comparison import Comparison, RunComparison, samples_in, scored, where
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Estimate
@@ -26,7 +27,7 @@ from pam_cosim.workbench.job_queue import JobQueue, failed_by
 from pam_cosim.workbench.opened_model import Opened, open_model
 from pam_cosim.workbench.protocol import Json, StudyEvent
 from pam_cosim.workbench.saving import FILE as SAVED
-from pam_cosim.workbench.saving import lean_fit
+from pam_cosim.workbench.saving import lean_fit, load_state
 from pam_cosim.workbench.simulators import Simulated
 from pam_cosim.workbench.source import MeasurementSource
 from pam_cosim.workbench.starts import StartsShown, courses
@@ -34,6 +35,7 @@ from pam_cosim.workbench.state import State, standing_label, with_rung
 from pam_cosim.workbench.state_events import (
     rung_of,
     scores_event,
+    short_name,
     steps_event,
     study_event,
     where_event,
@@ -101,16 +103,34 @@ class Session:
         self.benches = self.catalogue.benches(data.model)
         self.first = self.state = State(data, data.model_for(model))
         self._install(self.state)
-        self._take_saved()
+        self._take_saved(named=model is not None)
 
-    def _take_saved(self) -> None:
-        """Goes on where the study was saved, if it was; what is wrong with that is told."""
+    def _take_saved(self, named: bool) -> None:
+        """Goes on where the study was saved, if it was; what is wrong with that is told.
+
+        Where a model was named, a study of another one is left for the person to load.
+        """
         if not (self.folder / SAVED).is_file():
             return
         try:
+            if named:
+                self._check_is_of_first(load_state(self.folder, self.first).model)
             COMMANDS["load"](self)
         except (InputError, SimulationFailure) as problem:
             self.windows.send(failed_by(problem, "load").message(), every=True)
+
+    def _check_is_of_first(self, model: str) -> None:
+        if not self.is_first(model):
+            raise InputError(
+                f"the saved study is of {short_name(model)}, and was not loaded: this one was opened with "
+                f"{short_name(self.first.model)}; 'Load what was saved' under Study goes on with it"
+            )
+
+    def is_first(self, model: str) -> bool:
+        """Whether it is the model with which the study was opened, however it is written."""
+        first, tree = self.first, self.catalogue.tree(self.first.model)
+        asked = first.data.unmapped or first.model
+        return model == first.model or qualified(tree, model) == qualified(tree, asked)
 
     def close(self) -> None:
         """Ends everything; nothing is saved by it."""
@@ -250,7 +270,7 @@ class Session:
 
     def draw_passing(self, values: Mapping[str, float]) -> None:
         """Draws the standing model at other values, without making them those of the study."""
-        passing = replace(self.state, values={**self.state.values, **values}, milestone="")
+        passing = replace(self.state, values=values, milestone="")
         runs, _ = self._simulated(passing, self.opened)
         self._version += 1
         self._draw(passing, runs)
@@ -302,12 +322,16 @@ class Session:
         """Tells all that moves seldom."""
         self.windows.tell(self._study())
         self.tell_starts()
+        self._tell_reference()
+
+    def _tell_reference(self) -> None:
+        """Tells the curves from before the last change of effects, or that there are none any more."""
         before = self.state.before
-        if before is None:
-            self.windows.forget("reference")
-        else:
+        if before is not None:
             curves = model_curves(before.runs, self.source.whole(self.state.data))
             self.windows.send(frame("reference", self._version, curves, "before"), "reference")
+        elif self.windows.forget_frame("reference"):
+            self.windows.send(frame("reference", self._version, []))
 
     def tell_starts(self) -> None:
         """Tells where runs begin."""

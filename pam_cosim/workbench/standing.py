@@ -96,7 +96,7 @@ class Standing:
     def _fit(self, arguments: Mapping[str, Any]) -> None:
         self.fits += 1
         self.fitted = True
-        known = self.values | arguments["start"]
+        known = arguments.get("kept", self.values) | arguments["start"]
         self.values = {n: v for n, v in known.items() if n not in arguments["free"]}
 
     @property

@@ -31,7 +31,7 @@ class State:
         milestone: what the standing model is called on the ladder, as long as nothing is changed; "": it has no place.
         cuts: first and last time [s] of runs that were cut here, by name; None: as it was recorded.
         starts: how runs begin, where that was chosen here, by name.
-        steps: done so far.
+        steps: done so far; ``loaded``: how many of them were done when the study was loaded, which stay as they are.
         file: that the model with its effects was written to, by its name in the folder of the study.
         before: the model before the last change of its effects, to be drawn beside.
     """
@@ -48,12 +48,14 @@ class State:
     cuts: Mapping[str, Ends] = field(default_factory=dict)
     starts: Mapping[str, str] = field(default_factory=dict)
     steps: tuple[Step, ...] = ()
+    loaded: int = 0
     file: str | None = None
     before: Comparison | None = None
 
     def after(self, step: Step, **changes: object) -> State:
         """The state after a step."""
-        return replace(self, steps=with_step(self.steps, step), **changes)  # type: ignore[arg-type]
+        steps = with_step(self.steps, step, self.loaded)
+        return replace(self, steps=steps, **changes)  # type: ignore[arg-type]
 
 
 def label_of(effects: tuple[str, ...]) -> str:

@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
+from pathlib import PureWindowsPath
 
 from pam_cosim.comparison import Comparison, SignalScore, chi2_reduced, score
 from pam_cosim.comparison import Rule as FoundRule
+from pam_cosim.compiler.names import last
 from pam_cosim.fitting import METHODS, Estimate, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
+from pam_cosim.model.references import is_file
 from pam_cosim.reporting.account import estimate_texts, percent, quantity_text, remark, unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.opened_model import Opened
@@ -38,6 +41,7 @@ def study_event(
         folder=str(data.folder.resolve().name),
         state="open",
         model=state.model,
+        short=short_name(state.model),
         with_effects=label_of(state.effects),
         runs=tuple(_run(run) for run in data.runs),
         signals=tuple(_signals(data, opened)),
@@ -49,6 +53,11 @@ def study_event(
         methods=tuple(METHODS),
         file=state.file,
     )
+
+
+def short_name(model: str) -> str:
+    """A model as it is called for short: a class by its last name, a file without its folder and kind."""
+    return PureWindowsPath(model).stem if is_file(model) else last(model)
 
 
 def steps_event(state: State, saved: bool) -> StepsEvent:

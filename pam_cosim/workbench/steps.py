@@ -89,8 +89,8 @@ _TEXTS: Mapping[str, Callable[[_Arguments], str]] = {
 def _ends(begin: float | None, end: float | None) -> str:
     if begin is None and end is None:
         return "all of it"
-    first = "its beginning" if begin is None else f"{begin:g} s"
-    last = "its end" if end is None else f"{end:g} s"
+    first = "its beginning" if begin is None else f"{begin:.13g} s"
+    last = "its end" if end is None else f"{end:.13g} s"
     return f"{first} to {last}"
 
 
@@ -104,9 +104,9 @@ def step_of(content: Any) -> Step:
     return Step(checked.pop("do"), checked)
 
 
-def with_step(steps: Sequence[Step], step: Step) -> tuple[Step, ...]:
-    """The steps and one more; values set one after another are one step."""
-    last = steps[-1] if steps else None
+def with_step(steps: Sequence[Step], step: Step, closed: int = 0) -> tuple[Step, ...]:
+    """The steps and one more; values set one after another are one step, but for the first ``closed`` steps."""
+    last = steps[-1] if len(steps) > closed else None
     if last is not None and step.do == last.do == SET:
         merged = {**last.arguments["values"], **step.arguments["values"]}
         return (*steps[:-1], Step(SET, {"values": merged}))

@@ -56,10 +56,15 @@ class Windows:
             for listener in self._listeners:
                 listener(message)
 
-    def forget(self, *names: str, lines: bool = False) -> None:
-        """What is kept by these names is no longer so."""
+    def forget(self, *kinds: type[PageEvent], lines: bool = False) -> None:
+        """What these events said is no longer so: a window that opens later is not told."""
         with self._lock:
-            for name in names:
-                self._kept.pop(name, None)
+            for kind in kinds:
+                self._kept.pop(kind.event, None)
             if lines:
                 self._lines = []
+
+    def forget_frame(self, kind: str) -> bool:
+        """Curves of this kind are gone; whether there were any."""
+        with self._lock:
+            return self._kept.pop(kind, None) is not None

@@ -3,12 +3,23 @@
 from __future__ import annotations
 
 import asyncio
+import json
+import shutil
+import subprocess
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
 
-from pam_cosim.workbench.curves import MOST_POINTS, shown_times, thinned
+import pam_cosim.workbench
+from pam_cosim.workbench import Session
+from pam_cosim.workbench.curves import MOST_POINTS, measured_curves, shown_times, thinned
 from pam_cosim.workbench.frames import PlottedCurve, frame, is_model, read_frame
+
+PAGE = Path(pam_cosim.workbench.__file__).parent / "page"
+CLOCK = 1.7e9  # s
 
 
 def test_a_long_curve_keeps_its_peaks_and_its_gaps() -> None:
@@ -83,3 +94,63 @@ def test_a_window_that_is_behind_gets_the_newest_curves_alone() -> None:
     asyncio.run(behind())
     (model,) = [read_frame(message)[0]["version"] for message in sent if isinstance(message, bytes)]
     assert model == 49 and sent[1:] == [f"scores {version}" for version in range(50)]
+
+
+def test_times_of_a_clock_that_began_long_ago_are_told_apart(shared: Session) -> None:
+    """As seconds since 1970, which 32 bits hold to two minutes."""
+    data = shared.state.data
+    runs = [replace(run, time=run.time + CLOCK) for run in data.runs]
+    message = frame("measured", 1, measured_curves(replace(data, runs=tuple(runs))))
+    header, arrays = read_frame(message)
+    assert {run["from"] for run in header["runs"]} == {run.time[0] for run in runs}
+    for run in runs:
+        np.testing.assert_allclose(arrays[run.name, "x", "time"], run.time, rtol=0, atol=1e-6)
+
+
+def in_page(code: str, tmp_path: Path) -> Any:
+    """What some JavaScript says that uses modules of the page, run without a browser."""
+    program = shutil.which("node")
+    if program is None:
+        pytest.skip("node is not installed")
+    for module in ("frames", "numbers", "drawing"):  # as modules, whatever lies beside them
+        shutil.copy(PAGE / f"{module}.js", tmp_path / f"{module}.mjs")
+    script = tmp_path / "script.mjs"
+    script.write_text(code, encoding="utf-8")
+    done = subprocess.run([program, script], capture_output=True, text=True, cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    return json.loads(done.stdout)
+
+
+def test_the_page_reads_the_times_of_such_a_clock(tmp_path: Path) -> None:
+    time = np.array([0.0, 0.02, 4.0])
+    curves = [PlottedCurve("run", "x", {"time": time, "values": time}, CLOCK)]
+    (tmp_path / "frame").write_bytes(frame("measured", 1, curves))
+    read = in_page(
+        """
+        import { readFileSync } from "node:fs";
+        import { readFrame } from "./frames.mjs";
+        const { time, values } = readFrame(new Uint8Array(readFileSync("frame")).buffer).runs.get("run").get("x");
+        console.log(JSON.stringify({ time: [...time], values: [...values] }));
+        """,
+        tmp_path,
+    )
+    np.testing.assert_allclose(read["time"], CLOCK + time, rtol=0, atol=1e-6)
+    np.testing.assert_allclose(read["values"], time, rtol=1e-6)
+
+
+def test_the_page_draws_and_cuts_by_such_a_clock(tmp_path: Path) -> None:
+    """Ten samples over a thousand pixels stand where they belong; a cut is rounded by the span of its run."""
+    drawn = in_page(
+        f"""
+        import {{ trace }} from "./drawing.mjs";
+        import {{ moment }} from "./numbers.mjs";
+        const xs = Array.from({{ length: 10 }}, (_, i) => {CLOCK} + i / 9), places = [];
+        const g = {{ moveTo: (x) => places.push(x), lineTo: (x) => places.push(x) }};
+        trace(g, xs, xs.map(() => 0), 0, 10, (t) => 997.3 * (t - {CLOCK}), (y) => y);
+        const cuts = [[{CLOCK} + 1.23456789, 4], [1.23456789, 4], [12345.678, 2e5], [0.00123456, 0.004]];
+        console.log(JSON.stringify({{ places: [...new Set(places)], cuts: cuts.map(([t, s]) => moment(t, s)) }}));
+        """,
+        tmp_path,
+    )
+    assert drawn["places"] == [round(997.3 * i / 9) for i in range(10)]
+    assert drawn["cuts"] == [CLOCK + 1.2346, 1.2346, 12346.0, 0.0012346]

@@ -7,12 +7,14 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Workbench, drop
-from pam_cosim.workbench.paths import inside, safe_name
+from pam_cosim.workbench.curves import shown_instants
+from pam_cosim.workbench.paths import free_name, inside, is_name_here, safe_name
 from tests.workbench.conftest import PATIENCE, Window
 
 
@@ -117,6 +119,8 @@ def test_where_a_recording_begins_is_said_first(window: Window, recorded: Path) 
     (start, other) = window.last("starts")["runs"]
     assert (start["mode"], start["text"], start["warning"]) == ("estimated", said, False)
     assert (other["mode"], other["text"]) == ("estimated", likewise)
+    later = Window(window.session)
+    assert not later.of("dropped") and not later.of("draft")
 
 
 @pytest.mark.parametrize(
@@ -187,3 +191,51 @@ def test_a_folder_with_other_things_is_refused(tmp_path: Path) -> None:
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(InputError, match="experiment.toml"):
         Workbench(tmp_path)
+
+
+def test_what_was_said_wrong_can_be_said_otherwise(window: Window, recorded: Path) -> None:
+    """The fields stay below the message, of the bench that is asked for."""
+    put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
+    window.do(do="draft", wishes={})
+    good = window.last("draft")
+    window.do(do="draft", wishes={"columns": {"p": "no such column"}, "title": "mine"})
+    bad = window.last("draft")
+    assert bad["failed"]["text"] and not bad["toml"] and not bad["curves"]
+    for key in ("model", "names", "parameters", "runs", "benches"):
+        assert bad[key] == good[key] != []
+    window.do(do="draft", wishes={"model": "Isometric", "columns": {"F": "no such column"}})
+    other = window.last("draft")
+    assert other["model"] == "Isometric" and "F" in {n["name"] for n in other["names"]}
+    window.do(do="remove", names=["run-01.csv"])
+    put(window, "odd.csv", b"hello")
+    window.do(do="draft", wishes={})
+    first = window.last("draft")
+    assert first["names"] == [] and first["benches"] == good["benches"]
+
+
+def test_a_column_of_another_kind_is_refused_by_its_name(window: Window, recorded: Path) -> None:
+    put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
+    window.do(do="draft", wishes={"columns": {"p": "x"}})
+    said = window.last("draft")["failed"]["text"]
+    assert "column 'x' cannot be taken for p" in said and "mm" in said
+
+
+def test_names_that_become_alike_are_numbered(window: Window) -> None:
+    put(window, "F↑.csv", b"a [mm]\n1\n")
+    put(window, "F↓.csv", b"b [mm]\n1\n")
+    put(window, "F↑.csv", b"c [mm]\n1\n")  # the same once more replaces
+    files = {f["name"]: f["header"] for f in window.last("dropped")["files"]}
+    assert files == {"F_.csv": ["c [mm]"], "F_-2.csv": ["b [mm]"]}
+    window.do(do="remove", names=["F_.csv"])
+    put(window, "f_.CSV", b"d [mm]\n1\n")
+    assert {f["name"] for f in window.last("dropped")["files"]} == {"f_.CSV", "F_-2.csv"}
+
+
+def test_a_numbered_name_is_one_that_a_file_here_may_have() -> None:
+    long = "a" * 96 + ".csv"
+    assert is_name_here(free_name(long, [long])) and free_name("b", ["B", "b-2"]) == "b-3"
+
+
+def test_a_preview_shows_the_course_of_any_clock() -> None:
+    time = 1.7e9 + np.arange(5) * 0.02
+    np.testing.assert_allclose(shown_instants(time), time, rtol=0, atol=1e-6)

@@ -279,3 +279,51 @@ def test_an_older_result_is_not_left_behind(folder: Path, shared: Session) -> No
             == fit.as_dict()
             == load_state(folder, shared.first).fit.as_dict()
         )
+
+
+def test_a_model_that_was_written_is_a_step_of_its_own(window: Window) -> None:
+    window.do(do="switch", effects=["LinearBladder"])
+    window.do(do="add", file="Better.mo")
+    window.do(do="undo")
+    assert window.last("study")["with_effects"] == "with LinearBladder"
+    assert window.last("study")["file"] is None
+    window.do(do="undo")
+    assert window.last("steps")["steps"] == []
+
+
+def test_one_step_back_leaves_a_study_that_was_loaded(window: Window, folder: Path) -> None:
+    window.do(do="set", values={"valve.C_A": 0.71})
+    window.do(do="save")
+    with Session(folder) as again:
+        fresh, loaded = Window(again), again.state.steps
+        fresh.do(do="set", values={"muscle.mu_fb": 0.02})
+        fresh.do(do="set", values={"muscle.mu_fb": 0.03})
+        assert len(again.state.steps) == 2  # of its own they are one
+        fresh.do(do="undo")
+        assert again.state.steps == loaded and again.state.values == {"valve.C_A": 0.71}
+
+
+def test_a_saved_study_does_not_take_the_place_of_a_model_that_was_named(
+    window: Window, folder: Path
+) -> None:
+    """It is said, and comes when it is asked for, with the data read for its own model."""
+    window.do(do="switch", effects=["LinearBladder"])
+    written = folder / window.do(do="add", file="Better.mo")["file"]
+    window.do(do="switch", effects=[])
+    window.do(do="set", values={"valve.C_A": 0.71})
+    window.do(do="save")
+    saved = window.session.state
+    with Session(folder, model=str(written)) as named:
+        fresh = Window(named)
+        assert fresh.last("study")["short"] == "Better" and fresh.last("steps")["steps"] == []
+        (said,) = fresh.of("failed")
+        assert said["during"] == "load" and "is of Isotonic" in said["text"]
+        assert "opened with Better" in said["text"]
+        fresh.do(do="load")
+        assert fresh.last("study")["short"] == "Isotonic" and named.state.values == saved.values
+        assert named.state.data.model == saved.data.model != named.first.data.model
+        same(scores(window.session), scores(named))
+        first, *others = named.state.steps  # with it a script comes from the model that was named
+        assert first.do == "choose" and tuple(others) == saved.steps
+    with Session(folder, model="Isotonic") as likewise:
+        assert likewise.state.steps == saved.steps

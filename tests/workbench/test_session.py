@@ -9,8 +9,10 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.diagnosis.judgement.model_space import effects_named
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
+from pam_cosim.workbench.state_events import short_name
 from tests.workbench.conftest import Window
 
 
@@ -97,7 +99,8 @@ def test_what_cannot_be_set_is_refused_in_words(window: Window, values: object, 
      {"do": "choose", "model": "/etc/passwd.mo"}, {"do": "choose", "model": "NoSuchBench"},
      {"do": "choose", "model": "Isometric"}, {"do": "choose", "model": "LumpedLinear"},
      {"do": "fit", "method": "magic"}, {"do": "fit", "free": ["valve.nothing"]}, {"do": "fit", "free": []},
-     {"do": "take", "candidate": 0}, {"do": "add"}, {"do": "undo"}, {"do": "stop"}, {"do": "resume"},
+     {"do": "take", "candidate": 0}, {"do": "add"}, {"do": "add", "effects": ["LinearBladder"]},
+     {"do": "undo"}, {"do": "stop"}, {"do": "resume"},
      {"do": "roles", "roles": {"run-01": "judge"}}, {"do": "roles", "roles": {"run-01": "holdout"}},
      {"do": "load"}, {"do": "diagnose", "time_limit": "soon"}, {"do": "diagnose", "exclude": "leak"}],
 )  # fmt: skip
@@ -188,3 +191,30 @@ def test_two_studies_do_not_mix(window: Window, recorded: Path) -> None:
         assert window.last("scores")["values"]["valve.C_A"] == 0.6
         assert second.last("scores")["values"]["valve.C_A"] == 0.8
         assert window.session.state.steps != other.state.steps
+
+
+def test_every_family_that_can_be_ticked_is_one_that_a_diagnosis_knows(window: Window) -> None:
+    study = window.last("study")
+    families, available = study["families"], pam.effects()
+    assert set(families) == {e.family for e in available} and any("_" in one for one in families)
+    for family in families:
+        assert effects_named(available, [family], InputError), family
+
+
+def test_a_model_from_before_that_is_gone_is_told_to_be_gone(window: Window) -> None:
+    window.do(do="switch", effects=["LinearBladder"])
+    window.do(do="undo")
+    gone = [header for header, _ in window.frames if header["kind"] == "reference"][-1]
+    assert gone["runs"] == []
+    other = Window(window.session)
+    assert "reference" not in {header["kind"] for header, _ in other.frames}
+    other.end()
+
+
+@pytest.mark.parametrize(
+    ("model", "short"),
+    [("PneumaticMuscle.Benches.Isotonic", "Isotonic"), ("Isotonic", "Isotonic"), ("rigs/Better.mo", "Better"),
+     ("C:\\rigs\\my.rig.MO", "my.rig"), ("/tmp/Muscle.fmu", "Muscle"), ("Mine.'a.b'", "'a.b'")],
+)  # fmt: skip
+def test_a_model_is_called_by_the_last_of_its_name(model: str, short: str) -> None:
+    assert short_name(model) == short

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -12,7 +13,12 @@ import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.documents import document
+from pam_cosim.workbench.saving import lean, load_state, save_state
+from pam_cosim.workbench.script import python_of
+from pam_cosim.workbench.standing import Standing
+from pam_cosim.workbench.steps import DIAGNOSE, Step
 from rig.short import write_light_data
+from tests.reporting.synthetic import make_diagnosis
 from tests.workbench.conftest import Window
 
 
@@ -189,3 +195,82 @@ def test_memory_is_flat_over_a_thousand_moves_and_twenty_fits(
     before = size()
     some(1000, 20)
     assert size() - before < 30, f"from {before:.0f} MB to {size():.0f} MB"
+
+
+def diagnosed(session: Session, kind: str = "ambiguous") -> None:
+    """As after a diagnosis; its ranking was made by hand."""
+    state = session.state
+    found = lean(make_diagnosis(kind, state.data))
+    session.back(state.after(Step(DIAGNOSE, {}), diagnosis=found))
+    session.remember(state)
+    session.work.tell_diagnosis()
+
+
+def test_a_window_that_opens_when_all_is_over_is_told_of_nothing_that_goes_on(
+    window: Window, shared: Session
+) -> None:
+    assert window.work(do="fit", free=["valve.C_A"])["end"] == "done"
+    later = Window(shared)
+    assert later.of("busy") == []
+    later.end()
+
+
+def test_a_diagnosis_that_was_taken_back_is_gone_from_every_window(
+    window: Window, shared: Session
+) -> None:
+    diagnosed(shared)
+    assert window.last("verdict")["complete"] and window.last("ranking")["candidates"]
+    window.forget()
+    window.do(do="undo")
+    assert window.of("no_diagnosis")
+    later = Window(shared)
+    for one in (window, later):
+        assert not one.of("ranking") and not one.of("verdict") and not one.of("ledger")
+    later.end()
+
+
+def test_after_a_diagnosis_that_failed_the_one_before_stands_there_again(
+    window: Window, shared: Session
+) -> None:
+    """What can be taken from the page is what the study has."""
+    diagnosed(shared)
+    ranking, verdict = window.last("ranking"), window.last("verdict")
+    assert window.work(do="diagnose", exclude=["no_such_family"])["end"] == "failed"
+    shared.wait()
+    assert window.last("ranking") == ranking and window.last("verdict") == verdict
+    kinds = [event["event"] for event in window.events]
+    assert kinds.index("no_diagnosis") < kinds.index("busy")  # nothing of it stays meanwhile
+
+
+def test_what_was_moved_while_a_fit_was_stopped_is_no_part_of_it(
+    window: Window, shared: Session, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
+) -> None:
+    """Its values are those it fitted with, also when it is done again as the script says."""
+    window.do(do="set", values={"valve.C_A": 0.6})
+    fit = pam.fit(pam.read(shared.folder), free=["valve.C_A"], start={"valve.C_A": 0.6})
+    ends: list[Callable[..., None]] = []
+    monkeypatch.setattr(shared.worker, "run", lambda *a: ends.append(a[-1]))
+    monkeypatch.setattr(shared.worker, "hold", lambda: True)
+    monkeypatch.setattr(shared.worker, "go_on", lambda: None)
+    window.do(do="fit", free=["valve.C_A"])
+    window.do(do="stop")
+    window.do(do="set", values={"muscle.mu_fb": 0.02})
+    window.do(do="resume")
+    ends[0](True, fit)
+    shared.wait()
+    state = shared.state
+    assert state.values == {"valve.C_A": fit.values["valve.C_A"]}
+    standing = Standing(state.model, shared.catalogue)
+    for step in state.steps:
+        standing.advance(step)
+    assert {**standing.values, **fit.values} == state.values
+    (line,) = [
+        one
+        for one in python_of(state, state.model, tmp_path, shared.catalogue).splitlines()
+        if one.startswith("values") and "fit.values" in one
+    ]
+    repeated: dict[str, Any] = {"values": {"muscle.mu_fb": 0.02}, "fit": fit}
+    exec(line, repeated)
+    assert repeated["values"] == state.values
+    save_state(state, tmp_path)
+    assert load_state(tmp_path, shared.first).steps == state.steps

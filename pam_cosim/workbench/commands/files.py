@@ -9,17 +9,19 @@ from typing import TYPE_CHECKING, Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
+from pam_cosim.model.references import is_file
 from pam_cosim.study.fitted_model import FittedModel
 from pam_cosim.wording import shown
 from pam_cosim.workbench.commands.checks import names_of, text_of
-from pam_cosim.workbench.commands.models import candidate_of, switch, take_candidate
+from pam_cosim.workbench.commands.models import candidate_of, take_candidate
 from pam_cosim.workbench.opened_model import without_ratios
 from pam_cosim.workbench.paths import inside
 from pam_cosim.workbench.protocol import AddedEvent, SavedEvent
 from pam_cosim.workbench.saving import load_state, save_state
 from pam_cosim.workbench.script import python_of
 from pam_cosim.workbench.shell_script import commands_of
-from pam_cosim.workbench.steps import ADD, Step
+from pam_cosim.workbench.state import State
+from pam_cosim.workbench.steps import ADD, CHOOSE, Step
 
 if TYPE_CHECKING:
     from pam_cosim.workbench.session import Session
@@ -58,19 +60,28 @@ def add(
         ADD, {"effects": list(on), "values": fitted.stated(parameters), "file": target.name}
     )
     session.back(state.after(step, file=target.name))
+    session.remember(state)
     session.windows.tell(AddedEvent(target.name, text, on))
     return {"file": target.name, "text": text}
 
 
 def _have(session: Session, effects: list[str]) -> None:
-    """Makes the model with these effects, beside those that the diagnosed one had, the standing one."""
+    """Makes the model with these effects, beside those that the diagnosed one had, the standing one.
+
+    Raises:
+        InputError: neither the standing model nor one of the ranking has them: they would be written with values that
+            nobody has fitted or set.
+    """
     state = session.state
-    if tuple(effects) == state.effects:
+    if set(effects) == set(state.effects):
         return
     candidate = candidate_of(session, effects)
     if candidate is None:
-        switch(session, effects)
-    elif (*state.diagnosed, *effects) != state.effects:
+        raise InputError(
+            f"no model with {', '.join(effects) or 'no effect'} stands or was fitted by the last diagnosis: "
+            "switch the effects on, or diagnose first"
+        )
+    if (*state.diagnosed, *effects) != state.effects:
         take_candidate(session, candidate)
 
 
@@ -115,10 +126,12 @@ def save(session: Session) -> dict[str, Any]:
 def load(session: Session) -> None:
     """Makes the saved study the standing one."""
     session.work.make_room()
-    state = load_state(session.folder, session.first)
-    if state.cuts or state.starts:
+    first = session.first
+    state = _with_base(session, load_state(session.folder, first))
+    if state.cuts or state.starts or state.model != first.model:
         known = {run.name: run.role for run in state.data.runs}
-        data = session.source.read(state.model, known, state.cuts, state.starts)
+        model = first.data.unmapped if state.model == first.model else ""
+        data = session.source.read(model or state.model, known, state.cuts, state.starts)
         state = replace(state, data=data)
     before = session.state
     session.back(state)
@@ -126,6 +139,15 @@ def load(session: Session) -> None:
     session.saved = state.steps
     session.tell_steps()
     session.work.tell_diagnosis()
+
+
+def _with_base(session: Session, state: State) -> State:
+    """A loaded study that can be repeated from the first state, also where it began with another model."""
+    chosen = is_file(state.model) or any(step.do == CHOOSE for step in state.steps)
+    if chosen or session.is_first(state.model):
+        return state
+    steps = (Step(CHOOSE, {"model": state.model}), *state.steps)
+    return replace(state, steps=steps, loaded=len(steps))
 
 
 def script(session: Session) -> dict[str, Any]:

@@ -39,14 +39,17 @@ def fit(session: Session, method: str = "least-squares", free: Sequence[str] | N
         raise InputError("nothing to fit: choose at least one parameter")
     session.work.make_room()
     release_estimated(session)
-    options = {"method": method, "free": chosen, "start": moved(session)}
+    start, begun = moved(session), dict(session.state.values)
+    options = {"method": method, "free": chosen, "start": start}
 
     def finish(result: Fit) -> None:
         state = session.state
+        # what was moved while it was stopped is no part of what it fitted
+        kept = {} if state.values == begun else {"kept": begun}
         session.enter(
             state.after(
-                Step(FIT, options),
-                values={**state.values, **options["start"], **result.values},  # type: ignore[dict-item]
+                Step(FIT, {**options, **kept}),
+                values={**begun, **start, **result.values},
                 fit=result,
                 milestone=f"{label_of(state.effects)}, fitted",
             )
@@ -90,7 +93,7 @@ def diagnose(
         session.remember(state)
         session.work.tell_diagnosis()
 
-    session.windows.forget("Ranking", "Verdict", "Ledger")
+    session.work.clear_diagnosis()
     session.work.begin("diagnose", "refitting the base model", options, finish)
 
 

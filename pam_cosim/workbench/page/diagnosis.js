@@ -127,6 +127,12 @@ export class Diagnosis {
     this.options.open = false;
   }
 
+  /** As before anything began: what happened is told again. */
+  restart() {
+    this.running = false;
+    this.log.replaceChildren();
+  }
+
   forget() {
     this.ranked = null;
     this.verdict.hidden = this.ranking.hidden = true;

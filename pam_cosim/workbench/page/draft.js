@@ -22,7 +22,7 @@ export function draftParts(draft, wishes, change, files) {
         )
       : null,
     make("section", {}, make("h3", {}, "Preview"), make("div", { class: "previews" }, previews(draft))),
-    make("section", {}, make("h3", {}, "Runs"), runs(draft, change)),
+    make("section", {}, make("h3", {}, "Runs"), runs(draft, wishes, change)),
     draft.to_check.length
       ? make(
           "section",
@@ -55,7 +55,7 @@ export function draftParts(draft, wishes, change, files) {
   ].filter(Boolean);
 }
 
-/** What is wrong, in words and at its cell. */
+/** What is wrong, in words and at its cell, and below it what a person can say of it. */
 export function problemParts(draft, wishes, change, files) {
   const { failed, excerpt } = draft;
   const place = [failed.file, failed.line ? `line ${failed.line}` : "", failed.column ? `column ${failed.column}` : ""]
@@ -69,7 +69,10 @@ export function problemParts(draft, wishes, change, files) {
       make("p", { class: "caution" }, failed.text),
       excerpt ? rows(excerpt) : "",
     ),
-    draft.names?.length ? columns(draft.names, wishes, change, files) : null,
+    draft.benches.length ? heading(draft, wishes, change) : null,
+    draft.runs.length ? make("section", {}, make("h3", {}, "Runs"), runs(draft, wishes, change)) : null,
+    draft.parameters.length ? parameters(draft, wishes, change) : null,
+    draft.names.length ? columns(draft.names, wishes, change, files) : null,
   ].filter(Boolean);
 }
 
@@ -110,11 +113,12 @@ function heading(draft, wishes, change) {
     "data-wish": "title",
     onchange: (e) => change("title", "", e.target.value),
   });
+  const model = draft.model.split(".").at(-1);
   const bench = make(
     "select",
     { "data-wish": "model", onchange: (e) => change("model", "", e.target.value) },
-    [...new Set([draft.model.split(".").at(-1), ...draft.benches])].map((name) =>
-      make("option", { value: name, selected: name === draft.model.split(".").at(-1) }, name),
+    [...new Set([model, ...draft.benches])].map((name) =>
+      make("option", { value: name, selected: name === model }, name || "as recognised"),
     ),
   );
   return make(
@@ -131,7 +135,7 @@ function heading(draft, wishes, change) {
   );
 }
 
-function runs(draft, change) {
+function runs(draft, wishes, change) {
   const row = (run) => {
     const role = make(
       "select",
@@ -143,7 +147,7 @@ function runs(draft, change) {
       [
         ["fit", "fit"],
         ["holdout", "hold out"],
-      ].map(([value, words]) => make("option", { value, selected: value === run.role }, words)),
+      ].map(([value, words]) => make("option", { value, selected: value === (wishes.roles[run.name] ?? run.role) }, words)),
     );
     return make("tr", {}, make("td", {}, run.name), make("td", {}, role), make("td", {}, run.describe));
   };

@@ -31,8 +31,9 @@ export function text(g, words, x, y, colour, { align = "left", base = "alphabeti
  * highest where these stand out: strokes are what costs time.
  */
 export function trace(g, xs, ys, first, last, toX, toY) {
-  const offset = toX(0),
-    factor = toX(1) - offset;
+  const origin = xs[first], // not zero: a clock may be far from it
+    offset = toX(origin),
+    factor = toX(origin + 1) - offset;
   let column = NaN,
     low = 0,
     high = 0,
@@ -50,7 +51,7 @@ export function trace(g, xs, ys, first, last, toX, toY) {
       column = NaN;
       continue;
     }
-    const exact = offset + factor * xs[i],
+    const exact = offset + factor * (xs[i] - origin),
       y = toY(value);
     const x = Math.round(exact);
     if (x === column) {

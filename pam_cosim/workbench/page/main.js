@@ -72,7 +72,7 @@ const hear = {
     byId("desk").hidden = byId("ladder").hidden = drop;
     byId("actions").classList.toggle("none", drop);
     say(byId("title"), event.title || "Workbench");
-    say(byId("model"), drop ? "" : [event.model.split(".").at(-1), event.with_effects].filter(Boolean).join(", "));
+    say(byId("model"), drop ? "" : [event.short, event.with_effects].filter(Boolean).join(", "));
     document.title = `${event.title || "Workbench"} – pam-cosim`;
     if (drop) parts.drop.study(event);
     else
@@ -132,11 +132,18 @@ const hear = {
     if (busy?.what !== "fit") parts.diagnosis.message(event);
     if (busy && !busy.held) status(event.text);
   },
+  no_diagnosis() {
+    verdict = null;
+    parts.diagnosis.forget();
+    parts.balances.empty();
+    lock();
+  },
   candidate: (event) => parts.diagnosis.candidate(event),
   ranking: (event) => parts.diagnosis.rank(event),
   verdict(event) {
     verdict = event;
     parts.diagnosis.show(event);
+    lock();
   },
   checked(event) {
     parts.diagnosis.told(event);
@@ -170,10 +177,19 @@ const connection = new Connection(
   },
   (open) => {
     connected = open;
+    if (open) forget();
     status(open ? "Ready" : "The connection is lost; trying again …");
     lock();
   },
 );
+
+/** What a server tells anew to each connection: what it does not tell, it no longer has. */
+function forget() {
+  busy = null;
+  parts.diagnosis.restart();
+  parts.curves.frames.reference = null;
+  hear.no_diagnosis();
+}
 
 function alert(problem) {
   const place = [
@@ -221,7 +237,7 @@ byId("diagnose").addEventListener("click", () => ask("diagnose", parts.diagnosis
 byId("stop").addEventListener("click", () => ask(busy?.held ? "resume" : "stop"));
 byId("discard").addEventListener("click", () => ask("discard"));
 byId("add").addEventListener("click", () =>
-  parts.add.open(parts.effects.on(), verdict?.effects ?? [], study.model.split(".").at(-1)),
+  parts.add.open(parts.effects.on(), verdict?.effects ?? [], study.short),
 );
 byId("undo").addEventListener("click", () => ask("undo"));
 byId("save").addEventListener("click", () => ask("save"));

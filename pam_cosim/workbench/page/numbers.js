@@ -28,6 +28,12 @@ export function plain(value, digits = 5) {
   return Number.isFinite(value) ? String(Number(value.toPrecision(digits))) : "";
 }
 
+/** A time [s] to about 1e-4 of the span of its run, whatever clock it is of. */
+export function moment(time, span) {
+  const decimals = Math.ceil(4 - Math.log10(span));
+  return Number(time.toFixed(Math.min(12, Math.max(0, decimals))));
+}
+
 /** At most `most` round numbers from `low` to `high`. */
 export function ticks(low, high, most) {
   const span = high - low;

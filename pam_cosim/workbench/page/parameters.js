@@ -56,8 +56,8 @@ export class Parameters {
   }
 
   bench(study) {
-    const names = [...new Set([study.model.split(".").at(-1), ...study.benches])];
-    const short = study.model.split(".").at(-1);
+    const { short } = study;
+    const names = [...new Set([short, ...study.benches])];
     this.choice = make(
       "select",
       { id: "bench", onchange: (e) => this.ask("choose", { model: e.target.value }) },

@@ -1,9 +1,9 @@
 // Wheel, drag and keys on charts that share a view.
 
+import { moment } from "./numbers.js";
 import { handleAt, scale } from "./signal-chart.js";
 
 const SMALLEST = 5; // px that a drag must be long to be a range
-const DIGITS = 4; // of a time that a run is cut at
 
 /**
  * Wheel zooms, drag shows a range, drag with Shift moves, double click shows all, moving reads out; an end of a run
@@ -23,7 +23,7 @@ export function followPointer(canvas, view, select, cut) {
       at = view.cutting?.at;
     view.cutting = begun = null;
     view.tell();
-    if (at !== undefined) cut(run.name, { [side]: Number((at - run.shift).toPrecision(DIGITS)) });
+    if (at !== undefined) cut(run.name, { [side]: moment(at - run.shift, run.span) });
   };
   const place = (event) => {
     const box = canvas.getBoundingClientRect();

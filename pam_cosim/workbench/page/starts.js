@@ -1,10 +1,8 @@
 // Left: how each run begins and from when to when it goes, its start values as sliders.
 
 import { make, say } from "./element.js";
-import { plain } from "./numbers.js";
+import { moment } from "./numbers.js";
 import { Row } from "./parameters.js";
-
-const DIGITS = 5; // of a time
 
 export class Starts {
   /** `set(values)` sends values, `ask` commands; `view` knows from when to when runs were recorded. */
@@ -100,7 +98,7 @@ class Part {
     if (!run) return;
     this.run = run;
     for (const [i, value] of [run.begins, run.ends].entries())
-      if (document.activeElement !== this.fields[i]) this.fields[i].value = plain(value, DIGITS);
+      if (document.activeElement !== this.fields[i]) this.fields[i].value = String(moment(value, run.ends - run.begins));
   }
 
   typed(starts, side, field) {

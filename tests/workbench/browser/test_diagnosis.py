@@ -9,6 +9,11 @@ from typing import Any
 
 import pytest
 
+from pam_cosim.workbench import Session
+from pam_cosim.workbench.commands.files import save
+from pam_cosim.workbench.saving import lean
+from pam_cosim.workbench.steps import DIAGNOSE, Step
+from tests.reporting.synthetic import make_diagnosis
 from tests.workbench.browser.conftest import serving
 from tests.workbench.browser.looking import error, noise, quiet, until
 
@@ -72,3 +77,37 @@ def test_a_study_from_the_first_look_to_the_saved_file(
             ),
         )
         page.close()
+
+
+def save_diagnosis(folder: Path) -> None:
+    """As after a diagnosis; its ranking was made by hand."""
+    with Session(folder) as session:
+        state = session.state
+        found = lean(make_diagnosis("identified", state.data))
+        session.back(state.after(Step(DIAGNOSE, {}), diagnosis=found))
+        save(session)
+
+
+@pytest.mark.full
+def test_a_diagnosis_that_was_taken_back_is_gone_from_the_page(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
+    folder = shutil.copytree(muscle, tmp_path / "rig")
+    save_diagnosis(folder)
+    with serving(folder) as address:
+        page, other = opened(address), opened(address)
+        for one in (page, other):
+            one.locator("#tab-diagnosis").click()
+            one.locator(".verdict h2").wait_for()
+            assert one.locator("#add.main").count() == 1
+        page.locator("#undo").click()
+        for one in (page, other):
+            one.locator(".verdict").wait_for(state="hidden")
+            assert one.locator("#diagnosis table.ranking:visible").count() == 0
+            assert one.locator("#add.main").count() == 0
+            one.locator("#add").click()
+            assert "No effect is switched on" in one.locator("#add-dialog").inner_text()
+            one.locator("#add-dialog").get_by_role("button", name="Close").click()
+            one.locator("#tab-balances").click()
+            assert "Press Diagnose" in one.locator("#balances").inner_text()
+            one.close()

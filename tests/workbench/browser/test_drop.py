@@ -46,3 +46,23 @@ def test_dropped_recordings_become_a_data_set(
         page.close()
     data = study.read(folder)
     assert [(run.name, run.role) for run in data.runs] == [("run-01", "fit"), ("run-02", "holdout")]
+
+
+@pytest.mark.full
+def test_a_wrong_word_can_be_said_otherwise(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
+    with serving(tmp_path / "my-rig") as address:
+        page = opened(address, wait=".zone")
+        page.set_input_files("#recordings", [muscle / "run-01.csv"])
+        page.locator(".preview").first.wait_for()
+        page.get_by_text("Take other columns").click()
+        page.locator('select[data-wish="column p"]').select_option("x")
+        page.locator(".problem").wait_for()
+        assert "column 'x' cannot be taken for p" in page.locator(".problem").inner_text()
+        assert page.get_by_role("button", name="Make the data set").is_disabled()
+        page.get_by_text("Take other columns").click()
+        page.locator('select[data-wish="column p"]').select_option("p")
+        page.locator(".preview").first.wait_for()
+        assert page.locator(".problem").count() == 0
+        page.close()
