@@ -116,4 +116,4 @@ def _directions_said(stem: str) -> set[int]:
 
 def _directions_of_rows(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
     first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
-    return directions(inputs, first) if first else np.zeros(1)
+    return directions(inputs, first)[0] if first else np.zeros(1)

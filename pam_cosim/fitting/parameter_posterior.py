@@ -90,7 +90,8 @@ def parameter_posterior(
         SimulationFailure: the model breaks down at the optimum.
     """
     names = [f.name for f in free]
-    fixed = {name: value for name, value in fit.values.items() if name not in names}
+    known = {**fit.comparison.parameters, **fit.values}
+    fixed = {name: value for name, value in known.items() if name not in names}
     objective = Objective(simulator, data, data.fit_runs, free, fixed)
     low, high = objective.bounds
     z = np.clip([f.to_z(fit.values[f.name]) for f in free], low, high)

@@ -24,7 +24,7 @@ from pam_cosim.files import read_json, write_text
 from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.measurement import DataSet, Run, Signal
 from pam_cosim.simulation import AnySimulator
 
 _KIND = "pam-cosim fit in progress"
@@ -103,11 +103,22 @@ def _digest(data: DataSet) -> str:
     digest = hashlib.sha256()
     for run in data.fit_runs:
         known = sorted(data.parameters_of(run).items())
-        digest.update(json.dumps([run.name, run.interpolation, known]).encode())
+        digest.update(json.dumps([run.name, run.interpolation, known, *_beginning(run)]).encode())
         for name, values in [("time", run.time), *run.inputs.items(), *run.measurements.items()]:
             digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
     noise = {n: [s.sigma, s.step, *_growth(s)] for n, s in data.fitted_signals.items()}
     return hashlib.sha256(digest.digest() + json.dumps(noise).encode()).hexdigest()
+
+
+def _beginning(run: Run) -> list[object]:
+    """How a run begins; nothing where it begins as the model does by itself."""
+    start = run.start
+    leading = [[n, t.tolist(), v.tolist()] for n, (t, v) in sorted(start.leading.items())]
+    said = [
+        start.mode or "rest", start.seconds, sorted(start.before.items()), start.lead, leading,
+        start.periodic, start.periods,
+    ]  # fmt: skip
+    return [said] if said != ["rest", 0.0, [], 0.0, [], False, 0] else []
 
 
 def _growth(signal: Signal) -> list[float]:

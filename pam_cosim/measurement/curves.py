@@ -16,6 +16,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 
 Indices = NDArray[np.int64]
+_NOTHING: Mapping[str, Array] = {}
 
 
 @dataclass(frozen=True)
@@ -135,29 +136,32 @@ def _strength(one: Array, other: Array) -> float:
     return abs(float(spearmanr(one, other).statistic))
 
 
-def directions(inputs: Mapping[str, Array], first: Sequence[str]) -> Array:
-    """(n,) 1 or -1 for each row of an unfolded list: whether what varies rises or falls to it.
+def directions(
+    inputs: Mapping[str, Array], first: Sequence[str], measured: Mapping[str, Array] = _NOTHING
+) -> tuple[Array, str]:
+    """(n,) 1 or -1 for each row of an unfolded list: whether what the curves run along rises or falls to it.
 
     Args:
         inputs: (n,) each, in the order in which they were taken.
-        first: names of inputs that a muscle contracts by; the first of those that vary within a curve counts.
+        first: names of inputs that a muscle contracts by; of those that take as many values the first counts.
+        measured: (n,) each; they decide where several vary continuously.
 
     Returns:
-        Zero where nothing varies.
+        The directions, zero where nothing varies; and the name of the input that they are of, "" for none.
     """
     on = {name: levels(values) for name, values in inputs.items()}
-    along = next((n for n in first if on[n] is None or on[n].max(initial=0) > 0), None)  # type: ignore[union-attr]
+    moving = {n: inputs[n] for n in first if on[n] is None or on[n].max(initial=0) > 0}  # type: ignore[union-attr]
     count = len(next(iter(inputs.values())))
-    if along is None:
-        return np.zeros(count)
+    if not moving:
+        return np.zeros(count), ""
+    along = _along(moving, {n: on[n] for n in moving}, measured)
     others = [k for n, k in on.items() if n != along and k is not None]
     key = np.column_stack([np.zeros(count), *others])
     cuts = [0, *(np.flatnonzero(np.any(np.diff(key, axis=0) != 0, axis=1)) + 1), count]
     values = inputs[along]
     least = CRITERIA.static.turn * float(np.ptp(values))
-    return np.concatenate(
-        [_ways(values[a:b], least) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
-    )
+    ways = [_ways(values[a:b], least) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
+    return np.concatenate(ways), along
 
 
 def _ways(values: Array, least: float) -> Array:

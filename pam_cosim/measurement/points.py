@@ -85,7 +85,7 @@ def points_of(
         if n in interface.outputs
     }
     _check_imposed(table, interface, imposed, held)
-    branch = _branch(table, interface, document, index, imposed)
+    branch = _branch(table, interface, document, index, imposed, read)
     driving = {name: values for name, values in imposed.items() if name != BRANCH}
     apart = [_held_out(table, interface, document, index, driving)]
     if branch is not None:
@@ -153,6 +153,7 @@ def _branch(
     document: ExperimentFile,
     index: int,
     imposed: dict[str, Array],
+    read: Mapping[str, Array],
 ) -> Array | None:
     """(n,) direction of each row; None: nobody says."""
     stated, column = document.content.runs[index].branch, imposed.get(BRANCH)
@@ -183,18 +184,13 @@ def _branch(
         return np.full(count, WORDS[stated])
     by_unit = {unit: [n for n in imposed if interface.inputs[n].unit == unit] for unit in CONTRACTS}
     first = [name for names in by_unit.values() for name in names]
-    ways = directions(imposed, first)
+    ways, along = directions(imposed, first, read)
     if not ways.any():
         message = (
             f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
         )
         raise document.error(message, *path)
-    return _signed(imposed, interface, first) * ways
-
-
-def _signed(imposed: Mapping[str, Array], interface: Interface, first: list[str]) -> float:
-    moving = next(name for name in first if np.ptp(imposed[name]) > 0)
-    return CONTRACTS[interface.inputs[moving].unit]
+    return CONTRACTS[interface.inputs[along].unit] * ways
 
 
 def _held_out(

@@ -111,7 +111,7 @@ def profile(
 
     Args:
         data: what was fitted to.
-        fit: what ``fit`` returned.
+        fit: what ``fit`` returned; what it freed, set and began with counts.
         model: as for ``fit``.
         parameters: as for ``fit``.
         files: as for ``fit``.
@@ -121,7 +121,7 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
-    data = data_with_starts(data, data.model_for(model), fixed, files, timeout)
-    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
-        return _profile(simulator, data, fit, fixed=fixed, progress=progress)
+    stated = resolve(parameters or {}, describe(data.model_for(model), files))
+    fitted, fixed = fit.comparison.data, {**fit.comparison.parameters, **stated}
+    with opened(data.model_for(model), files, fitted.differentiated, timeout) as simulator:
+        return _profile(simulator, fitted, fit, fixed=fixed, progress=progress)

@@ -91,7 +91,8 @@ def predict(
             if discrepancy
             else {}
         )
-        return _bands(simulator, data, chosen, posterior, fit.values | fit.start_values, off=off)
+        values = {**fit.comparison.parameters, **fit.values, **fit.start_values}
+        return _bands(simulator, data, chosen, posterior, values, off=off)
 
 
 def _simulator(

@@ -9,6 +9,7 @@ import pytest
 
 from pam_cosim.diagnosis.search import probing
 from pam_cosim.diagnosis.search.probing import Strengths
+from pam_cosim.diagnosis.search.trial import values_where_absent
 from pam_cosim.fitting import Free, Linear
 
 ROWS = 200
@@ -80,3 +81,14 @@ def test_nothing_is_sought_between_strengths_of_either_sign() -> None:
     )
     following = probing._next_strength([strong, weak], target, signed=True)
     assert following is not None and 0 < following < 1
+
+
+@pytest.mark.parametrize("name", ["m/stated", "load.m/stated"])
+def test_a_stated_parameter_that_is_off_vanishes_where_it_is_right(name: str) -> None:
+    """The name of a parameter in a component was cut, so that its ratio was looked at as a size: 0.5 at no strength."""
+    absent = values_where_absent([name], {name: 1.0})
+    strengths = Strengths((Free(name, 0.5, 2.0, 1.05),), absent)
+    assert strengths.signed
+    for strength, ratio in ((1.0, 1.05), (0.1, 1.005), (0.0, 1.0), (-1.0, 0.95)):
+        assert strengths.at(strength) == pytest.approx({name: ratio})
+    assert values_where_absent(["leak.k", "leak.p"], {"k": 0.0}) == {"leak.k": 0.0}

@@ -360,4 +360,24 @@ def test_what_is_unknown_is_not_nothing() -> None:
     verdict = judge(BASE, [], [])
     assert verdict.kind == "unknown" and verdict.families == ()
     assert not verdict.names(()) and not verdict.names(("leak",))
+    known = with_posterior(verdict, BASE, [], [], {}, ModelSpace(10))
+    assert known.probability == pytest.approx(known.posterior.something_else)
     assert judge(fitted(1.0, holdout=1.02, score=1.0), [], []).names(())
+
+
+@pytest.mark.parametrize(
+    ("kind", "families", "said"),
+    [
+        ("none_missing", (), "Probability that nothing is missing: 70 %."),
+        ("identified", ("leak",), "Probability that this is missing, and nothing else: 70 %."),
+        ("ambiguous", ("leak", "creep"), "Probability that one of these is missing, and nothing else: 70 %."),
+        ("unknown", ("leak",), "Probability that this is missing, and nothing else: 70 %."),
+        ("unknown", (), "Probability that something is missing that is not listed: 70 %."),
+    ],
+)  # fmt: skip
+def test_the_probability_is_of_what_the_verdict_says(
+    kind: str, families: tuple[str, ...], said: str
+) -> None:
+    """Of a complete model it was said to be that "this, and nothing else, is missing"."""
+    verdict = replace(judge(BASE, [GOOD], []), kind=kind, families=families, probability=0.7)  # type: ignore[arg-type]
+    assert probability_sentence(verdict) == said

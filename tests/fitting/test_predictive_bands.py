@@ -13,7 +13,7 @@ from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
-from tests.fitting.models import C_D, P_START, TIMES, N, discharge, vessel_data
+from tests.fitting.models import C_D, KNOWN, P_START, TIMES, N, discharge, vessel_data
 
 EARLY = np.linspace(0.0, 12.0, 13)
 
@@ -115,3 +115,21 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
         json.loads((tmp_path / "without.json").read_text())["signals"]["p"]["discrepancy"] is None
     )
     assert main(["predict", str(saved), "--set", "tank.V=0 kg"]) == 2
+
+
+def test_what_a_fit_was_told_to_set_counts_in_its_prediction() -> None:
+    """The posterior and its runs had the model's own value."""
+    data = vessel_data(times=EARLY, sigma=5e3)
+    run = replace(data.runs[0], parameters={k: v for k, v in KNOWN.items() if k != "tank.V"})
+    free = replace(data, runs=(run,), parameters=dict(run.parameters))
+    stated = study.fit(free, parameters={"tank.V": KNOWN["tank.V"]})
+    of_data, of_call = study.fit(data), stated
+    bands = [
+        study.predict(one, run="run", samples=20, seed=1).bands["p"] for one in (of_data, of_call)
+    ]
+    assert of_call.values == pytest.approx(
+        of_data.values | {"tank.V": KNOWN["tank.V"]}
+        if "tank.V" in of_call.values
+        else of_data.values
+    )
+    np.testing.assert_allclose(bands[1].mean, bands[0].mean, rtol=1e-6)

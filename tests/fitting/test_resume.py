@@ -12,6 +12,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim import InputError
 from pam_cosim.fitting import Fit, FitProgress
+from pam_cosim.measurement.start import Start
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import vessel_data
 
@@ -78,6 +79,9 @@ def test_file_of_another_fit_is_refused(tmp_path: Path) -> None:
     hotter = replace(
         data, runs=(replace(data.runs[0], measurements={"p": data.runs[0].measurements["p"] + 1}),)
     )
+    later = replace(
+        data, runs=(replace(data.runs[0], start=Start("measured", before={"u": 1.0}, seconds=5.0)),)
+    )
     wider = replace(data, fit={**data.fit, "tank.n": replace(data.fit["tank.n"], max=1.39)})
     for call, message in (
         (lambda: pam.fit(data, "TankFilling", resume=file), "no parameter|another model"),
@@ -85,6 +89,7 @@ def test_file_of_another_fit_is_refused(tmp_path: Path) -> None:
             lambda: pam.fit(hotter, resume=file),
             "keeps a fit to other data; name another file, or remove this one",
         ),
+        (lambda: pam.fit(later, resume=file), "keeps a fit to other data"),
         (lambda: pam.fit(wider, resume=file), "other parameters, bounds or priors"),
         (lambda: pam.fit(data, method="multi-start", resume=file), "by another method"),
     ):

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set, write_data_set
 from pam_cosim.model.interface import Interface, Variable
@@ -286,3 +287,40 @@ def test_one_file_with_a_direction_asks_it_of_all(read: Read, tmp_path: Path) ->
         0.0,
         0.0,
     ]
+
+
+ISOMETRIC = 'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[[runs]]\nfile = "a.csv"\n'
+
+
+@pytest.mark.parametrize("what", ["levels", "as read"])
+def test_the_direction_is_of_what_the_curves_run_along(tmp_path: Path, what: str) -> None:
+    """Pressures of several loops of length were taken for what drives them, and both ways had one sign."""
+    rng = np.random.default_rng(2)
+    loop = np.array([0.0, 5, 10, 15, 20, 25, 30, 25, 20, 15, 10, 5, 0])
+    x = np.tile(loop, 2)
+    p = np.repeat([200.0, 300.0], len(loop))
+    if what == "as read":
+        x = x + rng.uniform(-0.3, 0.3, len(x))
+    rows = "".join(f"{a:.4f},{b:.3f},{400 - 9 * b:.2f}\n" for a, b in zip(p, x, strict=True))
+    (tmp_path / "a.csv").write_text("p [kPa],x [mm],F [N]\n" + rows)
+    (tmp_path / "experiment.toml").write_text(ISOMETRIC + 'branch = "order"\n')
+    runs = pam.read(tmp_path).runs
+    for run in runs:
+        assert run.along is not None and run.along.name == "x"
+        assert len(set(run.inputs["branch"])) == 1
+    up = sum(len(r.time) for r in runs if r.inputs["branch"][0] > 0)
+    assert up == 2 * (int(loop.argmax()) + 1)
+
+
+def test_rounding_of_a_held_pressure_turns_no_branch(tmp_path: Path) -> None:
+    force = [0, 50, 100, 150, 100, 50, 0]
+    turned = []
+    for last in ("300000", "300000.1"):
+        pressures = ["300000"] * 6 + [last]
+        rows = "".join(f"{p},{20 - f / 10:g},{f}\n" for p, f in zip(pressures, force, strict=True))
+        (tmp_path / "a.csv").write_text("p [Pa],x [mm],F [N]\n" + rows)
+        (tmp_path / "experiment.toml").write_text(
+            ISOMETRIC.replace("Isometric", "Isotonic") + 'branch = "order"\n'
+        )
+        turned.append([(r.name, r.inputs["F"].tolist()) for r in pam.read(tmp_path).runs])
+    assert turned[0] == turned[1]

@@ -249,6 +249,8 @@ def with_posterior(
     doubts = doubts_of(selected, verdict.kind == "unknown", verdict.remainder)
     known = posterior(base, selected[-1] if selected else None, tried, family, model_space, doubts)
     named = sum(one.probability for one in known.explanations if verdict.names(one.families))
+    if verdict.kind == "unknown" and not verdict.families:
+        named = known.something_else
     return replace(verdict, posterior=known, probability=named)
 
 

@@ -90,7 +90,7 @@ class _HoldoutError:
 def cross_validated(verdict: Verdict, folds: Folds, signals: Mapping[str, Signal]) -> Verdict:
     """A verdict on a model that leaves structure, with what it is good for all the same."""
     good = [_good_to(n, folds, signals[n].unit) for n in folds.rmse if signals[n].fitted]
-    sentences = [f"Good to {'; '.join(good)} on runs that were never fitted."]
+    sentences = [f"Good to {'; '.join(good)} on runs that were never fitted."] if good else []
     for needed in sorted({folds.needed[e] for e in folds.named}, reverse=True):
         names = [e for e in folds.named if folds.needed[e] == needed]
         every = (

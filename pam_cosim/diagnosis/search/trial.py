@@ -222,9 +222,19 @@ def _probe(trial: Trial, simulator: Simulator) -> EffectProbe:
 
 def _strengths(trial: Trial, objective: Objective) -> Strengths:
     names = trial.composition.parameters[trial.effect.name]
-    own = trial.effect.absent
-    absent = {name: own[short] for name in names if (short := name.rpartition(".")[2]) in own}
-    return Strengths(tuple(f for f in objective.free if f.name in names), absent)
+    return Strengths(
+        tuple(f for f in objective.free if f.name in names),
+        values_where_absent(names, trial.effect.absent),
+    )
+
+
+def values_where_absent(names: Sequence[str], absent: Mapping[str, float]) -> dict[str, float]:
+    """By full name, values with which an effect does nothing, where it states them.
+
+    An effect states them by the name within its class; what concerns a parameter of the model, by that one's full name.
+    """
+    keys = {name: name if name in absent else name.rpartition(".")[2] for name in names}
+    return {name: absent[key] for name, key in keys.items() if key in absent}
 
 
 def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:

@@ -107,7 +107,7 @@ def headline(diagnosis: Diagnosis) -> str:
         return f"{_lacking(diagnosis)} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
         return f"An effect is missing, but these data cannot tell {families} apart."
-    if verdict.families and diagnosis.folds is not None:
+    if verdict.families and diagnosis.folds is not None and diagnosis.folds.rmse:
         good = ", ".join(
             f"{quantity_text(e, diagnosis.data.signals[n].unit)} of {n}"
             for n, e in diagnosis.folds.rmse.items()
@@ -157,12 +157,24 @@ def probability_sentence(verdict: Verdict) -> str:
     p = verdict.probability
     if p != p:
         return ""
+    what, rest = _what_is_probable(verdict)
     if verdict.off:
         return (
-            f"Probability that this is missing: {100 * p:.0f} %. What acts on {listed(list(verdict.off))}, which was "
+            f"Probability that {what}: {100 * p:.0f} %. What acts on {listed(list(verdict.off))}, which was "
             "not fitted and is off, is not counted."
         )
-    return f"Probability that this, and nothing else, is missing: {100 * p:.0f} %."
+    return f"Probability that {what}{rest}: {100 * p:.0f} %."
+
+
+def _what_is_probable(verdict: Verdict) -> tuple[str, str]:
+    """What a verdict says to be so, and what it says beside that."""
+    if verdict.kind == "none_missing":
+        return _NOTHING, ""
+    if verdict.kind == "ambiguous":
+        return "one of these is missing", ", and nothing else"
+    if not verdict.families:
+        return "something is missing that is not listed", ""
+    return "this is missing", ", and nothing else"
 
 
 class ProbabilityRow(NamedTuple):

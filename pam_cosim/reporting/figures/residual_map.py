@@ -58,12 +58,7 @@ def binned_residual(
     )
     x, y = (np.concatenate([r.model[s.name] for r in runs]) for s in (across, up))
     kept = np.isfinite(error)
-    edges = [np.linspace(v[kept].min(), v[kept].max() or 1.0, _CELLS + 1) for v in (y, x)]
-    if not all(np.all(np.diff(e) > 0) for e in edges):
-        edges = [
-            e if np.all(np.diff(e) > 0) else np.linspace(e[0] - 0.5, e[0] + 0.5, _CELLS + 1)
-            for e in edges
-        ]
+    edges = [np.histogram_bin_edges(v[kept], _CELLS) for v in (y, x)]
     count, y_edges, x_edges = np.histogram2d(y[kept], x[kept], bins=edges)
     total, _, _ = np.histogram2d(y[kept], x[kept], bins=edges, weights=error[kept])
     return (
