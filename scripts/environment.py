@@ -1,7 +1,8 @@
 """Makes the virtual environment .venv with pam-cosim in it; does nothing when it is up to date.
 
 Needs Python 3.11 or newer and a package index; neither pip nor the venv module's ensurepip, which a bare Debian
-leaves out. Run it with the system's Python: ``python3 scripts/environment.py [EXTRA]``.
+leaves out. Run it with the system's Python: ``python3 scripts/environment.py [EXTRA]``. A .venv that was moved or
+copied with its checkout leads to the old one, and is made anew.
 
 What is installed is what ``scripts/locks`` lists, with its hashes: ``base.txt`` for ./scripts/demo, ``test.txt`` for
 ./scripts/test. Other extras, and everything where PAM_COSIM_UNLOCKED is set, follow the ranges of ``pyproject.toml``.
@@ -12,6 +13,7 @@ A lock is made anew by ``uv pip compile pyproject.toml scripts/locks/build.in [-
 import hashlib
 import os
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -38,8 +40,10 @@ def main(extra: str) -> int:
         file.read_bytes() for file in sorted((ROOT / "scripts" / "locks").glob("*.txt"))
     )
     content = (ROOT / "pyproject.toml").read_bytes() + locks + sys.version.encode()
-    wanted = hashlib.sha256(content).hexdigest()
-    if stamp.exists() and stamp.read_text() == wanted:
+    wanted = f"{hashlib.sha256(content).hexdigest()}\n{ROOT}"
+    if of_another_checkout():
+        remove()
+    if stamp.exists() and stamp.read_text(encoding="utf-8") == wanted:
         return 0
     print("setting up .venv (once, a minute or two) ...", file=sys.stderr, flush=True)
     if not PYTHON.exists():
@@ -60,8 +64,23 @@ def main(extra: str) -> int:
         return 1
     # an installed package has its bytecode; without it a command takes three times as long to start
     subprocess.run([str(PYTHON), "-m", "compileall", "-q", str(ROOT / "pam_cosim")])
-    stamp.write_text(wanted)
+    stamp.write_text(wanted, encoding="utf-8")
     return 0
+
+
+def of_another_checkout() -> bool:
+    """Whether .venv was made for a checkout at another place."""
+    stamps = [stamp.read_text(encoding="utf-8") for stamp in HOME.glob("ready-*")]
+    roots = [root for _, _, root in (text.partition("\n") for text in stamps) if root]
+    return any(root != str(ROOT) for root in roots)
+
+
+def remove() -> None:
+    """Removes .venv; where it is a link, the link alone, for what it leads to is another checkout's."""
+    if HOME.is_symlink():
+        HOME.unlink()
+    else:
+        shutil.rmtree(HOME)
 
 
 def install(arguments: list[str]) -> None:

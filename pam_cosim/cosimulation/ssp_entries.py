@@ -14,6 +14,7 @@ from lxml import etree
 
 from pam_cosim.cosimulation.ssp_names import NAMESPACES
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.read import check_document
 from pam_cosim.wording import shown
 
 _MOST_BYTES = 2 << 30  # of one entry of an archive, unpacked
@@ -32,20 +33,25 @@ class SspEntries:
         Raises:
             InputError: it is not in the archive, or too large.
         """
+        return self._archive.read(self._name(source, what))
+
+    def _name(self, source: str, what: str) -> str:
+        """The entry that a relative URI names."""
         parts = urlsplit(source)
         name = posixpath.normpath(unquote(parts.path))
         if parts.scheme or parts.netloc or name.startswith(("/", "..")) or name not in self._known:
             raise InputError(f"{what} is {shown(source)}, which is not in the archive", self.file)
         if self._archive.getinfo(name).file_size > _MOST_BYTES:
             raise InputError(f"{shown(name)} has more than {_MOST_BYTES >> 30} GiB", self.file)
-        return self._archive.read(name)
+        return name
 
     def tree(self, source: str, what: str, schema: str) -> Any:
         """An XML document, valid by the standard's schema.
 
         Raises:
-            InputError: it is none, or not valid.
+            InputError: it is none, too large, or not valid.
         """
+        check_document(self._archive, self._name(source, what), self.file)
         parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
         try:
             root = etree.fromstring(self.read(source, what), parser)

@@ -17,6 +17,7 @@ from pam_cosim.cosimulation.parts import Connection, CoupledFmu, Port, joined
 from pam_cosim.cosimulation.ssp_description import Description, Place, Wire, description_of
 from pam_cosim.cosimulation.ssp_entries import SspEntries
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.read import DAMAGED
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Setting
 
@@ -54,7 +55,7 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
         with zipfile.ZipFile(file) as archive:
             description = description_of(SspEntries(archive, file))
             parts = _unpacked(SspEntries(archive, file), description, folder, made)
-    except (OSError, zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError) as problem:
+    except (OSError, *DAMAGED) as problem:
         raise InputError(f"this is not an SSP archive: {problem}", file) from problem
     names = {place: _name(place) for place in description.sources}
     try:

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import lzma
 import math
 import re
 import zipfile
+import zlib
 from collections.abc import Mapping
 from functools import lru_cache
 from pathlib import Path
@@ -19,6 +21,17 @@ from pam_cosim.model.interface import Interface, Variable, is_sensitivity, sensi
 from pam_cosim.wording import shown
 
 MOST_BYTES = 2_000_000_000  # of all files of an archive, unpacked
+MOST_OF_DOCUMENT = 20_000_000  # bytes of XML; parsed, they take thirty times as many
+DAMAGED = (
+    zipfile.BadZipFile,
+    NotImplementedError,
+    RuntimeError,
+    EOFError,
+    UnicodeDecodeError,
+    zlib.error,
+    lzma.LZMAError,
+)  # what reading an archive raises that is none, or not whole
+_DESCRIPTION = "modelDescription.xml"
 _LONGEST_NAME, _LONGEST_PART = (
     1000,
     200,
@@ -102,15 +115,18 @@ def _read(path: Path, changed: int, size: int) -> ModelDescription:
 
 
 def _check_names(path: Path) -> None:
-    """Looks at the names in an archive, which become files.
+    """Looks at the names in an archive, which become files, and at the size of its description.
 
     Raises:
-        InputError: one that cannot, or must not.
+        InputError: one that cannot, or must not; a description that is too large.
     """
     if path.is_dir():
+        if (path / _DESCRIPTION).exists():
+            check_regular(path / _DESCRIPTION, MOST_OF_DOCUMENT)
         return
     with zipfile.ZipFile(path) as archive:
         entries = archive.infolist()
+        check_document(archive, _DESCRIPTION, path)
     for entry in entries:
         parts = re.split(r"[/\\]", entry.filename)
         if (
@@ -128,6 +144,25 @@ def _check_names(path: Path) -> None:
             )
     if sum(entry.file_size for entry in entries) > MOST_BYTES:
         raise InputError(f"the archive holds more than {MOST_BYTES / 1e9:g} GB", path)
+
+
+def check_document(archive: zipfile.ZipFile, name: str, path: Path) -> None:
+    """Looks at the size of a document of XML in an archive, before it is parsed.
+
+    Args:
+        archive: that is open.
+        name: of the document in it.
+        path: the archive's file.
+
+    Raises:
+        InputError: it is too large.
+    """
+    size = max((one.file_size for one in archive.infolist() if one.filename == name), default=0)
+    if size > MOST_OF_DOCUMENT:
+        raise InputError(
+            f"{shown(name)} in it has {size / 1e6:.0f} MB; {MOST_OF_DOCUMENT / 1e6:.0f} MB can be taken",
+            path,
+        )
 
 
 def _check_numbers(description: ModelDescription, path: Path) -> None:

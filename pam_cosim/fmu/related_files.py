@@ -18,6 +18,7 @@ from lxml import etree
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_BYTES, read_file
 from pam_cosim.fmu.build import archived
+from pam_cosim.fmu.read import DAMAGED, check_document
 
 FOLDER = "extra/org.fmi-standard.fmi-ls-ref/"
 _MANIFEST = FOLDER + "fmi-ls-manifest.xml"
@@ -86,7 +87,7 @@ def related_files(fmu: Path) -> list[RelatedFile]:
     """The files that an FMU's manifest names and that are in it; none where it has no manifest.
 
     Raises:
-        InputError: no archive, a manifest that is none, or files of more than 2 GB.
+        InputError: no archive, a manifest that is none or too large, or files of more than 2 GB.
     """
     try:
         with zipfile.ZipFile(io.BytesIO(read_file(fmu))) as archive:
@@ -95,7 +96,7 @@ def related_files(fmu: Path) -> list[RelatedFile]:
             return _listed(archive, fmu)
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror or problem}", fmu) from problem
-    except (zipfile.BadZipFile, NotImplementedError, RuntimeError, EOFError, ValueError) as problem:
+    except (*DAMAGED, ValueError) as problem:
         raise InputError(f"is no FMU that can be read: {problem}", fmu) from problem
 
 
@@ -105,6 +106,7 @@ def _listed(archive: zipfile.ZipFile, fmu: Path) -> list[RelatedFile]:
         > MOST_BYTES
     ):
         raise InputError("the files that belong to it are larger than 2 GB", fmu)
+    check_document(archive, _MANIFEST, fmu)
     parser = etree.XMLParser(resolve_entities=False, no_network=True, load_dtd=False)
     try:
         root = etree.fromstring(archive.read(_MANIFEST), parser)
@@ -113,16 +115,22 @@ def _listed(archive: zipfile.ZipFile, fmu: Path) -> list[RelatedFile]:
     if root.tag != _ROOT:
         raise InputError(f"{_MANIFEST} is no manifest of {_ABOUT['name']}", fmu)
     found, held = [], set(archive.namelist())
+    contents: dict[str, bytes] = {}  # read once, however often the manifest names it
     for element in root.iter(_RELATED):
         name = _name(element.get("source", ""))
         if (
             FOLDER + name in held
         ):  # the standard: a tool that knows nothing of it may have taken files away
             kind = element.get("type", "application/octet-stream")
-            content = archive.read(FOLDER + name)
+            if name not in contents:
+                contents[name] = archive.read(FOLDER + name)
             found.append(
                 RelatedFile(
-                    name, element.get("role", ""), kind, element.get("description", ""), content
+                    name,
+                    element.get("role", ""),
+                    kind,
+                    element.get("description", ""),
+                    contents[name],
                 )
             )
     return found

@@ -27,6 +27,7 @@ from loky.backend import resource_tracker as loky_tracker
 from threadpoolctl import threadpool_limits
 
 from pam_cosim.processes.interrupts import sigint_blocked, sigint_unblocked
+from pam_cosim.processes.safe_path import SAFE, safe_path
 
 _IDLE = 60.0  # [s] after which a process without work ends
 _GRACE = 2.0  # [s] for tasks that are interrupted to clean up
@@ -82,14 +83,19 @@ threading.Thread(target=watch, daemon=True).start()
 def _pool(count: int) -> ProcessPoolExecutor:
     known = {"parent": os.getpid(), "pause": _LOOK}
     return get_reusable_executor(
-        count, timeout=_IDLE, env=_ALONE, initializer=exec, initargs=(_END_WITH_PARENT, known)
+        count,
+        timeout=_IDLE,
+        env=_ALONE | SAFE,
+        initializer=exec,
+        initargs=(_END_WITH_PARENT, known),
     )
 
 
 def _start_helpers() -> None:
     """What comes with a pool lets interrupts through once it has started: before the pool's processes, therefore."""
-    if os.name == "posix":
-        multiprocessing.resource_tracker.ensure_running()
+    with safe_path():  # they take the environment as it is
+        if os.name == "posix":
+            multiprocessing.resource_tracker.ensure_running()
         loky_tracker.ensure_running()
 
 

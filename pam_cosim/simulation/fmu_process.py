@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import contextlib
 import math
-import os
 import pickle
 import signal
 import subprocess
@@ -14,6 +13,7 @@ from typing import Any
 
 from pam_cosim.processes import watchdog
 from pam_cosim.processes.memory import MOST_MEMORY
+from pam_cosim.processes.safe_path import safe_command, safe_environment
 from pam_cosim.simulation.driver import RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.native import prepare_driver
@@ -132,17 +132,16 @@ class FmuProcess:
 def start_watched(path: Path, timeout: float, worker: str) -> subprocess.Popen[bytes]:
     """The watchdog of a process that answers requests: the module ``worker`` with an FMU's path."""
     prepare_driver()  # not within the time limit
-    environment = os.environ | {"PYTHONPATH": os.pathsep.join(p for p in sys.path if p)}
     limit = timeout if math.isfinite(timeout) else 0.0
     tick = min(_LONGEST_TICK, timeout / _TICKS)
-    answering = [sys.executable, "-m", worker, str(path), str(tick)]
+    answering = safe_command(worker, str(path), str(tick))
     command = [sys.executable, "-I", "-S", str(Path(watchdog.__file__)), str(limit), *answering]
     # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
     return subprocess.Popen(
         command,
         stdin=subprocess.PIPE,
         stdout=subprocess.PIPE,
-        env=environment,
+        env=safe_environment(),
         start_new_session=True,
     )
 

@@ -13,7 +13,7 @@ from fmpy.model_description import ModelDescription
 
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.compile import PLATFORMS, native_platform
-from pam_cosim.fmu.read import fmi_version
+from pam_cosim.fmu.read import DAMAGED, fmi_version
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.tape import is_taped, use_tapes
@@ -77,7 +77,10 @@ def load_instance(
     if directory is None:
         directory = os.path.abspath(path)
     else:
-        fmpy.extract(str(path), unzipdir=directory, include=_needed)
+        try:
+            fmpy.extract(str(path), unzipdir=directory, include=_needed)
+        except DAMAGED as problem:
+            raise InputError(f"the archive is damaged: {problem}", path) from None
     identifier = (
         description.modelExchange if exchange else description.coSimulation
     ).modelIdentifier

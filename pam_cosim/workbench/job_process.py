@@ -7,11 +7,11 @@ import os
 import pickle
 import signal
 import subprocess
-import sys
 import threading
 from collections.abc import Callable
 from typing import Any
 
+from pam_cosim.processes.safe_path import safe_command, safe_environment
 from pam_cosim.processes.watchdog import ANSWER, read_frame, write_frame
 
 CAN_HOLD = hasattr(signal, "SIGSTOP")
@@ -41,7 +41,8 @@ class Worker:
             if self._process is None or self._process.poll() is not None:
                 self.held = False
                 self._process = subprocess.Popen(
-                    [sys.executable, "-m", "pam_cosim.workbench.worker"],
+                    safe_command("pam_cosim.workbench.worker"),
+                    env=safe_environment(),
                     stdin=subprocess.PIPE,
                     stdout=subprocess.PIPE,
                     start_new_session=True,
