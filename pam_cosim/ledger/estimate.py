@@ -102,7 +102,7 @@ class _Estimation:
         replaced = (
             self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
         )
-        plain = replaced is not None and replaced.smoothed.chi2 < CRITERIA.ledger.at_noise * samples
+        plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
         beside = self._beside() if is_open and not plain else None
         return self._judged(SmoothedModels(unaugmented, augmented, replaced, beside, samples))
 

@@ -109,6 +109,10 @@ class Effect:
         """Gas [kg/s] and its enthalpy [W] that leave the muscle for a side chamber whose states are q."""
         return 0.0, 0.0
 
+    def enthalpy_beyond(self, p: float) -> float:
+        """What gas at absolute pressure p [Pa] holds beyond c_p T [J/kg]."""
+        return 0.0
+
     def drive(self, schedule: Schedule) -> Schedule:
         """The currents that reach the valves when these are commanded."""
         return schedule

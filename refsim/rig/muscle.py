@@ -176,6 +176,7 @@ class Chain:
         valves, line_rates = self._inflow(y, (source, p, temperature), targets)
         net = valves[0] - leak - side_mass
         enthalpy_in = valves[1] - side_enthalpy - _CP * leak * (temperature if leak > 0 else T_ATM)
+        enthalpy_in += net * sum(effect.enthalpy_beyond(p) for effect in self.effects)
         film = par.heat_coefficient
         for effect, own in self.at_the_wall:
             film = effect.film(y[own], film, p, temperature)

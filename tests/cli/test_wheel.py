@@ -8,8 +8,10 @@ import subprocess
 import sys
 import venv
 import zipfile
+from io import StringIO
 from pathlib import Path
 
+import numpy as np
 import pytest
 from hatchling.builders.wheel import WheelBuilder
 
@@ -188,4 +190,12 @@ def test_demonstration_data_are_the_rigs(tmp_path: Path) -> None:
         tmp_path, measurement.measure(default_plan(), [hidden], seed=1), title=title
     )
     for file in (ROOT / "examples" / "hidden-spring").iterdir():
-        assert file.read_text() == (tmp_path / file.name).read_text(), file.name
+        kept, made = file.read_text(), (tmp_path / file.name).read_text()
+        if file.suffix == ".csv":  # last digits are those of a processor
+            assert kept.splitlines()[0] == made.splitlines()[0]
+            numbers = [
+                np.genfromtxt(StringIO(t), delimiter=",", skip_header=1) for t in (kept, made)
+            ]
+            np.testing.assert_allclose(numbers[1], numbers[0], rtol=1e-6, atol=1e-5)
+        else:
+            assert kept == made, file.name

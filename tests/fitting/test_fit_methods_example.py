@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.documentation.pages import one_line, other_pictures, quoted
+from tests.documentation.pages import one_line, other_pictures, quoted, stands_in
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "fit-methods" / "run.py"
 
@@ -31,4 +31,5 @@ def test_all_methods_come_to_one_optimum_and_the_swarm_alone_does_not(tmp_path: 
         quote for quote in quoted("fitting.md") if "simulations" in quote or "generation" in quote
     ]
     assert len(said) == 6
-    assert [quote for quote in said if quote not in one_line(example.told(made))] == []
+    # some simulations more or less on another processor
+    assert [q for q in said if not stands_in(q, one_line(example.told(made)), more=3)] == []

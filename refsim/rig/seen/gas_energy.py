@@ -8,7 +8,7 @@ from typing import ClassVar
 
 from rig.catalogue.gas_energy import EnergyGas
 from rig.effect import Effect, Now, Rest, State
-from rig.flow import P_ATM, T_ATM, R
+from rig.flow import GAMMA, P_ATM, T_ATM, R
 
 _LATENT = 2.5e6  # J/kg
 _SETTLING = 0.05  # s, in which droplets grow or vanish
@@ -183,7 +183,8 @@ class GasSpring(EnergyGas):
 class FilmGas(Effect):
     """Mass and energy balance; the film is h (p/p_atm)^a + h_1 (|m_jet|/0.1 g/s)^k, the jet dies away in tau.
 
-    With a second virial coefficient b [m3/kg] the temperature is that of p V = m (R T + b p).
+    With a second virial coefficient b [m3/kg] the temperature is that of p V = m (R T + b p). The enthalpy is gamma u,
+    with the internal energy u = p v/(gamma - 1).
     """
 
     energy_balance: ClassVar[bool] = True
@@ -207,6 +208,9 @@ class FilmGas(Effect):
             P_ATM * (polytropic / T_ATM) ** 6
         )  # the rig's polytropic law backwards, its exponent is 1.2
         return (pressure_volume / q[0] - self.b * p) / R
+
+    def enthalpy_beyond(self, p: float) -> float:
+        return GAMMA / (GAMMA - 1) * self.b * p
 
     def film(self, q: State, h: float, p: float, temperature: float) -> float:
         film = self.h * (p / P_ATM) ** self.a + self.h_1 * ((q[1] ** 2 + 1e-16) / 1e-8) ** (
