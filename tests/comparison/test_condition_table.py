@@ -119,7 +119,7 @@ def test_example(tmp_path: Path) -> None:
     spec.loader.exec_module(example)
     example.main(tmp_path)
     (tmp_path / "table.png").rename(tmp_path / "correlation-table.png")
-    assert other_pictures(tmp_path) == []
+    assert other_pictures(tmp_path, by_processor=True) == []
     rows = list(csv.reader((tmp_path / "table.csv").open()))
     assert len(rows) == 1 + 3 * (4 + 2) and len(rows[0]) == 3 + 6 + 2
     correlations = np.array([[float(v) for v in row[3:9]] for row in rows[1:5]])

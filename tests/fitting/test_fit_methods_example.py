@@ -26,7 +26,7 @@ def test_all_methods_come_to_one_optimum_and_the_swarm_alone_does_not(tmp_path: 
     assert made["particle-swarm"].search.chi2_reduced[-1] > 1.01 * min(ends)
     assert made["least-squares"].evaluations < 60 < made["particle-swarm"].search.evaluations
     example.draw(made, tmp_path / "fit-methods.png")
-    assert other_pictures(tmp_path) == []
+    assert other_pictures(tmp_path, by_processor=True) == []
     said = [
         quote for quote in quoted("fitting.md") if "simulations" in quote or "generation" in quote
     ]

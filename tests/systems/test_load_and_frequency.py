@@ -72,7 +72,7 @@ def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
     example: ModuleType, diagnosis: Diagnosis, tmp_path: Path
 ) -> None:
     example.draw(diagnosis, tmp_path / example.PICTURE.name)
-    assert other_pictures(tmp_path) == []
+    assert other_pictures(tmp_path, by_processor=True) == []
     table = example.tabled(diagnosis.final.comparison, "correlation").splitlines()
     assert [line.split("|")[1].strip() for line in table[2:-1]] == [
         "5 kg",
@@ -87,7 +87,7 @@ def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
 
 @pytest.mark.full
 def test_story_says_what_the_diagnosis_does(example: ModuleType, diagnosis: Diagnosis) -> None:
-    assert unsaid(STORY, diagnosis_text(diagnosis)) == []
+    assert unsaid(STORY, diagnosis_text(diagnosis), by_processor=True) == []
     samples = sum(run.time.size for run in diagnosis.data.runs)
     assert (
         absent([f"The diagnosis sets {diagnosis.outliers['x']} samples of {samples} aside"], STORY)
