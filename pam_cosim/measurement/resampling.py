@@ -54,10 +54,12 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         name: np.flatnonzero(np.abs(mean.time - middle) > _SAME * interval)
         for name, mean in means.items()
     }
-    further = np.unique(
-        np.array([(means[n].time[k], k) for n, at in elsewhere.items() for k in at]).reshape(-1, 2),
-        axis=0,
+    pairs = [np.column_stack([means[name].time[at], at]) for name, at in elsewhere.items()]
+    further, row = np.unique(
+        np.concatenate([np.empty((0, 2)), *pairs]), axis=0, return_inverse=True
     )
+    rows = np.split(row.ravel(), np.cumsum([len(at) for at in elsewhere.values()]))
+    row_of = dict(zip(elsewhere, rows, strict=False))
     own_time, of_mean = further[:, 0], further[:, 1].astype(np.int64)
     times = np.concatenate([middle, time[kept], own_time])
     # Stable: of rows at one time the mean before a step comes first.
@@ -72,8 +74,7 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
 
     def of_measurement(name: str, mean: _Mean) -> Array:
         values, there = mean.values.copy(), np.full(len(own_time), np.nan)
-        for k in elsewhere[name]:
-            there[(of_mean == k) & (own_time == mean.time[k])] = values[k]
+        there[row_of[name]] = values[elsewhere[name]]
         values[elsewhere[name]] = np.nan
         return locked(np.concatenate([values, np.full(len(kept), np.nan), there])[order])
 
