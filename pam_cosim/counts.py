@@ -8,6 +8,7 @@ from pam_cosim.errors import InputError
 
 MOST_WORKERS = 1000
 MOST_STARTS = 10_000
+MOST_SIMULATIONS = 10**12
 LARGEST_SEED = 2**63 - 1
 LONGEST = 1e9  # s, some thirty years; beyond that it is no limit
 
@@ -43,6 +44,15 @@ def checked_starts(value: int) -> int:
         InputError: as ``checked``.
     """
     return checked(value, "the number of starts", 0, MOST_STARTS) or 0
+
+
+def checked_simulations(value: int | None) -> int | None:
+    """A number of simulated runs after which a search ends.
+
+    Raises:
+        InputError: as ``checked``.
+    """
+    return checked(value, "the limit of simulations", 1, MOST_SIMULATIONS)
 
 
 def checked_seed(value: int) -> int:

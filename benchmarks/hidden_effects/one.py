@@ -86,7 +86,7 @@ def _diagnosis(folder: Path, description: Mapping[str, Any], workers: int) -> di
             }
             for role in noise
         },
-        "evaluations": _evaluations(diagnosis),
+        "simulations": diagnosis.simulations,
         "path": [c.effect for c in diagnosis.path],
         "ranks": [[c.effect, c.family, c.delta_bic] for c in diagnosis.candidates[:_RANKS]],
         "parameters": {
@@ -115,13 +115,6 @@ def _probability(verdict: Mapping[str, Any]) -> float | None:
     """What the verdict says of its families: that just these are missing; None where it says nothing."""
     value = verdict.get("probability")
     return None if value is None else float(value)
-
-
-def _evaluations(diagnosis: Any) -> int | None:
-    """How often a model was simulated for the fits of the path; None where the diagnosis does not say."""
-    fits = [getattr(step, "fit", None) for step in (diagnosis.base, *diagnosis.path)]
-    counted = [getattr(fit, "evaluations", None) for fit in fits]
-    return sum(counted) if counted and all(isinstance(n, int) for n in counted) else None
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -41,6 +41,7 @@ from pam_cosim.diagnosis.judgement.verdict import (
     with_facts,
     with_posterior,
 )
+from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.folds import Folds, cross_validated, folds_of
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.search_result import (
@@ -81,7 +82,8 @@ class Diagnosis(Printed):
         missing_term: for a verdict that leaves structure, a description of it.
         ledger: which balances of the base model fail, with the missing terms as signals; None where nothing does.
         learned: likewise, a formula for what is missing and the model with it: a description, no cause.
-        untried: effects of the models that promised to be better when the time limit ended the search.
+        untried: effects of the models that promised to be better when a limit ended the search.
+        simulations: runs that were simulated until the verdict stood, with sensitivities or without.
         not_tried: families that were not looked for, with the reason.
         step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
@@ -104,6 +106,7 @@ class Diagnosis(Printed):
     ledger: Ledger | None = None
     learned: LearnedModel | None = None
     untried: tuple[tuple[str, ...], ...] = ()
+    simulations: int = 0
     not_tried: dict[str, str] = field(default_factory=dict)
     step_times: int = 0
     means: str = ""
@@ -173,6 +176,7 @@ class Diagnosis(Printed):
             "next_experiment": self.next_experiment,
             "missing_term": self._missing(),
             "untried": self.untried,
+            "simulations": self.simulations,
             "not_tried": self.not_tried,
             "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
         }
@@ -207,7 +211,8 @@ class Diagnosis(Printed):
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
             lines.append(
-                f"  The time limit ended the search; what would have been tried next: {self._tried_next()}"
+                f"  A limit ended the search after {self.simulations} simulations; what would have been tried next: "
+                f"{self._tried_next()}"
             )
         if self.step_times:
             lines.append(f"  {self.said_of_steps}")
@@ -238,7 +243,7 @@ class Diagnosis(Printed):
         return lines
 
     def _tried_next(self) -> str:
-        """The most promising models that the time limit left, and how many more there are."""
+        """The most promising models that a limit left, and how many more there are."""
         first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
         more = len(self.untried) - len(first)
         return ", ".join(first) + (f" and {more} more" if more else "")
@@ -255,6 +260,7 @@ def diagnose(
     workers: int | None = None,
     explain: bool = True,
     time_limit: float | None = None,
+    simulation_limit: int | None = None,
     exclude: Sequence[str] = (),
     expect: Sequence[str] = (),
 ) -> Diagnosis:
@@ -270,6 +276,7 @@ def diagnose(
         explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same. Points at
             rest have no ledger.
         time_limit: [s] after which the search ends with the best verdict so far; the ledger comes on top.
+        simulation_limit: likewise, by the runs that are simulated: the same verdict however quick the machine is.
         exclude: families or effects that are known not to be missing, with those of the data set.
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
 
@@ -280,7 +287,11 @@ def diagnose(
     say, tell = listened(say, progress), progress or (lambda event: None)
     began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
     data, name, sources = subject.data, subject.name, subject.sources
-    with subject.simulator() as simulator:
+    effort = Effort(
+        began + (math.inf if time_limit is None else time_limit),
+        math.inf if simulation_limit is None else simulation_limit,
+    )
+    with effort.counting(), subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
         excluded = _effects_named(available_effects, data, "exclude", data.excluded, exclude)
         expected = _effects_named(available_effects, data, "expect", data.expected, expect)
@@ -294,9 +305,10 @@ def diagnose(
         say,
         workers,
         expected=expected,
+        effort=effort,
     )
-    deadline = began + (math.inf if time_limit is None else time_limit)
-    answer = _answer(subject, search_fit_runs(subject, search, base, outliers, deadline), deadline)
+    answer = _answer(subject, search_fit_runs(subject, search, base, outliers))
+    simulations = effort.simulations
     verdict, others, result = answer.verdict, answer.others, answer.result
     search, base, data, selection = result.search, result.base, result.search.data, result.selection
     candidates = _ranked(answer.judged, data)
@@ -323,6 +335,7 @@ def diagnose(
         ledger=ledger,
         learned=learned,
         untried=selection.untried,
+        simulations=simulations,
         not_tried=_not_tried(available_effects, excluded, search, selection),
         step_times=result.step_times,
         means=subject.means,
@@ -349,16 +362,16 @@ class _Answer:
     folds: Folds | None = None
 
 
-def _answer(subject: Subject, result: SearchResult, deadline: float) -> _Answer:
+def _answer(subject: Subject, result: SearchResult) -> _Answer:
     """The verdict on what the fitted runs came to, after the held-out runs and the folds where they are needed."""
-    all_runs_result = search_all_runs(subject, result, deadline)
+    all_runs_result = search_all_runs(subject, result)
     if all_runs_result is not None:
         verdict, others = _verdict(all_runs_result, subject.sources, all_runs_searched=True)
         return _Answer(refit_by_role(result, all_runs_result), all_runs_result, verdict, others)
     verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
     unsettled = verdict.kind == "unknown" or verdict.remainder
     folds = None
-    if unsettled and result.path and time.monotonic() < deadline:
+    if unsettled and result.path and not result.search.effort.spent:
         folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
     if folds is None:
         return _Answer(result, result, verdict, others)
@@ -461,7 +474,7 @@ def _not_tried(
             reasons[family] = "excluded"
         elif family not in looked_at | failed:
             reasons[family] = (
-                "the time was over" if family in late else "the model has no place for them"
+                "a limit ended the search" if family in late else "the model has no place for them"
             )
         elif family in silent:
             reasons[family] = f"nothing that was fitted{at_rest} shows them"

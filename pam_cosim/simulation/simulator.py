@@ -9,6 +9,7 @@ import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import ClassVar
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
@@ -69,11 +70,14 @@ class Simulator:
 
     Attributes:
         limit: processor time [s] that a run may take, and more for each of its rows; None: as long as it likes.
+        simulations: runs of all simulators of this process so far, those that failed among them.
 
     Raises:
         InputError: not such an FMU, or none for this platform.
         SimulationFailure: the FMU refuses to be instantiated.
     """
+
+    simulations: ClassVar[int] = 0
 
     def __init__(self, path: Path) -> None:
         self.limit: tuple[float, float] | None = CRITERIA.run.longest
@@ -305,6 +309,7 @@ class Simulator:
             return self._driver.run(request)
 
         self._end_steps()
+        Simulator.simulations += 1
         outcome = drive()
         if outcome.failed in ("fmi2Reset", "fmi3Reset"):
             self._renew()

@@ -6,7 +6,7 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.counts import checked_workers
+from pam_cosim.counts import checked_simulations, checked_workers
 from pam_cosim.diagnosis import Check, Diagnosis, Listener, Message
 from pam_cosim.diagnosis import check as _check
 from pam_cosim.diagnosis import diagnose as _diagnose
@@ -30,6 +30,7 @@ def diagnose(
     workers: int | None = None,
     explain: bool = True,
     time_limit: Setting | None = None,
+    simulation_limit: int | None = None,
     exclude: Sequence[str] = (),
     expect: Sequence[str] = (),
     free: Sequence[str] | None = None,
@@ -39,7 +40,8 @@ def diagnose(
 
     ``say`` is told each step and each result as a line of text (``print`` will do) that knows which of them it is;
     ``progress`` is told the same as data, and the verdict and the ledger as they come: a ``diagnosis.Event`` each.
-    ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried.
+    ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried;
+    so does ``simulation_limit``, a number of simulated runs, with the same verdict however quick the machine is.
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
     of the data set. ``free`` and ``start`` are as for ``fit``.
     """
@@ -55,6 +57,7 @@ def diagnose(
         workers=checked_workers(workers),
         explain=explain,
         time_limit=limit,
+        simulation_limit=checked_simulations(simulation_limit),
         exclude=tuple(exclude),
         expect=tuple(expect),
     )

@@ -7,6 +7,8 @@ import signal
 import time
 from pathlib import Path
 
+from pam_cosim.simulation import Simulator
+
 
 def square_or_die(number: int) -> int:
     """Negative numbers kill the process without a word."""
@@ -45,3 +47,12 @@ def sleep_on(task: tuple[str, bytes]) -> None:
         time.sleep(60)
     finally:
         file.unlink()
+
+
+def simulate_so_often(task: tuple[str, int]) -> int:
+    """Simulates an FMU some times."""
+    path, count = task
+    with Simulator(Path(path)) as simulator:
+        for _ in range(count):
+            simulator.run([0.0, 1.0])
+    return count

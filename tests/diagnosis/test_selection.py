@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 import time
 from itertools import combinations
 from typing import Any
@@ -121,16 +120,18 @@ def test_what_was_best_when_the_time_was_over_is_the_answer(
         [0.0]
     )  # the first look at the clock is in time, before the first few steps; every other is late
     monkeypatch.setattr(
-        "pam_cosim.diagnosis.search.selection.time.monotonic", lambda: next(times, 2.0)
+        "pam_cosim.diagnosis.search.effort.time.monotonic", lambda: next(times, 2.0)
     )
-    selection = select_effects(one, one.fitted(()), deadline=1.0)
+    one.effort.deadline = 1.0
+    selection = select_effects(one, one.fitted(()))
     assert selection.untried and not one.tried  # none was fitted to the end before
     assert [c.family for c in selection.path] == ["elasticity"]
 
 
 def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     pair = world({"LinearBladder": 5.0, "ThermocoupleLag": 5.0})
-    selection = select_effects(pair, pair.fitted(()), deadline=time.monotonic())
+    pair.effort.deadline = time.monotonic()
+    selection = select_effects(pair, pair.fitted(()))
     assert selection.untried
     assert not pair.tried
     looks = sum(count for _, count in pair.looks)
@@ -140,8 +141,9 @@ def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
 
 def test_what_stands_for_a_family_is_looked_at_first_where_time_is_short() -> None:
     pair = world({"LinearBladder": 5.0})
-    short = select_effects(pair, pair.fitted(()), deadline=time.monotonic() + 1e6)
     every = select_effects(pair, pair.fitted(()))
+    pair.effort.deadline = time.monotonic() + 1e6
+    short = select_effects(pair, pair.fitted(()))
     assert [
         p.effect for p in short.probes[: len(pair.family_representatives)]
     ] == pair.family_representatives
@@ -160,7 +162,7 @@ def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     """The set that the search came to by its expectations holds one too many; nobody fitted it without."""
     needed = ("LinearBladder", "ThermocoupleLag")
     pair = world(dict.fromkeys(needed, 5.0))
-    models = _Models(pair, pair.fitted(()), math.inf)
+    models = _Models(pair, pair.fitted(()))
     models.probe()
     chosen = (needed[0], superfluous, needed[1])
     models.fitted[chosen] = pair.candidate(chosen)
@@ -181,7 +183,7 @@ def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     leaking = world({"GeneralLeak": 30.0})
-    models = _Models(leaking, leaking.fitted(()), math.inf)
+    models = _Models(leaking, leaking.fitted(()))
     for names in (("GeneralLeak",), ("OrificeLeak",)):
         models.fitted[names] = leaking.candidate(names)
     models.ranking.update_scale()
@@ -230,7 +232,7 @@ def test_forms_are_exchanged_in_sets_of_families_that_do_not_lead() -> None:
     several = world(
         {"LinearBladder": 20.0, "ThermocoupleLag": 9.0, "OrificeLeak": 5.0}, strange=1.0
     )
-    models = _Models(several, several.fitted(()), math.inf)
+    models = _Models(several, several.fitted(()))
     models.probe()
     models._record([several.candidate(first), several.candidate(second)])
     models.try_other_forms()
@@ -250,7 +252,7 @@ def test_what_does_the_likest_to_the_samples_is_tried_in_the_place_of_an_effect(
     """Leaks do what a hanging mass does; or seem to, beside the base model, and then a look at one is enough."""
     chosen = ("LinearBladder", "HangingMass")
     pair = world(dict.fromkeys(chosen, 20.0), **{nature: "leak"})
-    models = _Models(pair, pair.fitted(()), math.inf)
+    models = _Models(pair, pair.fitted(()))
     models.probe()
     models._record([pair.candidate(chosen)])
     models.try_exchanging()
@@ -276,7 +278,7 @@ def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_e
 ):
     pair, triple = ("LinearBladder", "OrificeLeak"), ("LinearBladder", "HangingMass", "OrificeLeak")
     several = world(dict.fromkeys(pair, 20.0), stuck=frozenset(pair))
-    models = _Models(several, several.fitted(()), math.inf)
+    models = _Models(several, several.fitted(()))
     models.probe()
     for names in (pair, triple):
         models._record(several.fit_completely([several.candidate(names)], models.base))
@@ -290,7 +292,7 @@ def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_e
 def test_a_model_is_near_in_whichever_order_it_was_fitted() -> None:
     chosen, other = ("LinearBladder", "HangingMass"), ("LinearBladder", "OrificeLeak")
     pair = world(dict.fromkeys(chosen, 20.0), alike="leak")
-    models = _Models(pair, pair.fitted(()), math.inf)
+    models = _Models(pair, pair.fitted(()))
     best = pair.candidate(chosen)
     for order in (other, other[::-1]):
         models.fitted.clear()

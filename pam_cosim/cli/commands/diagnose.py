@@ -80,6 +80,10 @@ def diagnose(
         str | None,
         typer.Option(help="End the search after so long ('30 s') with the best verdict so far."),
     ] = None,
+    simulation_limit: Annotated[
+        int | None,
+        typer.Option(help="The same after so many simulated runs: equal on every machine."),
+    ] = None,
     exclude: Annotated[
         list[str] | None,
         typer.Option(
@@ -105,6 +109,7 @@ def diagnose(
             progress=follower(status),
             workers=workers,
             time_limit=time_limit,
+            simulation_limit=simulation_limit,
             exclude=exclude or [],
             expect=expect or [],
             free=free,

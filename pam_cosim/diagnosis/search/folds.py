@@ -189,15 +189,15 @@ def _holdout_errors(
     wanted = [FitRequest(effects, values) for effects in models if effects]
     fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
     if () in models:
-        fits |= _without_effects(subject, data)
+        fits |= _without_effects(subject, search, data)
     return {
         effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models
     }
 
 
-def _without_effects(subject: Subject, data: DataSet) -> dict[tuple[str, ...], Fit]:
+def _without_effects(subject: Subject, search: Search, data: DataSet) -> dict[tuple[str, ...], Fit]:
     try:
-        with subject.simulator() as simulator:
+        with search.effort.counting(), subject.simulator() as simulator:
             return {(): fit(simulator, data, options=FitOptions(rules=False))}
     except SimulationFailure:
         return {}

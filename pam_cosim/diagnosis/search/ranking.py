@@ -68,7 +68,7 @@ class Ranking:
         fitted: the others by their effects, in the order in which these were added; whoever fits more adds them.
 
     Attributes:
-        out_of_time: the time for the search is over: models that were fitted in a few steps count as they are.
+        effort_spent: the search has ended at a limit: models that were fitted in a few steps count as they are.
         drift_excluded: a small excess that other runs do not repeat is no drift of the instruments, as long as there
             may be a model that leaves none.
     """
@@ -78,7 +78,7 @@ class Ranking:
     ) -> None:
         self.search, self.base, self.fitted = search, base, fitted
         self.scale = noise_scale([base])
-        self.out_of_time = False
+        self.effort_spent = False
         self.drift_excluded = False
         self._remainders: dict[tuple[str, ...], _Remainder] = {}
 
@@ -162,8 +162,8 @@ class Ranking:
         return min(sound or near, key=lambda c: order[c.effects])
 
     def _complete(self) -> list[Candidate]:
-        """The models that were fitted to the end, or as far as there was time for."""
-        return [c for c in self.fitted.values() if self.out_of_time or not c.brief]
+        """The models that were fitted to the end, or as far as the effort allowed."""
+        return [c for c in self.fitted.values() if self.effort_spent or not c.brief]
 
     def _sufficient_count(self, at_noise: Collection[Candidate]) -> int:
         """How many effects are enough, where all of these models leave noise.

@@ -22,6 +22,7 @@ from pam_cosim.diagnosis.judgement.events import (
 )
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
 from pam_cosim.diagnosis.search.step_times import (
     Retimed,
@@ -39,7 +40,6 @@ from pam_cosim.diagnosis.search.trial import (
 )
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
-from pam_cosim.processes.workers import run_tasks
 
 Look = TypeVar("Look")
 
@@ -74,6 +74,7 @@ class Search:
         expected: names of effects that are likely.
         undetectable: names of effects that these cannot show, beside whatever else.
         inactive_parameters: by effect, full names of its parameters that no sample depends on; they are not fitted.
+        effort: its limits, and what it took so far; this grows.
     """
 
     tree: ClassTree
@@ -87,6 +88,7 @@ class Search:
     expected: frozenset[str] = frozenset()
     undetectable: frozenset[str] = frozenset()
     inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
+    effort: Effort = field(default_factory=Effort)
 
     @cached_property
     def structure(self) -> Structure:
@@ -169,7 +171,7 @@ class Search:
         self, look: Callable[[Trial], Look | FailedTrial], trials: Sequence[Trial]
     ) -> list[Look]:
         number = itertools.count(1)
-        results = run_tasks(
+        results = self.effort.run_tasks(
             look,
             trials,
             crashed,
@@ -197,7 +199,9 @@ class Search:
             for e, fit, own in made
             if own is not None
         ]
-        results = run_tasks(run_retiming, tasks, nothing_found, lambda _: None, self.workers)
+        results = self.effort.run_tasks(
+            run_retiming, tasks, nothing_found, lambda _: None, self.workers
+        )
         return [r for r in results if r is not None]
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
@@ -235,7 +239,7 @@ class Search:
         """Models from where they stand to the end, on other samples; no line is printed of them."""
         changes = {"screened_starts": 0, "rules": False, "precision": CRITERIA.search.precision}
         trials = [t.fitted_with(**changes) for t in self._trials(models)]
-        results = run_tasks(
+        results = self.effort.run_tasks(
             run_trial_without_samples, trials, crashed, lambda _: None, self.workers
         )
         return [self._with_data(c) for c in results if isinstance(c, Candidate)]
@@ -243,7 +247,7 @@ class Search:
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
             self.say(FittingBegun(len(trials), how).message)
-        results = run_tasks(
+        results = self.effort.run_tasks(
             run_trial_without_samples,
             trials,
             crashed,

@@ -7,7 +7,6 @@ with all runs fitted. The answer has taken every run there is, so that nothing c
 
 from __future__ import annotations
 
-import time
 from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -82,7 +81,7 @@ def fit_base_model(
 
 
 def search_fit_runs(
-    subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int], deadline: float
+    subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int]
 ) -> SearchResult:
     """What the fitted runs come to; from anew where steps of commands get their times between two samples.
 
@@ -91,34 +90,31 @@ def search_fit_runs(
         search: tries effects on the data.
         base: the model without effects, fitted to these.
         outliers: that were set aside for it.
-        deadline: of ``time.monotonic``, at which the search ends.
     """
-    selection, steps = select_effects(search, base, deadline), 0
+    selection, steps = select_effects(search, base), 0
     before = Counter[str]()
     if selection.retimed is not None:
         steps = selection.retimed.steps
         before = Counter(outliers) + Counter(selection.outliers)
         search.say(StepTimesFound(steps).message)
         search, base, outliers = _restarted(subject, search, selection.retimed.data)
-        selection = select_effects(search, base, deadline, retime=False)
+        selection = select_effects(search, base, retime=False)
     set_aside = before + Counter(outliers) + Counter(selection.outliers)
     return SearchResult(selection.search, selection.base, selection, set_aside, steps)
 
 
-def search_all_runs(
-    subject: Subject, fit_runs_result: SearchResult, deadline: float
-) -> SearchResult | None:
+def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchResult | None:
     """What all runs come to, where held-out runs contradict what the fitted ones did, or the base model alone.
 
-    None where they do not, where all runs together leave structure too, and where the time is over.
+    None where they do not, where all runs together leave structure too, and where the effort is spent.
 
     Args:
-        subject, deadline: as ``search_fit_runs``.
+        subject: as for ``search_fit_runs``.
         fit_runs_result: what the fitted runs came to.
     """
     # fitted runs in which the base model leaves noise cannot tell what is missing in the others
     contradicted = any(map(contradicted_by_holdout, (fit_runs_result.last, fit_runs_result.base)))
-    if not contradicted or time.monotonic() >= deadline:
+    if not contradicted or fit_runs_result.search.effort.spent:
         return None
     fit_runs_result.search.say(AllRunsSearched().message)
     roles: list[Role] = ["fit"] * len(fit_runs_result.search.data.runs)
@@ -126,7 +122,7 @@ def search_all_runs(
         subject, fit_runs_result.search, _with_roles(fit_runs_result.search.data, roles)
     )
     earlier = fit_runs_result.selection.tried
-    selection = select_effects(search, base, deadline, retime=False, earlier=earlier)
+    selection = select_effects(search, base, retime=False, earlier=earlier)
     set_aside = Counter(outliers) + Counter(selection.outliers)
     all_runs_result = SearchResult(selection.search, selection.base, selection, set_aside)
     if (
@@ -155,7 +151,7 @@ def with_effects(fit_runs_result: SearchResult, effects: Sequence[str]) -> Searc
 def _restarted(
     subject: Subject, search: Search, data: DataSet
 ) -> tuple[Search, Fit, Mapping[str, int]]:
-    with subject.simulator() as simulator:
+    with search.effort.counting(), subject.simulator() as simulator:
         data, base, outliers = fit_base_model(simulator, data, search.say)
     return (
         replace(search, data=data, failed=[], undetectable=frozenset(), inactive_parameters={}),

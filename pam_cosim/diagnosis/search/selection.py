@@ -9,8 +9,6 @@ parameters is asked for as well.
 
 from __future__ import annotations
 
-import math
-import time
 from collections import Counter
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
@@ -43,7 +41,7 @@ class Selection:
         search, base: with the data that the models are judged by.
         path: the models that add the effects that are needed one after another; none where none is needed.
         tried: all models that were fitted.
-        untried: effects of the models that promised to be better when the time was over, the most promising first.
+        untried: effects of the models that promised to be better when the effort was spent, the most promising first.
         outliers: how many single samples were set aside on the way, by signal.
         probes: what each effect does beside the base model; none where nothing had to be looked for.
         retimed: the data with commands that step between two samples at the times that explain what else remains, to
@@ -63,16 +61,14 @@ class Selection:
 def select_effects(
     search: Search,
     base: Fit,
-    deadline: float = math.inf,
     retime: bool = True,
     earlier: Sequence[Candidate] = (),
 ) -> Selection:
     """The effects that are needed.
 
     Args:
-        search: tries effects.
+        search: tries effects, and ends where its effort is spent; only what the answer needs is fitted then.
         base: the model without them, fitted, with its linear model.
-        deadline: of ``time.monotonic``, after which no more models are fitted, but those that the answer needs.
         retime: whether steps of commands may find their times between two samples.
         earlier: models of the same runs in other roles; those that left least are tried besides.
 
@@ -82,7 +78,7 @@ def select_effects(
     if not any(may_have_structure(s) for s in base.residuals_beyond_uncertainty.values()):
         search.say(NothingTried().message)
         return Selection(search, base)
-    models = _Models(search, base, deadline)
+    models = _Models(search, base)
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
     for count in range(1, CRITERIA.search.most_effects + 1):
@@ -124,8 +120,7 @@ def select_effects(
 class _Models:
     """All models so far, by their effects."""
 
-    def __init__(self, search: Search, base: Fit, deadline: float) -> None:
-        self.deadline = deadline
+    def __init__(self, search: Search, base: Fit) -> None:
         self.fitted: dict[tuple[str, ...], Candidate] = {}
         self.ranking = Ranking(search, base, self.fitted)
         self.predicted = PredictedEvidence(self.ranking)
@@ -151,14 +146,14 @@ class _Models:
         return [c.without_slopes for c in self.fitted.values()]
 
     def probe(self) -> None:
-        """What each effect does beside the base model; if the time is limited, those that stand for a family first."""
+        """What each effect does beside the base model; where the effort is limited, members of each family first."""
         every = [e.name for e in self.search.available_effects]
         step = len(every)
-        if self.deadline < math.inf:
+        if self.search.effort.limited:
             every.sort(key=lambda name: name not in self.search.family_representatives)
             step = CRITERIA.search.first_tried
         for at in range(0, len(every), max(step, 1)):
-            if at and self._is_out_of_time([(name,) for name in every[at:]]):
+            if at and self._is_effort_spent([(name,) for name in every[at:]]):
                 break
             self.probes += self.search.probe(self.base, (), every[at : at + step])
         if self.search.failed and not self.probes:
@@ -186,7 +181,7 @@ class _Models:
         their families are looked at first, then all members of the families that promise most.
         """
         family = self.search.family
-        self._finish_in_time([c for c in self.ranking.parents() if c.brief])
+        self._finish_within_effort([c for c in self.ranking.parents() if c.brief])
         for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
             taken = {family[name] for name in best.effects}
             broad = [n for n in self.search.family_representatives if family[n] not in taken]
@@ -197,7 +192,7 @@ class _Models:
     def _probe_beside(self, best: Candidate, effects: Sequence[str]) -> None:
         seen = self.predicted.probed_beside(best.effects)
         names = [name for name in effects if name not in seen]
-        if names and not self._is_out_of_time([(*best.effects, name) for name in names]):
+        if names and not self._is_effort_spent([(*best.effects, name) for name in names]):
             self.predicted.note_probes_beside(
                 best, self.search.probe(best.fit, best.effects, names)
             )
@@ -210,12 +205,12 @@ class _Models:
             )
         )
 
-    def _is_out_of_time(self, chosen: Sequence[tuple[str, ...]]) -> bool:
-        """Whether the time is over; then what would have come next is noted."""
-        if time.monotonic() < self.deadline:
+    def _is_effort_spent(self, chosen: Sequence[tuple[str, ...]]) -> bool:
+        """Whether the effort is spent; then what would have come next is noted."""
+        if not self.search.effort.spent:
             return False
         self.untried += [names for names in chosen if names not in self.untried]
-        self.ranking.out_of_time = True
+        self.ranking.effort_spent = True
         return True
 
     def exclude_drift(self) -> bool:
@@ -236,7 +231,7 @@ class _Models:
 
         If it has at most so many effects, and no model with one more, each step counted as a parameter, promises more.
         """
-        if not self.search.steps_between_samples or self._is_out_of_time([]):
+        if not self.search.steps_between_samples or self._is_effort_spent([]):
             return None
         own = [(c.effects, c.fit) for c in self.ranking.models(count) if len(c.effects) == count]
         own = own[: CRITERIA.search.leading_families]
@@ -306,7 +301,7 @@ class _Models:
             for c in self.ranking.models(1)
             if c.brief and c.general and self.search.family[c.effect] in leading
         ]
-        self._finish_in_time(general)
+        self._finish_within_effort(general)
 
     def try_simpler(self) -> None:
         """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
@@ -390,7 +385,7 @@ class _Models:
         }
         self._try([FitRequest(effects, best.fit.values) for effects in first])
         # by itself an effect is worth a look from several starts
-        self._finish_in_time(
+        self._finish_within_effort(
             [c for n in first if len(n) == 1 and (c := self.fitted.get(n)) and c.brief]
         )
         near = [effects for effects, name in first.items() if self._is_near(effects, name, best)]
@@ -416,17 +411,17 @@ class _Models:
         return more < CRITERIA.search.little * explained
 
     def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
-        """Sets of effects from where the best model stands, to the end; whether there was time for it.
+        """Sets of effects from where the best model stands, to the end; whether the effort allowed it.
 
         A set that was fitted before may have stopped in another valley.
         """
         seen = self.ranking.attempted
-        if self._is_out_of_time([names for names in sets if frozenset(names) not in seen]):
+        if self._is_effort_spent([names for names in sets if frozenset(names) not in seen]):
             return False
         self._record(
             self.search.fit_briefly([FitRequest(names, best.fit.values) for names in sets])
         )
-        self._finish_in_time([c for n in sets if (c := self.fitted.get(n)) and c.brief])
+        self._finish_within_effort([c for n in sets if (c := self.fitted.get(n)) and c.brief])
         return True
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
@@ -445,7 +440,7 @@ class _Models:
         """Fits models briefly that nobody tried."""
         seen = self.ranking.attempted
         others = [w for w in models if frozenset(w.effects) not in seen]
-        if others and not self._is_out_of_time([w.effects for w in others]):
+        if others and not self._is_effort_spent([w.effects for w in others]):
             self._record(self.search.fit_briefly(others))
 
     def improve(self, count: int) -> None:
@@ -456,7 +451,7 @@ class _Models:
         for _ in range(CRITERIA.search.rounds):
             brief = self.predicted.promising_brief_fits()
             chosen = [p.prediction for p in self.predicted.proposals(count)]
-            if not (brief or chosen) or self._is_out_of_time(
+            if not (brief or chosen) or self._is_effort_spent(
                 [*(c.effects for c in brief), *(e.effects for e in chosen)]
             ):
                 break
@@ -467,9 +462,9 @@ class _Models:
                 )
                 self.predicted.note_outcomes(chosen)
 
-    def _finish_in_time(self, brief: Sequence[Candidate]) -> None:
-        """The same as ``_finish``, unless the time is over."""
-        if brief and not self._is_out_of_time([c.effects for c in brief]):
+    def _finish_within_effort(self, brief: Sequence[Candidate]) -> None:
+        """The same as ``_finish``, unless the effort is spent."""
+        if brief and not self._is_effort_spent([c.effects for c in brief]):
             self._finish(brief)
 
     def _finish(self, brief: Sequence[Candidate]) -> None:

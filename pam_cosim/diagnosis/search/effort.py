@@ -1,0 +1,76 @@
+"""How much a search may take, and how much it took."""
+
+from __future__ import annotations
+
+import math
+import time
+from collections.abc import Callable, Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+from functools import partial
+from typing import TypeVar
+
+from pam_cosim.processes.workers import run_tasks
+from pam_cosim.simulation import Simulator
+
+Task = TypeVar("Task")
+Result = TypeVar("Result")
+
+
+@dataclass
+class Effort:
+    """The limits of a search and what it took so far; all searches of a diagnosis share one.
+
+    Attributes:
+        deadline: of ``time.monotonic``, after which no more models are tried.
+        most_simulations: likewise; unlike a deadline it ends a search at the same model on every machine.
+        simulations: runs that were simulated so far, with sensitivities or without.
+    """
+
+    deadline: float = math.inf
+    most_simulations: float = math.inf
+    simulations: int = 0
+
+    @property
+    def limited(self) -> bool:
+        """Whether there is any limit."""
+        return min(self.deadline, self.most_simulations) < math.inf
+
+    @property
+    def spent(self) -> bool:
+        """Whether a limit is reached."""
+        return self.simulations >= self.most_simulations or time.monotonic() >= self.deadline
+
+    @contextmanager
+    def counting(self) -> Iterator[None]:
+        """Counts what this process simulates meanwhile."""
+        before = Simulator.simulations
+        try:
+            yield
+        finally:
+            self.simulations += Simulator.simulations - before
+
+    def run_tasks(
+        self,
+        function: Callable[[Task], Result],
+        tasks: Sequence[Task],
+        on_crash: Callable[[Task], Result],
+        done: Callable[[Result], None],
+        workers: int | None,
+    ) -> list[Result]:
+        """The same as ``processes.workers.run_tasks``; what the tasks simulate is counted."""
+        results = run_tasks(
+            partial(_counted, function),
+            tasks,
+            lambda task: (on_crash(task), 0),
+            lambda counted: done(counted[0]),
+            workers,
+        )
+        self.simulations += sum(simulations for _, simulations in results)
+        return [result for result, _ in results]
+
+
+def _counted(function: Callable[[Task], Result], task: Task) -> tuple[Result, int]:
+    """The result of a task, and how many runs it simulated."""
+    before = Simulator.simulations
+    return function(task), Simulator.simulations - before

@@ -1,0 +1,72 @@
+"""What a search took, and that a limit in simulations ends it at the same model everywhere."""
+
+from __future__ import annotations
+
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pam_cosim import study
+from pam_cosim.diagnosis.search.effort import Effort
+from pam_cosim.diagnosis.search.selection import select_effects
+from pam_cosim.errors import InputError
+from pam_cosim.simulation import Simulator
+from rig.catalogue.leak import OrificeLeak
+from rig.short import write_light_data
+from tests.diagnosis.linear_world import world
+from tests.diagnosis.tasks import simulate_so_often
+
+
+def test_an_effort_is_spent_at_either_limit() -> None:
+    assert not Effort().limited and not Effort().spent
+    assert Effort(deadline=time.monotonic()).spent
+    assert not Effort(deadline=time.monotonic() + 1e6).spent
+    few = Effort(most_simulations=3)
+    assert few.limited and not few.spent
+    few.simulations = 3
+    assert few.spent
+
+
+@pytest.mark.parametrize("workers", [0, 2])
+def test_what_tasks_simulate_is_counted_in_whatever_process(
+    workers: int, bench: Callable[[str], Path]
+) -> None:
+    effort, heard = Effort(), list[int]()
+    tasks = [(str(bench("TankFilling")), count) for count in (1, 3)]
+    assert effort.run_tasks(simulate_so_often, tasks, lambda _: -1, heard.append, workers) == [1, 3]
+    assert effort.simulations == 4
+    assert sorted(heard) == [1, 3]
+    with effort.counting(), Simulator(bench("TankFilling")) as simulator:
+        simulator.run([0.0, 1.0])
+    assert effort.simulations == 5
+
+
+def test_a_limit_of_simulations_ends_the_search() -> None:
+    pair = world({"LinearBladder": 5.0, "ThermocoupleLag": 5.0})
+    pair.effort.most_simulations, pair.effort.simulations = 10, 10
+    selection = select_effects(pair, pair.fitted(()))
+    assert selection.untried and not pair.tried
+
+
+@pytest.mark.full
+def test_the_same_limit_gives_the_same_verdict_with_any_number_of_workers(tmp_path: Path) -> None:
+    write_light_data(tmp_path / "d", [OrificeLeak(diameter=0.0004)], seed=3)
+    data = study.read(tmp_path / "d")
+    free = study.diagnose(data, explain=False, workers=0)
+    limit = free.simulations // 2
+    one, two = (
+        study.diagnose(data, explain=False, workers=n, simulation_limit=limit) for n in (0, 2)
+    )
+    assert one.untried and not free.untried
+    assert limit <= one.simulations == two.simulations < free.simulations
+    assert one.as_dict() == two.as_dict()
+    assert f"A limit ended the search after {one.simulations} simulations" in str(one)
+
+
+@pytest.mark.parametrize("limit", [0, -1, True, 1.5])
+def test_a_limit_that_is_no_number_of_simulations(limit: int, tmp_path: Path) -> None:
+    write_light_data(tmp_path / "d", seed=3)
+    with pytest.raises(InputError, match="the limit of simulations must be a whole number from 1"):
+        study.diagnose(study.read(tmp_path / "d"), simulation_limit=limit)
