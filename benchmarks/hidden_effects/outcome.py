@@ -17,12 +17,13 @@ is missing". missed: "nothing is missing". wrong: other families are claimed. er
 
 
 def size(result: Result) -> float:
-    """The projected size of what is hidden on the signal that shows it most; of a pair, that of the weaker effect."""
+    """What free parameters leave of what is hidden, on the signal that shows it most; of several the smallest."""
     case = result.get("case", {})
     if "size" not in case:
         return float("nan")
-    if len(case["hidden"]) > 1:
-        return min(float(h["size"]) for h in case["hidden"])
+    each = [float(h.get("refitted", h["size"])) for h in case["hidden"]]
+    if len(each) > 1 or any("refitted" in h for h in case["hidden"]):
+        return min(each)
     return max(float(v) for v in case["size"]["projected"].values())
 
 
@@ -30,9 +31,9 @@ def judged(result: Result) -> str:
     """One of OUTCOMES.
 
     One family or several: right is identified with exactly these, or with others that the case says give the very same
-    data. Readings in steps and nothing else: right is none_missing too. Nothing hidden: right is none_missing; unknown
-    claims no effect either, and is counted by its own name. An effect in no family: unknown and ambiguous are right,
-    and so is what names instruments alone; another identified family is wrong.
+    data; if the base model does, right is none_missing too, as for readings in steps and nothing else. Nothing hidden:
+    right is none_missing; unknown claims no effect either, and is counted by its own name. An effect in no family:
+    unknown and ambiguous are right, and so is what names instruments alone; another identified family is wrong.
     """
     if "error" in result:
         return "error"
@@ -46,15 +47,16 @@ def judged(result: Result) -> str:
         if kind == "none_missing":
             return "right"
         return "unknown" if kind == "unknown" and not named else "wrong"
+    same = [true, *(set(families) for families in result["case"].get("same_as", []))]
     if kind == "none_missing":
-        return "right" if true == {"quantisation"} else "missed"
+        return "right" if true == {"quantisation"} or set() in same else "missed"
     if kind == "unknown":
         return "unknown"
-    same = [true, *(set(families) for families in result["case"].get("same_as", []))]
     if kind == "ambiguous":
-        if len(same) > 1 and named == set().union(*same):
+        meant = [families for families in same if families and families <= named]
+        if len(meant) > 1 and named == set().union(*meant):
             return "right"  # these data cannot tell them apart, and the verdict says just that
-        return "ambiguous" if true <= named else "wrong"
+        return "ambiguous" if meant else "wrong"
     return "right" if named in same else "wrong"
 
 
@@ -73,19 +75,18 @@ def names_instruments(result: Result) -> bool:
 def stated_probability(result: Result) -> tuple[float, bool] | None:
     """What the verdict gave as the probability of what it says, and whether that is so; None where it gave none.
 
-    An ambiguous verdict is so where the truth is among what it names. `unknown` states nothing that could be so.
+    An ambiguous verdict is so where the truth is among what it names, which an effect in no family never is, whatever
+    the verdict is worth. `unknown` states nothing that could be so.
     """
     if "error" in result or result["diagnosis"]["verdict"]["kind"] == "unknown":
         return None
     value = result["diagnosis"].get("probability")
     if value is None:
         return None
-    right = (
-        ("right", "ambiguous")
-        if result["diagnosis"]["verdict"]["kind"] == "ambiguous"
-        else ("right",)
-    )
-    return float(value), judged(result) in right
+    if result["diagnosis"]["verdict"]["kind"] != "ambiguous":
+        return float(value), judged(result) == "right"
+    known = result["case"]["group"] != "none_of_these"
+    return float(value), known and judged(result) in ("right", "ambiguous")
 
 
 def claims_effect(result: Result) -> bool:

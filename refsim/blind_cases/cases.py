@@ -209,7 +209,7 @@ def make(case: Case) -> Made:
             {"style": r.style, "role": r.role, "load": r.load, "p_supply": r.p_supply, "seconds": r.samples / 100}
             for r in bench.plan
         ],
-        "noise": _noise_found(bench, clean, recorded),
+        "noise": _noise_found(bench, sensors, clean, recorded),
     }  # fmt: skip
     return Made(case, bench, sensors, recorded, description)
 
@@ -233,16 +233,19 @@ def _fitting_noise(sensors: Sensors, size: float, target: float) -> tuple[Sensor
 
 
 def _noise_found(
-    bench: Bench, clean: Sequence[Signals], recorded: Sequence[Signals]
+    bench: Bench, sensors: Sensors, clean: Sequence[Signals], recorded: Sequence[Signals]
 ) -> dict[str, object]:
-    """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves."""
+    """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves.
+
+    Without outliers, which whoever compares sets aside.
+    """
     by_role: dict[str, object] = {}
     for role in ("fit", "holdout"):
         runs = [k for k, run in enumerate(bench.plan) if run.role == role]
         by_signal = {}
         for name in SIGNALS:
             error = np.concatenate([recorded[k][name] - clean[k][name] for k in runs])
-            error = error[np.isfinite(error)]
+            error = sensors.without_outliers(name, error[np.isfinite(error)])
             by_signal[name] = {"mean_square": float(np.mean(error**2)), "samples": len(error)}
         by_role[role] = by_signal
     return by_role

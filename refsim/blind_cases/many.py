@@ -32,7 +32,7 @@ from blind_cases.setups import SHARES, Design, Setup, draw, draw_design
 from blind_cases.sizes import Ruler, Signals, calibrated
 from rig import tables
 from rig.effect import Effect
-from rig.instruments import Fault
+from rig.instruments import LATE, ClockOffset, Fault, family_of
 from rig.muscle import MuscleParameters
 from rig.named import effect_parameters
 
@@ -241,7 +241,7 @@ def outline(case: Case) -> dict[str, Any]:
         "rate": design.rate,
         "runs": design.runs,
         "families": [form.family for form in case.hidden if form.family != "none_of_these"],
-        "same_as": _same_as(case),
+        "same_as": same_as(case),
         **({"start": case.start} if case.start else {}),
         "hidden": [
             {
@@ -255,27 +255,45 @@ def outline(case: Case) -> dict[str, Any]:
     }
 
 
-def _same_as(case: Case) -> list[list[str]]:
-    """Other families that give the very same data, so that no verdict could tell them apart.
+def same_as(
+    case: Case, hidden: Sequence[Effect | Fault] = (), imitated: Sequence[bool] = ()
+) -> list[list[str]]:
+    """Other families that give the very same data, so that no verdict could tell them apart; none: nothing is missing.
 
-    A dead time of valves and a recorder that is late, where currents are all that moves; a dead time of the only
-    instrument, where nothing is commanded; a mass that hangs on the muscle and a load that is stated too small, where
-    all runs have one load.
+    Whatever delays all that is measured against all that is commanded: a late recorder, a dead time of the only
+    instrument, a dead time of valves where currents are all that moves. A mass that hangs on the muscle and a load that
+    is stated too small, where all runs have one load.
+
+    Args:
+        case: what is hidden on which bench.
+        hidden: the same at its strength, where it was simulated: a recorder may be early too.
+        imitated: of each, whether the base model gives the same data with other values of its free parameters.
     """
-    design, also = case.design, []
-    if len(case.hidden) == 1:
-        form = case.hidden[0]
-        late = {
-            ("valve_dynamics", "dead_time"): design.rig.course is None,
-            ("pressure_sensor_lag", "dead_time"): design.bench == "VesselOrifice",
-        }
-        if late.get((form.family, form.name)):
-            also.append(["clock_offset"])
-        if (form.family, form.name) == ("moving_mass", "hanging") and (
-            design.sixth == "load.m" or design.runs == 1
-        ):
-            also.append(["wrong_parameter"])
+    also: list[list[str]] = []
+    families = [form.family for form in case.hidden]
+    if any(imitated):
+        also.append([f for f, away in zip(families, imitated, strict=True) if not away])
+    for k, form in enumerate(case.hidden):
+        early = isinstance(at := hidden[k] if hidden else None, ClockOffset) and at.shift < 0
+        for other in [] if early else _delays(case, form):
+            if other not in families:
+                also.append([*families[:k], other, *families[k + 1 :]])
+    if [(form.family, form.name) for form in case.hidden] == [("moving_mass", "hanging")] and (
+        case.design.sixth == "load.m" or case.design.runs == 1
+    ):
+        also.append(["wrong_parameter"])
     return also
+
+
+def _delays(case: Case, form: Hidden) -> list[str]:
+    """Families that delay all that is measured, if a form does just that; none, if it does something else."""
+    design = case.design
+    delays = {"clock_offset": "shift"}
+    if len(design.signals) == 1:
+        delays[family_of(design.signals[0], LATE)] = "dead_time"
+    if design.rig.course is None and design.bench != "VesselOrifice":
+        delays["valve_dynamics"] = "dead_time"
+    return list(delays) if delays.get(form.family) == form.name else []
 
 
 def make(case: Case, changed: Callable[[Setup], Setup] = lambda setup: setup) -> Made:
@@ -316,12 +334,17 @@ def _made(case: Case, changed: Callable[[Setup], Setup]) -> Made:
     clean = ruler.simulated(hidden) if ruler else setup.simulate()
     zero = dict.fromkeys(setup.signals, 0.0)
     plain, projected = ruler.sizes(clean, sensors.sigma) if ruler else (zero, zero)
+    for one, what in zip(hidden, sizes, strict=True):
+        assert ruler is not None
+        if (imitated := ruler.size_if_imitated(one, sensors.sigma)) is not None:
+            what["refitted"] = imitated
     noise = case.rng(3)
     recorded = setup.recorded(hidden, lambda read: disturb(noise, sensors, read))
     known = outline(case)
     description = known | {
         "hidden": [a | b for a, b in zip(known["hidden"], sizes, strict=True)],
         "size": {"plain": plain, "projected": projected},
+        "same_as": same_as(case, hidden, ["refitted" in what for what in sizes]),
         "sensors": sensors.as_dict(),
         "rig": dict(setup.values),
         "free": {p.name: {"true": p.true, "min": p.low, "max": p.high} for p in setup.free},
@@ -335,7 +358,7 @@ def _made(case: Case, changed: Callable[[Setup], Setup]) -> Made:
             }
             for t in setup.plan
         ],
-        "noise": noise_of(setup, clean, recorded),
+        "noise": noise_of(setup, sensors, clean, recorded),
     }
     if case.draw:
         description["draw"] = case.draw
@@ -366,15 +389,20 @@ def _driven_again(
     return setup, ruler, measured
 
 
-def noise_of(setup: Setup, clean: Sequence[Signals], recorded: Sequence[Signals]) -> dict[str, Any]:
-    """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves."""
+def noise_of(
+    setup: Setup, sensors: Sensors, clean: Sequence[Signals], recorded: Sequence[Signals]
+) -> dict[str, Any]:
+    """Mean square of recorded minus true and number of samples, by role and signal [SI]: what the truth leaves.
+
+    Without outliers, which whoever compares sets aside.
+    """
     by_role: dict[str, Any] = {}
     for role in dict.fromkeys(trial.role for trial in setup.plan):
         runs = [k for k, trial in enumerate(setup.plan) if trial.role == role]
         by_role[role] = {}
         for name in setup.signals:
             error = np.concatenate([recorded[k][name] - clean[k][name] for k in runs])
-            error = error[np.isfinite(error)]
+            error = sensors.without_outliers(name, error[np.isfinite(error)])
             by_role[role][name] = {"mean_square": float(np.mean(error**2)), "samples": len(error)}
     return by_role
 

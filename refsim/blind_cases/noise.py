@@ -13,12 +13,15 @@ SIGNALS = ("p", "x", "T")
 USUAL = {"p": 500.0, "x": 0.2e-3, "T": 0.3, "F": 1.0, "p_1": 500.0, "p_2": 500.0}  # Pa, m, K, N
 
 
+_FAR = 7.0  # standard deviations; outliers begin at 8
+
+
 @dataclass(frozen=True)
 class Sensors:
     """How the instruments of one case misbehave.
 
     Attributes:
-        sigma: marginal standard deviation of the noise by signal [SI].
+        sigma: standard deviation of the noise by signal [SI], but for outliers and what wanders.
         colour: white, ar1 (`memory` is the correlation of neighbours) or drift (white and a slow wander of
             `wander` standard deviations, root mean square).
         dropouts: share of samples that are missing, singly and in gaps.
@@ -37,6 +40,10 @@ class Sensors:
     def as_dict(self) -> dict[str, object]:
         """For the case's description."""
         return asdict(self)
+
+    def without_outliers(self, name: str, error: Array) -> Array:
+        """Errors of a signal's readings but for those that only an outlier is as large as."""
+        return error[np.abs(error) < _FAR * self.sigma[name]] if self.outliers else error
 
 
 def draw_sensors(rng: Random, signals: Sequence[str] = SIGNALS) -> Sensors:

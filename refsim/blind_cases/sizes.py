@@ -16,6 +16,9 @@ from rig.muscle import MuscleParameters, simulate_muscle
 Array = np.ndarray
 Signals = dict[str, Array]
 _RTOL = 1e-6  # leaves an error below 1 Pa and 0.1 um
+_UNSEEN = 0.05  # standard deviations: a four-hundredth of the noise's variance
+_STEP = 0.02  # of the range of a parameter
+_REFITS, _GAIN = 15, 0.7  # steps, and the share of the squares that each may leave
 
 
 @dataclass(frozen=True)
@@ -102,10 +105,8 @@ class Ruler:
         self.base = bench.simulate()
         self._seen: dict[Any, list[Signals]] = {}
         self._slopes: list[list[Signals]] = []
-        self._steps: list[float] = []
         for p in bench.free:
-            step = 0.02 * (p.high - p.low)
-            self._steps.append(step)
+            step = _STEP * (p.high - p.low)
             self._slopes.append(bench.simulate((), {p.field: p.true + step}))
 
     def sizes(
@@ -136,6 +137,39 @@ class Ruler:
             }
             for v in (away, left)
         )
+
+    def size_if_imitated(self, effect: Any, sigma: Mapping[str, float]) -> float | None:
+        """What is left of an effect once free parameters have moved within their bounds; None: some could see it.
+
+        The projected size is that of slopes: what is left may be their curvature alone. Broyden's method follows it,
+        for as long as it gains.
+        """
+        free, names = self.bench.free, self.bench.signals
+        fitted = np.tile(self.bench.roles(), len(names))
+        seen, spans = self.simulated([effect]), np.array([p.high - p.low for p in free])
+
+        def away(base: Sequence[Signals]) -> Array:
+            return np.concatenate([(joined(seen, n) - joined(base, n)) / sigma[n] for n in names])
+
+        low, high = np.array([(p.low, p.high) for p in free]).T / spans
+        place, left = np.array([p.true for p in free]) / spans, away(self.base)
+        slopes = np.stack([away(s) - left for s in self._slopes], axis=1) / _STEP
+        for _ in range(_REFITS):
+            step = np.linalg.lstsq(slopes[fitted], -left[fitted], rcond=1e-8)[0]
+            step = np.clip(place + step, low, high) - place
+            changed = {p.field: float(v) for p, v in zip(free, (place + step) * spans, strict=True)}
+            try:
+                then = away(self.bench.simulate((), changed))
+            except RuntimeError:
+                return None
+            if not then[fitted] @ then[fitted] < _GAIN * (left[fitted] @ left[fitted]):
+                return None
+            slopes += np.outer(then - left - slopes @ step, step) / (step @ step)
+            place, left = place + step, then
+            size = float(np.sqrt(np.mean(left.reshape(len(names), -1) ** 2, axis=1)).max())
+            if size < _UNSEEN:
+                return size
+        return None
 
     def simulated(self, effects: Sequence[Any]) -> list[Signals]:
         """As the bench's own, without doing the same work twice. Raises RuntimeError as that does."""

@@ -87,8 +87,9 @@ def write_light_data(
     further: Sequence[Run] = (),
     faults: Sequence[Fault] = (),
 ) -> Path:
-    """A data set of the Isotonic bench."""
-    write_data_set(folder, measure_light(effects, seed, further, faults))
+    """A data set of the Isotonic bench; a further run may have lines, which are steps between samples here."""
+    measured = measure_light(effects, seed, further, faults)
+    write_data_set(folder, measured, step_rows=bool(further))
     return folder
 
 

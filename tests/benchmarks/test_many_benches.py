@@ -25,6 +25,7 @@ from benchmarks.hidden_effects.outcome import (
 from benchmarks.hidden_effects.report import main as report_main
 from blind_cases import cases, many, sets
 from blind_cases.faults import FAULTS, ON_SOME_BENCH
+from blind_cases.noise import Sensors
 from blind_cases.setups import SHARES, Design, draw, draw_design
 from pam_cosim.catalogue import compose
 from rig.benches import BENCHES, hooks
@@ -204,6 +205,36 @@ def test_a_controller_follows_its_reference_and_its_currents_are_what_is_told(be
     )  # a controller meets what is hidden
 
 
+def test_an_effect_that_the_free_parameters_imitate_is_described_as_such() -> None:
+    """An opening that says half as much, of valves that are open or shut: a discharge coefficient, far off."""
+    description = many.make(many.case_of("tuning4", 62)).description
+    assert description["hidden"][0]["form"] == "current_offset"
+    assert description["hidden"][0]["refitted"] < 0.05
+    assert description["same_as"] == [[]]
+    assert "refitted" not in many.make(many.case_of("tuning4", 91)).description["hidden"][0]
+
+
+@pytest.mark.parametrize(
+    ("which", "number", "same"),
+    [
+        ("tuning4", 91, [["clock_offset"]]),  # VerticalLoad, x: a ruler with a dead time
+        ("tuning4", 187, [["clock_offset"], ["valve_dynamics"]]),  # TankFilling, p
+        ("tuning2", 267, [["position_sensor"]]),  # a late recorder of x alone
+    ],
+)
+def test_whatever_delays_all_that_is_measured_gives_the_same_data(
+    which: str, number: int, same: list[list[str]]
+) -> None:
+    assert many.outline(many.case_of(which, number))["same_as"] == same
+
+
+def test_outliers_are_no_part_of_what_the_truth_leaves() -> None:
+    sensors = Sensors({"p": 2.0}, "white", outliers=0.01)
+    error = np.array([1.0, -3.0, 20.0, 13.9])
+    assert sensors.without_outliers("p", error).tolist() == [1.0, -3.0, 13.9]
+    assert len(replace(sensors, outliers=0.0).without_outliers("p", error)) == 4
+
+
 # --- judging ------------------------------------------------------------------------------------------------
 
 
@@ -254,6 +285,34 @@ def test_same_data_under_another_name_are_right_and_so_is_saying_so() -> None:
     assert said("ambiguous", ["clock_offset", "valve_dynamics"]) == "right"
     assert said("ambiguous", ["leak", "valve_dynamics"]) == "ambiguous"
     assert said("identified", ["leak"]) == "wrong"
+    assert said("ambiguous", ["clock_offset", "leak"]) == "ambiguous"
+    assert said("none_missing", []) == "missed"
+
+
+def test_two_names_of_three_are_right_where_all_say_the_same() -> None:
+    same = {"case": {"same_as": [["clock_offset"], ["pressure_sensor_lag"]]}}
+    said = result(
+        "catalogue",
+        ["valve_dynamics"],
+        "ambiguous",
+        ["clock_offset", "pressure_sensor_lag"],
+        **same,
+    )
+    assert judged(said) == "right"
+
+
+def test_what_the_base_model_says_itself_is_not_missing() -> None:
+    def said(kind: str, named: list[str]) -> str:
+        return judged(result("new_form", ["valve_area"], kind, named, case={"same_as": [[]]}))
+
+    assert said("none_missing", []) == said("identified", ["valve_area"]) == "right"
+    assert said("ambiguous", ["leak", "valve_area"]) == "ambiguous"
+
+
+def test_an_effect_in_no_family_is_none_of_those_that_are_named() -> None:
+    said = result("none_of_these", [], "ambiguous", ["creep", "elasticity"], probability=0.9)
+    assert judged(said) == "right"
+    assert stated_probability(said) == (0.9, False)
 
 
 def test_instruments_count_whichever_is_named() -> None:
