@@ -17,7 +17,6 @@ takes the cases of one law.
 from __future__ import annotations
 
 import argparse
-import json
 import runpy
 import sys
 import tempfile
@@ -29,6 +28,7 @@ from typing import Any
 import numpy as np
 
 import pam_cosim as pam
+from benchmarks.results import append_result, read_results
 from pam_cosim.study.tables import write_planned_runs
 
 FOLDER = Path(__file__).resolve().parents[1] / "examples" / "bioreactor"
@@ -99,12 +99,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
         most = {"designed": 0, "random": options.random}
     laws = list(runpy.run_path(str(FOLDER / "rig.py"))["RATES"])
     numbers = [n for n in range(options.cases) if options.law in (None, laws[n % len(laws)])]
-    lines = options.results.read_text().splitlines() if options.results.exists() else []
-    results = [json.loads(line) for line in lines]
+    results = list(read_results(options.results).values())
     for number in numbers[len(results) :]:
         results.append(solve(number, most))
-        with options.results.open("a") as written:
-            written.write(json.dumps(results[-1]) + "\n")
+        append_result(options.results, results[-1])
         print(results[-1], flush=True)
     print("before", dict(Counter(r["before"]["outcome"] for r in results)))
     asked = [r for r in results if r["random"]]

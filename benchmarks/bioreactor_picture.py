@@ -5,7 +5,6 @@ GROWTH.npz is what ``diagnose --save`` wrote, RESULTS.jsonl what ``benchmarks.bi
 
 from __future__ import annotations
 
-import json
 import runpy
 import sys
 from pathlib import Path
@@ -20,6 +19,7 @@ from matplotlib.axes import Axes
 
 import pam_cosim as pam
 from benchmarks.bioreactor import FOLDER, LIBRARY, LIMITS, MOST
+from benchmarks.results import read_results
 
 COLOURS = {"designed": "#0072b2", "random": "#d55e00"}
 
@@ -30,9 +30,7 @@ def draw(diagnosis: Path, results: Path, target: Path) -> None:
     left = pam.load(diagnosis)
     assert isinstance(left, pam.Diagnosis)
     _run(axes[0], left)
-    _shares(
-        axes[1], [json.loads(line) for line in results.read_text(encoding="utf-8").splitlines()]
-    )
+    _shares(axes[1], list(read_results(results).values()))
     figure.tight_layout()
     figure.savefig(target, dpi=110)
 

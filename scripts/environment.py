@@ -2,7 +2,8 @@
 
 Needs Python 3.11 or newer and a package index; neither pip nor the venv module's ensurepip, which a bare Debian
 leaves out. Run it with the system's Python: ``python3 scripts/environment.py [EXTRA]``. A .venv that was moved or
-copied with its checkout leads to the old one, and is made anew.
+copied with its checkout leads to the old one, and is made anew; so is one of another version of Python, or whose Python
+is gone.
 
 What is installed is what ``scripts/locks`` lists, with its hashes: ``base.txt`` for ./scripts/demo, ``test.txt`` for
 ./scripts/test. Other extras, and everything where PAM_COSIM_UNLOCKED is set, follow the ranges of ``pyproject.toml``.
@@ -20,6 +21,7 @@ import tempfile
 import urllib.request
 import venv
 from pathlib import Path
+from urllib.error import URLError
 from urllib.parse import urljoin
 
 ROOT = Path(__file__).resolve().parent.parent
@@ -36,31 +38,19 @@ def main(extra: str) -> int:
         )
         return 2
     stamp = HOME / f"ready-{extra or 'base'}"
-    locks = b"".join(
-        file.read_bytes() for file in sorted((ROOT / "scripts" / "locks").glob("*.txt"))
-    )
-    content = (ROOT / "pyproject.toml").read_bytes() + locks + sys.version.encode()
-    wanted = f"{hashlib.sha256(content).hexdigest()}\n{ROOT}"
-    if of_another_checkout():
-        remove()
-    if stamp.exists() and stamp.read_text(encoding="utf-8") == wanted:
-        return 0
-    print("setting up .venv (once, a minute or two) ...", file=sys.stderr, flush=True)
-    if not PYTHON.exists():
-        venv.create(HOME, with_pip=False)
-    quiet = ["--quiet", "--disable-pip-version-check"]
-    lock = ROOT / "scripts" / "locks" / f"{extra or 'base'}.txt"
+    wanted = f"{hashlib.sha256(asked_for()).hexdigest()}\n{ROOT}"
     try:
-        if lock.exists() and not os.environ.get(UNLOCKED):
-            install([*quiet, "--require-hashes", "--requirement", str(lock)])
-            install([*quiet, "--no-deps", "--no-build-isolation", "--editable", str(ROOT)])
-        else:
-            install([*quiet, "--editable", f"{ROOT}[{extra}]" if extra else str(ROOT)])
+        if of_another_checkout() or of_another_python() or leads_nowhere():
+            remove()
+        if stamp.exists() and stamp.read_text(encoding="utf-8") == wanted:
+            return 0
+        print("setting up .venv (once, a minute or two) ...", file=sys.stderr, flush=True)
+        if not PYTHON.exists():
+            venv.create(HOME, with_pip=False)
+        install_all(extra)
     except (subprocess.CalledProcessError, OSError) as problem:
-        print(
-            f"setting up failed: {problem}; is a Python package index within reach?",
-            file=sys.stderr,
-        )
+        asked = "; is a Python package index within reach?" if is_of_the_index(problem) else ""
+        print(f"setting up failed: {problem}{asked}", file=sys.stderr)
         return 1
     # an installed package has its bytecode; without it a command takes three times as long to start
     subprocess.run([str(PYTHON), "-m", "compileall", "-q", str(ROOT / "pam_cosim")])
@@ -68,11 +58,51 @@ def main(extra: str) -> int:
     return 0
 
 
+def asked_for() -> bytes:
+    """What decides what is installed."""
+    locks = b"".join(
+        file.read_bytes() for file in sorted((ROOT / "scripts" / "locks").glob("*.txt"))
+    )
+    unlocked = b"unlocked" if os.environ.get(UNLOCKED) else b""
+    return (ROOT / "pyproject.toml").read_bytes() + locks + sys.version.encode() + unlocked
+
+
+def install_all(extra: str) -> None:
+    """Installs pam-cosim with what it needs: by the lock, or by the ranges of ``pyproject.toml``."""
+    quiet = ["--quiet", "--disable-pip-version-check"]
+    lock = ROOT / "scripts" / "locks" / f"{extra or 'base'}.txt"
+    if lock.exists() and not os.environ.get(UNLOCKED):
+        install([*quiet, "--require-hashes", "--requirement", str(lock)])
+        install([*quiet, "--no-deps", "--no-build-isolation", "--editable", str(ROOT)])
+    else:
+        install([*quiet, "--editable", f"{ROOT}[{extra}]" if extra else str(ROOT)])
+
+
+def is_of_the_index(problem: Exception) -> bool:
+    """Whether pip failed, or could not be fetched; anything else has nothing to do with a package index."""
+    return isinstance(
+        problem, subprocess.CalledProcessError | URLError | ConnectionError | TimeoutError
+    )
+
+
 def of_another_checkout() -> bool:
     """Whether .venv was made for a checkout at another place."""
     stamps = [stamp.read_text(encoding="utf-8") for stamp in HOME.glob("ready-*")]
     roots = [root for _, _, root in (text.partition("\n") for text in stamps) if root]
     return any(root != str(ROOT) for root in roots)
+
+
+def of_another_python() -> bool:
+    """Whether .venv was made by another version of Python than this one, as far as it says."""
+    about = HOME / "pyvenv.cfg"
+    text = about.read_text(encoding="utf-8") if about.exists() else ""
+    made_by = re.search(r"^version(?:_info)?\s*=\s*(\d+\.\d+\.\d+)", text, re.MULTILINE)
+    return made_by is not None and made_by[1] != ".".join(map(str, sys.version_info[:3]))
+
+
+def leads_nowhere() -> bool:
+    """Whether .venv or its Python is a link to what is no longer there."""
+    return any(link.is_symlink() and not link.exists() for link in (HOME, PYTHON))
 
 
 def remove() -> None:

@@ -12,7 +12,6 @@ the rig, played on the simulator with the hidden effect and the noise, and added
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 import traceback
 from collections.abc import Sequence
@@ -20,6 +19,7 @@ from pathlib import Path
 
 from benchmarks.deciding_run.one import SETS, solve
 from benchmarks.deciding_run.table import RUNS, table
+from benchmarks.results import append_result, read_results
 
 FOLDER = Path(__file__).resolve().parents[2] / "build"
 
@@ -39,8 +39,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     options = parser.parse_args(arguments)
     file = options.results or FOLDER / f"deciding-run-{options.which}.jsonl"
     file.parent.mkdir(parents=True, exist_ok=True)
-    lines = file.read_text().splitlines() if file.exists() else []
-    done = {json.loads(line)["number"] for line in lines}
+    done = read_results(file)
     for number in range(options.first, options.first + options.cases):
         if number in done or not SETS[options.which].is_asked(number):
             continue
@@ -48,12 +47,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
             result = solve(options.which, number)
         except Exception:
             result = {"number": number, "error": traceback.format_exc()}
-        with file.open("a") as written:
-            written.write(json.dumps(result) + "\n")
+        append_result(file, result)
         print(_line(result), flush=True)
     if options.table:
-        results = [json.loads(line) for line in file.read_text().splitlines()]
-        options.table.write_text(table(results))
+        options.table.write_text(table(list(read_results(file).values())))
     return 0
 
 

@@ -10,7 +10,6 @@ run of the same cases. Ends with the shares that are right after so many runs.
 from __future__ import annotations
 
 import argparse
-import json
 from collections import Counter
 from collections.abc import Sequence
 from contextlib import suppress
@@ -23,6 +22,7 @@ import numpy as np
 from benchmarks.deciding_run import muscle
 from benchmarks.deciding_run.one import DRAWS, RANDOM, _diagnosis, _summary
 from benchmarks.deciding_run.scene import Scene
+from benchmarks.results import append_result, read_results
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import plan
 from pam_cosim.diagnosis.planning.members import members
@@ -72,12 +72,10 @@ def main(arguments: Sequence[str] | None = None) -> None:
     parser.add_argument("--most", type=int, default=4, help="random runs of a case")
     parser.add_argument("--results", type=Path, required=True)
     options = parser.parse_args(arguments)
-    lines = options.results.read_text().splitlines() if options.results.exists() else []
-    results = [json.loads(line) for line in lines]
+    results = list(read_results(options.results).values())
     for number in range(len(results), options.cases):
         results.append(solve(number, options.most))
-        with options.results.open("a") as written:
-            written.write(json.dumps(results[-1]) + "\n")
+        append_result(options.results, results[-1])
         print(results[-1], flush=True)
     asked = [r for r in results if r.get("random")]
     print("designed 1", dict(Counter(r["designed"] for r in asked)))

@@ -2,7 +2,7 @@
 
     python -m benchmarks.predictive_bands --cases 400          # goes on where it was stopped
     python -m benchmarks.predictive_bands --table
-    python -m benchmarks.predictive_bands --cases 60 --hidden --results FILE   # one effect hidden, and left out
+    python -m benchmarks.predictive_bands --cases 60 --hidden   # one effect hidden, and left out
 
 Cases are those of the tuning set of many benches in which nothing is hidden and runs are held out: the model is right,
 its parameters are fitted, and what is asked is how far they leave a run open that nobody fitted. The noise of a third
@@ -16,7 +16,6 @@ is one held-out run alone.
 from __future__ import annotations
 
 import argparse
-import json
 import sys
 import tempfile
 import time
@@ -28,12 +27,13 @@ from typing import Any
 import numpy as np
 
 from benchmarks.predictive_bands.half_widths import with_discrepancy
+from benchmarks.results import append_result, read_results
 from blind_cases import many
 from pam_cosim import study
 from pam_cosim.arrays import Array
 from pam_cosim.fitting import Band
 
-RESULTS = Path(__file__).resolve().parents[2] / "build" / "predictive-bands.jsonl"
+FOLDER = Path(__file__).resolve().parents[2] / "build"
 SET = "tuning2"
 SAMPLES = 100
 MOST_RUNS = 2  # held out, of a case
@@ -142,13 +142,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
     parser.add_argument(
         "--cases", type=int, default=0, help="numbers of cases that are looked at, from --first on"
     )
-    parser.add_argument("--results", type=Path, default=RESULTS)
+    parser.add_argument("--results", type=Path, help="default: a file of the kind in build/")
     parser.add_argument("--hidden", action="store_true", help="cases with one hidden effect")
     parser.add_argument("--table", action="store_true", help="print what came out as Markdown")
     options = parser.parse_args(arguments)
-    options.results.parent.mkdir(parents=True, exist_ok=True)
-    lines = options.results.read_text().splitlines() if options.results.exists() else []
-    done = {json.loads(line)["number"] for line in lines}
+    kind = "-hidden" if options.hidden else ""
+    file = options.results or FOLDER / f"predictive-bands{kind}.jsonl"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    done = read_results(file)
     for number in range(options.first, options.first + options.cases):
         case = many.case_of(SET, number)
         wanted = ("catalogue", "new_form") if options.hidden else ("null",)
@@ -158,11 +159,13 @@ def main(arguments: Sequence[str] | None = None) -> int:
             result = solve(number)
         except Exception:
             result = {"number": number, "error": traceback.format_exc()}
-        with options.results.open("a") as file:
-            file.write(json.dumps(result) + "\n")
+        append_result(file, result)
         print(number, result.get("seconds", result.get("error")), flush=True)
     if options.table:
-        print(table([json.loads(line) for line in options.results.read_text().splitlines()]))
+        results = list(read_results(file).values())
+        if not results:
+            parser.error(f"there are no results in {file}")
+        print(table(results))
     return 0
 
 

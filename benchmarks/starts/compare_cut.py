@@ -1,20 +1,22 @@
 """Fits models to whole recordings, to the same without their beginning, to their pieces, and to one period of a sine.
 
 python -m benchmarks.starts.compare_cut build/starts.jsonl --set tuning2 --numbers 5 15 24
+
+A second call goes on where the first was stopped: numbers that the file has are left out.
 """
 
 from __future__ import annotations
 
 import argparse
-import json
 import tempfile
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 import pam_cosim as pam
+from benchmarks.results import append_result, read_results
 from benchmarks.starts.cutting import in_pieces, without_beginning
 from benchmarks.starts.sines import in_sines, last_period
 from blind_cases import many
@@ -87,7 +89,7 @@ def _result(way: str, make: Callable[[], Path], diagnosed: bool) -> dict[str, An
     return result
 
 
-def main() -> None:
+def main(arguments: Sequence[str] | None = None) -> None:
     """Command line."""
     parser = argparse.ArgumentParser(
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
@@ -98,11 +100,12 @@ def main() -> None:
     parser.add_argument(
         "--diagnose", action="store_true", help="also the verdicts, but of the pieces"
     )
-    options = parser.parse_args()
+    options = parser.parse_args(arguments)
     options.out.parent.mkdir(parents=True, exist_ok=True)
-    for number in options.numbers:
-        with options.out.open("a") as file:
-            file.write(json.dumps(one(options.set, number, options.diagnose)) + "\n")
+    done = read_results(options.out)
+    for number in dict.fromkeys(options.numbers):
+        if number not in done:
+            append_result(options.out, one(options.set, number, options.diagnose))
 
 
 if __name__ == "__main__":

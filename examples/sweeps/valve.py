@@ -17,6 +17,7 @@ import pam_cosim as pam
 
 def calibration(folder: Path) -> pam.Sweep:
     """Fifteen supplies by twenty-one currents; stopped, it goes on where it was."""
+    folder.mkdir(parents=True, exist_ok=True)
     swept = pam.sweep(
         "TankFilling",
         {"u_in": np.linspace(0.15, 0.35, 21), "p_supply": np.linspace(30e3, 280e3, 15)},

@@ -13,6 +13,7 @@ import venv
 from collections.abc import Sequence
 from pathlib import Path
 
+from scripts import repository
 from scripts.releasing import licences, versions
 from scripts.releasing.versions import ROOT
 
@@ -60,12 +61,10 @@ def committed(folder: Path) -> Path:
     return copy
 
 
-def changed() -> str:
-    """Files that are not as they were committed."""
-    words = ["git", "status", "--porcelain", "--untracked-files=no"]
-    return subprocess.run(
-        words, cwd=ROOT, capture_output=True, text=True, check=True
-    ).stdout.strip()
+def not_committed() -> list[str]:
+    """What keeps the commit from being what is here."""
+    why = repository.missing()
+    return [why] if why else [f"not committed: {line}" for line in repository.changed()]
 
 
 def distributions(programs: Path, copy: Path, with_models: bool) -> None:
@@ -139,7 +138,7 @@ def main(words: Sequence[str]) -> int:
             return 0
     except ValueError as problem:
         parser.error(str(problem))
-    wrong = [*versions.faults(), *(f"not committed: {line}" for line in changed().splitlines())]
+    wrong = [*versions.faults(), *not_committed()]
     if wrong:
         print("no release can be made:", *wrong, sep="\n  ", file=sys.stderr)
         return 2

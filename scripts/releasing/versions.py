@@ -63,12 +63,17 @@ def faults(root: Path = ROOT) -> list[str]:
 
 
 def notes(wanted: str, root: Path = ROOT) -> str:
-    """The section of a version in the change log; empty: there is none."""
+    """The section of a version in the change log; empty: there is none, or nothing in it."""
+    return (section(wanted, root) or "").strip()
+
+
+def section(wanted: str, root: Path = ROOT) -> str | None:
+    """What stands under the heading of a version in the change log; None: it has no such heading."""
     text = (root / "CHANGELOG.md").read_text(encoding="utf-8")
     found = re.search(
         rf"^## {re.escape(wanted)}(?: [^\n]*)?\n(.*?)(?=^## |\Z)", text, re.MULTILINE | re.DOTALL
     )
-    return found[1].strip() if found else ""
+    return found[1] if found else None
 
 
 def set_version(new: str, root: Path = ROOT) -> None:
@@ -87,6 +92,6 @@ def set_version(new: str, root: Path = ROOT) -> None:
         )
     log = root / "CHANGELOG.md"
     text = log.read_text(encoding="utf-8")
-    if not notes(new, root):
-        section = f"## [Unreleased]\n\n## {new} ({date.today().isoformat()})\n"
-        log.write_text(text.replace("## [Unreleased]\n", section, 1), encoding="utf-8")
+    if section(new, root) is None:
+        headings = f"## [Unreleased]\n\n## {new} ({date.today().isoformat()})\n"
+        log.write_text(text.replace("## [Unreleased]\n", headings, 1), encoding="utf-8")
