@@ -275,7 +275,8 @@ def diagnose(
         workers: number of processes; 0: this one alone.
         explain: whether to keep a ledger and to describe what no effect explains; the verdict is the same. Points at
             rest have no ledger.
-        time_limit: [s] after which the search ends with the best verdict so far; the ledger comes on top.
+        time_limit: [s] after which the search ends with the best verdict so far; nothing is learned of what that leaves
+            then, and what is begun is finished: a fit of the answer, the ledger.
         simulation_limit: likewise, by the runs that are simulated: the same verdict however quick the machine is.
         exclude: families or effects that are known not to be missing, with those of the data set.
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
@@ -316,7 +317,7 @@ def diagnose(
     ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
     unexplained = verdict.kind == "unknown" or verdict.remainder
     learned = None
-    if explain and unexplained:
+    if explain and unexplained and not effort.spent:
         learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
     judged = answer.judged
     balance = _balance(judged.base, [c for c in judged.selection.tried if len(c.effects) == 1])

@@ -448,6 +448,8 @@ class _Models:
 
         A few steps those that nobody tried, and to the end those that still promise it then.
         """
+        if self.ranking.effort_spent:  # what would come next was noted when it was
+            return
         for _ in range(CRITERIA.search.rounds):
             brief = self.predicted.promising_brief_fits()
             chosen = [p.prediction for p in self.predicted.proposals(count)]
