@@ -9,6 +9,7 @@ from types import ModuleType
 import numpy as np
 import pytest
 from scipy.linalg import solve_continuous_lyapunov, solve_discrete_are
+from scipy.stats import multivariate_normal
 
 import pam_cosim as pam
 from pam_cosim.analysis.kalman import transition
@@ -206,3 +207,21 @@ def test_a_recording_that_begins_in_the_middle(lag: str) -> None:
     assert not pam.observe(lag, cut, noise={"y": 0.01}, start={"x": 0.0}).is_consistent
     from_rest = pam.Trajectory(times, noisy, {"u": "N", "y": "m"})
     assert not pam.observe(lag, from_rest, noise={"y": 0.01}).begins
+
+
+def test_the_likelihood_is_that_of_all_readings_together(lag: str) -> None:
+    """Of a linear model they are of one normal distribution: of two gauges of one state, at four times."""
+    time, tau, drift, spread = np.array([0.0, 0.1, 0.4, 0.5]), 0.5, 0.3, 0.7
+    y, x = np.array([0.5, -0.2, 0.4, 0.1]), np.array([0.4, -0.1, 0.1, 0.6])
+    recording = pam.Trajectory(
+        time, {"u": 0 * time, "y": y, "x": x}, {"u": "N", "y": "m", "x": "m"}
+    )
+    noise = {"y": 0.2, "x": 0.4}
+    seen = pam.observe(lag, recording, noise=noise, drift={"x": drift}, spread={"x": spread})
+    old = np.exp(-2 * time / tau)
+    variance = old * spread**2 + (1 - old) * drift**2 * tau / 2
+    earlier = np.minimum.outer(np.arange(4), np.arange(4))
+    state = np.exp(-np.abs(np.subtract.outer(time, time)) / tau) * variance[earlier]
+    whole = np.tile(state, (2, 2)) + np.diag(np.repeat([0.2**2, 0.4**2], 4))
+    expected = multivariate_normal.logpdf(np.concatenate([y, x]), np.zeros(8), whole)
+    assert seen.log_likelihood == pytest.approx(expected, rel=1e-5)

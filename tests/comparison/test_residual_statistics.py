@@ -126,3 +126,8 @@ def test_constant_signal_still_has_a_level() -> None:
     for value in (0.0, 250.0):
         sigma = completed([recording(np.arange(4.0), {"y": np.full(4, value)})], None).sigma
         assert 0 < sigma <= 1e-3
+
+
+def test_the_level_is_judged_by_the_spread_of_chi_square() -> None:
+    """200 samples of mean square 1.44: 88 too much, where chance gives sqrt(2*200) = 20."""
+    assert residual_statistics([np.full(200, 1.2)]).level_score == pytest.approx(4.4)

@@ -12,7 +12,9 @@ from pam_cosim.diagnosis.judgement.evidence import (
     bic,
     information_criterion,
     may_have_structure,
+    missed_signals,
     rank,
+    refuted_by_unfitted_signals,
     significantly_better,
 )
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
@@ -143,3 +145,17 @@ def test_what_is_quick_looks_white_and_is_seen_by_the_stated_noise() -> None:
     assert not may_have_structure(quick)
     quiet = replace(statistics(1.1, score=3.1, samples=126), level_score=0.8)
     assert not may_have_structure(quiet)
+
+
+def test_a_signal_nobody_fitted_is_missed_from_twice_its_noise_on() -> None:
+    assert missed_signals(fitted(1.0, shown={"T": 1.9, "F": 2.1})) == ("F",)
+
+
+@pytest.mark.parametrize(("ratios", "refuted"), [((9.0, 0.4), False), ((9.0, 0.5), True)])
+def test_signals_nobody_fitted_refute_by_their_geometric_mean(
+    ratios: tuple[float, float], refuted: bool
+) -> None:
+    """sqrt(9 * 0.4) is less than two, sqrt(9 * 0.5) more."""
+    best = fitted(1.0, shown={"T": 10.0, "F": 3.0})
+    rival = fitted(1.0, shown={"T": 10.0 * ratios[0], "F": 3.0 * ratios[1]})
+    assert refuted_by_unfitted_signals(rival, best) is refuted

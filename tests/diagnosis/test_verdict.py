@@ -10,6 +10,7 @@ from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.judgement.verdict import (
+    Verdict,
     explained,
     judge,
     nearest,
@@ -381,3 +382,13 @@ def test_the_probability_is_of_what_the_verdict_says(
     """Of a complete model it was said to be that "this, and nothing else, is missing"."""
     verdict = replace(judge(BASE, [GOOD], []), kind=kind, families=families, probability=0.7)  # type: ignore[arg-type]
     assert probability_sentence(verdict) == said
+
+
+def test_a_part_of_what_was_identified_is_not_what_was_said() -> None:
+    both = Verdict("identified", ("leak", "valve"), ("Leak", "Lag"), "")
+    assert both.names(("valve", "leak"))
+    assert (
+        not both.names(("leak",)) and not both.names(()) and not both.names(("leak", "valve", "x"))
+    )
+    either = replace(both, kind="ambiguous")
+    assert either.names(("leak",)) and not either.names(()) and not either.names(("leak", "x"))

@@ -7,10 +7,15 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
+from matplotlib.colors import rgb_to_hsv
 from matplotlib.image import imread
+from numpy.typing import NDArray
 
 _DIGITS = 0.02  # relative, by which numbers of a fit differ on other processors
-_PIXELS = 0.003  # of full brightness, in the mean: less than a curve that has moved or is missing
+_PIXELS = 0.004  # of full brightness, in the mean: less than all curves that have moved
+_DRAWN = 0.2  # of the pixels of one colour, that may be more or fewer: a curve that is missing takes them all
+_FEW = 150  # pixels of one colour, which may be a single mark
+_HUES = 24  # in the middle of one each: red, green and blue
 _NUMBER = re.compile(r"-?\d+(?:\.\d+)?(?:e-?\d+)?")
 ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
@@ -52,7 +57,20 @@ def _alike(one: Path, other: Path, by_processor: bool) -> bool:
     if a.shape != b.shape:
         return False
     off = np.abs(a - b)
-    return float(off.mean()) < _PIXELS if by_processor else float(off.max()) < 0.05
+    if not by_processor:
+        return float(off.max()) < 0.05
+    drawn, expected = colours(a), colours(b)
+    same = np.abs(drawn - expected) <= np.maximum(_DRAWN * expected, _FEW)
+    return float(off[..., :3].mean()) < _PIXELS and bool(same.all())
+
+
+def colours(picture: NDArray[np.float32]) -> NDArray[np.int64]:
+    """How many pixels have each hue, and how many are dark: light edges of a line have its hue."""
+    hue, _, bright = np.moveaxis(rgb_to_hsv(picture[..., :3]), -1, 0)
+    coloured = np.ptp(picture[..., :3], axis=-1) > 0.25
+    hues = np.floor(hue[coloured] * _HUES + 0.5).astype(int) % _HUES
+    dark = np.sum(~coloured & (bright < 0.5))
+    return np.append(np.bincount(hues, minlength=_HUES), dark)
 
 
 def quoted(page: str) -> list[str]:
@@ -77,12 +95,17 @@ def unsaid(page: str, output: str, by_processor: bool = False) -> list[str]:
 
 
 def stands_in(line: str, said: str, more: float = 0.0) -> bool:
-    """Whether a line is said with the same words, and numbers that differ by ``_DIGITS`` at most, and ``more``."""
+    """Whether a line is said with the same words, and numbers that differ by ``_DIGITS`` at most; counts by ``more``.
+
+    A count is a number that is written without a point.
+    """
     words = [re.escape(part) for part in _NUMBER.split(line)]
-    numbers = np.array([float(n) for n in _NUMBER.findall(line)])
+    written = _NUMBER.findall(line)
+    numbers = np.array([float(n) for n in written])
+    slack = np.array([more if n.lstrip("-").isdigit() else 0.0 for n in written])
     for match in re.finditer(f"({_NUMBER.pattern})".join(words), said):
         found = np.array([float(n) for n in match.groups()])
-        if np.all(np.abs(found - numbers) <= _DIGITS * np.abs(numbers) + more):
+        if np.all(np.abs(found - numbers) <= _DIGITS * np.abs(numbers) + slack):
             return True
     return False
 

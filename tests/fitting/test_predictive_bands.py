@@ -13,6 +13,11 @@ from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
+from pam_cosim.fitting.parameter_posterior import ParameterPosterior
+from pam_cosim.fitting.predictive_bands import Band, predictive_bands
+from tests.comparison.fake import FakeSimulator
+from tests.comparison.fake import data_set as fake_data
+from tests.comparison.fake import run as recorded
 from tests.fitting.models import C_D, KNOWN, P_START, TIMES, N, discharge, vessel_data
 
 EARLY = np.linspace(0.0, 12.0, 13)
@@ -115,6 +120,12 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
         json.loads((tmp_path / "without.json").read_text())["signals"]["p"]["discrepancy"] is None
     )
     assert main(["predict", str(saved), "--set", "tank.V=0 kg"]) == 2
+    recorded_run = ["predict", str(saved), "--run", "run", "--samples", "20", "--discrepancy"]
+    assert main([*recorded_run, "--json", str(tmp_path / "run.json")]) == 0
+    assert "of the readings are within their band" in capsys.readouterr().out
+    whole = json.loads((tmp_path / "run.json").read_text())
+    assert whole["run"] == "run" and len(whole["time"]) == len(EARLY)
+    assert whole["signals"]["p"]["discrepancy"] == content["discrepancy"]
 
 
 def test_what_a_fit_was_told_to_set_counts_in_its_prediction() -> None:
@@ -133,3 +144,30 @@ def test_what_a_fit_was_told_to_set_counts_in_its_prediction() -> None:
         else of_data.values
     )
     np.testing.assert_allclose(bands[1].mean, bands[0].mean, rtol=1e-6)
+
+
+def level(drawn: list[float], weights: list[float]) -> Band:
+    """The prediction of a pressure that is a parameter, read with noise of 2 Pa at 0, 1 and 4 s."""
+    simulator = FakeSimulator(lambda times, given: {"p": given["level"] + 0 * times})
+    predicted = recorded("run", [0.0, 1.0, 4.0], p=[np.nan] * 3)
+    data = fake_data([predicted], {"p": 2.0})
+    samples = np.array(drawn)[:, None]
+    posterior = ParameterPosterior(("level",), {"level": "Pa"}, samples, np.array(weights), {})
+    made = predictive_bands(simulator, data, predicted, posterior, {"level": 2.0})  # type: ignore[arg-type]
+    return made.bands["p"]
+
+
+def test_noise_goes_out_of_a_mean_by_the_squares_of_its_weights() -> None:
+    """Weights 1/8, 1/2 and 3/8: noise variance 4 * 26/64, beside 3 of the parameter."""
+    band = level([8.0, 12.0], [0.25, 0.75])
+    assert (band.mean_low, band.mean_high) == pytest.approx(
+        (11 - 1.96 * np.sqrt(3 + 1.625), 11 + 1.96 * np.sqrt(3 + 1.625))
+    )
+    assert band.reading_high == pytest.approx([11 + 1.96 * np.sqrt(3 + 4)] * 3)
+    assert band.mean == 2.0
+
+
+def test_a_sample_stands_at_the_middle_of_its_weight() -> None:
+    """0, 1, 2, 3 and 4 stand at 0.01, 0.06, 0.45, 0.88 and 0.98 of the weight."""
+    band = level([4.0, 0.0, 2.0, 1.0, 3.0], [0.04, 0.02, 0.7, 0.08, 0.16])
+    assert band.low == pytest.approx([0.3] * 3) and band.high == pytest.approx([3.95] * 3)

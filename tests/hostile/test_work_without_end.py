@@ -39,7 +39,7 @@ def test_a_run_says_how_far_it_came_and_what_to_do(
     study.build(model)
     before = time.process_time()
     assert main(["simulate", model, *LONG, "-o", "x.csv"]) == 1
-    assert time.process_time() - before < 10 * LIMIT
+    assert time.process_time() - before < 60 * LIMIT  # the whole run takes hours
     said = capfd.readouterr().err
     assert said.count("\n") == 1 and f"pam-cosim: the simulation failed: {REASON}" in said
     assert "(--timeout)" in said and "(simulated up to " in said

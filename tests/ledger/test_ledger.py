@@ -286,3 +286,32 @@ def test_a_map_ends_where_its_variables_do() -> None:
     course = TermSeries("run", "fit", time, time, np.ones(100), {"v": -time, "rest": 0 * time})
     plane = mapped(BalanceEntry("force", 0, 0, 0, courses=(course,)), "v", "rest", 4)
     np.testing.assert_allclose(plane.x_edges, [-1.0, -0.75, -0.5, -0.25, 0.0])
+
+
+def _course(value: list[float], deviation: list[float], **against: list[float]) -> TermSeries:
+    time, columns = np.arange(float(len(value))), {n: np.array(v) for n, v in against.items()}
+    return TermSeries("run", "fit", time, np.array(value), np.array(deviation), columns)
+
+
+def test_outside_is_beyond_two_standard_deviations() -> None:
+    courses = (_course([0.0, 1.9, -2.1], [1.0] * 3), _course([4.1, -3.9], [2.0] * 2))
+    assert BalanceEntry("force", 0, 0, 0, courses=courses).outside == pytest.approx(2 / 5)
+
+
+def test_a_band_weighs_by_certainty_and_is_as_uncertain_as_its_runs_differ() -> None:
+    """Weights 1 and 1/4, then 1/4 twice: 15/7 together, 1.4 and 4 alone, which differ by 2.6."""
+    one, other = _course([1.0, 3.0], [1.0, 2.0]), _course([4.0, 4.0], [2.0, 2.0])
+    (band,) = binned(BalanceEntry("force", 0, 0, 0, courses=(one, other)), "time", 1)
+    assert band.mean == pytest.approx(15 / 7) and band.samples == 4
+    assert band.deviation == pytest.approx(2.6 / np.sqrt(2) / np.sqrt(2))
+    assert band.scatter == pytest.approx(np.sqrt(1.5))
+    (alone,) = binned(BalanceEntry("force", 0, 0, 0, courses=(one,)), "time", 1)
+    assert alone.mean == pytest.approx(1.4) and alone.deviation == 1.0
+
+
+def test_a_cell_of_a_map_is_as_significant_as_its_mean_is_certain() -> None:
+    """The typical standard deviation of 1 and 3, means of 0.6 and 1, is 0.8: 2/0.8."""
+    course = _course([1.0, 3.0, -3.0], [0.6, 1.0, 2.0], v=[0.0, 0.1, 1.0], w=[0.0, 0.1, 1.0])
+    plane = mapped(BalanceEntry("force", 0, 0, 0, courses=(course,)), "v", "w", 2)
+    np.testing.assert_allclose(plane.value, [[2.0, np.nan], [np.nan, -3.0]])
+    np.testing.assert_allclose(plane.significance, [[2.5, np.nan], [np.nan, -1.5]])

@@ -109,8 +109,8 @@ def test_piece_of_a_coupled_system_is_translated_alone() -> None:
 
 @pytest.mark.parametrize("every", [7, pytest.param(1, marks=pytest.mark.full)])
 def test_all_models_compile_soon(every: int) -> None:
-    """Without the C compiler, which takes 0.3 to 1 s more for each; far below the two minutes for the whole."""
+    """Without the C compiler; the limit is several times what they take: no work grows out of all bounds."""
     before, models = time.process_time(), MODELS[::every]
     for model in models:
         compile_model(model)
-    assert time.process_time() - before < 0.8 * len(models)
+    assert time.process_time() - before < 3.0 * len(models)

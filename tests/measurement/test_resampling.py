@@ -9,10 +9,10 @@ import pandas as pd
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, condensed, read_data_set
+from pam_cosim.measurement import DataSet, Run, StatedSignal, condensed, read_data_set
 from pam_cosim.measurement.condensing import MOST_ROWS
 from pam_cosim.measurement.recording import Averaged, Recording
-from pam_cosim.measurement.resampling import noise_of_mean, resampled
+from pam_cosim.measurement.resampling import noise_of_mean, resampled, with_noise_of_means
 from tests.measurement.bench import MODEL, describe
 
 STEPS = (3.0005, 7.1235)  # [s], between samples
@@ -202,3 +202,33 @@ def test_a_recording_is_split_before_its_means_are_taken(tmp_path: Path, interva
     (run,) = read_data_set(tmp_path, describe).runs
     half = int(interval.split()[0]) / 2e3
     assert run.time[0] == pytest.approx(2.0005 + half, abs=1e-3)
+
+
+def test_the_stated_noise_of_means_is_that_of_the_fewest_samples() -> None:
+    def run(name: str, **averaged: Averaged) -> Run:
+        values = {signal: np.zeros(3) for signal in ("x", "y")}
+        return Run(
+            name, Path(name), "fit", "linear", {}, np.arange(3.0), {}, values, averaged=averaged
+        )
+
+    runs = [
+        run("a", x=Averaged(16), y=Averaged(9)),
+        run("b", x=Averaged(4)),
+        run("c", x=Averaged(9)),
+    ]
+    stated = {name: StatedSignal(name, "m", 2.0, sigma_of_reading=0.1) for name in ("x", "y")}
+    changed = with_noise_of_means(stated, runs)
+    assert (changed["x"].sigma, changed["x"].sigma_of_reading) == pytest.approx((1.0, 0.05))
+    assert changed["y"] == stated["y"]  # one run holds samples themselves
+
+
+def test_a_mean_of_fewer_than_half_as_many_samples_is_left_out() -> None:
+    """Of ten a mean as a rule, four are too few and five enough."""
+    time = np.arange(1000) * 1e-3
+    y = np.ones(1000)
+    y[100:106] = y[200:205] = np.nan
+    after = resampled(Recording(time, {"u": time}, {"y": y}), 0.01, "linear")
+    means = after.time[np.isfinite(after.measurements["y"])]
+    assert after.averaged["y"].samples == 10 and len(means) == 99
+    assert not np.any((means > 0.0995) & (means < 0.1095))
+    assert np.sum((means > 0.1995) & (means < 0.2095)) == 1
