@@ -729,7 +729,9 @@ class DoubtCriteria:
     alike: float = decides(
         0.02, "of a factor or of an offset", "by which it may differ from a known one"
     )
-    passed: float = decides(0.03, "of a signal's span", "beyond zero counts as passed")
+    passed: float = decides(
+        0.03, "of a signal's span", "beyond zero, or beyond what a model allows, counts as passed"
+    )
     opposite: float = decides(
         0.02, "of a signal's span", "that runs differ by, in the data and in the model"
     )

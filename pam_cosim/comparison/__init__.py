@@ -6,6 +6,7 @@ from pam_cosim.comparison.condition_table import (
     Condition,
     ConditionTable,
     Statistic,
+    check_conditions,
     write_tables,
 )
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
@@ -16,7 +17,7 @@ from pam_cosim.comparison.initial_state import (
     measured_initial_state,
 )
 from pam_cosim.comparison.outliers import outliers, without_outliers
-from pam_cosim.comparison.plausibility import Doubt
+from pam_cosim.comparison.plausibility import Doubt, place_in
 from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
@@ -52,6 +53,7 @@ __all__ = [
     "SignalScore",
     "Statistic",
     "initial_state",
+    "check_conditions",
     "chi2_reduced",
     "compare",
     "expected_squares",
@@ -59,6 +61,7 @@ __all__ = [
     "initial_state_about",
     "measured_initial_state",
     "outliers",
+    "place_in",
     "reproducibility",
     "autocorrelation",
     "residual_statistics",

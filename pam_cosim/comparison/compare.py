@@ -32,7 +32,7 @@ class Comparison(Printed):
         runs: every run, simulated.
         scores: per role ("fit", "holdout", "all") and signal.
         where: rules that hold most of the error, over all runs.
-        units: SI units of the parameters of the runs, by name.
+        units: SI units of the parameters and inputs of the runs, by name.
     """
 
     model: str
@@ -204,7 +204,8 @@ def scored(
         where(runs, data.signals, interface.outputs, data.domain, interface.inputs) if rules else []
     )
     settable = interface.settable
-    named = dict.fromkeys([*known, *(name for run in data.runs for name in run.parameters)])
+    own = (name for run in data.runs for name in (*run.parameters, *run.inputs))
+    named = dict.fromkeys([*known, *own])
     units = {name: settable[name].unit for name in named if name in settable}
     return Comparison(
         interface.model, data, known, tuple(runs), _scores(data, runs), tuple(sits), units

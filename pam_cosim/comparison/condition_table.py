@@ -7,7 +7,7 @@ by their number); so are these.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Literal, get_args
@@ -20,9 +20,9 @@ from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
 from pam_cosim.exports import write_table
 from pam_cosim.files import plain
-from pam_cosim.measurement import Signal
+from pam_cosim.measurement import Run, Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
-from pam_cosim.wording import Printed, did_you_mean
+from pam_cosim.wording import Printed, did_you_mean, listed
 
 Statistic = Literal["correlation", "rmse", "chi2_reduced"]
 STATISTICS: tuple[Statistic, ...] = get_args(Statistic)
@@ -213,9 +213,8 @@ def condition_table(
     Raises:
         InputError: a parameter that some run does not have; the same one twice.
     """
-    if rows == columns:
-        raise InputError(f"the table has '{rows}' on both sides; name two parameters of the runs")
-    at = {name: [_value(r, name, runs, fitted) for r in runs] for name in (rows, columns)}
+    check_conditions([r.run for r in runs], rows, columns, fitted)
+    at = {name: [_value(r.run, name, fitted) for r in runs] for name in (rows, columns)}
     down, across = (
         Condition(name, units.get(name, ""), tuple(sorted(set(at[name]))))
         for name in (rows, columns)
@@ -248,18 +247,48 @@ def write_tables(path: Path, tables: Sequence[ConditionTable]) -> None:
     write_table(path, (tables[0].csv_head(), [row for table in tables for row in table.csv_rows()]))
 
 
-def _value(
-    run: RunComparison, name: str, runs: Sequence[RunComparison], fitted: dict[str, float]
-) -> float:
-    known = {**fitted, **run.run.parameters}
-    if name not in known:
-        everywhere = [n for n in known if all(n in fitted or n in r.run.parameters for r in runs)]
-        hint = did_you_mean(name, everywhere)
-        raise InputError(
-            f"the run {run.run.name} has no parameter '{name}' to make a table by; {hint}",
-            run.run.file,
+def check_conditions(
+    runs: Sequence[Run], rows: str, columns: str, fitted: Collection[str] = ()
+) -> None:
+    """Finds out, before anything is simulated, whether a table by two parameters can be made.
+
+    Args:
+        runs: the measurement.
+        rows: name of a parameter that every run has.
+        columns: of another one.
+        fitted: names of what all runs are simulated with besides.
+
+    Raises:
+        InputError: a parameter that some run does not have; the same one twice.
+    """
+    if rows == columns:
+        raise InputError(f"the table has '{rows}' on both sides; name two parameters of the runs")
+    everywhere = [
+        name
+        for name in dict.fromkeys([*fitted, *(n for run in runs for n in run.parameters)])
+        if name in fitted or all(name in run.parameters for run in runs)
+    ]
+    for name in (rows, columns):
+        for run in runs:
+            if name not in fitted and name not in run.parameters:
+                raise InputError(_not_of(run, name, everywhere), run.file)
+
+
+def _not_of(run: Run, name: str, everywhere: Sequence[str]) -> str:
+    """Why a table cannot be by ``name``, and by what it can."""
+    if name in run.inputs:
+        usable = f"parameters that every run has: {listed(everywhere)}"
+        return (
+            f"'{name}' is an input, which moves during the run {run.name}: a table is by {usable}"
         )
-    return float(f"{known[name]:.{_SAME}g}")
+    hint = did_you_mean(name, everywhere)
+    return f"the run {run.name} has no parameter '{name}' to make a table by; {hint}"
+
+
+def _value(run: Run, name: str, fitted: Mapping[str, float]) -> float:
+    """A value of a condition, rounded as conditions are told apart."""
+    value = run.parameters.get(name, fitted.get(name, np.nan))
+    return float(f"{value:.{_SAME}g}")
 
 
 def _moments(cells: Array) -> tuple[Array, Array]:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import itertools
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,13 +18,14 @@ from scipy.spatial import KDTree
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement import Signal
+from pam_cosim.measurement import Run, Signal
 from pam_cosim.units import convert, format_quantity
+from pam_cosim.wording import listed
 
 _UNITS = {
     "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
     "m": ("mm", "cm", "m", "inch"),
-    "N": ("N", "kN", "kgf", "lbf"),
+    "N": ("N", "kN", "kgf", "lbf", "mN"),
     "rad": ("rad", "deg"),
 }
 """Units that loggers write, the usual ones first, by the base unit of what is measured."""
@@ -32,6 +33,10 @@ _ZEROS = {
     "Pa": (101325.0, "absolute and gauge pressure mixed up"),
     "K": (273.15, "degrees Celsius and kelvin mixed up"),
 }
+_SIZES = "a size of the muscle or a load that is not the rig's"
+_UNIT = "a wrong unit or factor of the instrument"
+_LEAST = {"Pa": (-101325.0, "a vacuum, gauge"), "K": (0.0, "absolute zero")}
+"""What no reading of an instrument is below, by its unit."""
 
 
 @dataclass(frozen=True)
@@ -40,7 +45,7 @@ class Doubt:
 
     Attributes:
         kind: "copy": two runs have the same samples; "marker": a value that is no reading, as for missing samples;
-            "still": a signal never moves, where the model does; "far_off":
+            "still": a signal never moves, where the model does; "impossible": no such reading exists; "far_off":
             the model explains little of it; "one_sided": the measurement never passes zero where the model does;
             "contradiction": runs differ the other way than in the model.
         signal: which it is seen in.
@@ -63,7 +68,7 @@ def doubts(
     Args:
         runs: every run, simulated.
         signals: what was measured.
-        units: SI units of the parameters of the runs, by name.
+        units: SI units of the parameters and inputs of the runs, by name.
         fitted: whether free parameters have had their chance; if not, a large error is doubted only where a simple
             mistake explains it.
     """
@@ -74,7 +79,8 @@ def doubts(
             every += [
                 *_marker(runs, signal, measured),
                 *_still(signal, measured, modelled),
-                *_far_off(signal, measured, modelled, fitted),
+                *_impossible(runs, signal, measured, modelled),
+                *_far_off(signal, measured, modelled, fitted, lambda: _reach(runs, units)),
                 *_one_sided(signal, measured, modelled),
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
@@ -133,7 +139,7 @@ def _marker(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> I
         yield Doubt(
             "marker",
             signal.name,
-            f"{signal.name}: {count} of {len(measured)} samples {'is' if count == 1 else 'are'} {shown}, "
+            f"{signal.name}: {count} of {len(measured)} samples {_is(count)} {shown}, "
             f"first at {at:.6g} s of {first.name}; all others lie between {low} and {high}. Where that number marks "
             'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
         )
@@ -156,7 +162,49 @@ def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
     )
 
 
-def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> Iterator[Doubt]:
+def _impossible(
+    runs: Sequence[RunComparison], signal: Signal, measured: Array, modelled: Array
+) -> Iterator[Doubt]:
+    """Readings below a vacuum or absolute zero; where the model has them too, it is of a difference."""
+    least, name = _LEAST.get(signal.unit, (-math.inf, ""))
+    below = least - CRITERIA.doubts.beyond_noise * signal.sigma
+    count = int(np.sum(measured < below))
+    if not count or modelled.min() < least:
+        return
+    lowest, limit = (format_quantity(float(v), signal.unit) for v in (measured.min(), least))
+    yield Doubt(
+        "impossible",
+        signal.name,
+        f"{signal.name}: {count} of {len(measured)} samples {_is(count)} below {limit}, {name}, down to {lowest}, "
+        f"first {_first_below(runs, signal.name, below)}: is it the sign, the unit, or the zero?",
+    )
+
+
+def _first_below(runs: Sequence[RunComparison], signal: str, limit: float) -> str:
+    """Where a signal is first below a limit, in words; it is somewhere."""
+    measured = [r.run for r in runs if r.run.sample_count(signal)]
+    run = next(r for r in measured if np.any(r.measurements[signal] < limit))
+    return place_in(run, int(np.argmax(run.measurements[signal] < limit)))
+
+
+def place_in(run: Run, row: int) -> str:
+    """A row of a run, in words."""
+    if run.is_static:
+        return f"at point {row + 1} of {run.name}"
+    return f"at {run.time[row]:.6g} s of {run.name}"
+
+
+def _is(count: int) -> str:
+    return "is" if count == 1 else "are"
+
+
+def _far_off(
+    signal: Signal,
+    measured: Array,
+    modelled: Array,
+    fitted: bool,
+    inputs: Callable[[], str],
+) -> Iterator[Doubt]:
     """A model that misses a signal by much of what it moves, and what would mend it at once."""
     error, moves = _rms(measured - modelled), _rms(measured - measured.mean())
     if (
@@ -170,7 +218,7 @@ def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> 
         f"{signal.name}: the model explains little; it is off by {format_quantity(error, signal.unit)} where the whole "
         f"measurement spans {span}. "
     )
-    mended = _mended(signal, measured, modelled, error)
+    mended = _mended(signal, measured, modelled, error, inputs)
     usual = (
         "A wrong unit, zero or column, or a size, a load or a type that is not as stated, "
         "come before a missing effect"
@@ -179,7 +227,9 @@ def _far_off(signal: Signal, measured: Array, modelled: Array, fitted: bool) -> 
         yield Doubt("far_off", signal.name, text + (mended or usual))
 
 
-def _mended(signal: Signal, measured: Array, modelled: Array, error: float) -> str:
+def _mended(
+    signal: Signal, measured: Array, modelled: Array, error: float, inputs: Callable[[], str]
+) -> str:
     """The simple mistake that explains most of an error, in words; "" where none does."""
     enough = CRITERIA.doubts.mended * error
     offset = float(np.mean(measured - modelled))
@@ -195,17 +245,40 @@ def _mended(signal: Signal, measured: Array, modelled: Array, error: float) -> s
         return f"It would fit if {format_quantity(offset, signal.unit)} were taken off: {likely}"
     if _rms(measured + modelled) < enough:
         return "It would fit with its sign turned"
-    gain = float(measured @ modelled) / max(float(modelled @ modelled), 1e-300)
+    return _of_another_size(signal, measured, modelled, enough, inputs)
+
+
+def _of_another_size(
+    signal: Signal, measured: Array, modelled: Array, enough: float, inputs: Callable[[], str]
+) -> str:
+    """A factor that explains most of an error, in words; "" where none does.
+
+    A measurement much larger than the model comes near it when it is divided, one much smaller when the model is
+    multiplied: of the two errors that are left the smaller one counts, so that both are told alike.
+    """
+    product = float(measured @ modelled)
+    if product <= 0.0:
+        return ""
+    gain, inverse = product / float(modelled @ modelled), product / float(measured @ measured)
     if _rms(measured - gain * modelled) < enough:
         units = _as_units(signal.unit, gain)
         if units:
             return f"It would fit if it were divided by {gain:.4g}{units}"
-        if gain > 0.0:
-            return (
-                f"Its course is the model's, {gain:.3g} times as large: a size of the muscle or a load that is not the "
-                "rig's does this, and so does a wrong factor of the instrument"
-            )
+        causes = f"{_SIZES} does this, and so does {_UNIT}{inputs()}"
+        return f"Its course is the model's, {gain:.3g} times as large: {causes}"
+    if _rms(inverse * measured - modelled) < enough:
+        causes = f"{_UNIT} does this{inputs()}; so does {_SIZES}"
+        return f"It is some {1 / inverse:.3g} times as large as in the model: {causes}"
     return ""
+
+
+def _reach(runs: Sequence[RunComparison], units: Mapping[str, str]) -> str:
+    """How far the recorded inputs go, as a wrong unit of one is seen by; "" without such an input."""
+    names = dict.fromkeys(name for r in runs for name in r.run.inputs if units.get(name) in _UNITS)
+    every = {n: np.concatenate([r.run.inputs[n] for r in runs if n in r.run.inputs]) for n in names}
+    ends = {n: float(values[np.argmax(np.abs(values))]) for n, values in every.items()}
+    words = listed(f"{n} goes to {format_quantity(end, units[n], 6)}" for n, end in ends.items())
+    return f", or of an input: {words}" if ends else ""
 
 
 def _from_atmosphere(measured: Array, modelled: Array) -> bool:

@@ -7,18 +7,23 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
+
 from pam_cosim.catalogue.bench_parts import rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.bench_choice import choose
 from pam_cosim.drafting.feeding import MECHANICAL, BenchChoice, meaning_of
 from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
+from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH, is_file
+from pam_cosim.units import convert
 from pam_cosim.wording import listed
 
 _SUFFIX = "Rig"
@@ -70,7 +75,7 @@ def take_bench(
     recorded = _recorded_muscle(wishes, known, tree)
     muscle = wishes.muscle if recorded is None else recorded.name
     choice = choose(
-        _candidates(ready, wishes.model, muscle, known.points),
+        _candidates(_possible(ready, known, tree), wishes.model, muscle, known.points),
         known.columns,
         known.asked,
         known.formulas,
@@ -108,6 +113,29 @@ def _candidates(
         return [one for one in ready if one.parts and one.name == model]
     chosen = [one for one in ready if one.parts or muscle is None]
     return [one for one in chosen if _all_imposed(one)] if points else chosen
+
+
+def _possible(ready: Sequence[Ports], known: ReadRecordings, tree: ClassTree) -> list[Ports]:
+    """The benches without those in which everything is shut, where a pressure falls to that outside."""
+    if not any(c.of("pressure") and _empties(c) for c in known.columns):
+        return list(ready)
+    return [one for one in ready if one.parts or one.inputs or _is_open(one, tree)]
+
+
+def _empties(column: RecordedColumn) -> bool:
+    """Whether a pressure falls in every recording from its largest to next to none."""
+    outside = CRITERIA.recognition.ambient if column.absolute else 0.0
+    ends = []
+    for values in column.values.values():
+        gauge = convert(values[np.isfinite(values)], column.unit, "Pa") - outside
+        least = CRITERIA.recognition.unloaded * float(gauge.max())
+        ends.append(gauge[0] > gauge[-1] and abs(float(gauge[-1])) <= least)
+    return bool(column.unit) and all(ends)
+
+
+def _is_open(one: Ports, tree: ClassTree) -> bool:
+    """Whether a bench has a way to the air outside."""
+    return any(c.type.rpartition(".")[2] == "Atmosphere" for c in tree.components(one.name))
 
 
 def _put_together(

@@ -6,7 +6,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 
 from pam_cosim.catalogue.ports import Ports
-from pam_cosim.drafting.feeding import BenchChoice, Feed, fed_bench
+from pam_cosim.drafting.feeding import NEAR, BenchChoice, Feed, fed_bench, meaning_of
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.errors import InputError
 from pam_cosim.wording import did_you_mean, listed, shown
@@ -39,12 +39,20 @@ def choose(
     best = order[0]
     if not best.driven:
         raise InputError(_nothing_fits(best, columns))
-    others = tuple(c.ports.name for c in order[1:] if c.cost <= best.cost)
+    others = tuple(c.ports.name for c in order[1:] if c.cost <= best.cost or _lets_go(best, c))
     inputs, outputs = (
         {n: _among(c, columns, best, n in asked) for n, c in side.items()}
         for side in (best.inputs, best.outputs)
     )
     return BenchChoice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
+
+
+def _lets_go(best: BenchChoice, other: BenchChoice) -> bool:
+    """Whether a bench reads the lengths that the best one imposes although they move, and is fed as well."""
+    moving = [column.name for column in best.moving_lengths.values()]
+    read = {column.name for column in other.outputs.values()}
+    is_fed = other.driven and len(other.unfed) <= len(best.unfed)
+    return bool(moving) and is_fed and {*moving} <= read and other.cost < best.cost + NEAR
 
 
 def _having(candidates: Sequence[Ports], given: Feed) -> list[Ports]:
@@ -81,9 +89,31 @@ def _nothing_fits(nearest: BenchChoice, columns: Sequence[RecordedColumn]) -> st
     known = [
         f"{c.name} ({c.meaning})" for c in columns if c.meaning is not None and not c.of("time")
     ]
-    hint = "say what columns are, as --column p='Druck 1', or the bench, --model NAME ('pam-cosim bench --list')"
+    left = [c for c in columns if not c.of("time")]
+    filled = [c for c in left if c.values]
+    as_one = f", as --column {_example(nearest, filled)}" if filled else ""
+    hint = f"say what columns are{as_one}, or the bench, --model NAME ('pam-cosim bench --list')"
     if not known:
-        return f"no column is recognised among {listed(c.name for c in columns if not c.of('time'))}; {hint}"
+        why = {"; ".join(c.why) for c in left if not c.values}
+        because = f" ({listed(why)})" if why else ""
+        return f"no column is recognised among {listed(c.name for c in left)}{because}; {hint}"
     lacks = f"the inputs {listed(nearest.unfed)}" if nearest.unfed else "a measured output"
     said = f"what is recognised, {listed(known)}, feeds no bench; the nearest, {nearest.ports.name}, lacks {lacks}"
     return f"{said}; {hint}"
+
+
+def _example(nearest: BenchChoice, columns: Sequence[RecordedColumn]) -> str:
+    """How to say what a column is: one that there is, for a variable of the nearest bench that it may be."""
+    taken = {one.name for one in nearest.fed.values()}
+    unused = [c for c in columns if c.name not in taken]
+    variables = {**nearest.ports.inputs, **nearest.ports.outputs}
+    alike = [
+        (name, c)
+        for name, variable in variables.items()
+        for c in unused
+        if c.meaning is not None and c.meaning == meaning_of(variable)
+    ]
+    lacking = [*nearest.unfed, *(name for name in variables if name not in nearest.fed)]
+    unknown = [(name, c) for name in lacking for c in unused if c.meaning is None]
+    name, column = next(iter([*alike, *unknown]), ("NAME", columns[0]))
+    return f"{name}={shown(column.name)}"

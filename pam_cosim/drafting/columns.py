@@ -14,7 +14,14 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.time_column import with_time
-from pam_cosim.drafting.vocabulary import Heading, Meaning, is_count, read_heading
+from pam_cosim.drafting.vocabulary import (
+    Heading,
+    Meaning,
+    contradiction,
+    is_count,
+    known_unit,
+    read_heading,
+)
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
@@ -47,18 +54,26 @@ def find_columns(
 
 
 def with_known_units(
-    columns: Sequence[RecordedColumn], formulas: Iterable[str], sources: Sequence[RecordingSource]
+    columns: Sequence[RecordedColumn],
+    formulas: Iterable[str],
+    sources: Sequence[RecordingSource],
+    asked: Iterable[str] = (),
 ) -> list[RecordedColumn]:
     """The columns, of which those whose unit nobody knows serve formulas alone.
 
     Raises:
-        InputError: a unit is written that nobody knows, and no formula holds the column: no other one is guessed.
+        InputError: a unit is written that nobody knows, or that is of another quantity than the name says, and neither
+            a formula holds the column nor is it ``asked`` for: no other one is guessed.
     """
     in_formulas = {name for formula in formulas for name in names_in(formula)}
+    said = {*in_formulas, *asked}
     for one in columns:
-        if _lacks_unit(one) and one.name not in in_formulas:
+        wrong = _unknown(one) if _lacks_unit(one) and one.name not in in_formulas else ""
+        if not wrong and one.name not in said:
+            wrong = _contradicts(one)
+        if wrong:
             source = sources[min(one.places)]
-            raise InputError(_unknown(one), source.file, source.table.header_line, one.name)
+            raise InputError(wrong, source.file, source.table.header_line, one.name)
     return [replace(c, meaning=None) if _lacks_unit(c) else c for c in columns]
 
 
@@ -77,11 +92,22 @@ def _lacks_unit(one: RecordedColumn) -> bool:
 
 
 def _unknown(one: RecordedColumn) -> str:
-    left_out = f"or leave it out: --recording ignore={one.name}"
+    left_out = f"or leave it out: --recording 'ignore={one.name}'"
     if not is_count(one.unknown):
         return f"unit {shown(one.unknown)} is unknown; correct it in the file, {left_out}"
     scaled = f"as in --column 'x={one.name} * \"0.02 mm\"'"
     return f"how large its {one.unknown} are is not said; scale it, {scaled}, {left_out}"
+
+
+def _contradicts(one: RecordedColumn) -> str:
+    """What to say of a column whose unit is of another quantity than its name says; "" where they agree."""
+    written = next((column.unit for column in one.places.values()), "")
+    unit = known_unit(written)
+    said = contradiction(one.name, unit) if unit and one.values else ""
+    if not said:
+        return ""
+    hint = f"--recording 'ignore={one.name}', or say what it is: --column NAME={shown(one.name)}"
+    return f"{said}; correct the heading, leave it out: {hint}"
 
 
 def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> None:
@@ -116,7 +142,8 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
         places=places,
     )
     if not one.values:
-        return replace(one, meaning=None, why=("it is empty",))
+        rows = sum(len(column.values) for column in places.values())
+        return replace(one, meaning=None, why=(f"it has no value in any of {rows} rows",))
     words = _words_in(sources, name, first.heading)
     if words:
         return replace(one, meaning=Meaning("direction"), words=words, unit="", stated=True)

@@ -13,6 +13,9 @@ from pam_cosim.drafting.scaling import scaled_entry
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import convert, parse_quantity
 
+LONGEST = "the longest in any recording"
+"""Where a length at rest comes from that nobody states."""
+
 
 def contraction_entry(
     name: str, column: RecordedColumn, interface: Interface, stated: Mapping[str, str]
@@ -27,7 +30,7 @@ def contraction_entry(
         return scaled_entry(name, column, value, None, (*column.why, why)), numbers
     lengths = {i: convert(v, column.unit, "m") for i, v in column.values.items()}
     longest = max(float(np.nanmax(v)) for v in lengths.values())
-    value, source = f"{longest:.6g} m", "the longest in any recording"
+    value, source = f"{longest:.6g} m", LONGEST
     if at_rest is not None and at_rest[1] == "stated":
         value, source = at_rest
     length = parse_quantity(value, "m")

@@ -33,6 +33,7 @@ class Draft:
         resample: proposed for long recordings.
         usual_muscle: nobody says what muscle it is.
         points: of tables of points at rest, what each file says of its direction, and values that are held out.
+        follows: of what is stated, what is zero because it follows from the rest.
         having: which recordings have the column of a signal, if only empty.
     """
 
@@ -58,6 +59,7 @@ class Draft:
     having: Mapping[str, Sequence[int]] = field(default_factory=dict)
     usual_muscle: bool = False
     points: PointsDraft | None = None
+    follows: Sequence[str] = ()
 
 
 def document(draft: Draft) -> str:
@@ -197,7 +199,7 @@ def _signals(draft: Draft) -> Iterator[str]:
 
 
 def _parameters(draft: Draft) -> Iterator[str]:
-    lines = [f"{toml_string(name)} = {_value(value)}" for name, value in draft.stated.items()]
+    lines = [line for name, value in draft.stated.items() for line in _stated(draft, name, value)]
     inputs = [
         (name, v)
         for name, v in draft.interface.inputs.items()
@@ -223,6 +225,12 @@ def _parameters(draft: Draft) -> Iterator[str]:
         )
     for name, variable in rest.items():
         yield _commented(name, variable)
+
+
+def _stated(draft: Draft, name: str, value: str) -> Iterator[str]:
+    if name in draft.follows:
+        yield from remark("zero, for it follows from the measures that are stated:")
+    yield f"{toml_string(name)} = {_value(value)}"
 
 
 def _commented(name: str, variable: Variable) -> str:

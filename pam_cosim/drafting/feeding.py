@@ -22,6 +22,8 @@ _ISOMETRIC = 5.0
 _NAMED = 0.6  # An input that is called as the bench calls it was meant for it.
 _LENGTHS = ("contraction", "length", "ratio")
 _NO_SIGNALS = ("voltage", "mass", "count", "direction")
+NEAR = _UNLIKELY
+"""What a bench that lets go what another one imposes may cost more, to be named beside it."""
 MECHANICAL = (*_LENGTHS, "force")
 
 
@@ -46,6 +48,12 @@ class BenchChoice:
     cost: float = 0.0
     unread: int = 0
     driven: bool = True
+
+    @property
+    def moving_lengths(self) -> dict[str, RecordedColumn]:
+        """What is imposed although a muscle that lifts a load would move it so, by the inputs that it feeds."""
+        lengths = {n: c for n, c in self.inputs.items() if c.meaning and c.meaning.kind in _LENGTHS}
+        return {n: c for n, c in lengths.items() if not (c.in_names or c.held)}
 
     @property
     def fed(self) -> dict[str, RecordedColumn]:

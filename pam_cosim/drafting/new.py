@@ -26,8 +26,9 @@ from pam_cosim.drafting.points import check_imposed, drafted
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
 from pam_cosim.drafting.roles import Role, roles, stated_roles
+from pam_cosim.drafting.sleeve import following_measures
 from pam_cosim.drafting.stated_value import StatedValue, check_stated, stated_values, text_of
-from pam_cosim.drafting.summary import NewDataSet, guesses, next_commands, to_check
+from pam_cosim.drafting.summary import NewDataSet, guesses, losses, next_commands, to_check
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.errors import InputError
@@ -69,6 +70,8 @@ def draft(
                 check_stated(stated, bench.interface)
         except UnitError as error:
             raise InputError(f"--parameter {error}") from None
+        follows = following_measures(recorded.stated, bench.interface)
+        recorded = replace(recorded, stated={**recorded.stated, **follows})
         if recorded.points:
             known_of = [{**recorded.stated, **own} for own in recorded.own]
             check_imposed(bench.choice.unfed, known_of, bench.interface)
@@ -81,10 +84,12 @@ def draft(
             copies,
             wishes.roles or {},
         )
+        made = replace(made, follows=tuple(follows))
         (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
         data = read_draft(place, dict(zip(copies, files, strict=True)), describe)
         put(place, folder)
-    told = guesses(made, bench.choice, recorded.time), to_check(made, mapped, bench.choice)
+    check = (*losses(data), *to_check(made, mapped, bench.choice))
+    told = guesses(made, bench.choice, recorded.time), check
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
 
 
@@ -181,7 +186,7 @@ def _guessed_roles(
     """Which recordings are held out; none, where nobody knows yet what differs between them."""
     if _unknown_mechanics(bench, recorded):
         return [Role("fit") for _ in mapped.courses]
-    traits = [{name: one.number for name, one in run.items()} for run in told]
+    traits = [{n: one.number for n, one in run.items() if not one.is_start} for run in told]
     return roles(mapped.courses, bench.interface, traits, paced=not recorded.points)
 
 
@@ -273,7 +278,8 @@ def _ignored(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> dict[str
     left = [
         column for column in recorded.columns if column.name not in used and not column.in_names
     ]
-    return texts | {column.name: _why_ignored(column, by_meaning) for column in left}
+    said = {name: "as you say" for name in recorded.recording.ignore or ()}
+    return said | texts | {column.name: _why_ignored(column, by_meaning) for column in left}
 
 
 _IGNORED_KINDS = {
@@ -287,7 +293,7 @@ def _why_ignored(column: RecordedColumn, by_meaning: Mapping[Meaning | None, str
     """Why a column is not read."""
     meaning = column.meaning
     if meaning is None:
-        return "nobody knows what it is"
+        return "; ".join(column.why) or "nobody knows what it is"
     if meaning.kind in _IGNORED_KINDS:
         return _IGNORED_KINDS[meaning.kind]
     if meaning in by_meaning:

@@ -62,6 +62,11 @@ class RecordedColumn:
         return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not written)
 
     @property
+    def since(self) -> str:
+        """The first of its dates with times of day, from which its numbers count; "" where it holds none."""
+        return next((column.since for column in self.places.values()), "")
+
+    @property
     def every(self) -> Array:
         """All its numbers."""
         return np.concatenate([*self.values.values(), np.empty(0)])

@@ -86,7 +86,7 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     formulas = {name: text for name, text in wanted.items() if text not in names}
     _check_asked(formulas, names)
     columns = find_columns(sources, asked)
-    columns = with_known_units(columns, formulas.values(), sources)
+    columns = with_known_units(columns, formulas.values(), sources, asked.values())
     columns += quantities(files, columns, list(map(_rows, sources)))
     time = check_time(columns, sources, recording)
     points = time is None and recording.interval is None

@@ -30,11 +30,15 @@ class Role:
 
 @dataclass(frozen=True)
 class _Trait:
-    """One number of each recording, such as the mean of an input; NaN where it has none."""
+    """One number of each recording, such as the mean of an input; NaN where it has none.
+
+    ``imposed``: it is of an input, which the experimenter chose.
+    """
 
     name: str
     unit: str
     values: Array
+    imposed: bool = False
 
 
 def roles(
@@ -81,20 +85,20 @@ def _traits(
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
     traits = []
     for name in dict.fromkeys(name for course in courses for name in course.every):
-        unit = variables[name].unit
+        unit, imposed = variables[name].unit, name in interface.inputs
         values = [course.every.get(name) for course in courses]
         traits.append(
-            _Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v))))
+            _Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v))), imposed)
         )
         if _all_held(values):
             continue
-        traits.append(_Trait(f"span of {name}", unit, _each(values, span)))
+        traits.append(_Trait(f"span of {name}", unit, _each(values, span), imposed))
         if paced:
             paces = [
                 np.nan if v is None else _pace(c.time, v)
                 for c, v in zip(courses, values, strict=True)
             ]
-            traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces)))
+            traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces), imposed))
     for name in dict.fromkeys(name for values in own for name in values):
         traits.append(
             _Trait(
@@ -166,14 +170,21 @@ def stated_roles(
 def _why(
     traits: Sequence[_Trait], scaled: Array, left: Sequence[int], one: int, outside: float
 ) -> str:
-    """The trait in which it differs most from its nearest neighbour, and whether it lies within."""
+    """The trait in which it differs most from its nearest neighbour; where none lies within, by which it is beyond."""
+    if outside > 0.0:
+        most = int(np.argmax([_outside(scaled[:, [k]], left, one) for k in range(len(traits))]))
+        said = _said(traits[most], left, one)
+        return f"none lies within what the others span, and this one goes least beyond it: {said}"
     near = min(left, key=lambda i: float(np.sum((scaled[i] - scaled[one]) ** 2)))
-    most = int(np.argmax(np.abs(scaled[near] - scaled[one])))
-    trait = traits[most]
-    value = format_quantity(float(trait.values[one]), trait.unit)
-    others = [
-        format_quantity(float(end(trait.values[left])), trait.unit) for end in (np.min, np.max)
-    ]
-    place = "within" if outside == 0.0 else "near"
-    theirs = " to ".join(others)
-    return f"it lies {place} what the fitted runs span and differs from each: {trait.name} {value}, theirs {theirs}"
+    differs = np.abs(scaled[near] - scaled[one])
+    imposed = [k for k, trait in enumerate(traits) if trait.imposed and differs[k] > 0.0]
+    most = max(imposed or range(len(traits)), key=lambda k: float(differs[k]))
+    said = _said(traits[most], left, one)
+    return f"it lies within what the fitted runs span and differs from each: {said}"
+
+
+def _said(trait: _Trait, left: Sequence[int], one: int) -> str:
+    """A trait of a run, and what the others span."""
+    low, high = float(np.min(trait.values[left])), float(np.max(trait.values[left]))
+    own, *ends = (format_quantity(v, trait.unit) for v in (float(trait.values[one]), low, high))
+    return f"{trait.name} {own}, theirs {' to '.join(ends)}"

@@ -8,6 +8,7 @@ from pathlib import Path
 
 from pam_cosim.drafting.vocabulary import direction_word, read_heading
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.date_times import says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.table import Layout, Table
@@ -25,6 +26,7 @@ class RecordingSource:
     Attributes:
         texts: headings of columns of text, which are left out.
         labels: the cells of those that hold the same in every row.
+        clocks: headings of those whose cells hold times of day in a way that is not read.
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
     """
@@ -34,6 +36,7 @@ class RecordingSource:
     texts: tuple[str, ...] = ()
     words: dict[str, tuple[str, ...]] = field(default_factory=dict)
     labels: tuple[str, ...] = ()
+    clocks: tuple[str, ...] = ()
 
 
 def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[RecordingSource]:
@@ -92,7 +95,9 @@ def _source(
     except InputError as error:
         raise _with_hint(error) from None
     labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
-    return RecordingSource(file, table, left_out, own, labels)
+    kept = [heading for heading in left_out if layout.keeps(heading, heading)]
+    clocks = tuple(heading for heading in kept if all(map(says_time_of_day, texts[heading])))
+    return RecordingSource(file, table, left_out, own, labels, clocks)
 
 
 def _with_hint(error: InputError) -> InputError:

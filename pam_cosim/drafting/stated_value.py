@@ -11,11 +11,15 @@ from pam_cosim.units import UnitError, parse_quantity, readable_factor, readable
 
 @dataclass(frozen=True)
 class StatedValue:
-    """A value that is known of one recording: as text for the file, and why."""
+    """A value that is known of one recording: as text for the file, and why.
+
+    ``is_start``: the recording itself happens to begin so; nobody chose it.
+    """
 
     value: str
     number: float
     why: str
+    is_start: bool = False
 
 
 def text_of(value: float, unit: str) -> str:

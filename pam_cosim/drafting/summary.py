@@ -7,16 +7,27 @@ from dataclasses import dataclass
 from pathlib import Path
 from shlex import quote
 
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters
+from pam_cosim.drafting.contraction import LONGEST
 from pam_cosim.drafting.direction import SENSES
 from pam_cosim.drafting.document import Draft
-from pam_cosim.drafting.feeding import BenchChoice
+from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import begins_still
+from pam_cosim.drafting.vocabulary import Meaning
 from pam_cosim.measurement import DataSet
+from pam_cosim.measurement.pieces import PAUSES
+from pam_cosim.measurement.recording import LEFT_OUT
+from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
+
+_FEWEST_ROWS = 2  # that a recording may have
 
 
 @dataclass(frozen=True)
@@ -149,6 +160,16 @@ def _of_points(made: Draft) -> list[Guess]:
     return rows
 
 
+def losses(data: DataSet) -> tuple[str, ...]:
+    """Rows that are left out and pauses of the recordings, each with the runs that have them."""
+    notes: dict[str, list[str]] = {}
+    for run in data.runs:
+        for note in run.notes:
+            if note.startswith((LEFT_OUT, PAUSES)):
+                notes.setdefault(note, []).append(run.name)
+    return tuple(f"{listed(runs)}: {note}" for note, runs in notes.items())
+
+
 def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...]:
     """What only the experimenter knows."""
     return tuple(
@@ -160,10 +181,13 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
                 if made.why_model
                 else []
             ),
+            *_freely_moving(made, choice),
+            *_never_at_rest(made, mapped),
             *_unfed_inputs(made),
             *_unknown_directions(made),
             *_nothing_held_out(made),
             *_moving_starts(made, mapped),
+            *_few_rows(made, mapped),
             _free(made),
         ]
     )
@@ -188,6 +212,54 @@ def _unfed_inputs(made: Draft) -> Iterator[str]:
         if name not in made.stated:
             hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
             yield f"no column was recognised as the input {name}: {hint}"
+
+
+def _freely_moving(made: Draft, choice: BenchChoice) -> Iterator[str]:
+    """Lengths that are taken for imposed and move, as those of a muscle that lifts a load do."""
+    if made.points is not None or not choice.others:
+        return
+    for name, column in choice.moving_lengths.items():
+        yield (
+            f"{name} is taken for imposed, and {column.name} moves: if the muscle itself moved it, against a load that "
+            f"hangs or a spring, say --model '{choice.others[0]}'"
+        )
+
+
+def _never_at_rest(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """Contractions counted from the longest length, where the muscle has pressure in every row."""
+    counted = [e.name for e in made.entries.values() if any(LONGEST in why for why in e.why)]
+    pressures = _pressures(made.interface, mapped)
+    if not counted or not pressures.size:
+        return
+    least = CRITERIA.recognition.unloaded * float(np.nanmax(pressures))
+    if float(np.nanmin(pressures)) > least:
+        yield (
+            f"{listed(counted)} is counted from the longest length that was recorded, and in no row is the muscle "
+            "without pressure: its length at rest is longer; measure it, and write it in the formula under [columns]"
+        )
+
+
+def _pressures(interface: Interface, mapped: Mapped) -> Array:
+    """Every pressure in the muscle, or the set points, that was recorded."""
+    for roles in ((), ("set",)):
+        wanted = Meaning("pressure", frozenset(roles))
+        names = [
+            name
+            for name, variable in {**interface.outputs, **interface.inputs}.items()
+            if meaning_of(variable) == wanted
+        ]
+        found = [c.every[name] for c in mapped.courses for name in names if name in c.every]
+        if found:
+            return np.concatenate(found)
+    return np.empty(0)
+
+
+def _few_rows(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """Recordings that are as short as one may be."""
+    counts = zip(made.files, mapped.courses, strict=True)
+    few = [file for file, course in counts if len(course.time) <= _FEWEST_ROWS]
+    if few and made.points is None:
+        yield f"two rows determine neither noise nor parameters: record more, or leave out {listed(few)}"
 
 
 def _nothing_held_out(made: Draft) -> Iterator[str]:

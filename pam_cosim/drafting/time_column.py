@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import replace
 
@@ -14,26 +15,36 @@ from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits
 from pam_cosim.drafting.words import DAYS, SHORTEST_STEP, USUAL_EPOCHS, USUAL_STEPS
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.date_times import EXAMPLE
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _C = CRITERIA.recognition
+_LABVIEW = re.compile(r"x[ _]?values?", re.IGNORECASE)
 
 
 def with_time(columns: list[RecordedColumn], asked: str | None) -> list[RecordedColumn]:
     """The columns with one of time at most, and its unit."""
     wanted, why = _likely_time(columns) if asked is None else _asked_time(columns, asked)
-    rest = [_no_time(c) if c.of("time") else c for c in columns]
     if wanted is None:
-        return rest
-    unit, more = (
-        (wanted.unit, wanted.why)
-        if wanted.unit and fits(wanted.unit, "time")
-        else _unit_of_time(wanted)
-    )
+        return columns
+    rest = [_no_time(c) if c.of("time") else c for c in columns]
+    is_known = wanted.unit and fits(wanted.unit, "time")
+    unit, more = (wanted.unit, _why_known(wanted)) if is_known else _unit_of_time(wanted)
     made = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
     return [made if c.name == wanted.name else c for c in rest]
+
+
+def _why_known(column: RecordedColumn) -> tuple[str, ...]:
+    """Why a column whose unit is known is the time."""
+    if not column.since:
+        return column.why
+    return (f"it holds dates, which count in seconds from the first, {column.since}",)
+
+
+def _states_unit(column: RecordedColumn) -> bool:
+    return any(one.unit.strip() for one in column.places.values())
 
 
 def _asked_time(
@@ -49,7 +60,7 @@ def _asked_time(
         raise InputError(
             f"no file has a column {shown(asked)}; {did_you_mean(asked, [c.name for c in columns])}"
         )
-    return wanted, wanted.why
+    return wanted, ()
 
 
 def _likely_time(
@@ -58,8 +69,11 @@ def _likely_time(
     """The column that is called time and rises; one that runs as a clock does; one that is called so all the same."""
     called = [c for c in columns if c.of("time")]
     rising = [c for c in called if _rises(c)]
-    if rising:
-        return max(rising, key=lambda c: c.known), ()
+    if rising:  # a date may be written no finer than in seconds
+        return max(rising, key=lambda c: (not c.since, c.known)), ()
+    labview = next((c for c in columns if _LABVIEW.fullmatch(c.name) and _runs(c)), None)
+    if labview is not None and not _states_unit(labview):
+        return labview, ("LabVIEW calls the time so, and its numbers rise from row to row",)
     running = next((c for c in columns if c.meaning is None and _runs(c) and _fits_time(c)), None)
     if running is not None:
         return running, ("its numbers rise from row to row",)
@@ -69,7 +83,7 @@ def _likely_time(
 def _no_time(column: RecordedColumn) -> RecordedColumn:
     """Beside a column of time, a capital T is a temperature."""
     if column.name.strip() != "T" or column.unit:
-        return replace(column, meaning=None, why=())
+        return replace(column, meaning=None, why=("another column is the time",))
     return with_usual_unit(
         replace(column, meaning=Meaning("temperature"), why=("another column is the time",))
     )
@@ -132,20 +146,57 @@ def check_time(
         seconds(recording.interval)
         return None
     if time is None and may_be_points(columns, sources):
+        _check_no_clock(sources)
         return None
     for i, source in enumerate(sources):
-        if time is None or i not in time.values:
-            hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
-            texts = (
-                f"; {listed(map(shown, source.texts))} is text, dates are not read"
-                if source.texts
-                else ""
+        if time is None:
+            raise InputError(_no_time_among(source), source.file, source.table.header_line)
+        if i not in time.values:
+            first = sources[min(time.values)]
+            raise InputError(
+                _other_columns(first, source, time), source.file, source.table.header_line
             )
-            message = (
-                f"there is no column of time among {listed(source.table.columns)}{texts}; {hint}"
-            )
-            raise InputError(message, source.file, source.table.header_line)
     return time
+
+
+def _check_no_clock(sources: Sequence[RecordingSource]) -> None:
+    """Raises InputError where rows have times of day that are not read: they may be no points at rest.
+
+    Where time is known, or the user leaves them out, nothing hangs on them.
+    """
+    for source in sources:
+        if source.clocks:
+            name = source.clocks[0]
+            read = f"a time of day is read beside its date, as {shown(EXAMPLE)}; write it so"
+            even = "say --recording interval='1 ms' where rows are evenly apart"
+            rest = f"--recording 'ignore={name}' where each row is a point at rest"
+            raise InputError(
+                f"this text says when each row was taken, and no other column is the time; {read}, {even}, or {rest}",
+                source.file,
+                source.table.header_line,
+                name,
+            )
+
+
+def _no_time_among(source: RecordingSource) -> str:
+    """What to say of a file in which nothing is the time."""
+    hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
+    dates = (
+        f"; {shown(source.clocks[0])} is text: dates are read as {EXAMPLE}" if source.clocks else ""
+    )
+    return f"there is no column of time among {listed(source.table.columns)}{dates}; {hint}"
+
+
+def _other_columns(first: RecordingSource, source: RecordingSource, time: RecordedColumn) -> str:
+    """What to say of a file that lacks the column that is the time in another one."""
+    if time.name in source.table.columns:
+        return f"the column {shown(time.name)} of time has no value"
+    here, there = listed(source.table.columns), listed(first.table.columns)
+    hint = "files with the same columns are drafted together, others into a data set of their own"
+    return (
+        f"it has no column {shown(time.name)}, which is the time in {first.file.name}: its columns are {here}, "
+        f"those of {first.file.name} {there}; {hint}"
+    )
 
 
 def may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> bool:

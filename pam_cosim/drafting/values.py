@@ -39,7 +39,7 @@ def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedVal
         low = -np.inf if parameter.min is None else parameter.min
         least = max(_C.still * span(values), _C.away * noise_of(course.time, values))
         if abs(first - usual) > least and first >= low:
-            told[name] = StatedValue(text_of(first, unit), first, f"{signal} begins so")
+            told[name] = StatedValue(text_of(first, unit), first, f"{signal} begins so", True)
     return told
 
 

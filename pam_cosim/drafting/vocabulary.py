@@ -23,6 +23,7 @@ from pam_cosim.drafting.words import (
     OF_VALVES,
     ROLES,
     SAID_IN_PASSING,
+    SAYS_SURELY,
     SPELLINGS,
     STANDS_FOR,
     UNITS,
@@ -31,6 +32,7 @@ from pam_cosim.drafting.words import (
 )
 from pam_cosim.measurement.table import is_unit
 from pam_cosim.units import UnitError, convert, is_dimensionless, pressure_reference
+from pam_cosim.wording import shown
 
 
 @dataclass(frozen=True)
@@ -88,6 +90,18 @@ def read_heading(name: str, unit: str) -> Heading:
     unknown = not stated and not is_dimensionless(unit)
     written = bool(stated) and stated == unit.strip()
     return Heading(meaning, stated, written, unknown, absolute, share)
+
+
+def contradiction(name: str, unit: str) -> str:
+    """What the words of a name say without doubt, and what its unit says instead; "" where they agree."""
+    words = [folded(word) for word in split_words(name)]
+    named = [kind for kind, surely in SAYS_SURELY.items() if any(map(surely.fullmatch, words))]
+    by_unit = next((kind for kind in (*SAYS_SURELY, "length", "time") if fits(unit, kind)), "")
+    possible = [*named, *_kinds_in(words)]
+    weighed = "force" in named and fits(unit, "mass")
+    if not named or not by_unit or weighed or any(fits(unit, kind) for kind in possible):
+        return ""
+    return f"its name says {named[0]}, its unit {shown(unit)} says {by_unit}"
 
 
 def _says_absolute(unit: str, name: str) -> bool:

@@ -28,8 +28,8 @@ UNITS = {
 
 KINDS = {
     "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
-    "pressure": "=p =pm =pk =ps =psup =psupply =psource =pamb =patm =baro barometer barometr pressure "
-    "druck pression press",
+    "pressure": "=p =pm =pk =ps =pset =psoll =psp =pref =pcmd =psup =psupply =psource =pamb =patm =baro barometer "
+    "barometr pressure druck pression press",
     "temperature": "=t =tamb =temp temperature temperatur thermo",
     "current": "=i =u =strom =courant current strom courant intensite",
     "command": "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais relay =cmd =u",
@@ -46,8 +46,10 @@ KINDS = {
     "direction": "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese inflat deflat loading",
 }
 ROLES = {
-    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src =ps",
-    "set": "=set =sp =soll =ref =cmd setpoint soll consigne target desired reference wanted demand told command befehl",
+    "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src =ps "
+    "=psup",
+    "set": "=set =sp =soll =ref =cmd =pset =psoll =psp =pref =pcmd setpoint soll "
+    "consigne target desired reference wanted demand told command befehl",
     "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
     "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor =amb =tamb =pamb =patm =atm =umg "
@@ -58,6 +60,12 @@ ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
 """Words, folded, for no pressure in particular: behind one of them "atm" says which, behind others it is a unit."""
 WITHOUT_ROLES = ("count", "direction")
 OF_VALVES = ("inlet", "exhaust")
+SAYS_SURELY = {
+    "pressure": re.compile(r".*druck|pressure|pression"),
+    "force": re.compile(r".*kraft|force|loadcell"),
+    "temperature": re.compile(r".*temperatur|temperature"),
+}
+"""Words, folded, that leave no doubt of what a column is: "compression" does, and a "load" may be a voltage."""
 SAID_IN_PASSING = frozenset(
     ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
 )

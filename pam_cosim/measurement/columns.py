@@ -107,7 +107,8 @@ def _renamed(table: Table, renaming: ColumnMapping, name: str) -> Column:
                 f"{table.file.name} has no column {shown(wanted)}; {hint}", name, "column"
             )
         source = alike[0]
-    return Column(name, one.unit or source.unit, source.values, source.heading or source.name)
+    unit = source.unit if source.since else one.unit or source.unit
+    return Column(name, unit, source.values, source.heading or source.name)
 
 
 def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:

@@ -161,11 +161,13 @@ def _misses(at: Array, values: Array, around: Sequence[int]) -> Array:
     distance[:, own, own] = 1.0
     factors = np.repeat((at[middle, None] - nodes)[:, None, :], len(around), axis=1)
     factors[:, own, own] = 1.0
-    with np.errstate(divide="ignore", invalid="ignore"):
+    with np.errstate(all="ignore"):  # two nodes at one place, or nearly so, have no weights
         weights = (factors / distance).prod(axis=2)
-    same = ~np.isfinite(weights).all(axis=1) | (np.abs(weights).max(axis=1) > 1.0 + 1e-9)
+        there = np.isfinite(np.sum(weights**2, axis=1))
+    same = ~there | (np.abs(weights).max(axis=1) > 1.0 + 1e-9)
     flat = same & (np.ptp(nodes, axis=1) == 0.0)
     weights[flat] = 1.0 / len(around)
-    kept = flat | ~same if reach == 1 else np.isfinite(weights).all(axis=1)
+    kept = flat | ~same if reach == 1 else flat | there
+    weights, middle = weights[kept], middle[kept]
     off = values[middle] - np.sum(weights * values[middle[:, None] + np.array(around)], axis=1)
-    return np.asarray((off / np.sqrt(1.0 + np.sum(weights**2, axis=1)))[kept])
+    return np.asarray(off / np.sqrt(1.0 + np.sum(weights**2, axis=1)))

@@ -20,6 +20,8 @@ from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.table import TIME, Table
 
 Gaps = Literal["split", "through"]
+PAUSES = "it pauses"
+"""How a note on pauses of a recording begins."""
 
 
 def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
@@ -85,7 +87,7 @@ def _note(time: Array, after: Sequence[int] | NDArray[np.intp]) -> str:
     longest = int(max(after, key=lambda i: time[i + 1] - time[i]))
     pause = time[longest + 1] - time[longest]
     return (
-        f"it pauses {_times(len(after))}, for {pause:.3g} s after {time[longest]:g} s: the model runs through that "
+        f"{PAUSES} {_times(len(after))}, for {pause:.3g} s after {time[longest]:g} s: the model runs through that "
         'with the inputs as they were before and after; gaps = "split" lets each piece begin anew'
     )
 

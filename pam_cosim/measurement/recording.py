@@ -16,6 +16,9 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
 
+LEFT_OUT = "left out:"
+"""How a note on rows that are not read begins."""
+
 
 @dataclass(frozen=True)
 class Averaged:
@@ -92,7 +95,7 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
         name: replace(column, values=column.values[whole]) for name, column in table.columns.items()
     }
     count, words = int((~whole).sum()), listed(map(shown, table.missing))
-    note = f"left out: {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
+    note = f"{LEFT_OUT} {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
     lines = None if table.lines is None else table.lines[whole]
     return replace(table, columns=kept, lines=lines, notes=(*table.notes, note))
 

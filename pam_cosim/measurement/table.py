@@ -24,13 +24,18 @@ _OVER = re.compile(r"(.+?)\s+(?:/|in)\s+(\S+)")
 
 @dataclass(frozen=True)
 class Column:
-    """One column: values (n,) in ``unit``, NaN where a sample is missing; what the file calls it, and which it is."""
+    """One column: values (n,) in ``unit``, NaN where a sample is missing; what the file calls it, and which it is.
+
+    Attributes:
+        since: of dates with times of day, the first, from which the values count.
+    """
 
     name: str
     unit: str
     values: NDArray[np.float64]
     heading: str = ""
     place: int = 0
+    since: str = ""
 
 
 @dataclass(frozen=True)

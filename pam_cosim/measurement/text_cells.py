@@ -5,7 +5,7 @@ from __future__ import annotations
 import csv
 import math
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import chain
 from pathlib import Path
 
@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.date_times import date_time, seconds_between
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
 from pam_cosim.wording import shown
@@ -21,6 +22,7 @@ _BLOCK = 20_000  # Lines that are turned into numbers at once.
 _LONGEST = 1000  # letters of a cell that is looked at as a number
 _NUMBER = re.compile(r"[+-]?(\d+(?:\.\d*)?|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 _NO_NUMBER = re.compile(r"[^0-9eE+\-.]")
+_GROUPED = re.compile(r"[+-]?[1-9]\d{0,2}(,\d{3})+(\.\d*)?", re.ASCII)
 _NOT_FINITE = ("nan", "inf", "infinity")
 
 
@@ -35,18 +37,21 @@ class Reader:
         self.words: list[Mapping[str, float]] = [{} for _ in names]
         self.missing: frozenset[str] = frozenset()
         self.clock: frozenset[int] | None = None  # places of columns of times; None: not known
+        self.dates: dict[int, str] = {}  # places of columns of dates with times of day: the first
         self.met: dict[str, None] = {}
+        self._lines: list[Line] = []
 
     def cells(self, lines: list[Line]) -> Iterator[Line]:
         """Line and text of every cell that holds a sign for decimals."""
         for number, line in lines:
             if "." in line or "," in line:
                 cells = self._split(number, line)
-                for i in self.keep:
+                for i in (i for i in self.keep if i not in self.dates):
                     yield number, cells[i] if i < len(cells) else ""
 
     def columns(self, lines: list[Line]) -> list[NDArray[np.float64]]:
         """(n,) of each column that is kept; NaN where a cell is empty."""
+        self._lines = lines
         blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
         whole = [np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))]
         return [
@@ -100,9 +105,24 @@ class Reader:
             if '"' in joined:
                 return None
             cells = joined.split(self.separator)
-        columns = [_floats(cells[i::count], self.decimal) for i in self.keep]
+        columns = [
+            self._seconds(cells[i::count], self.dates[i])
+            if i in self.dates
+            else _floats(cells[i::count], self.decimal)
+            for i in self.keep
+        ]
         numbers = [column for column in columns if column is not None]
         return numbers if len(numbers) == len(columns) else None
+
+    def _seconds(self, cells: Sequence[str], first: str) -> NDArray[np.float64] | None:
+        """(n,) seconds since the first date; None where one is not plainly a date."""
+        begin = date_time(first)
+        made = [date_time(cell.strip()) for cell in cells]
+        known = [one for one in made if one is not None]
+        if begin is None or len(known) < len(made):
+            return None
+        seconds = [seconds_between(begin, one) for one in known]
+        return None if None in seconds else np.array(seconds, dtype=np.float64)
 
     def _split(self, number: int, line: str) -> list[str]:
         try:
@@ -136,6 +156,8 @@ class Reader:
         if cell.casefold() in self.missing and not _NUMBER.fullmatch(self._with_point(cell)):
             self.met[cell] = None
             return math.nan
+        if column in self.dates:
+            return self._second(line, cell, column)
         words = self.words[column]
         if cell.casefold() in words:
             return words[cell.casefold()]
@@ -145,7 +167,7 @@ class Reader:
             wrong = (
                 f"{shown(cell)} is none of {', '.join(words)}"
                 if words
-                else self._not_a_number(cell)
+                else self._not_a_number(cell, column)
             )
             raise InputError(wrong, self.file, line, name)
         value = float(number)
@@ -153,7 +175,27 @@ class Reader:
             raise InputError(f"{shown(cell)} is too large", self.file, line, name)
         return value
 
-    def _not_a_number(self, cell: str) -> str:
+    def _second(self, line: int, cell: str, column: int) -> float:
+        """Seconds since the first date of a column."""
+        seconds = self._seconds([cell], self.dates[column])
+        if seconds is None:
+            first = shown(self.dates[column])
+            message = f"{shown(cell)} is no date and time as the first one, {first}"
+            raise InputError(
+                f"{message}; correct it in the file", self.file, line, self.names[column]
+            )
+        return float(seconds[0])
+
+    def _may_be_grouped(self, column: int) -> bool:
+        """Whether three digits stand behind every comma of a column."""
+        with_comma = []
+        for number, line in self._lines:
+            if "," in line:
+                cells = self._split(number, line)
+                with_comma += [one for one in cells[column : column + 1] if "," in one]
+        return bool(with_comma) and all(map(_GROUPED.fullmatch, with_comma))
+
+    def _not_a_number(self, cell: str, column: int) -> str:
         if cell.lower().lstrip("+-") in _NOT_FINITE:
             where = (
                 f', or state the word under [recording]: missing = ["{cell}"]'
@@ -162,6 +204,12 @@ class Reader:
             )
             return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{where}"
         if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
+            if self.decimal == "." and "," in cell and self._may_be_grouped(column):
+                whole, point = cell.replace(",", ""), cell.replace(",", ".")
+                return (
+                    f"{shown(cell)} may be grouped by thousands, or have a decimal comma, as every such number of this "
+                    f"column may; write {whole} or {point}, whichever is meant"
+                )
             if self.decimal == ".":
                 stated = 'state decimal = "," under [recording]'
                 return f"{shown(cell)} has a decimal comma; write a decimal point, or {stated} where all numbers do"

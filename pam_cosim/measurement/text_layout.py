@@ -7,22 +7,29 @@ decides, nothing is guessed.
 
 from __future__ import annotations
 
+import csv
+import json
 import re
 from collections.abc import Iterable
+from contextlib import suppress
 from dataclasses import dataclass, replace
+from functools import partial
 from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Layout, split_heading
 from pam_cosim.measurement.text_header import header_of
 from pam_cosim.measurement.text_rows import (
+    LOOKED_AT,
     NUMBER,
     Line,
     first_row,
     is_comment,
     is_dated_row,
+    is_number,
     is_row,
     rows_of,
+    split_cells,
 )
 from pam_cosim.wording import shown
 
@@ -105,7 +112,7 @@ def _no_rows(lines: list[Line], file: Path) -> InputError:
     held = [number for number, line in lines if not is_comment(line)]
     if not held:
         return InputError("the file is empty; begin with a header such as 'time [s],p [kPa]'", file)
-    return InputError(
+    return _rows_of_words(lines, file) or InputError(
         "there are no rows below the header: no line begins with a number and has several cells, "
         "separated by commas, semicolons, tabs or blanks",
         file,
@@ -113,10 +120,28 @@ def _no_rows(lines: list[Line], file: Path) -> InputError:
     )
 
 
+def _rows_of_words(lines: list[Line], file: Path) -> InputError | None:
+    """The error about the first line that begins with a number and goes on with words; None: there is none."""
+    for number, line in lines[:LOOKED_AT]:
+        for separator in SEPARATORS.values():
+            with suppress(csv.Error):
+                first, *more = split_cells(line, separator) or [""]
+                words = [cell for cell in more if cell and not is_number(cell)]
+                if words and is_number(first):
+                    message = f"most cells of this row are no numbers, such as {shown(words[0])}"
+                    hint = f"missing = {json.dumps([words[0]], ensure_ascii=False)}"
+                    return InputError(
+                        f"{message}; where it stands for a missing sample, state {hint} under [recording]",
+                        file,
+                        number,
+                    )
+    return None
+
+
 def _layout_by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
     """The layout by this separator; None when there are no rows."""
     after = max(stated.header_line or 0, stated.units_line or 0)
-    rows, start = rows_of(separator, lines, after, is_row)
+    rows, start = rows_of(separator, lines, after, partial(is_row, missing=stated.missing))
     if start is None:
         rows, start = rows_of(separator, lines, after, is_dated_row)
     if start is None:
@@ -143,9 +168,7 @@ def _name_in(heading: str) -> str:
 def _fits(cells: list[str], count: int, kept: list[int], missing: frozenset[str]) -> bool:
     if len(cells) < count or any(cells[count:]):
         return False
-    return all(
-        not cells[i] or NUMBER.fullmatch(cells[i]) or cells[i].casefold() in missing for i in kept
-    )
+    return all(not cells[i] or is_number(cells[i]) or cells[i].casefold() in missing for i in kept)
 
 
 def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -> str:

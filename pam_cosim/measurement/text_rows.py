@@ -7,6 +7,8 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
+from pam_cosim.measurement.date_times import is_date_time
+
 LOOKED_AT = 400  # Rows that are looked at; all are checked when they are read.
 _DEEPEST = 400  # Lines above the first row, below what is stated.
 NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
@@ -74,16 +76,25 @@ def rows_of(
     return rows, start
 
 
-def is_row(cells: list[str]) -> bool:
-    """A row begins with a number; half of its cells at least are numbers or empty."""
-    numbers = sum(1 for cell in cells if not cell or NUMBER.fullmatch(cell))
-    return len(cells) > 1 and bool(NUMBER.fullmatch(cells[0])) and 2 * numbers >= len(cells)
+def is_number(cell: str) -> bool:
+    """Whether a cell can be read as a number: it is one, or a date with a time of day."""
+    return bool(NUMBER.fullmatch(cell)) or is_date_time(cell)
+
+
+def is_row(cells: list[str], missing: frozenset[str] = frozenset()) -> bool:
+    """A row begins with a number; half of its cells at least are numbers or empty, or words for ``missing`` samples."""
+    if len(cells) < 2 or not is_number(cells[0]):
+        return False
+    if not NUMBER.fullmatch(cells[0]) and not any(map(NUMBER.fullmatch, cells)):
+        return False  # a date above the table
+    known = sum(1 for one in cells if not one or is_number(one) or one.casefold() in missing)
+    return 2 * known >= len(cells)
 
 
 def is_dated_row(cells: list[str]) -> bool:
     """A row that begins with a text, such as a date, has more numbers than texts."""
-    return len(cells) > 2 and 2 * sum(1 for cell in cells if NUMBER.fullmatch(cell)) > len(cells)
+    return len(cells) > 2 and 2 * sum(map(is_number, cells)) > len(cells)
 
 
 def _holds_number(row: Row, count: int) -> bool:
-    return len(row.cells) == count and any(NUMBER.fullmatch(cell) for cell in row.cells)
+    return len(row.cells) == count and any(map(is_number, row.cells))

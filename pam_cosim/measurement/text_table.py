@@ -6,11 +6,13 @@ import csv
 import re
 from collections.abc import Iterator, Mapping, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.date_times import date_time, is_date_time
 from pam_cosim.measurement.table import Column, Layout, Table, split_heading
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
@@ -50,11 +52,13 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
     reader.clock = _clock(layout, names, stated)
+    reader.dates = _dates(body, layout, keep)
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
         for i, values in zip(keep, reader.columns(body), strict=True)
     }
+    columns |= _since_first(columns, reader)
     numbers = np.array([number for number, _ in body], dtype=np.int64)
     notes, met = _notes(layout, encoding, reader.decimal), tuple(reader.met)
     return Table(file, columns, layout.header_line or None, numbers, notes, met)
@@ -89,8 +93,24 @@ def _clock(
     )  # fmt: skip
 
 
+def _dates(body: Sequence[Line], layout: TextLayout, keep: Sequence[int]) -> dict[int, str]:
+    """Places of columns of dates with times of day, and the first of each."""
+    rows = _rows(body[:LOOKED_AT], layout.separator)
+    first = {i: next(iter(_filled(rows, i)), "") for i in keep}
+    return {i: cell for i, cell in first.items() if date_time(cell) is not None}
+
+
+def _since_first(columns: Mapping[str, Column], reader: Reader) -> dict[str, Column]:
+    """The columns of dates, which are in seconds since the first, whatever unit is written."""
+    by_place = {column.place - 1: name for name, column in columns.items()}
+    return {
+        by_place[i]: replace(columns[by_place[i]], unit="s", since=first)
+        for i, first in reader.dates.items()
+    }
+
+
 def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
-    """The columns in which no row has a number, such as remarks and dates: the different cells of each, by heading.
+    """The columns in which no row has a number or a date, such as remarks: the different cells of each, by heading.
 
     Raises:
         InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
@@ -112,8 +132,8 @@ def _filled(rows: Sequence[Sequence[str]], column: int) -> list[str]:
 
 
 def _is_text(cells: Sequence[str]) -> bool:
-    """Whether there are cells, and none of them is meant as a number."""
-    return bool(cells) and not any(map(_MEANT.fullmatch, cells))
+    """Whether there are cells, none of them is meant as a number, and not all are dates with times of day."""
+    return bool(cells) and not (any(map(_MEANT.fullmatch, cells)) or all(map(is_date_time, cells)))
 
 
 def _rows(lines: Sequence[Line], separator: str) -> list[list[str]]:

@@ -9,9 +9,11 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
 from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.reporting.account.diagnosis_rows import (
+    STATED,
     candidate_row,
     missing_rows,
     parameter_rows,
+    place_of,
     rule_rows,
     summary_rows,
     was_added,
@@ -44,7 +46,7 @@ from pam_cosim.reporting.figures.residuals import residual_pictures
 from pam_cosim.reporting.glossary import glossary_entries
 from pam_cosim.reporting.ledger_part import ledger_part
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
-from pam_cosim.reporting.style import Picture, balance_colours
+from pam_cosim.reporting.style import HALO, Picture, balance_colours
 
 _MOST_BARS = 20
 _MOST_ROWS = 12
@@ -57,7 +59,8 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     fitted = diagnosis.candidates
     rows, further = _candidate_rows(diagnosis)
     acting = [*diagnosis.balance, *(candidate.balance for candidate in fitted)]
-    palette = balance_colours(diagnosis.data.domain.balances, acting)
+    palette = balance_colours(diagnosis.data.domain.balances, acting) | {STATED: HALO}
+    balances = _balances(diagnosis)
     rules = diagnosis.base.comparison.where
     return render(
         "diagnosis.html",
@@ -96,9 +99,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         ],
         parameters=parameter_rows(diagnosis),
         added=bool(diagnosis.path),
-        balance=balance_picture(diagnosis.balance, palette)
-        if any(diagnosis.balance.values())
-        else None,
+        balance=balance_picture(balances, palette) if any(balances.values()) else None,
         map=residual_map(layers, signals),
         ledger=ledger_part(diagnosis),
         learned=learned_part(diagnosis),
@@ -146,6 +147,17 @@ def _probability_picture(verdict: Verdict) -> Picture | None:
     return probability_picture(rows) if rows else None
 
 
+def _balances(diagnosis: Diagnosis) -> dict[str, float]:
+    """Share of each balance; a stated value stands for itself where it explains most among what acts in a balance."""
+    single = [c for c in diagnosis.candidates if len(c.effects) == 1]
+    shares: dict[str, float] = {}
+    for balance, share in diagnosis.balance.items():
+        there = [c for c in single if c.balance == balance]
+        best = max(there, key=lambda c: explained(diagnosis.base, c.fit), default=None)
+        shares[place_of(best) if best is not None else balance] = share
+    return shares
+
+
 def _ranking_picture(
     diagnosis: Diagnosis, fitted: Sequence[Candidate], palette: Mapping[str, str]
 ) -> Picture | None:
@@ -156,7 +168,7 @@ def _ranking_picture(
         CandidateBar(
             f"{' + '.join(c.effects)} ({words(c.family)})",
             explained(base, c.fit),
-            c.balance,
+            place_of(c),
             was_added(path, c),
         )
         for c in fitted

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
@@ -24,6 +25,7 @@ from pam_cosim.study.fitted_model import (
 )
 from pam_cosim.study.library import benches
 from pam_cosim.study.mapped_model import mapped_model
+from pam_cosim.study.read_limits import check_inputs, inputs_beyond
 from pam_cosim.wording import did_you_mean
 
 
@@ -60,9 +62,26 @@ def read(
             data set says.
 
     Raises:
-        InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left.
+        InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left;
+            an input beyond what the model allows.
     """
     described = described_with(files)
+    data = _read(folder, described, model, files, roles, cuts, starts)
+    check_inputs(data, described(data.model))
+    return data
+
+
+def _read(
+    folder: Path | str,
+    described: Callable[[str], Interface],
+    model: str | None = None,
+    files: Paths = (),
+    roles: Mapping[str, str] | None = None,
+    cuts: Mapping[str, Sequence[Moment]] | None = None,
+    starts: Mapping[str, str] | None = None,
+) -> DataSet:
+    """As ``read``, whatever the inputs are."""
+    _check_there(folder)
     overrides = overrides_of(cuts, starts)
     if Path(folder).suffix.lower() == ".npz":
         if cuts or starts:
@@ -84,6 +103,18 @@ def read(
         data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files)
     )
     return for_model(data, model, files)
+
+
+def _check_there(folder: Path | str) -> None:
+    """Whatever else keeps a data set from being read is told by whoever reads it."""
+    try:
+        os.lstat(folder)
+    except FileNotFoundError:
+        raise InputError(
+            "does not exist; a data set is a folder with experiment.toml and CSV files", folder
+        ) from None
+    except (OSError, ValueError):
+        pass
 
 
 def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
@@ -141,17 +172,19 @@ def new(
     stated = {name: str(value) for name, value in (parameters or {}).items()}
     wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles)
     paths = [Path(one) for one in recordings]
+    described = described_with(files)
     made = draft(
         Path(folder),
         paths,
         wishes,
         read_library(files=as_paths(files)),
-        described_with(files),
+        described,
         as_paths(files),
     )
-    written = read(folder, files=files)
+    written = _read(folder, described, files=files)
+    beyond = inputs_beyond(written, described(written.model))
     begun = data_with_starts(written, written.model, files=files)
-    return replace(made, data=written, starts=begun.starts)
+    return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))
 
 
 def data_with_starts(

@@ -91,6 +91,8 @@ def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place:
         (["compare", "--cut", "two=0:1"], "no run 'two'"),
         (["compare", "--begin", "one=soon"], "rest, steady, measured, estimated"),
         (["diagnose", "--free", "orifice.C_x"], "did you mean 'orifice.C_d'"),
+        (["diagnose", "--expect", "leek"], "did you mean 'leak'"),
+        (["diagnose", "--exclude", "leek"], "did you mean 'leak'"),
     ],
 )
 def test_what_cannot_be_chosen(

@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from typing import Annotated
-
 import typer
 
 from pam_cosim import study
@@ -12,6 +10,7 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
     ModelOption,
+    WorkersOption,
     check_results,
     console,
     read_data,
@@ -26,7 +25,7 @@ def check(
     model: ModelOption = None,
     json: JsonOption = None,
     files: FilesOption = None,
-    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+    workers: WorkersOption = None,
 ) -> None:
     """What a measurement can and cannot tell, before any fit, and what to measure next."""
     check_results(json, sources=[model, *(files or [])])

@@ -6,7 +6,7 @@ Every command loads it, so that it loads no room of the package by itself.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any
@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
 
+PICTURES, PARAMETERS = (".png",), (".json", ".ssv")  # endings of results
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
@@ -91,6 +92,10 @@ StartOption = Annotated[
         help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins.",
     ),
 ]
+WorkersOption = Annotated[
+    int | None,
+    typer.Option(help="Processes; default: all processors; 0: this process alone."),
+]
 TimeoutOption = Annotated[
     float | None,
     typer.Option(
@@ -115,10 +120,16 @@ DataOrFmu = Annotated[
 
 
 def check_results(
-    *outputs: Path | None, sources: Iterable[Path | str | None] = (), new_folder: bool = False
+    *outputs: Path | None,
+    pictures: Iterable[Path | None] = (),
+    sources: Iterable[Path | str | None] = (),
+    new_folder: bool = False,
 ) -> None:
     """Finds out before long work that the results can be written, and that nothing else is lost by that."""
-    named = [path for path in outputs if path is not None]
+    drawn = [path for path in pictures if path is not None]
+    for path in drawn:
+        check_ending(path, "pictures are drawn as PNG", PICTURES)
+    named = [*(path for path in outputs if path is not None), *drawn]
     for path in named:
         check_writable(path, new_folder=new_folder)
         results[path] = identity(path)
@@ -129,6 +140,12 @@ def check_results(
 def say_renamed(option: str) -> None:
     """Answers an option that has another name now with that."""
     print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
+
+
+def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
+    """A file that is not what its name says is opened by nothing; a name without an ending says nothing."""
+    if path.suffix and path.suffix.lower() not in known:
+        raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
 
 
 def check_model_file(path: Path) -> None:

@@ -26,14 +26,15 @@ from pam_cosim.cli.commands.common import (
     read_data,
     say_written,
 )
-from pam_cosim.comparison import Comparison, ConditionTable, write_tables
+from pam_cosim.comparison import Comparison, ConditionTable, check_conditions, write_tables
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import is_fmu
 from pam_cosim.study.fitted_model import read_fitted_model
 from pam_cosim.study.tables import against_lines, read_comparison
+from pam_cosim.wording import listed
 
 
 def compare(
@@ -72,25 +73,38 @@ def compare(
             "--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs"
         )
     files, against = files or [], against or []
-    check_results(json, report, table_csv, table_plot, sources=[model, params, *against, *files])
+    sources = [model, params, *against, *files]
+    check_results(json, report, table_csv, pictures=[table_plot], sources=sources)
     fitted = _values_of(params, model) if params else {}
     chosen = parse_pairs(settings or [])
     earlier = [(path.stem, read_comparison(path)) for path in against]
+    repeated = True
     if is_fmu(str(data)):
         if roles or cuts or begins:
             raise InputError("recordings in an FMU are compared as they were judged", data)
-        comparison = _with_evidence(data, model, fitted, chosen, files, timeout)
+        carried = study.evidence(data)
+        typer.echo(f"{carried}\n")
+        comparison = _compared(
+            carried.data,
+            model or str(data),
+            {**carried.values, **fitted} if model is None else fitted,
+            chosen,
+            table,
+            files,
+            timeout,
+        )
+        if model in (None, str(data)) and not fitted and not chosen:
+            repeated = _say_repeated(carried.deviation(comparison))
     else:
         read = read_data(data, model, files, roles, cuts, begins)
-        comparison = study.compare(
-            read, model, _together(read, fitted, chosen), files=files, timeout=timeout
-        )
-        typer.echo(str(comparison))
+        comparison = _compared(read, model, fitted, chosen, table, files, timeout)
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = _tables(comparison, table) if table else []
     _write(comparison, tables, json, report)
     _write_tables(tables, table_csv, table_plot)
+    if not repeated:
+        raise typer.Exit(1)
 
 
 def _tables(comparison: Comparison, parameters: tuple[str, str]) -> list[ConditionTable]:
@@ -122,26 +136,33 @@ def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: P
     say_written(picture)
 
 
-def _with_evidence(
-    fmu: Path,
+def _compared(
+    data: DataSet,
     model: str | None,
     fitted: Mapping[str, float],
     chosen: Mapping[str, str],
+    table: tuple[str, str] | None,
     files: Sequence[Path],
     timeout: float | None,
 ) -> Comparison:
-    """The comparison with the recordings that an FMU carries, told with the judgement that it states."""
-    carried = study.evidence(fmu)
-    typer.echo(f"{carried}\n")
-    known = {**carried.values, **fitted} if model is None else fitted
-    values = _together(carried.data, known, chosen)
-    comparison = study.compare(
-        carried.data, model or str(fmu), values, files=files, timeout=timeout
-    )
+    """The comparison, printed with what a reader should know of how the files were read."""
+    values = _together(data, fitted, chosen)
+    if table:
+        check_conditions(data.runs, *table, values)
+    comparison = study.compare(data, model, values, files=files, timeout=timeout)
     typer.echo(str(comparison))
-    if model in (None, str(fmu)) and not fitted and not chosen:
-        typer.echo(_repeated(carried.deviation(comparison)))
+    for note in _notes(data.runs):
+        typer.echo(f"  note: {note}")
     return comparison
+
+
+def _notes(runs: Sequence[Run]) -> list[str]:
+    """What is to be known of how files were read, each once, with the runs that it is of."""
+    of: dict[str, list[str]] = {}
+    for run in runs:
+        for note in run.notes:
+            of.setdefault(note, []).append(run.name)
+    return [f"{listed(dict.fromkeys(names))}: {note}" for note, names in of.items()]
 
 
 def _together(
@@ -152,11 +173,15 @@ def _together(
     return {**{name: value for name, value in fitted.items() if name not in stated}, **chosen}
 
 
-def _repeated(deviation: float) -> str:
-    """Whether the errors are those that the FMU states."""
-    if deviation <= CRITERIA.run.repeated:
-        return "The judgement is repeated: these are the errors that the FMU states."
-    return f"The judgement is NOT repeated: an error differs by {100 * deviation:.2g} % from what the FMU states."
+def _say_repeated(deviation: float) -> bool:
+    """Says whether the errors are those that the FMU states."""
+    repeated = deviation <= CRITERIA.run.repeated
+    if repeated:
+        typer.echo("The judgement is repeated: these are the errors that the FMU states.")
+    else:
+        differs = f"an error differs by {100 * deviation:.2g} % from what the FMU states"
+        typer.echo(f"The judgement is NOT repeated: {differs}.")
+    return repeated
 
 
 def _values_of(params: Path, model: str | None) -> dict[str, float]:

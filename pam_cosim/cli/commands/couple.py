@@ -85,7 +85,9 @@ def couple(
     if formerly:
         say_renamed("couple --observe VARIABLE")
     files, controllers = files or [], controllers or []
-    check_results(output, plot, ssp, sources=[system, inputs, *files, *_files_of(controllers)])
+    check_results(
+        output, ssp, pictures=[plot], sources=[system, inputs, *files, *_files_of(controllers)]
+    )
     made = dict(map(_controller, controllers))
     read = coupling.read_system(system, made, files=files, timeout=timeout)
     read = read.having(parse_pairs(settings or [])).sampling(dict(map(_sample, samples or [])))

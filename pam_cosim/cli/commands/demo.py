@@ -9,7 +9,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim.cli.commands.common import check_results, console, follower, teller
+from pam_cosim.cli.commands.common import WorkersOption, check_results, console, follower, teller
 from pam_cosim.files import make_folder
 from pam_cosim.reporting import diagnosis_text
 from pam_cosim.study import demonstration
@@ -22,7 +22,7 @@ def demo(
     folder: Annotated[
         Path, typer.Argument(help="Where recordings and results go; made if needed.")
     ] = Path("pam-cosim-demo"),
-    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+    workers: WorkersOption = None,
 ) -> None:
     """Diagnose recordings that come along: see the verdict, the page, and the error fall."""
     data = demonstration.unpack(folder)

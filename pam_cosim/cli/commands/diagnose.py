@@ -22,6 +22,7 @@ from pam_cosim.cli.commands.common import (
     ReportOption,
     RoleOption,
     StartOption,
+    WorkersOption,
     check_model_file,
     check_results,
     console,
@@ -75,7 +76,7 @@ def diagnose(
     cuts: CutOption = None,
     begins: BeginOption = None,
     files: FilesOption = None,
-    workers: Annotated[int | None, typer.Option(help="Processes; default: all processors.")] = None,
+    workers: WorkersOption = None,
     time_limit: Annotated[
         str | None,
         typer.Option(help="End the search after so long ('30 s') with the best verdict so far."),

@@ -10,6 +10,7 @@ import typer
 from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
+    PARAMETERS,
     BeginOption,
     CutOption,
     Data,
@@ -20,6 +21,7 @@ from pam_cosim.cli.commands.common import (
     RoleOption,
     StartOption,
     TimeoutOption,
+    check_ending,
     check_results,
     console,
     read_data,
@@ -75,9 +77,11 @@ def fit(
     timeout: TimeoutOption = None,
 ) -> None:
     """Fit the parameters that the data set leaves free."""
-    check_results(output, json, plot, profile, resume, sources=[model, *(files or [])])
     if output:
         check_parameter_file(output)
+        check_ending(output, "parameters are written as JSON or SSV", PARAMETERS)
+    sources = [model, *(files or [])]
+    check_results(output, json, resume, pictures=[plot, profile], sources=sources)
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("fitting") as status:
         fitted = study.fit(

@@ -65,7 +65,7 @@ def observe(
     timeout: TimeoutOption = None,
 ) -> None:
     """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
-    check_results(output, json, plot, sources=[model, recording, *(files or [])])
+    check_results(output, json, pictures=[plot], sources=[model, recording, *(files or [])])
     point = parse_point([start]) if start else {}
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")

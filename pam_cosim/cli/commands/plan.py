@@ -71,12 +71,15 @@ def plan(
     model: ModelOption = None,
     files: FilesOption = None,
     workers: Annotated[
-        int | None, typer.Option(help="Processes of the diagnosis; default: all processors.")
+        int | None,
+        typer.Option(
+            help="Processes of the diagnosis; default: all processors; 0: this process alone."
+        ),
     ] = None,
 ) -> None:
     """Design the run that decides between the models which a diagnosis leaves, or tests its verdict."""
     written = planned_files(output, runs) if output else []
-    check_results(*written, plot, json, sources=[source, model, *(files or [])])
+    check_results(*written, json, pictures=[plot], sources=[source, model, *(files or [])])
     ranges = parse_limits(limits or [])
     diagnosis = _diagnosis(
         source,

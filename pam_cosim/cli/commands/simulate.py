@@ -47,7 +47,8 @@ def simulate(
     timeout: TimeoutOption = None,
 ) -> None:
     """One run of a model."""
-    check_results(*map(Path, output or []), plot, sources=[model, inputs, *(files or [])])
+    sources = [model, inputs, *(files or [])]
+    check_results(*map(Path, output or []), pictures=[plot], sources=sources)
     file, formerly = file_and_variables(output or [], lambda: study.describe(model, files or []))
     if formerly:
         say_renamed("simulate --output VARIABLE")

@@ -88,7 +88,10 @@ def sweep(
         Path | None, typer.Option(help="Draw the scalars over what is varied as PNG.")
     ] = None,
     workers: Annotated[
-        int | None, typer.Option(help="Processes; default: as many as it pays to start.")
+        int | None,
+        typer.Option(
+            help="Processes; default: as many as it pays to start; 1: this process alone."
+        ),
     ] = None,
     dask: Annotated[
         str | None, typer.Option(help="Address of a Dask scheduler that makes the runs.")
@@ -100,7 +103,7 @@ def sweep(
 
     A sweep that was stopped goes on with the same command.
     """
-    check_results(*map(Path, output), plot, sources=[model, inputs, *(files or [])])
+    check_results(*map(Path, output), pictures=[plot], sources=[model, inputs, *(files or [])])
     file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
     if file is None:
         raise InputError("name the file of the result with -o")

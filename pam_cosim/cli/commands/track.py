@@ -57,7 +57,9 @@ def track(
     made: str | Callable[[], Controller] = controller
     if file.endswith(".py"):
         made = partial(controller_from, Path(file), name)
-    check_results(output, json, plot, sources=[plant, file or controller, *(files or [])])
+    check_results(
+        output, json, pictures=[plot], sources=[plant, file or controller, *(files or [])]
+    )
     chosen = parse_frequencies(frequencies)
     columns = (TextColumn("tracking"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:

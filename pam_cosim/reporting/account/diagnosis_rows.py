@@ -10,6 +10,7 @@ from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
+from pam_cosim.model.domain import WRONG_PARAMETER
 from pam_cosim.reporting.account.wording import (
     NOTHING,
     estimate_texts,
@@ -23,6 +24,8 @@ from pam_cosim.reporting.account.wording import (
 )
 
 Row = dict[str, str]
+STATED = "stated_parameter"
+"""What stands in the place of a balance where a stated value is wrong: a length of a muscle is in none."""
 
 
 def rule_rows(rules: Sequence[Rule]) -> list[Row]:
@@ -64,6 +67,11 @@ def was_added(path: Sequence[Candidate], candidate: Candidate) -> bool:
     return any(candidate.effects == c.effects for c in path)
 
 
+def place_of(candidate: Candidate) -> str:
+    """The balance that a candidate's last effect acts in, or ``STATED``."""
+    return STATED if candidate.family == WRONG_PARAMETER else candidate.balance
+
+
 def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
     """A line of the ranking, beside the base model; ``path``: what was added."""
     own = []
@@ -74,7 +82,7 @@ def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[st
     return {
         "effect": " + ".join(c.effects),
         "family": words(c.family),
-        "balance": words(c.balance),
+        "balance": words(place_of(c)),
         "delta_bic": fixed(c.delta_bic),
         "explained": percent(explained(base, c.fit)),
         "chi2": number(c.fit.comparison.chi2_reduced("fit")),

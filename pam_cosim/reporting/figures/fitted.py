@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
-from math import ceil
+from math import ceil, isfinite
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
-from matplotlib.ticker import MaxNLocator
+from matplotlib.ticker import LogLocator, MaxNLocator
 
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.fitting import Fit, Profiles
+from pam_cosim.fitting import Fit, Profile, Profiles
+from pam_cosim.reporting.account.labels import short_model
 from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.figures.bode import plain_decades
 from pam_cosim.reporting.style import BLUE, INK, SOFT, VERMILLION, message, new_figure
@@ -20,12 +22,15 @@ _COLUMNS = 3
 
 
 def fit_figure(fit: Fit) -> Figure:
-    """Three panels: chi-square over simulations, the ends of the descents in order, the correlation matrix."""
-    figure = new_figure(12.0, 3.6)
-    left, middle, right = figure.subplots(1, 3)
-    _convergence(left, fit)
-    _waterfall(middle, fit)
-    _matrix(right, fit)
+    """Chi-square over simulations, the ends of several descents in order, the correlation matrix."""
+    parts = [_convergence, _waterfall, _matrix]
+    if len(fit.convergence.descents) == 1:
+        parts.remove(_waterfall)
+    figure = new_figure(4.0 * len(parts), 3.8)
+    for axes, part in zip(figure.subplots(1, len(parts)), parts, strict=True):
+        part(axes, fit)
+    title = f"{fit.comparison.data.title}: {short_model(fit.model)}"
+    figure.suptitle(title, x=0.01, ha="left", fontsize=9.5)
     return figure
 
 
@@ -45,9 +50,18 @@ def _convergence(axes: Axes, fit: Fit) -> None:
     if searched is not None:
         axes.axvline(searched, color=SOFT, ls="--", lw=0.9)
         axes.text(searched, y[0], " descent", color=SOFT, va="top", fontsize=7.5)
+    _scale(axes, y)
+    axes.grid(True)
+
+
+def _scale(axes: Axes, values: Array) -> None:
+    """Logarithmic where the values span a decade; a shorter span has no power of ten to label on such an axis."""
+    if not values.min() > 0 or values.max() < 10 * values.min():
+        return
     axes.set_yscale("log")
     plain_decades(axes.yaxis)
-    axes.grid(True)
+    if values.max() < 1000 * values.min():
+        axes.yaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0), numticks=12))
 
 
 def _waterfall(axes: Axes, fit: Fit) -> None:
@@ -57,8 +71,7 @@ def _waterfall(axes: Axes, fit: Fit) -> None:
         message(axes, "no descent")
         return
     axes.plot(np.arange(1, len(ends) + 1), ends, "o-", color=VERMILLION, ms=4, lw=0.8)
-    axes.set_yscale("log")
-    plain_decades(axes.yaxis)
+    _scale(axes, ends)
     axes.set_xlim(0.5, len(ends) + 0.5)
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.grid(True)
@@ -89,17 +102,36 @@ def profile_figure(made: Profiles) -> Figure:
     columns = min(_COLUMNS, max(count, 1))
     figure = new_figure(3.8 * columns, 2.7 * rows)
     panels = figure.subplots(rows, columns, squeeze=False).ravel()
-    limit = CRITERIA.uncertainty.profile_rise
     for axes, profile in zip(panels, made.profiles.values(), strict=False):
-        factor, unit = readable_factor(profile.unit), unit_text(profile.unit)
-        axes.plot(profile.values * factor, profile.rise, "o-", color=BLUE, ms=3)
-        axes.axhline(limit, color=SOFT, ls="--", lw=0.9)
-        axes.axvline(profile.best * factor, color=VERMILLION, lw=0.9)
-        axes.set_ylim(-0.05 * limit, max(1.2 * limit, 0.1))
-        axes.set_xlabel(f"{profile.name} [{unit}]" if unit else profile.name)
-        axes.set_ylabel("rise of chi-square")
-        axes.set_title("" if profile.determined else "not determined", loc="left", color=VERMILLION)
-        axes.grid(True)
+        _profile(axes, profile)
     for axes in panels[count:]:
         axes.set_visible(False)
     return figure
+
+
+def _profile(axes: Axes, profile: Profile) -> None:
+    """The rise of chi-square over one parameter, its estimate, and the ends of the interval."""
+    limit = CRITERIA.uncertainty.profile_rise
+    factor, unit = readable_factor(profile.unit), unit_text(profile.unit)
+    axes.plot(profile.values * factor, profile.rise, "o-", color=BLUE, ms=3)
+    axes.axhline(limit, color=SOFT, ls="--", lw=0.9)
+    end = axes.get_yaxis_transform()
+    axes.text(1.0, limit, "95 %", transform=end, ha="right", va="bottom", color=SOFT, fontsize=7.5)
+    for bound in (profile.low, profile.high):
+        if isfinite(bound):
+            axes.plot([bound * factor] * 2, [0.0, limit], color=SOFT, ls=":", lw=1.2)
+    axes.axvline(profile.best * factor, color=VERMILLION, lw=0.9)
+    axes.plot(profile.best * factor, 0.0, "D", color=VERMILLION, ms=5, zorder=4)
+    axes.text(
+        profile.best * factor,
+        0.55 * limit,
+        " estimate",
+        color=VERMILLION,
+        va="center",
+        fontsize=7.5,
+    )
+    axes.set_ylim(-0.05 * limit, max(1.2 * limit, 0.1))
+    axes.set_xlabel(f"{profile.name} [{unit}]" if unit else profile.name)
+    axes.set_ylabel("rise of chi-square")
+    axes.set_title("" if profile.determined else "not determined", loc="left", color=VERMILLION)
+    axes.grid(True)

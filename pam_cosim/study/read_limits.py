@@ -1,0 +1,58 @@
+"""Recorded inputs against the least and the greatest value that the bench allows them."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison import place_in
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.units import format_quantity
+
+
+def check_inputs(data: DataSet, interface: Interface) -> None:
+    """Finds out that no recorded input is beyond what the model allows, by more than a sensor's noise or zero.
+
+    Raises:
+        InputError: one is; names the file and the first row.
+    """
+    for run, message in _beyond(data, interface):
+        raise InputError(message, run.file)
+
+
+def inputs_beyond(data: DataSet, interface: Interface) -> tuple[str, ...]:
+    """The same as sentences, one for each input of each recording."""
+    return tuple(f"{run.file.name}: {message}" for run, message in _beyond(data, interface))
+
+
+def _beyond(data: DataSet, interface: Interface) -> Iterator[tuple[Run, str]]:
+    for run in data.runs:
+        for name, values in run.inputs.items():
+            variable = interface.inputs.get(name)
+            message = _message(run, variable, values) if variable else ""
+            if message:
+                yield run, message
+
+
+def _message(run: Run, variable: Variable, values: Array) -> str:
+    """What is wrong with an input; "" where nothing is."""
+    room = CRITERIA.doubts.passed * float(np.ptp(values))
+    limits = (("below the least", variable.min, -1.0), ("above the greatest", variable.max, 1.0))
+    for words, limit, sign in limits:
+        if limit is None:
+            continue
+        there = np.flatnonzero(sign * (values - limit) > room)
+        if there.size:
+            value, end = (
+                format_quantity(float(v), variable.unit) for v in (values[there[0]], limit)
+            )
+            return (
+                f"{variable.name} is {value} {place_in(run, int(there[0]))}, {words} value {end} that the model "
+                "allows: is it the sign, the unit, or the zero?"
+            )
+    return ""

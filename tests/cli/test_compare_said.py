@@ -1,0 +1,68 @@
+"""What ``compare`` and ``fit`` say before and after their work: tables, endings, notes, and the judgement of an FMU."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from pathlib import Path
+
+import pytest
+
+from pam_cosim.cli.commands.compare import _notes, _say_repeated
+from pam_cosim.study import comparisons
+from tests.cli.conftest import Outcome, everything
+from tests.comparison.fake import run
+
+Command = Callable[..., Outcome]
+
+
+def no_simulation(*_: object, **__: object) -> None:
+    raise AssertionError("it was simulated before")
+
+
+def test_a_table_is_checked_before_the_simulation(
+    command: Command, data: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(comparisons, "_compare", no_simulation)
+    outcome = command("compare", data, "--table", "tank.V", "orifice.q")
+    assert outcome.status == 2 and "no parameter 'orifice.q'" in outcome.err
+
+
+@pytest.mark.parametrize(
+    ("words", "known"),
+    [
+        (("fit", "data", "-o", "x.txt"), ".json or .ssv"),
+        (("fit", "data", "--plot", "x.xyz"), ".png"),
+        (("fit", "data", "--profile", "x.pdf"), ".png"),
+        (("simulate", "TankFilling", "--plot", "x.svg"), ".png"),
+        (("compare", "data", "--table", "a", "b", "--table-plot", "x.jpg"), ".png"),
+    ],
+)
+def test_an_ending_that_nothing_is_written_as_is_refused(
+    command: Command, data: Path, place: Path, words: tuple[str, ...], known: str
+) -> None:
+    before = everything(place)
+    outcome = command(*words)
+    assert outcome.status == 2 and known in outcome.err, outcome.err
+    assert everything(place) == before
+
+
+def test_rows_that_are_left_out_are_told(command: Command, data: Path) -> None:
+    lines = (data / "one.csv").read_text().splitlines()
+    lines = [
+        line.rpartition(",")[0] + "," if line.startswith(("7,", "8,")) else line for line in lines
+    ]
+    (data / "one.csv").write_text("\n".join(line.replace(",", ";") for line in lines) + "\n")
+    outcome = command("compare", data)
+    assert outcome.status == 0, outcome.err
+    assert "note: one: read with columns separated by semicolons" in outcome.out
+
+
+def test_a_note_of_several_runs_is_told_once() -> None:
+    runs = [replace(run(name, [0.0, 1.0]), notes=("it pauses", name)) for name in ("a", "b")]
+    assert _notes(runs) == ["a, b: it pauses", "a: a", "b: b"]
+
+
+def test_a_judgement_that_is_not_repeated_is_known(capsys: pytest.CaptureFixture[str]) -> None:
+    assert _say_repeated(0.0) and not _say_repeated(0.1)
+    assert "NOT repeated" in capsys.readouterr().out

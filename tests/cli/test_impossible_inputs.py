@@ -1,0 +1,65 @@
+"""What a bench does not allow of an input is refused where it was recorded, too."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from pathlib import Path
+
+import pytest
+
+from pam_cosim import study
+from tests.cli.conftest import Outcome
+
+Command = Callable[..., Outcome]
+EXPERIMENT = """\
+title = "a muscle held at a length"
+model = "QuasiStaticIsometric"
+[signals.F]
+sigma = "1 N"
+[parameters]
+branch = 1
+x = "0 mm"
+[[runs]]
+file = "one.csv"
+role = "fit"
+"""
+
+
+def data_set(place: Path, sign: float, dip: float = 0.0) -> Path:
+    folder = place / "rig"
+    folder.mkdir()
+    (folder / "experiment.toml").write_text(EXPERIMENT)
+    rows = [f"{t},{sign * 50 * t},{20 * t}" for t in range(6)]
+    (folder / "one.csv").write_text("\n".join(["time [s],p [kPa],F [N]", f"-1,{dip},0", *rows, ""]))
+    return folder
+
+
+@pytest.mark.parametrize("verb", ["compare", "fit"])
+def test_a_pressure_below_a_vacuum_is_refused(command: Command, place: Path, verb: str) -> None:
+    outcome = command(verb, data_set(place, -1.0))
+    assert outcome.status == 2
+    assert "one.csv: p is -150 kPa at 3 s of one, below the least value -101 kPa" in outcome.err
+    assert "is it the sign, the unit, or the zero?" in outcome.err
+
+
+def test_noise_at_the_limit_is_not(place: Path) -> None:
+    (run,) = study.read(data_set(place, 1.0, dip=-103.0)).runs
+    assert run.inputs["p"][0] == -103e3
+
+
+def test_a_new_data_set_is_written_all_the_same_and_says_it(place: Path) -> None:
+    (place / "one.csv").write_text((data_set(place, -1.0) / "one.csv").read_text())
+    made = study.new(
+        "new",
+        ["one.csv"],
+        model="QuasiStaticIsometric",
+        parameters={"branch": "1", "x": "0 mm"},
+    )
+    assert "one.csv: p is -150 kPa at 3 s of one" in made.to_check[0]
+
+
+def test_a_folder_that_is_not_there_is_not_called_something_else(
+    command: Command, place: Path
+) -> None:
+    outcome = command("compare", "nowhere")
+    assert outcome.status == 2 and "nowhere: does not exist" in outcome.err

@@ -1,0 +1,73 @@
+"""Columns of dates with times of day: seconds since the first, or what to write instead."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.table import Layout
+
+
+def table_of(folder: Path, text: str, layout: Layout | None = None):
+    file = folder / "run.csv"
+    file.write_text(text, encoding="utf-8")
+    return read_table(file, layout or Layout())
+
+
+@pytest.mark.parametrize(
+    ("heading", "cells"),
+    [
+        ("Timestamp,p [bar]", ["2024-03-12 23:59:59.990", "2024-03-13 00:00:00.000", "2024-03-13T00:00:00.015"]),
+        ("t;p / bar", ["2024-03-12T10:00:00,99Z", "2024-03-12T10:00:01Z", "2024-03-12T11:00:01.015+01:00"]),
+        ("t [datetime]\tp [bar]", ["2024-03-12T10:00:00.990000", "2024-03-12T10:00:01", "2024-03-12T10:00:01.015"]),
+    ],
+)  # fmt: skip
+def test_seconds_since_the_first(tmp_path: Path, heading: str, cells: list[str]) -> None:
+    separator = next(one for one in "\t;," if one in heading)
+    rows = [f"{cell}{separator}{k}" for k, cell in enumerate(cells)]
+    table = table_of(tmp_path, "\n".join(["2024-03-12 10:00:00", heading, *rows]))
+    time, p = table.columns.values()
+    assert time.unit == "s" and time.since == cells[0]
+    np.testing.assert_allclose(time.values, [0.0, 0.01, 0.025], atol=1e-9)
+    np.testing.assert_allclose(p.values, [0.0, 1.0, 2.0])
+
+
+def test_an_empty_cell_is_a_missing_date_and_another_text_an_error(tmp_path: Path) -> None:
+    rows = "time,p [bar]\n2024-03-12 10:00:00,1\n,2\n2024-03-12 10:00:02,3\n"
+    values = table_of(tmp_path, rows).columns["time"].values
+    np.testing.assert_allclose(values, [0.0, np.nan, 2.0])
+    for wrong in ("later", "2024-13-45 10:00:00", "2024-03-12T10:00:03Z"):
+        with pytest.raises(InputError, match="no date and time as the first one") as caught:
+            table_of(tmp_path, f"{rows}{wrong},4\n")
+        assert (caught.value.line, caught.value.column) == (5, "time")
+
+
+def test_dates_do_not_tell_the_decimal_sign(tmp_path: Path) -> None:
+    table = table_of(
+        tmp_path, "time;p [bar]\n2024-03-12 10:00:00.5;0,5\n2024-03-12 10:00:01.5;1,5\n"
+    )
+    np.testing.assert_allclose(table.columns["p"].values, [0.5, 1.5])
+
+
+def test_rows_of_words_for_missing_samples(tmp_path: Path) -> None:
+    text = "time [s],p [kPa],x [mm],F [N]\n" + "".join(f"{k},NaN,NaN,NaN\n" for k in range(3))
+    with pytest.raises(
+        InputError, match=r'no numbers, such as .NaN.*state missing = \["NaN"\]'
+    ) as caught:
+        table_of(tmp_path, text)
+    assert caught.value.line == 2
+    table = table_of(tmp_path, text, Layout(missing=frozenset(["nan"])))
+    assert np.isnan(table.columns["p"].values).all() and table.missing == ("NaN",)
+
+
+def test_numbers_that_may_be_grouped_by_thousands(tmp_path: Path) -> None:
+    grouped = 't [s],p [Pa]\n0,"1,500"\n1,"200,000"\n'
+    with pytest.raises(InputError, match=r"grouped by thousands.*write 1500 or 1\.500") as caught:
+        table_of(tmp_path, grouped)
+    assert "decimal =" not in caught.value.message
+    with pytest.raises(InputError, match='state decimal = ","'):
+        table_of(tmp_path, grouped + '2,"0,5"\n')
