@@ -13,7 +13,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
-from pam_cosim.measurement import DataSet, Moment, overrides_of, read_data_set
+from pam_cosim.measurement import DataSet, Moment, Overrides, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
@@ -65,43 +65,39 @@ def read(
         InputError: with file, line and column of what cannot be used; no such run, role or start; nothing is left;
             an input beyond what the model allows.
     """
+    _check_there(folder)
     described = described_with(files)
-    data = _read(folder, described, model, files, roles, cuts, starts)
+    data = _read(Path(folder), described, files, overrides_of(cuts, starts), model)
+    data = data.with_roles(roles or {})
     check_inputs(data, described(data.model))
     return data
 
 
 def _read(
-    folder: Path | str,
+    folder: Path,
     described: Callable[[str], Interface],
+    files: Paths,
+    overrides: Overrides,
     model: str | None = None,
-    files: Paths = (),
-    roles: Mapping[str, str] | None = None,
-    cuts: Mapping[str, Sequence[Moment]] | None = None,
-    starts: Mapping[str, str] | None = None,
 ) -> DataSet:
-    """As ``read``, whatever the inputs are."""
-    _check_there(folder)
-    overrides = overrides_of(cuts, starts)
-    if Path(folder).suffix.lower() == ".npz":
-        if cuts or starts:
+    """As ``read``, whatever the inputs are, with the roles that are stated."""
+    if folder.suffix.lower() == ".npz":
+        if overrides != Overrides():
             raise InputError(
                 "what was judged keeps its ends and starts; cut the data set that it is of", folder
             )
-        data = judged_data(Path(folder))
+        data = judged_data(folder)
         data = replace(data, model=model or data.model)
     else:
         data = read_data_set(
-            Path(folder),
+            folder,
             described,
             model=model,
             benches=lambda: benches(files),
             with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
             overrides=overrides,
         )
-    data = replace(
-        data.with_roles(roles or {}), domain=_domain(data.model, described(data.model), files)
-    )
+    data = replace(data, domain=_domain(data.model, described(data.model), files))
     return for_model(data, model, files)
 
 
@@ -181,7 +177,7 @@ def new(
         described,
         as_paths(files),
     )
-    written = _read(folder, described, files=files)
+    written = _read(Path(folder), described, files, Overrides())
     beyond = inputs_beyond(written, described(written.model))
     begun = data_with_starts(written, written.model, files=files)
     return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))

@@ -146,7 +146,7 @@ class _Models:
         return [c.without_slopes for c in self.fitted.values()]
 
     def probe(self) -> None:
-        """What each effect does beside the base model; where the effort is limited, members of each family first."""
+        """What each effect does beside the base model; where the effort is limited, by families first."""
         every = [e.name for e in self.search.available_effects]
         step = len(every)
         if self.search.effort.limited:
