@@ -24,7 +24,6 @@ from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty, estimate_holdout_uncertainty
-from pam_cosim.fitting.levenberg_marquardt import Minimum
 from pam_cosim.fitting.linear import Linear, judged_by, linearised
 from pam_cosim.fitting.methods import METHODS, GlobalSearch
 from pam_cosim.fitting.objective import Objective
@@ -75,7 +74,7 @@ class Fit(Printed):
     holdout_uncertainty: HoldoutUncertainty = field(default_factory=HoldoutUncertainty)
     starts: dict[str, Estimate] = field(default_factory=dict)
 
-    @property
+    @cached_property
     def residuals_beyond_uncertainty(self) -> dict[str, ResidualStatistics]:
         """``residuals``, those of held-out runs but for what the parameters' uncertainty explains of them."""
         if not self.holdout_uncertainty.shifts:
@@ -221,9 +220,11 @@ def fit(
         objective.residuals(
             end.z
         )  # a descent may have ended with a look elsewhere, or answers come from a file
-    starts_estimated = start_estimates(objective) | held_out_starts(
-        simulator, data, objective.values(end.z), objective.tolerance
+    starts_estimated = start_estimates(objective)
+    held = held_out_starts(
+        simulator, data, objective.values(end.z), objective.tolerance, options.second_look
     )
+    starts_estimated |= held
     values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
@@ -244,25 +245,34 @@ def fit(
         linear,
         starts=starts_estimated,
         holdout_uncertainty=_holdout_uncertainty(
-            simulator, data, chosen, fixed, options, end, spread
+            objective,
+            {**(fixed or {}), **{name: e.value for name, e in held.items()}},
+            options,
+            end.z,
+            by_role["fit"],
         ),
     )
 
 
 def _holdout_uncertainty(
-    simulator: AnySimulator,
-    data: DataSet,
-    free: Sequence[Free],
-    fixed: Mapping[str, float] | None,
+    fitted: Objective,
+    fixed: Mapping[str, float],
     options: FitOptions,
-    end: Minimum,
-    spread: float,
+    z: Array,
+    left: ResidualStatistics,
 ) -> HoldoutUncertainty:
-    if not options.holdout_uncertainty or not data.holdout_runs:
+    runs = fitted.data.holdout_runs
+    if not options.holdout_uncertainty or not runs or _is_far_off(left):
         return HoldoutUncertainty()
-    return estimate_holdout_uncertainty(
-        Objective(simulator, data, data.holdout_runs, free, fixed, options.tolerance), end, spread
-    )
+    known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
+    holdout = Objective(fitted.simulator, fitted.data, runs, known, fixed, options.tolerance)
+    return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
+
+
+def _is_far_off(left: ResidualStatistics) -> bool:
+    """Whether a model leaves so much where it was fitted that nothing it leaves elsewhere is excused."""
+    much = CRITERIA.residuals.large_excess * max(1.0, left.noise_floor)
+    return left.excess > much and _is_correlated(left)
 
 
 def profile(
@@ -308,5 +318,9 @@ def statistics_by_role(
 
 def spread_of(s: ResidualStatistics) -> float:
     """Factor on standard deviations of estimates, for residuals beyond the declared noise or correlated ones."""
-    time = s.correlation_time if s.whiteness_score > CRITERIA.residuals.correlated else 1.0
+    time = s.correlation_time if _is_correlated(s) else 1.0
     return float(np.sqrt(max(1.0, s.chi2_reduced) * time))
+
+
+def _is_correlated(s: ResidualStatistics) -> bool:
+    return s.whiteness_score > CRITERIA.residuals.correlated

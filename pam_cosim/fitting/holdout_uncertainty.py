@@ -1,8 +1,8 @@
 """How far held-out runs may be off because the fitted runs determine the parameters only so well.
 
 A prediction is as uncertain as its parameters. What a model leaves in runs that were not fitted is structure only as
-far as no values of the parameters that the fitted runs allow take it away: to first order a linear least squares
-problem, in which the fitted runs say what a change costs. That is what a fit of all runs together would leave.
+far as no values of the parameters that the fitted runs allow take it away. These are found by going on from the fit
+with all runs together, the fitted ones as wide as the colour and the size of what they leave make them.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
-from pam_cosim.fitting.levenberg_marquardt import Minimum
+from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.fitting.options import FitOptions
 
 
 @dataclass(frozen=True)
@@ -32,37 +32,37 @@ class HoldoutUncertainty:
 
 
 def estimate_holdout_uncertainty(
-    holdout: Objective, end: Minimum, spread: float
+    fitted: Objective, holdout: Objective, z: Array, spread: float, options: FitOptions
 ) -> HoldoutUncertainty:
-    """What held-out runs gain when the parameters move within their uncertainty.
+    """What held-out runs gain when the parameters move within their uncertainty; nothing where they are met.
 
     Args:
-        holdout: the objective of these runs alone, with the parameters of the fit.
-        end: where the fit ended, with the slopes of the fitted runs.
+        fitted: the objective of the fitted runs and of the priors.
+        holdout: that of the others alone, with the same parameters, without priors.
+        z: where the fit ended.
         spread: factor by which colour and size of the residuals widen the parameters' uncertainty.
+        options: of the fit: when the descent ends.
     """
-    residuals = holdout.residuals(end.z)
-    if not np.all(np.isfinite(residuals)):
+    cost, before = fitted.squares(z), holdout.residuals(z)
+    if not np.all(np.isfinite(before)) or before @ before <= holdout.samples:
         return HoldoutUncertainty()
-    slopes, slopes_of_fit = (
-        holdout.jacobian(end.z, residuals)[: holdout.size],
-        end.jacobian / spread,
+
+    def squares(z: Array) -> float:
+        return holdout.squares(z) + fitted.squares(z) / spread**2
+
+    def triangle(z: Array) -> Array:
+        rows = np.vstack([holdout.triangle(z), fitted.triangle(z) / spread])
+        return np.asarray(np.linalg.qr(rows, mode="r"))
+
+    end = levenberg_marquardt(
+        squares, triangle, z, fitted.bounds, options.precision, options.evaluations
     )
-    low, high = holdout.bounds
-    room = CRITERIA.fit.at_bound * (high - low)
-    free = (
-        (end.z > low + room) & (end.z < high - room) & (np.linalg.norm(slopes_of_fit, axis=0) > 0)
-    )
-    rows = np.vstack([slopes_of_fit[:, free], slopes[:, free]])
-    wanted = np.concatenate([np.zeros(len(slopes_of_fit)), -residuals[: holdout.size]])
-    step = np.linalg.lstsq(rows, wanted, rcond=None)[0]
-    cost_rows = slopes_of_fit[:, free] @ step
-    return HoldoutUncertainty(
-        _shifts(holdout, slopes[:, free] @ step), float(cost_rows @ cost_rows)
-    )
+    shifts = (holdout.residuals(end.z) - before)[: holdout.size]
+    paid = (fitted.squares(end.z) - cost) / spread**2
+    return HoldoutUncertainty(_by_series(holdout, shifts), float(max(paid, 0.0)))
 
 
-def _shifts(holdout: Objective, shift_rows: Array) -> dict[tuple[str, str], Array]:
+def _by_series(holdout: Objective, shift_rows: Array) -> dict[tuple[str, str], Array]:
     """What the residuals of each series move by."""
     shifts, row = {}, 0
     for (run, name), kept in zip(holdout.series, holdout.kept, strict=True):

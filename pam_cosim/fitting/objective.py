@@ -30,10 +30,12 @@ from pam_cosim.fitting.start_values import (
     StartValues,
     eliminate,
     eliminate_to_first_order,
+    horizons,
     start_values,
 )
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.pieces import first_rows
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
 
@@ -179,15 +181,67 @@ class Objective:
         """From ``z`` on start values are looked for where the first samples and the model's rest at ``z`` put them."""
         if self.starts is None or self._to_first_order or z.tobytes() in self._starts_at:
             return
-        values = self.values(z)
         for i, one in self.starts.items():
-            try:
-                fresh = start_values(self.simulator, self.data, self.runs[i], values).named()
-            except SimulationFailure:
-                continue
-            at = np.array([fresh[name] for name in one.names])
-            self._starts_begin[i] = np.clip(at, one.low, one.high)
+            fresh = self._fresh_starts(z, i)
+            self._starts_begin[i] = self._starts_begin[i] if fresh is None else _put(one, fresh)
         self._linearised_at = None
+
+    def _fresh_starts(self, z: Array, i: int) -> dict[str, float] | None:
+        """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
+        try:
+            fresh = start_values(self.simulator, self.data, self.runs[i], self.values(z))
+        except SimulationFailure:
+            return None
+        return fresh.named()
+
+    def found_other_starts(self, z: Array) -> bool:
+        """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
+
+        The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
+        runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
+        """
+        if not self.starts or self._to_first_order:
+            return False
+        before, here = self._squares_by_run(self.residuals(z)), self._starts_now()
+        noise = CRITERIA.fit.at_noise * np.diff(self.ends)
+        for i, one in self.starts.items():
+            fresh = self._fresh_starts(z, i) if before[i] > noise[i] else None
+            self._starts_begin[i] = (
+                here[i] if fresh is None else _put(one, self._led_by_first_samples(z, i, fresh))
+            )
+        self._forget(z)
+        after, there = self._squares_by_run(self.residuals(z)), self._starts_now()
+        better = {i for i in self.starts if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
+        self._starts_begin = {i: there[i] if i in better else here[i] for i in self.starts}
+        self._forget(z)
+        return bool(better)
+
+    def _forget(self, z: Array) -> None:
+        """What ``z`` left: it is asked again, from where start values begin now."""
+        self._latest = self._linearised_at = None
+        self._starts_at.pop(z.tobytes(), None)
+
+    def _led_by_first_samples(self, z: Array, i: int, known: dict[str, float]) -> dict[str, float]:
+        """Where a growing part of its run leads start values."""
+        run = self.runs[i]
+        for rows in horizons(run, self._signals[i], len(known)):
+            begin = {f"{name}@{run.name}": value for name, value in known.items()}
+            values, part = {**self.values(z), **begin}, first_rows(run, rows)
+            few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
+            if np.isfinite(few.squares(np.zeros(0))):
+                known = known | {
+                    n: v for one in (few.starts or {}).values() for n, v in one.named().items()
+                }
+        return known
+
+    def _squares_by_run(self, residuals: Array) -> dict[int, float]:
+        """The squares of each run with start values, and of what is known of these beforehand."""
+        squares, row = dict[int, float](), self.size + len(self._priors)
+        for i, one in (self.starts or {}).items():
+            own = residuals[self.ends[i] : self.ends[i + 1]]
+            known = residuals[row : row + len(one.names)]
+            squares[i], row = float(own @ own + known @ known), row + len(one.names)
+        return squares
 
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
@@ -492,3 +546,8 @@ class Objective:
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column
         return np.zeros(len(at))
+
+
+def _put(of: StartValues, named: Mapping[str, float]) -> Array:
+    """Start values by name in their order, within what the model says that they can be."""
+    return np.clip([named[name] for name in of.names], of.low, of.high)

@@ -128,9 +128,20 @@ def _rescue(objective: Objective) -> Array:
 
 
 def _minimise(problem: FitProblem, start: Array) -> Minimum:
-    objective, options = problem.objective, problem.options
+    objective = problem.objective
     if not len(start):
         return Minimum(objective.squares(start), start, np.zeros((objective.size, 0)))
+    reached = _descend(problem, start)
+    noise = CRITERIA.fit.at_noise * objective.samples
+    for _ in range(CRITERIA.starts.steps if problem.options.second_look else 0):
+        if reached.cost <= noise or not objective.found_other_starts(reached.z):
+            break
+        reached = _descend(problem, reached.z)
+    return reached
+
+
+def _descend(problem: FitProblem, start: Array) -> Minimum:
+    objective, options = problem.objective, problem.options
     return levenberg_marquardt(
         objective.squares,
         objective.triangle,

@@ -48,17 +48,21 @@ def estimated_starts(
     runs: Sequence[Run],
     values: Mapping[str, float],
     tolerance: float | None = None,
+    second_look: bool = True,
 ) -> dict[str, Estimate]:
     """Where runs begin whose start is to be estimated, with given parameters [SI]; none where they cannot be simulated.
 
-    Start values among the parameters are where the estimate begins.
+    Start values among the parameters are where the estimate begins. A second look goes by the first samples first.
     """
     chosen = [run for run in runs if run.start.mode == "estimated"]
     if not chosen:
         return {}
     objective = Objective(simulator, data, chosen, (), values, tolerance)
     try:
-        objective.residuals(np.zeros(0))
+        nothing = np.zeros(0)
+        if second_look and objective.squares(nothing) > CRITERIA.fit.at_noise * objective.samples:
+            objective.found_other_starts(nothing)
+        objective.residuals(nothing)
     except SimulationFailure:
         return {}
     return start_estimates(objective)
@@ -93,7 +97,11 @@ def simulated(
 
 
 def held_out_starts(
-    simulator: AnySimulator, data: DataSet, values: Mapping[str, float], tolerance: float | None
+    simulator: AnySimulator,
+    data: DataSet,
+    values: Mapping[str, float],
+    tolerance: float | None,
+    second_look: bool = True,
 ) -> dict[str, Estimate]:
     """Those of held-out runs, whose samples say nothing about any other parameter."""
-    return estimated_starts(simulator, data, data.holdout_runs, values, tolerance)
+    return estimated_starts(simulator, data, data.holdout_runs, values, tolerance, second_look)

@@ -169,6 +169,20 @@ def _limits(variables: Sequence[Variable]) -> tuple[Array, Array]:
     return np.array(low), np.array(high)
 
 
+def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:
+    """How many of the first rows of a run are asked, twice as many each time, before all are.
+
+    The first ones have two samples for each unknown start value.
+    """
+    samples = np.cumsum(sum(np.isfinite(run.measurements[name]).astype(int) for name in signals))
+    rows = int(np.searchsorted(samples, 2 * unknowns)) + 1
+    several = []
+    while rows < len(run.time):
+        several.append(rows)
+        rows *= 2
+    return several
+
+
 def eliminate(
     of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
 ) -> tuple[Result, Array]:
@@ -261,4 +275,4 @@ class _Point(Generic[Result]):
         return gain <= max(_SETTLED, CRITERIA.starts.linear * self.cost)
 
 
-__all__ = ["StartValues", "eliminate", "eliminate_to_first_order", "start_values"]
+__all__ = ["StartValues", "eliminate", "eliminate_to_first_order", "horizons", "start_values"]

@@ -46,6 +46,19 @@ def test_an_error_within_the_uncertainty_of_the_parameters_is_none(
     assert result.residuals_beyond_uncertainty["fit"] == result.residuals["fit"]
 
 
+@pytest.mark.parametrize("short", [1.0, 3.0])
+def test_what_is_left_is_what_a_fit_of_all_runs_leaves(
+    fitted: Callable[[DataSet], Fit], short: float
+) -> None:
+    """Also where slopes do not reach so far, or a parameter of the fit ended at a bound, as that of 1 s did."""
+    data = _both(short, TRUE_C_D)
+    result = fitted(data)
+    together = fitted(replace(data, runs=tuple(replace(r, role="fit") for r in data.runs)))
+    left = sum(s.chi2 for s in result.residuals_beyond_uncertainty.values())
+    assert result.residuals["holdout"].chi2_reduced > 10.0
+    assert left == pytest.approx(together.residuals["fit"].chi2, rel=1e-3)
+
+
 def test_an_error_that_the_fitted_run_does_not_allow_stays(
     fitted: Callable[[DataSet], Fit],
 ) -> None:

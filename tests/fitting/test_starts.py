@@ -325,7 +325,7 @@ def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
         far = z * [1.05, 1.0]
         one, other = first.residuals(far)[samples], whole.residuals(far)[samples]
         change = np.linalg.norm(other - settled[samples])
-        assert np.linalg.norm(here - settled[samples]) < 1e-3 * np.linalg.norm(settled[samples])
+        assert np.linalg.norm(here - settled[samples]) < 2e-3 * np.linalg.norm(settled[samples])
         by_known_slopes = first.plain_residuals(z * [1.04, 1.0])[samples]
         by_own = first.residuals(z * [1.04, 1.0])[samples]
         assert np.linalg.norm(by_known_slopes - by_own) < 1e-3 * change

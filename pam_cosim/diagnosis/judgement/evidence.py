@@ -151,15 +151,15 @@ def information_criterion(
     """How much the data speak against a model: minus twice the logarithm of its probability, but for a constant.
 
     The fitted runs by the Bayesian information criterion, which pays for every parameter that the effects brought, and
-    for parameters that are not where they are known to be beforehand; the others, which paid for nothing, by their
-    squared error; and how many sets of so many effects there are.
+    for parameters that are not where they are known to be beforehand; the others, which paid for nothing, by what a
+    fit of all runs together would leave of them beyond that; and how many sets of so many effects there are.
     """
     return evidence_without_choice(fit, scale, candidate) + model_space.cost(effects)
 
 
 def evidence_without_choice(fit: Fit, scale: NoiseScale, candidate: Candidate | None) -> float:
     """The information criterion but for how many sets of effects there are."""
-    held = fit.residuals["holdout"]
+    held = fit.residuals_beyond_uncertainty["holdout"]
     lost = _undetermined_count(candidate) if candidate else 0
     known = bic(fit, *scale) + scale.penalty(fit) * lost
     return known + (held.chi2 / scale.divisor if held.samples else 0.0)

@@ -34,9 +34,7 @@ class Start:
     def __init__(self, fit: Fit, candidate: Candidate | None) -> None:
         self.fit, self.candidate = fit, candidate
         self._residuals = [
-            (s.chi2, s.samples)
-            for s in (fit.residuals["fit"], fit.residuals["holdout"])
-            if s.samples
+            (s.chi2, s.samples) for s in fit.residuals_beyond_uncertainty.values() if s.samples
         ]
         self._fitted_chi2 = max(fit.residuals["fit"].chi2, 1e-300)
         self._evidence: dict[NoiseScale, tuple[float, float]] = {}

@@ -207,14 +207,14 @@ class Ranking:
 
     def _leaves(self, c: Candidate, drift: bool) -> bool:
         """Whether a model leaves structure: a small one that comes again in other runs, or any that may drift too."""
-        known = self._remainders.get(c.effects)
-        if known is None or known.fit is not c.fit:
-            known = _Remainder(
-                c.fit,
-                tuple(c.fit.residuals_beyond_uncertainty.values()),
-                cross_run_reproducibility(c.fit),
-            )
-            self._remainders[c.effects] = known
+        return self._fit_leaves(c.effects, c.fit, drift)
+
+    def _fit_leaves(self, effects: tuple[str, ...], fit: Fit, drift: bool) -> bool:
+        known = self._remainders.get(effects)
+        if known is None or known.fit is not fit:
+            statistics = tuple(fit.residuals_beyond_uncertainty.values())
+            known = _Remainder(fit, statistics, cross_run_reproducibility(fit))
+            self._remainders[effects] = known
         floor, repeated = self.noise_floor(), None if drift else known.reproducibility
         return any(
             has_structure_for_search(replace(s, noise_floor=min(s.noise_floor, floor)), repeated)
@@ -222,9 +222,13 @@ class Ranking:
         )
 
     def unsolved(self) -> bool:
-        """Whether the best model leaves structure, or there is none."""
+        """Whether the best model leaves structure; where none beats the base model, whether that does."""
         best = self.best()
-        return best is None or self.has_structure(best)
+        return (
+            self._fit_leaves((), self.base, self.drift_excluded)
+            if best is None
+            else self.has_structure(best)
+        )
 
     def leader(self, specific: bool = False) -> Candidate | None:
         """The model that the search goes on from while nothing leaves noise: the best, or else the nearest to it.

@@ -208,7 +208,8 @@ class Search:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""
         trials = [t.screening() for t in self._trials(models)]
         return self._run(
-            "in a few steps", [t.fitted_with(rows=CRITERIA.search.rows) for t in trials]
+            "in a few steps",
+            [t.fitted_with(rows=CRITERIA.search.rows, holdout_uncertainty=True) for t in trials],
         )
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:

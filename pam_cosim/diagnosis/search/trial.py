@@ -80,6 +80,7 @@ class Trial:
                 screened_starts=0,
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
+                second_look=False,
                 rules=False,
             ),
             brief=True,
