@@ -55,6 +55,10 @@ DECIDE_NOTHING = {
     "_CORRECTIONS": "rounds of a linear problem",
     "MEDIAN_TO_SIGMA": "a property of the normal distribution",
     "_LEAST": "a vacuum and absolute zero",
+    "_MEMORIES": "finer than a likelihood tells",
+    "_RATIOS": "all that two variances may be",
+    "_SEARCH": "accuracy of a maximum",
+    "_TINY": "keeps a logarithm off nought",
     "_SAME": "digits in which two values of a run are one condition of a table",
 }
 # 12: a rectangular distribution has a twelfth of its squared width as variance, as that of rounding

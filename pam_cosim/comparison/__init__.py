@@ -1,5 +1,6 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
+from pam_cosim.comparison.coloured_noise import coloured_log_likelihood
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import (
     STATISTICS,
@@ -55,6 +56,7 @@ __all__ = [
     "initial_state",
     "check_conditions",
     "chi2_reduced",
+    "coloured_log_likelihood",
     "compare",
     "expected_squares",
     "lag_one",

@@ -56,11 +56,13 @@ class Series:
         values: (n,).
         expected: (n,) mean squares that the noise gives; one each, but for readings in coarse steps (``rounding``).
         stated: whether the level of the noise is known, not estimated; known noise may have any colour up to it.
+        signal: its name.
     """
 
     values: Array
     expected: Array
     stated: bool = True
+    signal: str = ""
 
     @classmethod
     def plain(cls, values: Array, stated: bool = True) -> Series:
@@ -110,7 +112,7 @@ def series_of(
                     values = values + shifts[r.run.name, name][kept]
                 # Steps are what they are, also where the noise beside them is not known.
                 known = not signal.estimated or signal.is_coarse
-                series.append(Series(values, expected_squares(error[kept], signal), known))
+                series.append(Series(values, expected_squares(error[kept], signal), known, name))
     return series
 
 

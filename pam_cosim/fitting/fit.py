@@ -13,6 +13,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import (
     Comparison,
     ResidualStatistics,
+    coloured_log_likelihood,
     compare,
     residual_statistics,
     series_of,
@@ -94,6 +95,16 @@ class Fit(Printed):
     def start_values(self) -> dict[str, float]:
         """Start values that were estimated [SI], by "state@run"."""
         return {name: e.value for name, e in self.starts.items()}
+
+    @cached_property
+    def coloured_deviance(self) -> float:
+        """Minus twice the log-likelihood of all that is left as noise of any colour, and what the priors add.
+
+        Of held-out runs beyond the uncertainty of the parameters; but for a constant that is the same for all models.
+        """
+        comparison, held = self.comparison, self.holdout_uncertainty
+        series = series_of(comparison.runs, comparison.data.signals, held.shifts)
+        return self.chi2_priors + held.cost - 2 * coloured_log_likelihood(series)
 
     @cached_property
     def freedom(self) -> int:

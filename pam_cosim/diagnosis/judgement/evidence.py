@@ -120,10 +120,15 @@ def _is_reproducible(s: ResidualStatistics, repeated: Reproducibility | None) ->
 
 
 class NoiseScale(NamedTuple):
-    """Noise variance and samples per independent sample, both as the best model leaves them."""
+    """Noise variance and samples per independent sample, both as the best model leaves them.
+
+    Where the base model leaves no more than instruments may drift by, the noise of each model has the colour that suits
+    it best: an effect must say more than that.
+    """
 
     variance: float
     time: float
+    coloured: bool = False
 
     @property
     def divisor(self) -> float:
@@ -136,9 +141,22 @@ class NoiseScale(NamedTuple):
 
 
 def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
-    """Noise variance and samples per independent sample, both as the best model leaves them."""
+    """Noise variance and samples per independent sample, both as the best model leaves them.
+
+    Args:
+        fits: the base model first.
+    """
     best = min((f.residuals["fit"] for f in fits), key=lambda s: s.chi2)
-    return NoiseScale(max(1.0, best.chi2_reduced), best.correlation_time)
+    return NoiseScale(max(1.0, best.chi2_reduced), best.correlation_time, _may_be_drift(fits[0]))
+
+
+def _may_be_drift(fit: Fit) -> bool:
+    """Whether what a model leaves is no more than instruments may drift by."""
+    return all(
+        s.excess <= CRITERIA.residuals.large_excess * max(1.0, s.noise_floor)
+        for s in fit.residuals_beyond_uncertainty.values()
+        if s.samples
+    )
 
 
 def information_criterion(
@@ -159,9 +177,11 @@ def information_criterion(
 
 def evidence_without_choice(fit: Fit, scale: NoiseScale, candidate: Candidate | None) -> float:
     """The information criterion but for how many sets of effects there are."""
-    held = fit.residuals_beyond_uncertainty["holdout"]
     lost = _undetermined_count(candidate) if candidate else 0
-    known = bic(fit, *scale) + scale.penalty(fit) * lost
+    if scale.coloured:
+        return fit.coloured_deviance + scale.penalty(fit) * (fit.freedom + lost)
+    held = fit.residuals_beyond_uncertainty["holdout"]
+    known = bic(fit, scale.variance, scale.time) + scale.penalty(fit) * lost
     return known + (held.chi2 / scale.divisor if held.samples else 0.0)
 
 
@@ -180,7 +200,7 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
     """Candidates with their evidence, best first."""
     if not candidates:
         return []
-    variance, time = noise_scale([base, *(c.fit for c in candidates)])
+    variance, time, _ = noise_scale([base, *(c.fit for c in candidates)])
     start = bic(base, variance, time)
     # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
     penalty = bic_penalty(base, time)

@@ -39,7 +39,7 @@ def pruned(
     level = max(1.0, full.residuals["fit"].noise_floor)
     if full.residuals["fit"].excess > CRITERIA.search.pruning_excess * level:
         return full
-    variance, time = noise_scale([full])
+    variance, time, _ = noise_scale([full])
     worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
     few = CRITERIA.search.evaluations
     options = FitOptions(

@@ -104,7 +104,9 @@ class Ranking:
 
     def optimistic_scale(self) -> NoiseScale:
         """The scale of what is possible: plain noise as long as the best model leaves more, else what that leaves."""
-        return NoiseScale(max(1.0, self.noise_floor()), 1.0) if self.unsolved() else self.scale
+        if not self.unsolved():
+            return self.scale
+        return self.scale._replace(variance=max(1.0, self.noise_floor()), time=1.0)
 
     def information_criterion(self, c: Candidate | None, scale: NoiseScale | None = None) -> float:
         """The evidence against a model, None: the base model; on the scale of the best model unless given."""

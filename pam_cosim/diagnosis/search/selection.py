@@ -277,12 +277,12 @@ class _Models:
         """The other members of the families that came farthest, the general ones to the end.
 
         Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
-        to be known what one family can say by itself. Where a law leaves noise, none is tried; where a general member
-        does, the general members of the others alone: what one bends into, another may too.
+        to be known what one family can say by itself. Where a law leaves noise, or no effect is needed, none is tried;
+        where a general member leaves noise, the general members of the others alone: what one bends into, another may.
         """
         answer = self.ranking.best()
         solved = not self.ranking.unsolved()
-        if solved and answer is not None and self.ranking.is_specific(answer.effects):
+        if solved and (answer is None or self.ranking.is_specific(answer.effects)):
             return
         best: dict[str, tuple[str, ...]] = {}
         for c in self.ranking.models(1):
