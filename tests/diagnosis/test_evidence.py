@@ -13,6 +13,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     information_criterion,
     may_have_structure,
     missed_signals,
+    noise_scale,
     rank,
     refuted_by_unfitted_signals,
     significantly_better,
@@ -159,3 +160,14 @@ def test_signals_nobody_fitted_refute_by_their_geometric_mean(
     best = fitted(1.0, shown={"T": 10.0, "F": 3.0})
     rival = fitted(1.0, shown={"T": 10.0 * ratios[0], "F": 3.0 * ratios[1]})
     assert refuted_by_unfitted_signals(rival, best) is refuted
+
+
+def test_noise_has_a_colour_where_the_base_model_leaves_no_more_than_a_drift() -> None:
+    """Of a model that leaves more, and of points at rest, squares count as they are."""
+    small, large = fitted(1.29, holdout=1.2, score=20.0), fitted(1.29, holdout=1.31, score=20.0)
+    assert noise_scale([small, fitted(1.0)]).coloured
+    assert not noise_scale([large, small]).coloured
+    scale = noise_scale([small])
+    assert information_criterion(small, scale, (), ModelSpace(10)) == pytest.approx(
+        small.coloured_deviance + scale.penalty(small) * small.freedom
+    )

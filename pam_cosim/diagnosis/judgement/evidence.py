@@ -151,8 +151,8 @@ def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
 
 
 def _may_be_drift(fit: Fit) -> bool:
-    """Whether what a model leaves is no more than instruments may drift by."""
-    return all(
+    """Whether what a model leaves is no more than instruments may drift by; points at rest have no time to."""
+    return not any(r.run.is_static for r in fit.comparison.runs) and all(
         s.excess <= CRITERIA.residuals.large_excess * max(1.0, s.noise_floor)
         for s in fit.residuals_beyond_uncertainty.values()
         if s.samples
