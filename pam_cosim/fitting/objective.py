@@ -200,19 +200,20 @@ class Objective:
         The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
         runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
         """
-        if not self.starts or self._to_first_order:
+        starts = {} if self._to_first_order else self._starts_if_it_runs(z)
+        if not starts:
             return False
         before, here = self._squares_by_run(self.residuals(z)), self._starts_now()
         noise = CRITERIA.fit.at_noise * np.diff(self.ends)
-        for i, one in self.starts.items():
+        for i, one in starts.items():
             fresh = self._fresh_starts(z, i) if before[i] > noise[i] else None
             self._starts_begin[i] = (
                 here[i] if fresh is None else _put(one, self._led_by_first_samples(z, i, fresh))
             )
         self._forget(z)
         after, there = self._squares_by_run(self.residuals(z)), self._starts_now()
-        better = {i for i in self.starts if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
-        self._starts_begin = {i: there[i] if i in better else here[i] for i in self.starts}
+        better = {i for i in starts if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
+        self._starts_begin = {i: there[i] if i in better else here[i] for i in starts}
         self._forget(z)
         return bool(better)
 

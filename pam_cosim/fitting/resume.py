@@ -30,7 +30,7 @@ from pam_cosim.simulation import AnySimulator
 _KIND = "pam-cosim fit in progress"
 _VERSION = 1
 _EVERY = 1.0  # [s] between writes of the file
-_ANSWERS = ("squares", "triangle", "cost", "glance")
+_ANSWERS = ("squares", "triangle", "cost", "glance", "found_other_starts")
 _DAMAGE = (KeyError, TypeError, ValueError, IndexError)
 
 
@@ -202,7 +202,7 @@ def _plain(answer: Any) -> Any:
 
 def _answer(entry: Any) -> tuple[tuple[str, bytes], tuple[int, Any]]:
     question, z, evaluations, answer = entry
-    if question not in _ANSWERS:
+    if question.partition(" ")[0] not in _ANSWERS:
         raise ValueError
     value = (
         np.array(answer, dtype=float)
@@ -215,9 +215,20 @@ def _answer(entry: Any) -> tuple[tuple[str, bytes], tuple[int, Any]]:
 
 
 class LoggedObjective(Objective):
-    """An objective that looks into a log first."""
+    """An objective that looks into a log first.
+
+    Attributes:
+        looks: how often other start values were found: the same points have other answers from then on.
+    """
 
     log: FitLog
+    looks: int = 0
+
+    def found_other_starts(self, z: Array) -> bool:
+        """As ``Objective.found_other_starts``."""
+        found = bool(self._from_log("found_other_starts", z))
+        self.looks += found
+        return found
 
     def squares(self, z: Array) -> float:
         """As ``Objective.squares``."""
@@ -236,7 +247,8 @@ class LoggedObjective(Objective):
         return float(self._from_log("glance", z))
 
     def _from_log(self, question: str, z: Array) -> Any:
-        known = self.log.answer(question, z)
+        asked = f"{question} {self.looks}" if self.looks else question
+        known = self.log.answer(asked, z)
         if known is not None:
             after, answer = known
             self.evaluations = max(
@@ -247,5 +259,5 @@ class LoggedObjective(Objective):
             return answer
         answer = getattr(super(), question)(z)
         self.log.failures = self.failures
-        self.log.keep(question, z, self.evaluations, answer)
+        self.log.keep(asked, z, self.evaluations, answer)
         return answer

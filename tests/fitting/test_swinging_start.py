@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -69,6 +70,17 @@ def test_a_fit_from_another_diameter_finds_both_swings(objective: Objective) -> 
     found = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
     assert found.parameters["muscle.D0"].value == pytest.approx(TRUE["muscle.D0"], rel=1e-3)
     assert found.residuals["fit"].chi2_reduced < 1.2
+
+
+def test_a_fit_that_is_resumed_finds_them_too(objective: Objective, tmp_path: Path) -> None:
+    """Points that were asked before other starts were found have other answers than after."""
+    plain = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
+    kept = [
+        fit(objective.simulator, objective.data, FREE, fixed=TRUE, resume=tmp_path / "fit.json")
+        for _ in range(2)
+    ]
+    assert [one.values for one in kept] == [plain.values] * 2
+    assert kept[0].residuals["fit"] == plain.residuals["fit"]
 
 
 def test_horizons_double(objective: Objective) -> None:
