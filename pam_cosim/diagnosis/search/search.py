@@ -220,6 +220,7 @@ class Search:
             "rows": numbers.rows,
             "precision": numbers.precision,
             "evaluations": numbers.evaluations,
+            "second_look": False,
             "holdout_uncertainty": True,
         }
         own = [replace(t.fitted_with(**options), further_start=values[t.effects]) for t in trials]
