@@ -47,6 +47,10 @@ class ResidualStatistics:
         """Mean square beyond the noise, in noise variances."""
         return max(self.chi2_reduced - self.noise_floor, 0.0)
 
+    def exceeds(self, share: float) -> bool:
+        """Whether the mean square beyond the noise is more than a share of the noise, of the stated level at least."""
+        return self.excess > share * max(1.0, self.noise_floor)
+
 
 @dataclass(frozen=True)
 class Series:

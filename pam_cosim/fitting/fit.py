@@ -231,11 +231,9 @@ def fit(
         objective.residuals(
             end.z
         )  # a descent may have ended with a look elsewhere, or answers come from a file
-    starts_estimated = start_estimates(objective)
-    held = held_out_starts(
+    starts_estimated = start_estimates(objective) | held_out_starts(
         simulator, data, objective.values(end.z), objective.tolerance, options.second_look
     )
-    starts_estimated |= held
     values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
@@ -255,19 +253,13 @@ def fit(
         correlations(end.jacobian),
         linear,
         starts=starts_estimated,
-        holdout_uncertainty=_holdout_uncertainty(
-            objective,
-            {**(fixed or {}), **{name: e.value for name, e in held.items()}},
-            options,
-            end.z,
-            by_role["fit"],
-        ),
+        holdout_uncertainty=_holdout_uncertainty(objective, values, options, end.z, by_role["fit"]),
     )
 
 
 def _holdout_uncertainty(
     fitted: Objective,
-    fixed: Mapping[str, float],
+    values: Mapping[str, float],
     options: FitOptions,
     z: Array,
     left: ResidualStatistics,
@@ -276,14 +268,13 @@ def _holdout_uncertainty(
     if not options.holdout_uncertainty or not runs or _is_far_off(left):
         return HoldoutUncertainty()
     known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
-    holdout = Objective(fitted.simulator, fitted.data, runs, known, fixed, options.tolerance)
+    holdout = Objective(fitted.simulator, fitted.data, runs, known, values, options.tolerance)
     return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
 
 
 def _is_far_off(left: ResidualStatistics) -> bool:
     """Whether a model leaves so much where it was fitted that nothing it leaves elsewhere is excused."""
-    much = CRITERIA.residuals.large_excess * max(1.0, left.noise_floor)
-    return left.excess > much and _is_correlated(left)
+    return left.exceeds(CRITERIA.residuals.large_excess) and _is_correlated(left)
 
 
 def profile(

@@ -257,6 +257,10 @@ class Objective:
             for i in chosen
         ]
 
+    def is_at_noise(self, squares: float) -> bool:
+        """Whether a sum of squares is so small that another start could find little."""
+        return squares <= CRITERIA.fit.at_noise * self.samples
+
     def squares(self, z: Array) -> float:
         """The sum of squared residuals, simulated with slopes; infinite where a simulation breaks down."""
         residuals = self.residuals(z)

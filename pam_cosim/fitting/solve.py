@@ -49,7 +49,7 @@ def solve(problem: FitProblem) -> Minimum:
         objective.tracker.descents.append(reached.cost / max(objective.samples, 1.0))
         if best is None or reached.cost < best.cost:
             best = reached
-        if best.cost <= CRITERIA.fit.at_noise * objective.samples and not options.starts:
+        if objective.is_at_noise(best.cost) and not options.starts:
             break  # nothing is left that another start could find
     return best or _minimise(problem, _rescue(objective))
 
@@ -132,9 +132,8 @@ def _minimise(problem: FitProblem, start: Array) -> Minimum:
     if not len(start):
         return Minimum(objective.squares(start), start, np.zeros((objective.size, 0)))
     reached = _descend(problem, start)
-    noise = CRITERIA.fit.at_noise * objective.samples
     for _ in range(CRITERIA.starts.steps if problem.options.second_look else 0):
-        if reached.cost <= noise or not objective.found_other_starts(reached.z):
+        if objective.is_at_noise(reached.cost) or not objective.found_other_starts(reached.z):
             break
         reached = _descend(problem, reached.z)
     return reached

@@ -60,7 +60,7 @@ def estimated_starts(
     objective = Objective(simulator, data, chosen, (), values, tolerance)
     try:
         nothing = np.zeros(0)
-        if second_look and objective.squares(nothing) > CRITERIA.fit.at_noise * objective.samples:
+        if second_look and not objective.is_at_noise(objective.squares(nothing)):
             objective.found_other_starts(nothing)
         objective.residuals(nothing)
     except SimulationFailure:

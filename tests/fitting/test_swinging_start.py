@@ -17,8 +17,9 @@ from pam_cosim.measurement import Run
 from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
+from rig.benches import BENCHES
 from rig.schedule import Course
-from rig.vertical import EmpiricalParameters, simulate_vertical
+from rig.trial import Trial
 from tests.fitting.models import data_set, recording
 
 MODEL = "PneumaticMuscle.Examples.ConstantFrictionLoad"
@@ -32,20 +33,12 @@ def _swinging(mass: float, frequency: float, seed: int) -> Run:
     """A wave of pressure pulls a mass up on a slack muscle, on which it bounces; the recording begins in between."""
     time = np.arange(0.0, 10.0, 0.02)
     wave = 2e5 * (1 - np.cos(2 * np.pi * frequency * time))
-    rig = EmpiricalParameters(
-        length=KNOWN["muscle.L0"],
-        angle=KNOWN["muscle.alpha_0"],
-        diameter=TRUE["muscle.D0"],
-        coulomb=TRUE["muscle.friction.c_c"],
-        viscous=TRUE["muscle.friction.c_v"],
-        load=mass,
-        frequency=frequency,
-    )
     late = time >= BEGIN
-    x = simulate_vertical(rig, Course(tuple(wave.tolist()), 0.02), time).x[late]
+    own = {**KNOWN, "load.m": mass, "frequency": frequency}
+    trial = Trial("waves", "fit", len(time), 50.0, course=Course(tuple(wave.tolist()), 0.02))
+    x = BENCHES["VerticalLoad"].simulation({**TRUE, **own}, trial, time, (), 1e-8)["x"][late]
     noise = SIGMA * np.random.default_rng([seed, 8]).standard_normal(len(x))
     run = recording(time[late], {"x": x + noise}, inputs={"p": wave[late]})
-    own = {**KNOWN, "load.m": mass, "frequency": frequency}
     return replace(run, name=f"run-{seed}", parameters=own, start=Start("estimated"))
 
 

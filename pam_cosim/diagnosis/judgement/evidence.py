@@ -43,7 +43,7 @@ def has_structure_for_search(
     """
     if not s.samples:
         return False
-    visible = _correlated(s) and s.excess > CRITERIA.residuals.excess * max(1.0, s.noise_floor)
+    visible = _correlated(s) and s.exceeds(CRITERIA.residuals.excess)
     if s.samples >= CRITERIA.residuals.many_samples:
         return visible and _is_reproducible(s, repeated)
     return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(
@@ -85,7 +85,7 @@ def has_structure_for_verdict(
     return (
         bool(s.samples)
         and _correlated(s)
-        and s.excess > CRITERIA.residuals.remaining_excess * max(1.0, s.noise_floor)
+        and s.exceeds(CRITERIA.residuals.remaining_excess)
         and _is_reproducible(s, repeated)
     )
 
@@ -110,7 +110,7 @@ def _is_reproducible(s: ResidualStatistics, repeated: Reproducibility | None) ->
     if (
         repeated is None
         or math.isnan(repeated.variance)
-        or s.excess > CRITERIA.residuals.large_excess * max(1.0, s.noise_floor)
+        or s.exceeds(CRITERIA.residuals.large_excess)
     ):
         return True
     return (
@@ -153,7 +153,7 @@ def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
 def _may_be_drift(fit: Fit) -> bool:
     """Whether what a model leaves is no more than instruments may drift by; points at rest have no time to."""
     return not any(r.run.is_static for r in fit.comparison.runs) and all(
-        s.excess <= CRITERIA.residuals.large_excess * max(1.0, s.noise_floor)
+        not s.exceeds(CRITERIA.residuals.large_excess)
         for s in fit.residuals_beyond_uncertainty.values()
         if s.samples
     )

@@ -36,8 +36,7 @@ def pruned(
         full: the fit with all of them.
         precision: at which a descent ends.
     """
-    level = max(1.0, full.residuals["fit"].noise_floor)
-    if full.residuals["fit"].excess > CRITERIA.search.pruning_excess * level:
+    if full.residuals["fit"].exceeds(CRITERIA.search.pruning_excess):
         return full
     variance, time, _ = noise_scale([full])
     worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
