@@ -294,38 +294,11 @@ class ResidualCriteria:
     slight_excess: float = decides(
         0.01, "noise variances", "less is not seen by a person, and is no sign of a model"
     )
-    excess: float = decides(
-        0.05,
-        "noise variances",
-        "mean square beyond the noise, below which residuals count as noise in the search",
-    )
-    remaining_excess: float = decides(
-        0.2, "noise variances", "more leaves an explanation incomplete, if it comes again", BLIND
-    )
-    large_excess: float = decides(
+    drift: float = decides(
         0.3,
         "noise variances",
-        "more is no drift: a wander of half a standard deviation has a quarter",
+        "mean square beyond the noise, as drifts have it: a wander of half a standard deviation has a quarter",
         BLIND,
-    )
-    repeated: float = decides(
-        0.02,
-        "noise variances",
-        "what other runs predict of a residual at least, for it to come again",
-    )
-    repeated_score: float = decides(
-        1.0, "standard errors", "the same, over the runs left out in turn"
-    )
-    memories: tuple[float, ...] = decides(
-        (0.1, 0.5, 2.0), "s", "how far back runs may predict one another"
-    )
-    ridge: float = decides(
-        0.01,
-        "of samples",
-        "penalty on columns of unit size; a linear regression stays tame with it",
-    )
-    runs_to_leave_out: int = decides(
-        3, "runs", "fewer are cut into thirds, so that something is left to predict from"
     )
     lags: int = decides(
         8, "samples", "distances over which the colour of the noise is told from a slow course"
@@ -545,7 +518,6 @@ class SearchCriteria:
         0.6, "of the excess", "that a further effect is expected to leave at most, to be tried"
     )
     most_effects: int = decides(3, "effects", "in one explanation, at most")
-    at_noise: float = decides(0.1, "noise variances", "excess that needs no further effect tried")
     evaluations: int = decides(
         40, "evaluations", "of each descent of a candidate: some valleys are long"
     )

@@ -56,6 +56,7 @@ DECIDE_NOTHING = {
     "MEDIAN_TO_SIGMA": "a property of the normal distribution",
     "_LEAST": "a vacuum and absolute zero",
     "_MEMORIES": "finer than a likelihood tells",
+    "_GRID": "finer than a likelihood tells",
     "_RATIOS": "all that two variances may be",
     "_SEARCH": "accuracy of a maximum",
     "_TINY": "keeps a logarithm off nought",

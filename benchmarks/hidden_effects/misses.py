@@ -42,8 +42,8 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.evidence import (
-    any_structure_for_search,
     information_criterion,
+    leaves_structure,
     noise_scale,
 )
 from pam_cosim.diagnosis.search.search import FitRequest, Search
@@ -145,7 +145,7 @@ def _compared(hidden: Sequence[str], diagnosis: Diagnosis) -> Facts:
         chosen,
         diagnosis.verdict.kind,
         evidence(best) - min(evidence(c) for c in (None, answer, *fewer)),
-        any_structure_for_search(best.fit),
+        leaves_structure(best.fit),
         min((evidence(c) for c in tried), default=math.inf) - evidence(best),
         any(set(c.effects) == set(best.effects) for c in tried),
     )

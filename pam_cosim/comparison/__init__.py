@@ -1,6 +1,10 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
-from pam_cosim.comparison.coloured_noise import coloured_log_likelihood
+from pam_cosim.comparison.coloured_noise import (
+    LogLikelihood,
+    approximate_log_likelihood,
+    noise_log_likelihood,
+)
 from pam_cosim.comparison.compare import Comparison, compare, scored
 from pam_cosim.comparison.condition_table import (
     STATISTICS,
@@ -19,7 +23,6 @@ from pam_cosim.comparison.initial_state import (
 )
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt, place_in
-from pam_cosim.comparison.reproducibility import Reproducibility, reproducibility
 from pam_cosim.comparison.residual_statistics import (
     ResidualStatistics,
     Series,
@@ -46,7 +49,6 @@ __all__ = [
     "Condition",
     "ConditionTable",
     "Doubt",
-    "Reproducibility",
     "ResidualStatistics",
     "Rule",
     "RunComparison",
@@ -56,7 +58,9 @@ __all__ = [
     "initial_state",
     "check_conditions",
     "chi2_reduced",
-    "coloured_log_likelihood",
+    "noise_log_likelihood",
+    "LogLikelihood",
+    "approximate_log_likelihood",
     "compare",
     "expected_squares",
     "lag_one",
@@ -64,7 +68,6 @@ __all__ = [
     "measured_initial_state",
     "outliers",
     "place_in",
-    "reproducibility",
     "autocorrelation",
     "residual_statistics",
     "score",

@@ -69,9 +69,9 @@ class Series:
     signal: str = ""
 
     @classmethod
-    def plain(cls, values: Array, stated: bool = True) -> Series:
+    def plain(cls, values: Array, stated: bool = True, signal: str = "") -> Series:
         """Residuals in standard deviations of the noise."""
-        return cls(values, np.ones(len(values)), stated)
+        return cls(values, np.ones(len(values)), stated, signal)
 
     @property
     def samples(self) -> float:

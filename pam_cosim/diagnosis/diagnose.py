@@ -23,7 +23,7 @@ from pam_cosim.diagnosis.judgement.events import (
     Listener,
     listened,
 )
-from pam_cosim.diagnosis.judgement.evidence import any_structure_for_verdict, rank
+from pam_cosim.diagnosis.judgement.evidence import leaves_structure, rank
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.judgement.model_space import effects_named
@@ -522,7 +522,7 @@ def _rivals_with_runs(
     data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]
 ) -> list[RivalPlan]:
     """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
-    if any_structure_for_verdict(best.fit):
+    if leaves_structure(best.fit):
         return [(c, None) for c in near]
     return distinguishable_rivals(data, best, near, files)
 

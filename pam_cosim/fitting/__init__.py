@@ -12,6 +12,7 @@ from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty
 from pam_cosim.fitting.linear import (
     Linear,
     bounded_step,
+    coloured_deviance,
     linearised,
     prior_rows,
     reduction_by,
@@ -73,6 +74,7 @@ __all__ = [
     "read_parameters",
     "reduction_by",
     "residual_rows",
+    "coloured_deviance",
     "rows_of_series",
     "runs_without_start",
     "simulated",

@@ -12,9 +12,10 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import (
     Comparison,
+    LogLikelihood,
     ResidualStatistics,
-    coloured_log_likelihood,
     compare,
+    noise_log_likelihood,
     residual_statistics,
     series_of,
 )
@@ -97,14 +98,16 @@ class Fit(Printed):
         return {name: e.value for name, e in self.starts.items()}
 
     @cached_property
-    def coloured_deviance(self) -> float:
-        """Minus twice the log-likelihood of all that is left as noise of any colour, and what the priors add.
+    def log_likelihood(self) -> LogLikelihood:
+        """Of all that is left as noise, of held-out runs beyond the uncertainty of the parameters."""
+        comparison = self.comparison
+        shifts = self.holdout_uncertainty.shifts
+        return noise_log_likelihood(series_of(comparison.runs, comparison.data.signals, shifts))
 
-        Of held-out runs beyond the uncertainty of the parameters; but for a constant that is the same for all models.
-        """
-        comparison, held = self.comparison, self.holdout_uncertainty
-        series = series_of(comparison.runs, comparison.data.signals, held.shifts)
-        return self.chi2_priors + held.cost - 2 * coloured_log_likelihood(series)
+    @property
+    def coloured_deviance(self) -> float:
+        """Minus twice the log-likelihood of what is left as noise of any colour, and what the priors add."""
+        return self.chi2_priors + self.holdout_uncertainty.cost - 2 * self.log_likelihood.coloured
 
     @cached_property
     def freedom(self) -> int:
@@ -274,7 +277,7 @@ def _holdout_uncertainty(
 
 def _is_far_off(left: ResidualStatistics) -> bool:
     """Whether a model leaves so much where it was fitted that nothing it leaves elsewhere is excused."""
-    return left.exceeds(CRITERIA.residuals.large_excess) and _is_correlated(left)
+    return left.exceeds(CRITERIA.residuals.drift) and _is_correlated(left)
 
 
 def profile(

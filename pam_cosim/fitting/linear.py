@@ -9,7 +9,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import RunComparison, standardized_residuals
+from pam_cosim.comparison import (
+    RunComparison,
+    Series,
+    approximate_log_likelihood,
+    standardized_residuals,
+)
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.objective import Objective
@@ -29,6 +34,7 @@ class Linear:
         residual: (m,).
         slopes: (m, k) of the model by the values.
         priors: what is known of parameters beforehand, by name; it is not among the rows.
+        series: signal of each series, and how many rows it has; they follow one another.
     """
 
     names: tuple[str, ...]
@@ -38,6 +44,7 @@ class Linear:
     residual: Array
     slopes: Array
     priors: Mapping[str, Prior] = field(default_factory=dict)
+    series: tuple[tuple[str, int], ...] = ()
 
     @property
     def movable(self) -> Array:
@@ -97,7 +104,24 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
         both[:, 0],
         both[:, 1:],
         {f.name: f.prior for f in objective.free if f.prior is not None},
+        tuple(
+            (name, len(begin))
+            for (_, name), begin in zip(
+                objective.series, _blocks(objective.kept, rows), strict=True
+            )
+        ),
     )
+
+
+def coloured_deviance(linear: Linear, residual: Array) -> float:
+    """Minus twice the log-likelihood of residuals (m,), in its rows, as noise of any colour, but for a constant."""
+    of_rows = linear.series or (("", len(residual)),)
+    ends = np.cumsum([rows for _, rows in of_rows])
+    series = [
+        Series.plain(residual[end - rows : end], signal=name)
+        for (name, rows), end in zip(of_rows, ends.tolist(), strict=True)
+    ]
+    return -2 * approximate_log_likelihood(series)
 
 
 def judged_by(linear: Linear, runs: Sequence[RunComparison], data: DataSet, rows: int) -> Linear:

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import Series, coloured_log_likelihood
+from pam_cosim.comparison import Series, approximate_log_likelihood, noise_log_likelihood
 from pam_cosim.comparison.coloured_noise import _form
 
 
@@ -19,7 +19,7 @@ def _slow(rng: np.random.Generator, n: int, memory: float) -> Array:
 
 
 def _of(*values: Array) -> float:
-    return coloured_log_likelihood([Series(v, np.ones(len(v)), True, "p") for v in values])
+    return noise_log_likelihood([Series(v, np.ones(len(v)), True, "p") for v in values]).coloured
 
 
 def _white(*values: Array) -> float:
@@ -30,10 +30,13 @@ def _white(*values: Array) -> float:
 @pytest.mark.parametrize("n", [1, 2, 50])
 @pytest.mark.parametrize(("ratio", "memory"), [(0.5, 7.0), (30.0, 3.0), (1e-3, 1.0)])
 def test_forms_are_those_of_the_whole_covariance(n: int, ratio: float, memory: float) -> None:
-    values = np.random.default_rng(n).standard_normal(n)
-    distance = np.abs(np.subtract.outer(np.arange(n), np.arange(n)))
-    covariance = np.eye(n) + ratio * np.exp(-distance / memory)
-    square, determinant = _form(values, ratio, memory)
+    """Of two series, of which no course goes on in the other."""
+    values = np.random.default_rng(n).standard_normal(n + 3)
+    distance = np.abs(np.subtract.outer(np.arange(n + 3), np.arange(n + 3)))
+    slow = ratio * np.exp(-distance / memory)
+    slow[:n, n:] = slow[n:, :n] = 0.0
+    covariance = np.eye(n + 3) + slow
+    square, determinant = _form(values, np.array([n - 1, n + 2]), ratio, memory)
     assert square == pytest.approx(values @ np.linalg.solve(covariance, values), rel=1e-9)
     assert determinant == pytest.approx(np.linalg.slogdet(covariance)[1], abs=1e-9)
 
@@ -67,5 +70,23 @@ def test_signals_have_colours_of_their_own() -> None:
     rng = np.random.default_rng(4)
     one, other = _slow(rng, 1000, 50.0), rng.standard_normal(1000)
     series = [Series(v, np.ones(1000), True, name) for v, name in ((one, "p"), (other, "x"))]
-    assert coloured_log_likelihood(series) == pytest.approx(_of(one) + _of(other))
-    assert coloured_log_likelihood([]) == 0.0
+    assert noise_log_likelihood(series).coloured == pytest.approx(_of(one) + _of(other))
+    assert noise_log_likelihood([]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize(
+    ("memory", "size", "noise"),
+    [(1.0, 0.0, 1.0), (3.0, 1.0, 0.0), (100.0, 0.5, 1.0), (50.0, 5.0, 0.1)],
+)
+def test_the_quick_likelihood_is_near_the_exact_one(
+    memory: float, size: float, noise: float
+) -> None:
+    """Within what counts as positive evidence, of white noise, a filter, a drift and a course that is hardly noisy."""
+    rng = np.random.default_rng(5)
+    series = [
+        Series.plain(size * _slow(rng, n, memory) + noise * rng.standard_normal(n), signal="p")
+        for n in (300, 250, 20)
+    ]
+    exact, quick = noise_log_likelihood(series), approximate_log_likelihood(series)
+    assert quick == pytest.approx(exact.coloured, abs=3.0)
+    assert approximate_log_likelihood([]) == 0.0

@@ -16,7 +16,7 @@ from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit, Linear
-from tests.diagnosis.synthetic import statistics
+from tests.diagnosis.synthetic import WhiteFit, statistics
 
 TREE = read_library()
 SHELF = tuple(effect_classes(TREE))
@@ -105,7 +105,7 @@ class LinearWorld(Search):
         }
         limits = np.full(len(names), 1e3)
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
-        return Fit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
+        return WhiteFit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
 
     def untouched(self, effects: Sequence[str]) -> Fit:
         """The model with these effects where the last of them does nothing yet, nor says what it could."""

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 
-from pam_cosim.comparison import ResidualStatistics, RunComparison
+from pam_cosim.comparison import LogLikelihood, ResidualStatistics, RunComparison
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import Run, Signal
@@ -25,6 +26,16 @@ def statistics(
 
 
 EMPTY = ResidualStatistics(0.0, 0, float("nan"), 0.0, 1.0)
+
+
+class WhiteFit(Fit):
+    """A fit that leaves independent samples, one in each correlation time: no course of them goes on in the next."""
+
+    @property
+    def log_likelihood(self) -> LogLikelihood:  # type: ignore[override]
+        known = (s for s in self.residuals_beyond_uncertainty.values() if s.samples)
+        white = -0.5 * sum(s.samples / s.correlation_time * math.log(s.chi2_reduced) for s in known)
+        return LogLikelihood(white, white)
 
 
 def fitted(
@@ -61,7 +72,7 @@ def fitted(
         "fit": statistics(chi2, score, time),
         "holdout": EMPTY if holdout is None else statistics(holdout, score, time),
     }
-    return Fit("Test", estimates, comparison, structure, 1)  # type: ignore[arg-type]
+    return WhiteFit("Test", estimates, comparison, structure, 1)  # type: ignore[arg-type]
 
 
 def _run(name: str, signal: str, error: float) -> RunComparison:

@@ -162,11 +162,12 @@ def test_signals_nobody_fitted_refute_by_their_geometric_mean(
     assert refuted_by_unfitted_signals(rival, best) is refuted
 
 
-def test_noise_has_a_colour_where_the_base_model_leaves_no_more_than_a_drift() -> None:
-    """Of a model that leaves more, and of points at rest, squares count as they are."""
+def test_noise_has_a_colour_where_some_model_leaves_no_more_than_a_drift() -> None:
+    """Where all leave more, and at rest, squares count as they are."""
     small, large = fitted(1.29, holdout=1.2, score=20.0), fitted(1.29, holdout=1.31, score=20.0)
     assert noise_scale([small, fitted(1.0)]).coloured
-    assert not noise_scale([large, small]).coloured
+    assert noise_scale([large, small]).coloured
+    assert not noise_scale([large, fitted(2.0)]).coloured
     scale = noise_scale([small])
     assert information_criterion(small, scale, (), ModelSpace(10)) == pytest.approx(
         small.coloured_deviance + scale.penalty(small) * small.freedom

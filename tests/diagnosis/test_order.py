@@ -85,10 +85,14 @@ def test_what_leaves_noise_is_better_than_what_does_not_however_many_parameters_
     )
 
 
-def test_a_further_effect_that_follows_the_noise_more_closely_is_not_needed() -> None:
-    one, two = _model("OrificeLeak", 1.05, 1), _model("OrificeLeak+DahlFriction", 0.9, 3)
+@pytest.mark.parametrize(
+    ("chi2", "best"), [(1.02, "OrificeLeak"), (0.95, "OrificeLeak+DahlFriction")]
+)
+def test_a_further_effect_needs_very_strong_evidence(chi2: float, best: str) -> None:
+    """A better criterion is not enough: what follows the noise more closely has that too."""
+    one, two = _model("OrificeLeak", 1.05, 1), _model("OrificeLeak+DahlFriction", chi2, 3)
     assert _order(one, two).information_criterion(two) < _order(one, two).information_criterion(one)
-    assert _best(one, two) == "OrificeLeak"
+    assert _best(one, two) == best
 
 
 def test_two_laws_are_better_than_one_effect_that_takes_many_more_parameters() -> None:
@@ -105,9 +109,9 @@ def test_not_where_they_explain_less() -> None:
     )
 
 
-def test_not_where_they_take_about_as_many() -> None:
+def test_not_where_they_take_about_as_many_and_explain_little_more() -> None:
     assert (
-        _best(_model("FlexibleBladder", 1.1, 3), _model("OrificeLeak+DahlFriction", 1.0, 2))
+        _best(_model("FlexibleBladder", 1.005, 3), _model("OrificeLeak+DahlFriction", 1.0, 2))
         == "FlexibleBladder"
     )
 

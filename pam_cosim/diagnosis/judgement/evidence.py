@@ -7,7 +7,7 @@ from collections.abc import Collection, Mapping, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
-from pam_cosim.comparison import Reproducibility, ResidualStatistics, reproducibility
+from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
@@ -23,40 +23,23 @@ def _correlated(s: ResidualStatistics) -> bool:
     )
 
 
-def cross_run_reproducibility(fit: Fit) -> Reproducibility:
-    """How much of a fit's residual in one run the other runs predict."""
-    return reproducibility(fit.comparison.runs, fit.comparison.data.signals)
+def has_structure(s: ResidualStatistics) -> bool:
+    """Whether residuals hold more than noise of instruments, which may have any colour and drift.
 
-
-def has_structure_for_search(
-    s: ResidualStatistics, repeated: Reproducibility | None = None
-) -> bool:
-    """Whether residuals hold something that is not noise.
-
-    Many samples show it by their correlation in time, and by its size: less than a twentieth of the noise's
-    variance counts as noise. A small excess must also come again in other runs: instruments drift, and noise
-    may have any colour. Few samples cannot show that; there the level against the stated noise decides too.
-
-    Args:
-        s: statistics of the residuals.
-        repeated: what other runs predict of them; None: nobody knows.
+    Many samples show it by their correlation in time and by its size. Few cannot; there the level against the stated
+    noise decides too.
     """
     if not s.samples:
         return False
-    visible = _correlated(s) and s.exceeds(CRITERIA.residuals.excess)
-    if s.samples >= CRITERIA.residuals.many_samples:
-        return visible and _is_reproducible(s, repeated)
-    return visible or s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(
-        2 / s.samples
-    )
+    if _correlated(s) and s.exceeds(CRITERIA.residuals.drift):
+        return True
+    few = s.samples < CRITERIA.residuals.many_samples
+    return few and s.chi2_reduced > 1 + CRITERIA.residuals.level_of_few * math.sqrt(2 / s.samples)
 
 
-def any_structure_for_search(fit: Fit) -> bool:
-    """Whether a model leaves structure in runs that were fitted or in others."""
-    repeated = cross_run_reproducibility(fit)
-    return any(
-        has_structure_for_search(s, repeated) for s in fit.residuals_beyond_uncertainty.values()
-    )
+def leaves_structure(fit: Fit) -> bool:
+    """Whether a model leaves structure, in runs that were fitted or in others that no values excuse."""
+    return any(map(has_structure, fit.residuals_beyond_uncertainty.values()))
 
 
 def may_have_structure(s: ResidualStatistics) -> bool:
@@ -66,64 +49,23 @@ def may_have_structure(s: ResidualStatistics) -> bool:
     are correlated, or larger than the noise that was stated: what is quick against the samples looks white.
     """
     if s.samples < CRITERIA.residuals.many_samples:
-        return has_structure_for_search(s)
+        return has_structure(s)
     known_variance = min(s.noise_floor, max(1.0, s.white_variance))
     seen = _correlated(s) or s.level_score > CRITERIA.residuals.level_of_few
     return seen and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
 
 
-def has_structure_for_verdict(
-    s: ResidualStatistics, repeated: Reproducibility | None = None
-) -> bool:
-    """Whether residuals of a model that explains much are still coherent: more than a fifth of the noise's variance.
-
-    Few samples, as those of a table, hardly show that; there what is larger than the stated noise is not that noise.
-    """
-    few = 0 < s.samples < CRITERIA.residuals.many_samples
-    if few and s.level_score > CRITERIA.residuals.level_of_few:
-        return True
-    return (
-        bool(s.samples)
-        and _correlated(s)
-        and s.exceeds(CRITERIA.residuals.remaining_excess)
-        and _is_reproducible(s, repeated)
-    )
-
-
-def any_structure_for_verdict(fit: Fit) -> bool:
-    """Whether a model that explains much leaves structure all the same, in runs that were fitted or in others."""
-    repeated = cross_run_reproducibility(fit)
-    return any(
-        has_structure_for_verdict(s, repeated) for s in fit.residuals_beyond_uncertainty.values()
-    )
-
-
 def contradicted_by_holdout(fit: Fit) -> bool:
     """Whether a model leaves noise in runs that were fitted, and structure in others that no values excuse."""
-    tested, repeated = fit.residuals_beyond_uncertainty, cross_run_reproducibility(fit)
-    return not has_structure_for_search(tested["fit"], repeated) and has_structure_for_verdict(
-        tested["holdout"], repeated
-    )
-
-
-def _is_reproducible(s: ResidualStatistics, repeated: Reproducibility | None) -> bool:
-    if (
-        repeated is None
-        or math.isnan(repeated.variance)
-        or s.exceeds(CRITERIA.residuals.large_excess)
-    ):
-        return True
-    return (
-        repeated.variance > CRITERIA.residuals.repeated * max(1.0, s.noise_floor)
-        and repeated.score > CRITERIA.residuals.repeated_score
-    )
+    tested = fit.residuals_beyond_uncertainty
+    return not has_structure(tested["fit"]) and has_structure(tested["holdout"])
 
 
 class NoiseScale(NamedTuple):
     """Noise variance and samples per independent sample, both as the best model leaves them.
 
-    Where the base model leaves no more than instruments may drift by, the noise of each model has the colour that suits
-    it best: an effect must say more than that.
+    Where some model leaves no more than instruments may drift by, the noise of each model has the colour that suits it
+    best: an effect must say more than that.
     """
 
     variance: float
@@ -147,13 +89,15 @@ def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
         fits: the base model first.
     """
     best = min((f.residuals["fit"] for f in fits), key=lambda s: s.chi2)
-    return NoiseScale(max(1.0, best.chi2_reduced), best.correlation_time, _may_be_drift(fits[0]))
+    return NoiseScale(
+        max(1.0, best.chi2_reduced), best.correlation_time, any(map(_may_be_drift, fits))
+    )
 
 
 def _may_be_drift(fit: Fit) -> bool:
     """Whether what a model leaves is no more than instruments may drift by; points at rest have no time to."""
     return not any(r.run.is_static for r in fit.comparison.runs) and all(
-        not s.exceeds(CRITERIA.residuals.large_excess)
+        not s.exceeds(CRITERIA.residuals.drift)
         for s in fit.residuals_beyond_uncertainty.values()
         if s.samples
     )

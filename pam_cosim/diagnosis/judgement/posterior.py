@@ -16,7 +16,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.evidence import (
     best_of_each,
-    has_structure_for_search,
+    has_structure,
     information_criterion,
     missed_signals,
     noise_scale,
@@ -187,4 +187,4 @@ def _checked(fit: Fit) -> bool:
     Held-out runs that only the uncertainty of the parameters excuses check little.
     """
     held = fit.residuals["holdout"]
-    return bool(held.samples) and not has_structure_for_search(held) and not missed_signals(fit)
+    return bool(held.samples) and not has_structure(held) and not missed_signals(fit)

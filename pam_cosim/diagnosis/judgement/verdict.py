@@ -13,12 +13,11 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.evidence import (
-    any_structure_for_search,
-    any_structure_for_verdict,
     best_of_each,
     dominant_effect,
-    has_structure_for_search,
+    has_structure,
     information_criterion,
+    leaves_structure,
     missed_signals,
     noise_scale,
     refuted_by_unfitted_signals,
@@ -276,7 +275,7 @@ def judge(
         all_runs_searched: all runs were fitted, for those that were held out contradicted what the others came to.
     """
     if not selected:
-        if any_structure_for_search(base):
+        if leaves_structure(base):
             return Verdict(
                 "unknown", (), (), "The residual has structure, and no listed effect explains it."
             )
@@ -293,7 +292,7 @@ def judge(
     text = f"{' + '.join(effects)} removes {removed:.1f} % of the squared error beyond the noise"
     known = {**family, **{c.effect: c.family for c in (*selected, *others)}}
     caution = _caution(last.fit, all_runs_searched)
-    if any_structure_for_verdict(last.fit):
+    if leaves_structure(last.fit):
         dominant = dominant_effect(base, tried)
         if dominant is not None and dominant.effects == last.effects and not others:
             return Verdict(
@@ -415,7 +414,7 @@ def _caution(fit: Fit, all_runs_searched: bool) -> str:
         "" if held.samples else " No run was held out: nothing but what was fitted speaks for it."
     )
     text = _ALL_RUNS_SEARCHED if all_runs_searched else text
-    if has_structure_for_search(held) and not any_structure_for_verdict(fit):
+    if has_structure(held) and not leaves_structure(fit):
         text = " Held-out runs are met only as far as the fitted ones determine the parameters: they check little."
     names = [n for n, e in fit.parameters.items() if e.at_bound and e.determined]
     if names:

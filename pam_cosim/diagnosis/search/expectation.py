@@ -149,11 +149,13 @@ class PredictedFit(NamedTuple):
         reduction: of the sum of squares.
         values: of the parameters then [SI].
         chi2_priors: what they are off what is known of them beforehand, in variances.
+        residual: (m,) what is left then.
     """
 
     reduction: float
     values: Mapping[str, float]
     chi2_priors: float
+    residual: Array
 
 
 @dataclass(frozen=True)
@@ -268,7 +270,9 @@ class LinearisedNeighbourhood:
         gained = whole + float(step @ (2 * along - square @ step))
         by_name = dict(zip(names, (values + step).tolist(), strict=True))
         off = sum(prior.surprise(by_name[n]) ** 2 for n, prior in priors.items())
-        return PredictedFit(max(gained, 0.0), by_name, off)
+        moves = self.additions.moves
+        moved = own.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, wholes].sum(axis=1)
+        return PredictedFit(max(gained, 0.0), by_name, off, own.residual - moved)
 
     def _single(self, own_family: bool) -> list[tuple[float, EffectDirections, Array]]:
         taken = {self.family[e] for e in self.effects}

@@ -4,8 +4,11 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Iterable, Iterator, Mapping, Sequence
+from functools import cached_property
+from math import log
 from typing import NamedTuple
 
+from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.evidence import NoiseScale, evidence_without_choice
@@ -20,7 +23,9 @@ from pam_cosim.diagnosis.search.expectation import (
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import AcceptanceThreshold, Ranking
 from pam_cosim.diagnosis.search.search import FitRequest
-from pam_cosim.fitting import Fit, Linear
+from pam_cosim.fitting import Fit, Linear, bounded_step, coloured_deviance
+
+_TINY = 1e-300
 
 
 class Start:
@@ -36,7 +41,7 @@ class Start:
         self._residuals = [
             (s.chi2, s.samples) for s in fit.residuals_beyond_uncertainty.values() if s.samples
         ]
-        self._fitted_chi2 = max(fit.residuals["fit"].chi2, 1e-300)
+        self._fitted_chi2 = max(fit.residuals["fit"].chi2, _TINY)
         self._evidence: dict[NoiseScale, tuple[float, float]] = {}
 
     def evidence(self, scale: NoiseScale) -> tuple[float, float]:
@@ -58,10 +63,38 @@ class Start:
         The error of the other runs is expected to fall as that of the fitted ones does; neither falls below the noise.
         """
         left = 1 - (1 - lost) * reduction / self._fitted_chi2
-        gain = 0.0
-        for chi2, samples in self._residuals:
-            gain += max(chi2 - max(left * chi2, noise_floor * samples), 0.0)
-        return gain / scale.divisor
+        after = [min(chi2, max(left * chi2, noise_floor * n)) for chi2, n in self._residuals]
+        if scale.coloured:
+            # as if no colour made up for what is gone
+            both = zip(self._residuals, after, strict=True)
+            return sum(n * log(now / max(then, _TINY)) for (now, n), then in both)
+        return (
+            sum(now - then for (now, _), then in zip(self._residuals, after, strict=True))
+            / scale.divisor
+        )
+
+    def coloured_gain(self, residual: Array) -> float:
+        """What it counts, beside noise of any colour, that fitted runs leave a residual (m,), if others gain as much.
+
+        In the rows of the linear model.
+        """
+        assert self.fit.linear is not None
+        samples = sum(n for _, n in self._residuals)
+        gain = self._deviance_of_rows - coloured_deviance(self.fit.linear, residual)
+        return max(gain, 0.0) * samples / self.fit.residuals["fit"].samples
+
+    @cached_property
+    def _deviance_of_rows(self) -> float:
+        assert self.fit.linear is not None
+        return coloured_deviance(self.fit.linear, self.fit.linear.residual)
+
+    @cached_property
+    def hope(self) -> float:
+        """The same of where its own slopes promise that it comes to."""
+        linear = self.fit.linear
+        if linear is None:
+            return 0.0
+        return self.coloured_gain(linear.residual - linear.slopes @ bounded_step(linear))
 
 
 class Proposal(NamedTuple):
@@ -190,7 +223,14 @@ class PredictedEvidence:
         chosen: dict[tuple[str, ...], Proposal] = {}
         for threshold in self.ranking.acceptance_thresholds(count, possibly):
             own = [p for p in every if self._may_pass(p, threshold, possibly, noise_floor)]
-            chosen |= {p.prediction.effects: p for p in self._best_of_families(own)}
+            best = self._best_of_families(own)
+            if possibly.coloured:
+                best = [
+                    p
+                    for p in best
+                    if self.predicted_criterion(p, noise_floor, possibly) <= threshold.criterion
+                ]
+            chosen |= {p.prediction.effects: p for p in best}
         return list(chosen.values())
 
     def _best_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
@@ -282,11 +322,6 @@ class PredictedEvidence:
         """Whether a model is expected to leave much less than a best one does, which leaves structure."""
         now, own = best.fit.residuals["fit"], p.start.fit.residuals["fit"]
         excess = now.chi2 - noise_floor * now.samples
-        if (
-            len(p.prediction.effects) > len(best.effects)
-            and excess < CRITERIA.search.at_noise * noise_floor * now.samples
-        ):
-            return False  # the fitted runs have nothing left to tell a further effect by
         left = own.chi2 - trust * p.prediction.reduction - noise_floor * own.samples
         return left < CRITERIA.search.step * excess
 
@@ -317,6 +352,8 @@ class PredictedEvidence:
         if expected is not None:
             known += expected.chi2_priors - start.fit.chi2_priors
             reduction = expected.reduction
+        if expected is not None and scale.coloured:
+            return known - start.coloured_gain(expected.residual)
         gained = e.reduction if reduction is None else reduction
         return known - start.expected_gain(gained, scale, noise_floor, lost)
 
@@ -327,10 +364,11 @@ class PredictedEvidence:
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
+        known = self.ranking.information_criterion(c, scale)
+        if scale.coloured:
+            return known - self._start(c).hope
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return self.ranking.information_criterion(c, scale) - self._start(c).expected_gain(
-            gain, scale, noise_floor
-        )
+        return known - self._start(c).expected_gain(gain, scale, noise_floor)
 
     def fit_request(self, e: PredictedModel) -> FitRequest:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""

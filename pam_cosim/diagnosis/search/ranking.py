@@ -1,10 +1,9 @@
 """Which of the models that were fitted is best, and what a further one must come to.
 
 The evidence orders them (``diagnosis.evidence``), on the scale of noise that the best leaves. Among models that leave
-noise it would go on rewarding whoever follows the noise closest, so there what a model is made of counts first: as few
-effects as leave noise are enough, unless more get by with fewer parameters. While nothing leaves noise, the
-best model made of laws alone is carried on beside the best one: a general member takes away
-a part of what another family hides, and no law that is right in the end looks like it then.
+noise more effects need very strong evidence. While nothing leaves noise, the best model made of laws alone is carried
+on beside the best one: a general member takes away a part of what another family hides, and no law that is right in the
+end looks like it then.
 """
 
 from __future__ import annotations
@@ -12,15 +11,14 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 
-from pam_cosim.comparison import Reproducibility, ResidualStatistics
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.evidence import (
     NoiseScale,
-    cross_run_reproducibility,
     dominant_effect,
-    has_structure_for_search,
+    has_structure,
     information_criterion,
+    may_have_structure,
     noise_scale,
     refuted_by_unfitted_signals,
 )
@@ -50,15 +48,6 @@ class AcceptanceThreshold:
     rival_of: frozenset[str] | None = None
 
 
-@dataclass(frozen=True)
-class _Remainder:
-    """What a fit leaves: its statistics by role, and how much of it comes again in other runs."""
-
-    fit: Fit
-    statistics: tuple[ResidualStatistics, ...]
-    reproducibility: Reproducibility
-
-
 class Ranking:
     """The models so far.
 
@@ -69,8 +58,7 @@ class Ranking:
 
     Attributes:
         effort_spent: the search has ended at a limit: models that were fitted in a few steps count as they are.
-        drift_excluded: a small excess that other runs do not repeat is no drift of the instruments, as long as there
-            may be a model that leaves none.
+        drift_excluded: a small excess is no drift of the instruments, as long as there may be a model that leaves none.
     """
 
     def __init__(
@@ -80,7 +68,6 @@ class Ranking:
         self.scale = noise_scale([base])
         self.effort_spent = False
         self.drift_excluded = False
-        self._remainders: dict[tuple[str, ...], _Remainder] = {}
 
     @property
     def fits(self) -> list[Fit]:
@@ -168,23 +155,12 @@ class Ranking:
         return [c for c in self.fitted.values() if self.effort_spent or not c.brief]
 
     def _sufficient_count(self, at_noise: Collection[Candidate]) -> int:
-        """How many effects are enough, where all of these models leave noise.
-
-        The fewest, unless more have better evidence, and fewer parameters, so few that it makes up for the choice. Or
-        leave nothing where the fewest leave what would be a drift: that other effects explain it is no chance.
-        """
-        first = min(
-            at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)
-        )
-        for c in sorted(
-            at_noise, key=lambda c: (len(c.effects), self.information_criterion(c), c.effects)
-        ):
-            better = (
-                self.information_criterion(c)
-                < self.information_criterion(first) - CRITERIA.evidence.very_strong
-            )
-            cheaper = self.cost(c.effects) < self.cost(first.effects)
-            if better and (cheaper or (self.has_drift(first) and not self.has_drift(c))):
+        """How many effects are enough, where all of these models leave noise: more need very strong evidence."""
+        evidence = {c.effects: self.information_criterion(c) for c in at_noise}
+        ordered = sorted(at_noise, key=lambda c: (len(c.effects), evidence[c.effects], c.effects))
+        first = ordered[0]
+        for c in ordered:
+            if evidence[c.effects] < evidence[first.effects] - CRITERIA.evidence.very_strong:
                 first = c
         return len(first.effects)
 
@@ -201,33 +177,25 @@ class Ranking:
         The noise is that of the instruments, whatever the model: where nobody stated it, no larger than beside the
         model that leaves least. What a model leaves may look like red noise by itself.
         """
-        return self._leaves(c, drift=self.drift_excluded)
+        return self._leaves(c.fit, self.drift_excluded)
 
     def has_drift(self, c: Candidate) -> bool:
-        """Whether a model leaves no structure, unless what it leaves is no drift."""
-        return not self._leaves(c, drift=False) and self._leaves(c, drift=True)
+        """Whether what a model leaves may be a drift, or a small effect."""
+        return not self._leaves(c.fit, drift=False) and self._leaves(c.fit, drift=True)
 
-    def _leaves(self, c: Candidate, drift: bool) -> bool:
-        """Whether a model leaves structure: a small one that comes again in other runs, or any that may drift too."""
-        return self._fit_leaves(c.effects, c.fit, drift)
-
-    def _fit_leaves(self, effects: tuple[str, ...], fit: Fit, drift: bool) -> bool:
-        known = self._remainders.get(effects)
-        if known is None or known.fit is not fit:
-            statistics = tuple(fit.residuals_beyond_uncertainty.values())
-            known = _Remainder(fit, statistics, cross_run_reproducibility(fit))
-            self._remainders[effects] = known
-        floor, repeated = self.noise_floor(), None if drift else known.reproducibility
+    def _leaves(self, fit: Fit, drift: bool) -> bool:
+        """Whether a model leaves structure, or what may be a drift."""
+        floor, test = self.noise_floor(), may_have_structure if drift else has_structure
         return any(
-            has_structure_for_search(replace(s, noise_floor=min(s.noise_floor, floor)), repeated)
-            for s in known.statistics
+            test(replace(s, noise_floor=min(s.noise_floor, floor)))
+            for s in fit.residuals_beyond_uncertainty.values()
         )
 
     def unsolved(self) -> bool:
         """Whether the best model leaves structure; where none beats the base model, whether that does."""
         best = self.best()
         return (
-            self._fit_leaves((), self.base, self.drift_excluded)
+            self._leaves(self.base, self.drift_excluded)
             if best is None
             else self.has_structure(best)
         )
@@ -328,6 +296,8 @@ class Ranking:
             own = self.search.families_of(best.effects)
             rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=own)
             return [AcceptanceThreshold(reached, reached), rival]
+        if not self._leaves(best.fit, drift=False):
+            reached -= worth  # a further effect for what may be a drift
         bars = [AcceptanceThreshold(reached, reached, best)]
         if not self.is_specific(best.effects):
             law = self.leader(specific=True)

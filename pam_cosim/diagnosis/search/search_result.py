@@ -22,8 +22,8 @@ from pam_cosim.diagnosis.judgement.events import (
     StepTimesFound,
 )
 from pam_cosim.diagnosis.judgement.evidence import (
-    any_structure_for_verdict,
     contradicted_by_holdout,
+    leaves_structure,
     rank,
 )
 from pam_cosim.diagnosis.judgement.message import Message
@@ -125,11 +125,7 @@ def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchRe
     selection = select_effects(search, base, retime=False, earlier=earlier)
     set_aside = Counter(outliers) + Counter(selection.outliers)
     all_runs_result = SearchResult(selection.search, selection.base, selection, set_aside)
-    if (
-        selection.untried
-        or not all_runs_result.path
-        or any_structure_for_verdict(all_runs_result.last)
-    ):
+    if selection.untried or not all_runs_result.path or leaves_structure(all_runs_result.last):
         return None
     return all_runs_result
 

@@ -17,8 +17,8 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import NothingTried, StepTimesSought
 from pam_cosim.diagnosis.judgement.evidence import (
-    any_structure_for_search,
     information_criterion,
+    leaves_structure,
     may_have_structure,
     noise_scale,
     rank,
@@ -128,7 +128,7 @@ class _Models:
         self.probes: list[EffectProbe] = []
         self.base_as_probed = base.linear
         self.outliers: Counter[str] = Counter()
-        self.drift_was_excluded = False
+        self.drift_excluded_beside = set[tuple[str, ...]]()
 
     @property
     def search(self) -> Search:
@@ -216,10 +216,11 @@ class _Models:
     def exclude_drift(self) -> bool:
         """Whether one more effect is looked for, as if what the best model leaves were no drift: nobody knows yet."""
         best = self.ranking.best()
-        again = not self.drift_was_excluded and best is not None and self.ranking.has_drift(best)
-        self.drift_was_excluded |= again
-        self.ranking.drift_excluded = again
-        return again
+        if best is None or best.effects in self.drift_excluded_beside:
+            return False
+        self.drift_excluded_beside.add(best.effects)
+        self.ranking.drift_excluded = self.ranking.has_drift(best)
+        return self.ranking.drift_excluded
 
     def allow_drift(self) -> None:
         """Takes what the best model leaves for a drift, if no model was found that leaves none."""
@@ -237,7 +238,7 @@ class _Models:
         own = own[: CRITERIA.search.leading_families]
         self.search.say(StepTimesSought().message)
         retimed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
-        retimed = [r for r in retimed if not any_structure_for_search(r.fit)]
+        retimed = [r for r in retimed if not leaves_structure(r.fit)]
         if not retimed:
             return None
         scale, noise = (
