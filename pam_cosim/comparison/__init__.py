@@ -1,7 +1,6 @@
 """Trajectory and data set -> residuals, scores, and where the error sits."""
 
 from pam_cosim.comparison.coloured_noise import (
-    LogLikelihood,
     approximate_log_likelihood,
     noise_log_likelihood,
 )
@@ -59,7 +58,6 @@ __all__ = [
     "check_conditions",
     "chi2_reduced",
     "noise_log_likelihood",
-    "LogLikelihood",
     "approximate_log_likelihood",
     "compare",
     "expected_squares",

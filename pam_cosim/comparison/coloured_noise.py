@@ -10,7 +10,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -28,43 +27,50 @@ _GRID = 25  # of these ratios: steps of less than a factor of two
 _TINY = 1e-300
 
 
-class LogLikelihood(NamedTuple):
-    """Of residuals as noise, but for a constant: as white noise, and as noise of any colour, which is no less."""
-
-    white: float
-    coloured: float
-
-
-def noise_log_likelihood(series: Sequence[Series]) -> LogLikelihood:
-    """The largest log-likelihood of residuals as noise of each signal, of unknown size.
+def noise_log_likelihood(series: Sequence[Series], largest: float) -> float:
+    """The largest log-likelihood of residuals as noise of each signal, but for a constant.
 
     Args:
         series: one for each run and signal; a distance is a number of samples.
+        largest: mean square that noise may have at most: instruments drift, but not far.
     """
-    each = [_most_likely(values) for values in _by_signal(series)]
-    return LogLikelihood(sum(e.white for e in each), sum(e.coloured for e in each))
+    return sum(_most_likely(values, largest) for values in _by_signal(series))
 
 
-def _most_likely(series: Sequence[Array]) -> LogLikelihood:
+def _most_likely(series: Sequence[Array], largest: float) -> float:
     """Over the ratio of both variances, and over the memory."""
     values, lengths = np.concatenate(series), [len(v) for v in series]
     ends = np.cumsum(lengths) - 1
-    white, coloured = _log_likelihood(len(values), float(values @ values), 0.0), -np.inf
+    white = np.array([float(values @ values)]), np.zeros(1), np.zeros(1)
+    found = [float(_log_likelihood(len(values), *white, largest)[0])]
     for memory in np.geomspace(1.0, max(lengths), _MEMORIES).tolist():
 
         def cost(log_ratio: float, memory: float = memory) -> float:
-            return -_log_likelihood(
-                len(values), *_form(values, ends, float(np.exp(log_ratio)), memory)
-            )
+            ratio = float(np.exp(log_ratio))
+            square, determinant = _form(values, ends, ratio, memory)
+            forms = np.array([square]), np.array([determinant]), np.array([ratio])
+            return -float(_log_likelihood(len(values), *forms, largest)[0])
 
-        least = minimize_scalar(cost, bounds=_RATIOS, method="bounded", options=_SEARCH).fun
-        coloured = max(coloured, -float(least))
-    return LogLikelihood(white, max(white, coloured))
+        found.append(
+            -float(minimize_scalar(cost, bounds=_RATIOS, method="bounded", options=_SEARCH).fun)
+        )
+    return max(found)
 
 
-def _log_likelihood(samples: int, squares: float, determinant: float) -> float:
-    """At the scale that is most likely, of a quadratic form and a log-determinant."""
-    return -0.5 * (samples * float(np.log(max(squares, _TINY) / samples)) + determinant)
+def _log_likelihood(
+    samples: int, squares: Array, determinants: Array, ratios: Array, largest: float
+) -> Array:
+    """(g,) at the scale that is most likely and makes both variances together no larger than noise may be.
+
+    Args:
+        samples: how many.
+        squares, determinants: (g,) quadratic forms and log-determinants by the variance of the white noise.
+        ratios: (g,) of the variance of the slow course to that.
+        largest: what both may be together.
+    """
+    variance = np.minimum(np.maximum(squares, _TINY) / samples, largest / (1 + ratios))
+    beyond = squares / variance - samples
+    return np.asarray(-0.5 * (samples * np.log(variance) + beyond + determinants))
 
 
 def _form(
@@ -94,16 +100,17 @@ def _form(
     return float(values @ (values - slow)), float(np.log(pivots).sum() + of_course)
 
 
-def approximate_log_likelihood(series: Sequence[Series]) -> float:
-    """As ``noise_log_likelihood`` has it for noise of any colour, in a hundredth of the time.
+def approximate_log_likelihood(series: Sequence[Series], largest: float) -> float:
+    """As ``noise_log_likelihood``, in a hundredth of the time.
 
     In the discrete cosine transform the components of a slow course that is reflected at its ends are independent, each
     with its part of the spectrum. Ratio and memory are the likeliest of a grid.
 
     Args:
         series: one for each run and signal, none of them long: the grid is kept for each length.
+        largest: mean square that noise may have at most.
     """
-    return sum(map(_most_likely_of_grid, _by_signal(series)))
+    return sum(_most_likely_of_grid(values, largest) for values in _by_signal(series))
 
 
 def _by_signal(series: Sequence[Series]) -> list[list[Array]]:
@@ -114,23 +121,26 @@ def _by_signal(series: Sequence[Series]) -> list[list[Array]]:
     return [*of_signal.values()]
 
 
-def _most_likely_of_grid(series: Sequence[Array]) -> float:
+def _most_likely_of_grid(series: Sequence[Array], largest: float) -> float:
     longest, samples = max(map(len, series)), sum(map(len, series))
     squares, determinants = np.zeros(1), np.zeros(1)
     for values in series:
         inverse, determinant = _spectra(len(values), longest)
         squares = squares + inverse @ dct(values, norm="ortho") ** 2
         determinants = determinants + determinant
-    likelihoods = -0.5 * (samples * np.log(np.maximum(squares, _TINY) / samples) + determinants)
-    return float(likelihoods.max())
+    ratios = np.tile(_grid_of_ratios(), _MEMORIES)
+    return float(_log_likelihood(samples, squares, determinants, ratios, largest).max())
+
+
+def _grid_of_ratios() -> Array:
+    return np.append(0.0, np.exp(np.linspace(*_RATIOS, _GRID)))
 
 
 @lru_cache(maxsize=128)
 def _spectra(samples: int, longest: int) -> tuple[Array, Array]:
     """Of white noise with slow courses of a grid: (g, samples) one over the spectrum, and (g,) the log-determinant."""
     left = np.exp(-1.0 / np.geomspace(1.0, longest, _MEMORIES))[:, None, None]
-    ratio = np.append(0.0, np.exp(np.linspace(*_RATIOS, _GRID)))[:, None]
     frequency = np.pi * np.arange(samples) / samples
     slow = (1 - left**2) / (1 - 2 * left * np.cos(frequency) + left**2)
-    spectrum = (1 + ratio * slow).reshape(-1, samples)
+    spectrum = (1 + _grid_of_ratios()[:, None] * slow).reshape(-1, samples)
     return 1 / spectrum, np.log(spectrum).sum(axis=1)

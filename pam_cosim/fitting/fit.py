@@ -12,7 +12,6 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import (
     Comparison,
-    LogLikelihood,
     ResidualStatistics,
     compare,
     noise_log_likelihood,
@@ -97,17 +96,24 @@ class Fit(Printed):
         """Start values that were estimated [SI], by "state@run"."""
         return {name: e.value for name, e in self.starts.items()}
 
-    @cached_property
-    def log_likelihood(self) -> LogLikelihood:
-        """Of all that is left as noise, of held-out runs beyond the uncertainty of the parameters."""
-        comparison = self.comparison
-        shifts = self.holdout_uncertainty.shifts
-        return noise_log_likelihood(series_of(comparison.runs, comparison.data.signals, shifts))
+    def coloured_deviance(self, largest: float) -> float:
+        """Minus twice the log-likelihood of what is left as noise of any colour, and what the priors add.
 
-    @property
-    def coloured_deviance(self) -> float:
-        """Minus twice the log-likelihood of what is left as noise of any colour, and what the priors add."""
-        return self.chi2_priors + self.holdout_uncertainty.cost - 2 * self.log_likelihood.coloured
+        Of held-out runs beyond the uncertainty of the parameters.
+
+        Args:
+            largest: mean square that noise may have at most, in noise variances.
+        """
+        if largest not in self._noise_deviances:
+            comparison, held = self.comparison, self.holdout_uncertainty
+            series = series_of(comparison.runs, comparison.data.signals, held.shifts)
+            self._noise_deviances[largest] = held.cost - 2 * noise_log_likelihood(series, largest)
+        return self.chi2_priors + self._noise_deviances[largest]
+
+    @cached_property
+    def _noise_deviances(self) -> dict[float, float]:
+        """By what noise may be at most."""
+        return {}
 
     @cached_property
     def freedom(self) -> int:

@@ -113,15 +113,21 @@ def linearised(objective: Objective, z: Array, rows: int) -> Linear | None:
     )
 
 
-def coloured_deviance(linear: Linear, residual: Array) -> float:
-    """Minus twice the log-likelihood of residuals (m,), in its rows, as noise of any colour, but for a constant."""
+def coloured_deviance(linear: Linear, residual: Array, largest: float) -> float:
+    """Minus twice the log-likelihood of residuals (m,), in its rows, as noise of any colour, but for a constant.
+
+    Args:
+        linear: whose rows they are.
+        residual: the residuals.
+        largest: mean square that noise may have at most in a row.
+    """
     of_rows = linear.series or (("", len(residual)),)
     ends = np.cumsum([rows for _, rows in of_rows])
     series = [
         Series.plain(residual[end - rows : end], signal=name)
         for (name, rows), end in zip(of_rows, ends.tolist(), strict=True)
     ]
-    return -2 * approximate_log_likelihood(series)
+    return -2 * approximate_log_likelihood(series, largest)
 
 
 def judged_by(linear: Linear, runs: Sequence[RunComparison], data: DataSet, rows: int) -> Linear:

@@ -9,6 +9,8 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison import Series, approximate_log_likelihood, noise_log_likelihood
 from pam_cosim.comparison.coloured_noise import _form
 
+ANY = 1e9  # noise of any size
+
 
 def _slow(rng: np.random.Generator, n: int, memory: float) -> Array:
     left, course = np.exp(-1.0 / memory), np.empty(n)
@@ -19,7 +21,7 @@ def _slow(rng: np.random.Generator, n: int, memory: float) -> Array:
 
 
 def _of(*values: Array) -> float:
-    return noise_log_likelihood([Series(v, np.ones(len(v)), True, "p") for v in values]).coloured
+    return noise_log_likelihood([Series(v, np.ones(len(v)), True, "p") for v in values], ANY)
 
 
 def _white(*values: Array) -> float:
@@ -70,16 +72,17 @@ def test_signals_have_colours_of_their_own() -> None:
     rng = np.random.default_rng(4)
     one, other = _slow(rng, 1000, 50.0), rng.standard_normal(1000)
     series = [Series(v, np.ones(1000), True, name) for v, name in ((one, "p"), (other, "x"))]
-    assert noise_log_likelihood(series).coloured == pytest.approx(_of(one) + _of(other))
-    assert noise_log_likelihood([]) == (0.0, 0.0)
+    assert noise_log_likelihood(series, ANY) == pytest.approx(_of(one) + _of(other))
+    assert noise_log_likelihood([], ANY) == 0.0
 
 
+@pytest.mark.parametrize("largest", [1e9, 30.0])
 @pytest.mark.parametrize(
     ("memory", "size", "noise"),
     [(1.0, 0.0, 1.0), (3.0, 1.0, 0.0), (100.0, 0.5, 1.0), (50.0, 5.0, 0.1)],
 )
 def test_the_quick_likelihood_is_near_the_exact_one(
-    memory: float, size: float, noise: float
+    memory: float, size: float, noise: float, largest: float
 ) -> None:
     """Within what counts as positive evidence, of white noise, a filter, a drift and a course that is hardly noisy."""
     rng = np.random.default_rng(5)
@@ -87,6 +90,18 @@ def test_the_quick_likelihood_is_near_the_exact_one(
         Series.plain(size * _slow(rng, n, memory) + noise * rng.standard_normal(n), signal="p")
         for n in (300, 250, 20)
     ]
-    exact, quick = noise_log_likelihood(series), approximate_log_likelihood(series)
-    assert quick == pytest.approx(exact.coloured, abs=3.0)
-    assert approximate_log_likelihood([]) == 0.0
+    exact, quick = (f(series, largest) for f in (noise_log_likelihood, approximate_log_likelihood))
+    assert quick == pytest.approx(exact, abs=3.0)
+    assert approximate_log_likelihood([], largest) == 0.0
+
+
+def test_noise_is_no_larger_than_it_may_be() -> None:
+    """What exceeds that counts by its squares: seventeen variances of fifteen samples are no drift."""
+    rng = np.random.default_rng(2)
+    small = rng.standard_normal(15)
+    large = small + 4.0 * np.sin(np.linspace(0.0, 3.0, 15))
+    free = _of(small) - _of(large)
+    bounded = noise_log_likelihood([Series.plain(small)], 1.3) - noise_log_likelihood(
+        [Series.plain(large)], 1.3
+    )
+    assert bounded > 2.0 * free > 0.0

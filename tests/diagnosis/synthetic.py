@@ -9,7 +9,7 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from pam_cosim.comparison import LogLikelihood, ResidualStatistics, RunComparison
+from pam_cosim.comparison import ResidualStatistics, RunComparison
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import Run, Signal
@@ -31,11 +31,14 @@ EMPTY = ResidualStatistics(0.0, 0, float("nan"), 0.0, 1.0)
 class WhiteFit(Fit):
     """A fit that leaves independent samples, one in each correlation time: no course of them goes on in the next."""
 
-    @property
-    def log_likelihood(self) -> LogLikelihood:  # type: ignore[override]
-        known = (s for s in self.residuals_beyond_uncertainty.values() if s.samples)
-        white = -0.5 * sum(s.samples / s.correlation_time * math.log(s.chi2_reduced) for s in known)
-        return LogLikelihood(white, white)
+    def coloured_deviance(self, largest: float) -> float:
+        known = [s for s in self.residuals_beyond_uncertainty.values() if s.samples]
+        return self.chi2_priors + sum(self._white(s, largest) for s in known)
+
+    @staticmethod
+    def _white(s: ResidualStatistics, largest: float) -> float:
+        variance = min(s.chi2_reduced, largest)
+        return s.samples / s.correlation_time * (math.log(variance) + s.chi2_reduced / variance - 1)
 
 
 def fitted(

@@ -77,6 +77,11 @@ class NoiseScale(NamedTuple):
         """What a sum of squares is divided by to count as evidence."""
         return self.variance * self.time
 
+    @property
+    def largest(self) -> float:
+        """Mean square that noise may have, drifts of instruments among it."""
+        return self.variance * (1 + CRITERIA.residuals.drift)
+
     def penalty(self, fit: Fit) -> float:
         """What a parameter costs."""
         return bic_penalty(fit, self.time)
@@ -95,12 +100,11 @@ def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
 
 
 def _may_be_drift(fit: Fit) -> bool:
-    """Whether what a model leaves is no more than instruments may drift by; points at rest have no time to."""
-    return not any(r.run.is_static for r in fit.comparison.runs) and all(
-        not s.exceeds(CRITERIA.residuals.drift)
-        for s in fit.residuals_beyond_uncertainty.values()
-        if s.samples
-    )
+    """Whether what a model leaves is no more than a drift of instruments; few samples do not tell, nor points at rest."""
+    enough = fit.residuals["fit"].samples >= CRITERIA.residuals.many_samples
+    moving = not any(r.run.is_static for r in fit.comparison.runs)
+    known = (s for s in fit.residuals_beyond_uncertainty.values() if s.samples)
+    return enough and moving and not any(s.exceeds(CRITERIA.residuals.drift) for s in known)
 
 
 def information_criterion(
@@ -123,7 +127,7 @@ def evidence_without_choice(fit: Fit, scale: NoiseScale, candidate: Candidate | 
     """The information criterion but for how many sets of effects there are."""
     lost = _undetermined_count(candidate) if candidate else 0
     if scale.coloured:
-        return fit.coloured_deviance + scale.penalty(fit) * (fit.freedom + lost)
+        return fit.coloured_deviance(scale.largest) + scale.penalty(fit) * (fit.freedom + lost)
     held = fit.residuals_beyond_uncertainty["holdout"]
     known = bic(fit, scale.variance, scale.time) + scale.penalty(fit) * lost
     return known + (held.chi2 / scale.divisor if held.samples else 0.0)

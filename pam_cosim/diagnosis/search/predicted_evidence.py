@@ -28,6 +28,12 @@ from pam_cosim.fitting import Fit, Linear, bounded_step, coloured_deviance
 _TINY = 1e-300
 
 
+def _white_deviance(chi2: float, samples: float, scale: NoiseScale) -> float:
+    """Of residuals as white noise that is no larger than noise may be."""
+    variance = min(max(chi2, _TINY) / samples, scale.largest)
+    return samples * log(variance) + chi2 / variance
+
+
 class Start:
     """A fitted model that others start from, with what is the same for all of these.
 
@@ -43,6 +49,7 @@ class Start:
         ]
         self._fitted_chi2 = max(fit.residuals["fit"].chi2, _TINY)
         self._evidence: dict[NoiseScale, tuple[float, float]] = {}
+        self._deviance_of_rows: dict[NoiseScale, float] = {}
 
     def evidence(self, scale: NoiseScale) -> tuple[float, float]:
         """The evidence against it, but for how many sets of effects there are; and what a parameter costs."""
@@ -67,34 +74,39 @@ class Start:
         if scale.coloured:
             # as if no colour made up for what is gone
             both = zip(self._residuals, after, strict=True)
-            return sum(n * log(now / max(then, _TINY)) for (now, n), then in both)
+            return sum(
+                _white_deviance(now, n, scale) - _white_deviance(then, n, scale)
+                for (now, n), then in both
+            )
         return (
             sum(now - then for (now, _), then in zip(self._residuals, after, strict=True))
             / scale.divisor
         )
 
-    def coloured_gain(self, residual: Array) -> float:
+    def coloured_gain(self, residual: Array, scale: NoiseScale) -> float:
         """What it counts, beside noise of any colour, that fitted runs leave a residual (m,), if others gain as much.
 
-        In the rows of the linear model.
+        In the rows of the linear model, in which a slow course counts for all samples that a row is the mean of.
         """
-        assert self.fit.linear is not None
-        samples = sum(n for _, n in self._residuals)
-        gain = self._deviance_of_rows - coloured_deviance(self.fit.linear, residual)
-        return max(gain, 0.0) * samples / self.fit.residuals["fit"].samples
+        linear, fitted = self.fit.linear, self.fit.residuals["fit"].samples
+        assert linear is not None
+        largest = scale.largest * max(fitted / len(residual), 1.0)
+        if scale not in self._deviance_of_rows:
+            self._deviance_of_rows[scale] = coloured_deviance(linear, linear.residual, largest)
+        gain = self._deviance_of_rows[scale] - coloured_deviance(linear, residual, largest)
+        return max(gain, 0.0) * sum(n for _, n in self._residuals) / fitted
 
-    @cached_property
-    def _deviance_of_rows(self) -> float:
-        assert self.fit.linear is not None
-        return coloured_deviance(self.fit.linear, self.fit.linear.residual)
-
-    @cached_property
-    def hope(self) -> float:
+    def hope(self, scale: NoiseScale) -> float:
         """The same of where its own slopes promise that it comes to."""
         linear = self.fit.linear
         if linear is None:
             return 0.0
-        return self.coloured_gain(linear.residual - linear.slopes @ bounded_step(linear))
+        return self.coloured_gain(linear.residual - linear.slopes @ self._step, scale)
+
+    @cached_property
+    def _step(self) -> Array:
+        assert self.fit.linear is not None
+        return bounded_step(self.fit.linear)
 
 
 class Proposal(NamedTuple):
@@ -353,7 +365,7 @@ class PredictedEvidence:
             known += expected.chi2_priors - start.fit.chi2_priors
             reduction = expected.reduction
         if expected is not None and scale.coloured:
-            return known - start.coloured_gain(expected.residual)
+            return known - start.coloured_gain(expected.residual, scale)
         gained = e.reduction if reduction is None else reduction
         return known - start.expected_gain(gained, scale, noise_floor, lost)
 
@@ -366,7 +378,7 @@ class PredictedEvidence:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
         known = self.ranking.information_criterion(c, scale)
         if scale.coloured:
-            return known - self._start(c).hope
+            return known - self._start(c).hope(scale)
         gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
         return known - self._start(c).expected_gain(gain, scale, noise_floor)
 
