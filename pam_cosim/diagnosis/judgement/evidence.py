@@ -100,7 +100,7 @@ def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
 
 
 def _may_be_drift(fit: Fit) -> bool:
-    """Whether what a model leaves is no more than a drift of instruments; few samples do not tell, nor points at rest."""
+    """Whether what a model leaves is no more than a drift of instruments; few samples do not tell, nor a rest."""
     enough = fit.residuals["fit"].samples >= CRITERIA.residuals.many_samples
     moving = not any(r.run.is_static for r in fit.comparison.runs)
     known = (s for s in fit.residuals_beyond_uncertainty.values() if s.samples)
