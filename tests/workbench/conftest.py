@@ -56,6 +56,10 @@ class Window:
         done: Future[dict[str, Any]] = self.session.do(command)
         return done.result(PATIENCE)
 
+    def in_its_thread(self, act: Callable[[], None]) -> None:
+        """Does what no command does where commands are done, one at a time: a simulator is one run's."""
+        self.session._thread.submit(act).result(PATIENCE)
+
     def until(self, name: str, **fields: Any) -> dict[str, Any]:
         """Waits for an event with these fields."""
         deadline, seen = time.monotonic() + PATIENCE, 0

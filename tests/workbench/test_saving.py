@@ -259,7 +259,8 @@ def test_a_diagnosis_is_saved_with_what_its_page_shows(window: Window, folder: P
     """With a ranking that was made by hand: the search is tested elsewhere."""
     session = window.session
     diagnosis = make_diagnosis("ambiguous", session.state.data)
-    session.back(session.state.after(Step(DIAGNOSE, {}), diagnosis=lean(diagnosis)))
+    found = session.state.after(Step(DIAGNOSE, {}), diagnosis=lean(diagnosis))
+    window.in_its_thread(lambda: session.back(found))
     session.work.tell_diagnosis()
     save(session)
     with Session(folder) as again:

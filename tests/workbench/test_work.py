@@ -218,7 +218,7 @@ def test_a_window_that_opens_when_all_is_over_is_told_of_nothing_that_goes_on(
 def test_a_diagnosis_that_was_taken_back_is_gone_from_every_window(
     window: Window, shared: Session
 ) -> None:
-    diagnosed(shared)
+    window.in_its_thread(lambda: diagnosed(shared))
     assert window.last("verdict")["complete"] and window.last("ranking")["candidates"]
     window.forget()
     window.do(do="undo")
@@ -233,7 +233,7 @@ def test_after_a_diagnosis_that_failed_the_one_before_stands_there_again(
     window: Window, shared: Session
 ) -> None:
     """What can be taken from the page is what the study has."""
-    diagnosed(shared)
+    window.in_its_thread(lambda: diagnosed(shared))
     ranking, verdict = window.last("ranking"), window.last("verdict")
     assert window.work(do="diagnose", exclude=["no_such_family"])["end"] == "failed"
     shared.wait()
