@@ -25,7 +25,7 @@ from pam_cosim.diagnosis.search.ranking import AcceptanceThreshold, Ranking
 from pam_cosim.diagnosis.search.search import FitRequest
 from pam_cosim.fitting import Fit, Linear, bounded_step, coloured_deviance
 
-_TINY = 1e-300
+_TINY = 1e-300  # keeps a logarithm off nought
 
 
 def _white_deviance(chi2: float, samples: float, scale: NoiseScale) -> float:
