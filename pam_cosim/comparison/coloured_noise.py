@@ -41,15 +41,13 @@ def _most_likely(series: Sequence[Array], largest: float) -> float:
     """Over the ratio of both variances, and over the memory."""
     values, lengths = np.concatenate(series), [len(v) for v in series]
     ends = np.cumsum(lengths) - 1
-    white = np.array([float(values @ values)]), np.zeros(1), np.zeros(1)
-    found = [float(_log_likelihood(len(values), *white, largest)[0])]
+    found = [float(_log_likelihood(len(values), float(values @ values), 0.0, 0.0, largest))]
     for memory in np.geomspace(1.0, max(lengths), _MEMORIES).tolist():
 
         def cost(log_ratio: float, memory: float = memory) -> float:
             ratio = float(np.exp(log_ratio))
-            square, determinant = _form(values, ends, ratio, memory)
-            forms = np.array([square]), np.array([determinant]), np.array([ratio])
-            return -float(_log_likelihood(len(values), *forms, largest)[0])
+            form = _form(values, ends, ratio, memory)
+            return -float(_log_likelihood(len(values), *form, ratio, largest))
 
         found.append(
             -float(minimize_scalar(cost, bounds=_RATIOS, method="bounded", options=_SEARCH).fun)
@@ -58,14 +56,18 @@ def _most_likely(series: Sequence[Array], largest: float) -> float:
 
 
 def _log_likelihood(
-    samples: int, squares: Array, determinants: Array, ratios: Array, largest: float
+    samples: int,
+    squares: Array | float,
+    determinants: Array | float,
+    ratios: Array | float,
+    largest: float,
 ) -> Array:
-    """(g,) at the scale that is most likely and makes both variances together no larger than noise may be.
+    """() or (g,) at the scale that is most likely and makes both variances together no larger than noise may be.
 
     Args:
         samples: how many.
-        squares, determinants: (g,) quadratic forms and log-determinants by the variance of the white noise.
-        ratios: (g,) of the variance of the slow course to that.
+        squares, determinants: () or (g,) quadratic forms and log-determinants by the variance of the white noise.
+        ratios: () or (g,) of the variance of the slow course to that.
         largest: what both may be together.
     """
     variance = np.minimum(np.maximum(squares, _TINY) / samples, largest / (1 + ratios))
@@ -86,9 +88,8 @@ def _form(
     """
     n, left = len(values), float(np.exp(-1.0 / memory))
     new = 1.0 - left**2
-    diagonal = np.full(
-        n, (1.0 + left**2) / new
-    )  # of the precision of the slow course, by its variance
+    # of the precision of the slow course, by its variance
+    diagonal = np.full(n, (1.0 + left**2) / new)
     first = np.append(0, ends[:-1] + 1)
     diagonal[first] -= left**2 / new
     diagonal[ends] -= left**2 / new

@@ -19,7 +19,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.search.probing import EffectProbe
-from pam_cosim.fitting import Linear, bounded_minimum, bounded_step, prior_rows, reduction_by
+from pam_cosim.fitting import Linear, bounded_minimum, prior_rows
 from pam_cosim.measurement import Prior
 
 _NOTHING_NEW = (
@@ -132,14 +132,6 @@ def _orthonormal(columns: Array) -> Array:
     kept = kept / np.linalg.norm(kept, axis=0)
     left, singular, _ = np.linalg.svd(kept, full_matrices=False)
     return np.asarray(left[:, singular > _NOTHING_NEW * max(singular.max(initial=0.0), 1e-300)])
-
-
-def reduction(linear: Linear) -> float:
-    """By how much the sum of squares falls, to first order, when the parameters go where they like within bounds.
-
-    As far as what is known of them beforehand lets them go.
-    """
-    return reduction_by(linear, bounded_step(linear))
 
 
 class PredictedFit(NamedTuple):

@@ -18,12 +18,11 @@ from pam_cosim.diagnosis.search.expectation import (
     LinearisedNeighbourhood,
     PredictedModel,
     addition,
-    reduction,
 )
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import AcceptanceThreshold, Ranking
 from pam_cosim.diagnosis.search.search import FitRequest
-from pam_cosim.fitting import Fit, Linear, bounded_step, coloured_deviance
+from pam_cosim.fitting import Fit, Linear, bounded_step, coloured_deviance, reduction_by
 
 _TINY = 1e-300  # keeps a logarithm off nought
 
@@ -96,12 +95,14 @@ class Start:
         gain = self._deviance_of_rows[scale] - coloured_deviance(linear, residual, largest)
         return max(gain, 0.0) * sum(n for _, n in self._residuals) / fitted
 
-    def hope(self, scale: NoiseScale) -> float:
-        """The same of where its own slopes promise that it comes to."""
+    def own_gain(self, scale: NoiseScale, noise_floor: float) -> float:
+        """What it counts that the model comes to where its own slopes promise."""
         linear = self.fit.linear
         if linear is None:
             return 0.0
-        return self.coloured_gain(linear.residual - linear.slopes @ self._step, scale)
+        if scale.coloured:
+            return self.coloured_gain(linear.residual - linear.slopes @ self._step, scale)
+        return self.expected_gain(reduction_by(linear, self._step), scale, noise_floor)
 
     @cached_property
     def _step(self) -> Array:
@@ -376,11 +377,8 @@ class PredictedEvidence:
 
     def _optimistic_criterion(self, c: Candidate, scale: NoiseScale, noise_floor: float) -> float:
         """The evidence of a candidate that was fitted briefly, if all goes as its slopes say."""
-        known = self.ranking.information_criterion(c, scale)
-        if scale.coloured:
-            return known - self._start(c).hope(scale)
-        gain = reduction(c.fit.linear) if c.fit.linear is not None else 0.0
-        return known - self._start(c).expected_gain(gain, scale, noise_floor)
+        gain = self._start(c).own_gain(scale, noise_floor)
+        return self.ranking.information_criterion(c, scale) - gain
 
     def fit_request(self, e: PredictedModel) -> FitRequest:
         """A model to fit: from the fitted one, and the added effects as they were by themselves, or as expected."""
