@@ -1,7 +1,8 @@
 /* A model as data: in the place of the generated C stand lists of operations, so that no compiler is needed.
  *
- * Each operation is the one that CasADi writes as C, in the same order: the numbers are the same to the last bit. It
- * is for models that are run a few times; a compiled one runs faster. The lists come from pam_cosim/fmu/tape.py.
+ * Each operation is one that CasADi writes as C, with the same operands: the numbers are the same to the last bit.
+ * Operations of one kind stand together, so that the kind is looked up once for many. It is for models that are run a
+ * few times; a compiled one runs faster. The lists come from pam_cosim/fmu/tape.py.
  */
 #include <math.h>
 #include <stddef.h>
@@ -23,15 +24,22 @@ enum {
     COSH, TANH, ASINH, ACOSH, ATANH, ATAN2
 };
 
-/* w[to] = operation(w[a], w[b]); OUTPUT: res[to][b] = w[a], and there is a w[b] too. */
+/* w[to] = operation(w[a], w[b]) and so on with w[to + 1]; OUTPUT: res[to][b] = w[a]. */
 typedef struct {
-    int operation, to, a, b;
-} pam_operation;
+    int operation, count, to;
+} pam_batch;
 
-/* Before the first operation w holds the constants, then the arguments one after another. */
+typedef struct {
+    int a, b;
+} pam_operands;
+
+/* Before the first operation w holds the constants, then the arguments one after another. The operands of all batches
+ * follow one another.
+ */
 typedef struct {
     long long count;
-    const pam_operation *operations;
+    const pam_batch *batches;
+    const pam_operands *operands;
     const double *constants;
     int constant_count, argument_count;
     const int *argument_sizes;
@@ -45,64 +53,71 @@ static pam_tape tapes[FUNCTIONS];
 
 pam_model pam_the_model;
 
+#define A w[o->a]
+#define B w[o->b]
+#define EACH(expression) \
+    for (; o != end; o++) *r++ = (expression)
+
 static void play(const pam_tape *tape, const double **arg, double **res, double *w) {
     double *to = w + tape->constant_count;
     memcpy(w, tape->constants, sizeof(double) * (size_t)tape->constant_count);
     for (int i = 0; i < tape->argument_count; to += tape->argument_sizes[i++])
         for (int k = 0; k < tape->argument_sizes[i]; k++) to[k] = arg[i] ? arg[i][k] : 0.0;
-    const pam_operation *end = tape->operations + tape->count;
-    for (const pam_operation *o = tape->operations; o != end; o++) {
-        const double a = w[o->a], b = w[o->b];
-        double *const r = w + o->to;
-        switch (o->operation) {
-            case ADD: *r = a + b; break;
-            case SUB: *r = a - b; break;
-            case MUL: *r = a * b; break;
-            case DIV: *r = a / b; break;
+    const pam_operands *o = tape->operands;
+    const pam_batch *last = tape->batches + tape->count;
+    for (const pam_batch *batch = tape->batches; batch != last; batch++) {
+        const pam_operands *end = o + batch->count;
+        double *r = w + batch->to;
+        switch (batch->operation) {
             case OUTPUT:
-                if (res[o->to]) res[o->to][o->b] = a;
+                for (double *result = res[batch->to]; o != end; o++)
+                    if (result) result[o->b] = A;
                 break;
-            case ASSIGN: *r = a; break;
-            case NEG: *r = -a; break;
-            case EXP: *r = exp(a); break;
-            case LOG: *r = log(a); break;
-            case POW: *r = pow(a, b); break;
-            case CONSTPOW: *r = pow(a, b); break;
-            case SQRT: *r = sqrt(a); break;
-            case SQ: *r = a * a; break;
-            case TWICE: *r = 2.0 * a; break;
-            case SIN: *r = sin(a); break;
-            case COS: *r = cos(a); break;
-            case TAN: *r = tan(a); break;
-            case ASIN: *r = asin(a); break;
-            case ACOS: *r = acos(a); break;
-            case ATAN: *r = atan(a); break;
-            case LT: *r = a < b; break;
-            case LE: *r = a <= b; break;
-            case EQ: *r = a == b; break;
-            case NE: *r = a != b; break;
-            case NOT: *r = !(a != 0.0); break;
-            case AND: *r = a != 0.0 && b != 0.0; break;
-            case OR: *r = a != 0.0 || b != 0.0; break;
-            case FLOOR: *r = floor(a); break;
-            case CEIL: *r = ceil(a); break;
-            case FMOD: *r = fmod(a, b); break;
-            case FABS: *r = fabs(a); break;
-            case SIGN: *r = a < 0.0 ? -1.0 : a > 0.0 ? 1.0 : a; break;
-            case COPYSIGN: *r = copysign(a, b); break;
-            case IF_ELSE_ZERO: *r = a != 0.0 ? b : 0.0; break;
-            case ERF: *r = erf(a); break;
-            case FMIN: *r = fmin(a, b); break;
-            case FMAX: *r = fmax(a, b); break;
-            case INV: *r = 1.0 / a; break;
-            case SINH: *r = sinh(a); break;
-            case COSH: *r = cosh(a); break;
-            case TANH: *r = tanh(a); break;
-            case ASINH: *r = asinh(a); break;
-            case ACOSH: *r = acosh(a); break;
-            case ATANH: *r = atanh(a); break;
-            case ATAN2: *r = atan2(a, b); break;
-            default: *r = NAN;
+            case ADD: EACH(A + B); break;
+            case SUB: EACH(A - B); break;
+            case MUL: EACH(A * B); break;
+            case DIV: EACH(A / B); break;
+            case ASSIGN: EACH(A); break;
+            case NEG: EACH(-A); break;
+            case EXP: EACH(exp(A)); break;
+            case LOG: EACH(log(A)); break;
+            case POW: EACH(pow(A, B)); break;
+            case CONSTPOW: EACH(pow(A, B)); break;
+            case SQRT: EACH(sqrt(A)); break;
+            case SQ: EACH(A * A); break;
+            case TWICE: EACH(2.0 * A); break;
+            case SIN: EACH(sin(A)); break;
+            case COS: EACH(cos(A)); break;
+            case TAN: EACH(tan(A)); break;
+            case ASIN: EACH(asin(A)); break;
+            case ACOS: EACH(acos(A)); break;
+            case ATAN: EACH(atan(A)); break;
+            case LT: EACH(A < B); break;
+            case LE: EACH(A <= B); break;
+            case EQ: EACH(A == B); break;
+            case NE: EACH(A != B); break;
+            case NOT: EACH(!(A != 0.0)); break;
+            case AND: EACH(A != 0.0 && B != 0.0); break;
+            case OR: EACH(A != 0.0 || B != 0.0); break;
+            case FLOOR: EACH(floor(A)); break;
+            case CEIL: EACH(ceil(A)); break;
+            case FMOD: EACH(fmod(A, B)); break;
+            case FABS: EACH(fabs(A)); break;
+            case SIGN: EACH(A < 0.0 ? -1.0 : A > 0.0 ? 1.0 : A); break;
+            case COPYSIGN: EACH(copysign(A, B)); break;
+            case IF_ELSE_ZERO: EACH(A != 0.0 ? B : 0.0); break;
+            case ERF: EACH(erf(A)); break;
+            case FMIN: EACH(fmin(A, B)); break;
+            case FMAX: EACH(fmax(A, B)); break;
+            case INV: EACH(1.0 / A); break;
+            case SINH: EACH(sinh(A)); break;
+            case COSH: EACH(cosh(A)); break;
+            case TANH: EACH(tanh(A)); break;
+            case ASINH: EACH(asinh(A)); break;
+            case ACOSH: EACH(acosh(A)); break;
+            case ATANH: EACH(atanh(A)); break;
+            case ATAN2: EACH(atan2(A, B)); break;
+            default: EACH(NAN);
         }
     }
 }

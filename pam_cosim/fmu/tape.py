@@ -1,12 +1,13 @@
 """A model as data (``fmu/pam_tape.c``): the operations of its functions, and the tables beside them.
 
-No compiler is needed for it. It gives the numbers of the compiled model to the last bit, more slowly: it is for models
-that are run a few times.
+No compiler is needed for it. It gives the numbers of the compiled model to the last bit, somewhat more slowly: it is
+for models that are run a few times.
 """
 
 from __future__ import annotations
 
 import json
+from collections import Counter, defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from functools import cache
@@ -29,7 +30,7 @@ AND OR FLOOR CEIL FMOD FABS SIGN COPYSIGN IF_ELSE_ZERO ERF FMIN FMAX INV SINH CO
 OPERATIONS = tuple(_OPERATIONS.split())
 """CasADi's operations in the order of ``pam_tape.c``."""
 TABLES, NUMBERS = "tape.json", "tape.bin"
-_WIDTH = 4  # numbers of an operation: itself, to, a, b
+_BATCH, _OPERANDS = 3, 2  # numbers of a batch: operation, count, to; of an operation: a, b
 _OUTPUT = OPERATIONS.index("OUTPUT")
 
 
@@ -39,19 +40,21 @@ class NoTapeError(ValueError):
 
 @dataclass(frozen=True)
 class Tape:
-    """One function.
+    """One function: operations of one kind after another, so that the kind is looked up once for many.
 
     Its work space holds the constants, the arguments one after another, and what the operations make.
 
     Attributes:
-        operations: (n, 4) number in ``OPERATIONS``, and the places of the result and of two operands; of an output the
-            number of the result, the operand's place, and the element.
+        batches: (k, 3) number in ``OPERATIONS``, how many operations, and the place of the first one's result, which
+            the others' follow; of outputs the number of the result.
+        operands: (n, 2) places of two operands, batch after batch; of an output the operand's place and the element.
         constants: (c,).
         arguments: elements of each argument.
         work: size of the work space.
     """
 
-    operations: NDArray[np.int32]
+    batches: NDArray[np.int32]
+    operands: NDArray[np.int32]
     constants: Array
     arguments: tuple[int, ...]
     work: int
@@ -89,7 +92,7 @@ def tape_of(function: ca.Function) -> Tape:
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
-    rows, numbers = [], _numbers()
+    listed, numbers = list[_Operation](), _numbers()
     for step in steps:
         if step.operation == ca.OP_CONST:
             place[step.to[0]] = fixed[function.instruction_constant(step.number)]
@@ -97,28 +100,98 @@ def tape_of(function: ca.Function) -> Tape:
             argument, element = step.of
             place[step.to[0]] = begin[argument] + element
         elif step.operation == ca.OP_OUTPUT:
-            rows.append((_OUTPUT, step.to[0], place[step.of[0]], step.to[1]))
+            result, element = step.to
+            listed.append(_Operation((_OUTPUT, result), place[step.of[0]], element))
         elif step.operation in numbers:
-            row = (
-                numbers[step.operation],
-                begin[-1] + step.to[0],
-                place[step.of[0]],
-                place[step.of[-1]],
-            )
-            place[step.to[0]] = row[1]
-            rows.append(row)
+            kind = (numbers[step.operation], 0)
+            listed.append(_Operation(kind, place[step.of[0]], place[step.of[-1]]))
+            place[step.to[0]] = begin[-1] + len(listed) - 1
         else:
             raise NoTapeError(f"{function.name()}: operation {step.operation}")
-    operations = np.array(rows, dtype=np.int32).reshape(-1, _WIDTH)
+    batches, operands = _in_batches(listed, begin[-1])
     results = max(
         (function.numel_out(i) for i in range(function.n_out())), default=0
     )  # w is looked at there too
     return Tape(
-        operations,
+        batches,
+        operands,
         np.array(constants, dtype=float),
         arguments,
-        max(begin[-1] + function.sz_w(), results, 1),
+        max(begin[-1] + len(listed), results, 1),
     )
+
+
+class _Operation(NamedTuple):
+    """Its kind, which of an output names the result too, and the places of its operands; of an output, the element."""
+
+    kind: tuple[int, int]
+    a: int
+    b: int
+
+    @property
+    def is_output(self) -> bool:
+        return self.kind[0] == _OUTPUT
+
+
+def _in_batches(
+    operations: Sequence[_Operation], begin: int
+) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
+    """Operations of one kind together, each after those that make its operands: ``batches`` and ``operands``.
+
+    Args:
+        operations: each after those that make its operands.
+        begin: the place of the first one's result; the others' follow.
+    """
+    order, batches, place = [], [], begin
+    for (operation, result), members in _batches(operations, begin):
+        batches.append((operation, len(members), result if operation == _OUTPUT else place))
+        order += members
+        place += 0 if operation == _OUTPUT else len(members)
+    moved, place = np.arange(begin + len(operations)), begin
+    for index in order:
+        if not operations[index].is_output:
+            moved[begin + index] = place
+            place += 1
+    operands = np.array([operations[i][1:] for i in order], dtype=np.int32).reshape(-1, _OPERANDS)
+    outputs = np.array([operations[i].is_output for i in order], dtype=bool)
+    operands[:, 0] = moved[operands[:, 0]]
+    operands[~outputs, 1] = moved[operands[~outputs, 1]]
+    return np.array(batches, dtype=np.int32).reshape(-1, _BATCH), operands
+
+
+def _batches(
+    operations: Sequence[_Operation], begin: int
+) -> list[tuple[tuple[int, int], list[int]]]:
+    """Kinds with the numbers of their operations, in an order in which every operand is made before it is used.
+
+    A list schedule: of the kinds that are ready, one of which nothing is left to come, else the one from which the
+    longest chain of operations hangs.
+    """
+    users: list[list[int]] = [[] for _ in operations]
+    missing, ready = [0] * len(operations), defaultdict[tuple[int, int], list[int]](list)
+    for i, one in enumerate(operations):
+        for made in {one.a} if one.is_output else {one.a, one.b}:
+            if made >= begin:
+                users[made - begin].append(i)
+                missing[i] += 1
+        if not missing[i]:
+            ready[one.kind].append(i)
+    chain = [0] * len(operations)
+    for i in reversed(range(len(operations))):
+        chain[i] = 1 + max((chain[u] for u in users[i]), default=0)
+    left, found = Counter(one.kind for one in operations), []
+    while ready:
+        kind = max(ready, key=lambda k: (len(ready[k]) == left[k], max(chain[i] for i in ready[k])))
+        members = ready.pop(kind)
+        for i in members:  # which grows: an operation may use what one of its own kind makes
+            for user in users[i]:
+                missing[user] -= 1
+                if not missing[user]:
+                    other = operations[user].kind
+                    (members if other == kind else ready[other]).append(user)
+        left[kind] -= len(members)
+        found.append((kind, members))
+    return found
 
 
 class _Step(NamedTuple):
@@ -156,13 +229,13 @@ def taped(ode: Ode) -> TapedModel:
 def tape_files(model: TapedModel, guid: str) -> dict[str, bytes]:
     """The model as two files by name."""
     sizes = {
-        n: [len(t.operations), len(t.constants), t.arguments, t.work]
+        n: [len(t.batches), len(t.operands), len(t.constants), t.arguments, t.work]
         for n, t in model.tapes.items()
     }
     parts = [
-        part
+        part.tobytes()
         for t in model.tapes.values()
-        for part in (t.constants.tobytes(), t.operations.tobytes())
+        for part in (t.constants, t.batches, t.operands)
     ]
     text = json.dumps({"guid": guid, "functions": sizes, **model.tables}, sort_keys=False)
     return {TABLES: text.encode(), NUMBERS: b"".join(parts)}
@@ -173,12 +246,14 @@ def read_tapes(folder: Path) -> tuple[dict[str, Any], dict[str, Tape]]:
     tables = json.loads((folder / TABLES).read_bytes())
     content, at = (folder / NUMBERS).read_bytes(), 0
     tapes = {}
-    for name, (operations, constants, arguments, work) in tables["functions"].items():
+    for name, (batches, operations, constants, arguments, work) in tables["functions"].items():
         numbers = np.frombuffer(content, float, constants, at)
         at += numbers.nbytes
-        rows = np.frombuffer(content, np.int32, operations * _WIDTH, at).reshape(-1, _WIDTH)
-        at += rows.nbytes
-        tapes[name] = Tape(rows, numbers, tuple(arguments), work)
+        kinds = np.frombuffer(content, np.int32, batches * _BATCH, at).reshape(-1, _BATCH)
+        at += kinds.nbytes
+        pairs = np.frombuffer(content, np.int32, operations * _OPERANDS, at).reshape(-1, _OPERANDS)
+        at += pairs.nbytes
+        tapes[name] = Tape(kinds, pairs, numbers, tuple(arguments), work)
     return tables, tapes
 
 

@@ -51,7 +51,8 @@ class _Model(ctypes.Structure):
 class _Tape(ctypes.Structure):
     _fields_ = [
         ("count", ctypes.c_longlong),
-        ("operations", ctypes.c_void_p),
+        ("batches", ctypes.c_void_p),
+        ("operands", ctypes.c_void_p),
         ("constants", ctypes.c_void_p),
         ("constant_count", ctypes.c_int),
         ("argument_count", ctypes.c_int),
@@ -111,8 +112,9 @@ class _Given:
             return _Tape(-1)
         self._kept.append(tape)
         return _Tape(
-            len(tape.operations),
-            tape.operations.ctypes.data,
+            len(tape.batches),
+            tape.batches.ctypes.data,
+            tape.operands.ctypes.data,
             tape.constants.ctypes.data,
             len(tape.constants),
             len(tape.arguments),

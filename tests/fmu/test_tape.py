@@ -17,7 +17,7 @@ from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fmu import build_source
 from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
-from pam_cosim.fmu.tape import OPERATIONS
+from pam_cosim.fmu.tape import OPERATIONS, tape_of
 from pam_cosim.resources import fmu_runtime
 from pam_cosim.simulation import Inputs, Simulator
 from pam_cosim.simulation.tape import is_taped
@@ -160,3 +160,18 @@ def test_operations_have_one_order() -> None:
     listed = re.search(r"enum \{([^}]*ATAN2)\s*\}", source)
     assert listed is not None
     assert tuple(re.findall(r"\w+", listed.group(1))) == OPERATIONS
+
+
+def test_operations_of_one_kind_stand_together_behind_their_operands() -> None:
+    x = ca.SX.sym("x", 8)
+    squares = ca.vertcat(*(ca.sin(x[i]) * x[i] for i in range(8)))
+    tape = tape_of(ca.Function("f", [x], [squares, ca.sum1(squares)]))
+    kinds = [OPERATIONS[kind] for kind in tape.batches[:, 0]]
+    assert sorted(kinds) == ["ADD", "MUL", "OUTPUT", "OUTPUT", "SIN"]
+    assert sum(tape.batches[:, 1]) == len(tape.operands) == 8 + 8 + 7 + 9
+    row = 0
+    for kind, count, to in tape.batches:
+        for at, (a, b) in enumerate(tape.operands[row : row + count]):
+            if OPERATIONS[kind] != "OUTPUT":
+                assert max(a, b) < to + at < tape.work
+        row += count
