@@ -105,10 +105,17 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
 
 
 def _winners(problem: FitProblem, starts: Iterator[Array]) -> Iterator[Array]:
-    """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another."""
+    """Where a few steps from the best starts lead, the lowest first: a glance does not tell one valley from another.
+
+    Once one leads to the noise, no further one is tried.
+    """
     options = problem.options
     few = replace(problem, options=replace(options, evaluations=CRITERIA.fit.screening_evaluations))
-    ends = [_minimise(few, start) for start in itertools.islice(starts, options.screened_starts)]
+    ends: list[Minimum] = []
+    for start in itertools.islice(starts, options.screened_starts):
+        ends.append(_minimise(few, start))
+        if problem.objective.is_at_noise(ends[-1].cost):
+            break
     yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
 
 
