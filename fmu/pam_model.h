@@ -28,6 +28,7 @@ typedef struct {
     int nx, nu, nd, ny, np, nw;       /* states, inputs, delayed inputs, outputs, parameters, locals */
     int nc, ns;                       /* nx = nc (1 + ns): after nc states their derivatives, state by state */
     int na, nm;                       /* what the model states of itself, and all numbers in those messages */
+    int nb;                           /* blocks of the first nc states: each acts on itself and on later ones alone */
     int size_iw, size_w;              /* work space of the generated functions */
     double tolerance;                 /* default relative tolerance */
     double max_step;                  /* [s]; 0: no limit */
@@ -40,6 +41,8 @@ typedef struct {
     const int *start_of;              /* ns: the state whose start value the parameter s is; -1: a parameter of the model */
     const int *resting;               /* nc: 1 where the state begins at rest beside the others, sought from ``init``;
                                          2 where it begins where these have it */
+    const int *block_states;          /* nc: the first nc states, block after block */
+    const int *block_ends;            /* nb: where each block ends there */
     pam_function rhs;                 /* (t, x, u, d, p) -> dx */
     pam_function out;                 /* (t, x, u, d, p) -> y */
     pam_function loc;                 /* (t, x, u, d, p) -> w */

@@ -48,37 +48,77 @@ static void linearise(pam_solver *v) {
     }
 }
 
-/* S_i - h sum_j a_ij J_j S_j = S_0 + h sum_j a_ij F_j for the values S_i at the nodes. */
-static void assemble(const pam_solver *v) {
-    const pam_sensitivity *s = &v->sensitivity;
-    int n = v->model->nc, size = n * v->model->ns, rows = PAM_NODES * n;
-    for (int i = 0; i < PAM_NODES; i++) {
-        double a[PAM_NODES];
-        for (int j = 0; j < PAM_NODES; j++) a[j] = v->s->h * A[i][j];
-        const double *f = s->forcing;
-        for (int e = 0; e < size; e++)
-            s->rhs[i * size + e] = v->x[n + e] + a[0] * f[e] + a[1] * f[size + e] + a[2] * f[2 * size + e];
-        for (int j = 0; j < PAM_NODES; j++)
-            for (int c = 0; c < n; c++)
-                for (int r = 0; r < n; r++)
-                    s->matrix[i * n + r + (j * n + c) * rows] =
-                        (i == j && r == c ? 1.0 : 0.0) - a[j] * s->jac[j * n * n + r + c * n];
+/* S at a node of the pending step, which is found block by block. */
+static double *at_node(const pam_solver *v, int q) {
+    return q < PAM_NODES - 1 ? v->sensitivity.nodes + q * v->model->nc * v->model->ns : v->x1 + v->model->nc;
+}
+
+/* Some states, of which every one may act on every other, and those that act on them. */
+typedef struct {
+    const int *states, *before;
+    int count, before_count;
+} block;
+
+/* Adds to F what the states before do to a block at the nodes: J S. */
+static void add_states_before(const pam_solver *v, const block *b) {
+    int n = v->model->nc, m = v->model->ns;
+    for (int q = 0; q < PAM_NODES; q++) {
+        const double *jac = v->sensitivity.jac + q * n * n, *nodes = at_node(v, q);
+        double *forcing = v->sensitivity.forcing + q * n * m;
+        for (int k = 0; k < b->count; k++)
+            for (int l = 0; l < b->before_count; l++) {
+                double slope = jac[b->states[k] + b->before[l] * n];
+                if (slope == 0.0) continue;
+                for (int c = 0; c < m; c++) forcing[b->states[k] * m + c] += slope * nodes[b->before[l] * m + c];
+            }
     }
 }
 
-int pam_sensitivity_step(pam_solver *v) {
+/* S_i - h sum_j a_ij J_j S_j = S_0 + h sum_j a_ij F_j for the values S_i of a block at the nodes. */
+static void assemble(const pam_solver *v, const block *b) {
     const pam_sensitivity *s = &v->sensitivity;
-    int n = v->model->nc, size = n * v->model->ns;
+    int n = v->model->nc, m = v->model->ns, size = n * m, count = b->count, rows = PAM_NODES * count;
+    for (int i = 0; i < PAM_NODES; i++) {
+        double a[PAM_NODES];
+        for (int j = 0; j < PAM_NODES; j++) a[j] = v->s->h * A[i][j];
+        for (int k = 0; k < count; k++) {
+            const double *f = s->forcing + b->states[k] * m, *start = v->x + n + b->states[k] * m;
+            double *rhs = s->rhs + (i * count + k) * m;
+            for (int c = 0; c < m; c++)
+                rhs[c] = start[c] + a[0] * f[c] + a[1] * f[size + c] + a[2] * f[2 * size + c];
+        }
+        for (int j = 0; j < PAM_NODES; j++)
+            for (int l = 0; l < count; l++)
+                for (int k = 0; k < count; k++)
+                    s->matrix[i * count + k + (j * count + l) * rows] =
+                        (i == j && k == l ? 1.0 : 0.0) - a[j] * s->jac[j * n * n + b->states[k] + b->states[l] * n];
+    }
+}
+
+/* 1: the matrix is singular. */
+static int solve(const pam_solver *v, const block *b) {
+    const pam_sensitivity *s = &v->sensitivity;
+    int m = v->model->ns, rows = PAM_NODES * b->count;
+    add_states_before(v, b);
+    assemble(v, b);
+    if (lu_factorise(rows, s->matrix, s->pivot)) return 1;
+    lu_solve_many(rows, s->matrix, s->pivot, m, s->rhs);
+    for (int q = 0; q < PAM_NODES; q++)
+        for (int k = 0; k < b->count; k++)
+            memcpy(at_node(v, q) + b->states[k] * m, s->rhs + (q * b->count + k) * m, sizeof(double) * (size_t)m);
+    return 0;
+}
+
+int pam_sensitivity_step(pam_solver *v) {
+    const pam_model *m = v->model;
     linearise(v);
-    assemble(v);
-    if (lu_factorise(PAM_NODES * n, s->matrix, s->pivot)) {
+    for (int i = 0, begin = 0; i < m->nb; begin = m->block_ends[i++]) {
+        block b = {m->block_states + begin, m->block_states, m->block_ends[i] - begin, begin};
+        if (!solve(v, &b)) continue;
         snprintf(v->message, sizeof v->message, "the sensitivities cannot be solved for at time %.9g s (step %.3g s)",
                  v->s->t, v->s->h);
         return 1;
     }
-    lu_solve_many(PAM_NODES * n, s->matrix, s->pivot, v->model->ns, s->rhs);
-    memcpy(s->nodes, s->rhs, sizeof(double) * (size_t)(2 * size));
-    memcpy(v->x1 + n, s->rhs + 2 * size, sizeof(double) * (size_t)size);
     return 0;
 }
 

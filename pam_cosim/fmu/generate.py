@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import itertools
 import math
 import re
 from collections.abc import Sequence, Set
@@ -39,14 +40,14 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
         generated,
         c_array("const char *const", "state_names", map(c_string, numbers["state_names"])),
-        *(c_array("const double", name, map(repr, numbers[name])) for name in _DOUBLES),
-        *(c_array("const int", name, map(str, numbers[name])) for name in _INTEGERS),
+        *(c_array("const double", name, map(repr, numbers[name])) for name in DOUBLES),
+        *(c_array("const int", name, map(str, numbers[name])) for name in INTEGERS),
         *_statements(ode),
         "const pam_model pam_the_model = {",
         f"    guid, {', '.join(str(numbers[name]) for name in SIZES)},",
         f"    {numbers['tolerance']!r}, {numbers['max_step']!r},",
         "    state_names, state_nominals, input_starts, parameter_starts, delayed_inputs, direct_inputs,",
-        "    start_of, resting,",
+        "    start_of, resting, block_states, block_ends,",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
         "    statements,",
         "};\n",
@@ -61,9 +62,10 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         ModelError: a start value is not finite.
     """
     interface = ode.interface
+    blocks = _blocks(ode)
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
     return {
-        **_sizes(ode, functions),
+        **_sizes(ode, functions, len(blocks)),
         "tolerance": _finite(interface.tolerance),
         "max_step": _finite(interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0),
         "state_names": [s.name for s in ode.states],
@@ -74,11 +76,13 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
         "start_of": _start_of(ode),
         "resting": _resting(ode),
+        "block_states": [state for block in blocks for state in block],
+        "block_ends": list(itertools.accumulate(map(len, blocks))),
         "statements": [_statement_row(statement) for statement in ode.statements],
     }
 
 
-def _sizes(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, int]:
+def _sizes(ode: Ode, functions: Sequence[ca.Function], blocks: int) -> dict[str, int]:
     """How many there are of each, and the working memory that the functions need, in the order of ``SIZES``."""
     sizes = [
         len(ode.states),
@@ -87,6 +91,7 @@ def _sizes(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, int]:
         len(ode.sensitivities),
         len(ode.statements),
         sum(len(statement.values) for statement in ode.statements),
+        blocks,
         max(function.sz_iw() for function in functions),
         max(function.sz_w() for function in functions),
     ]
@@ -108,9 +113,9 @@ def _statement_row(statement: Statement) -> dict[str, Any]:
 
 
 # In the order of ``pam_model``.
-SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "size_iw", "size_w")
-_DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
-_INTEGERS = ("delayed_inputs", "direct_inputs", "start_of", "resting")
+SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "nb", "size_iw", "size_w")
+DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
+INTEGERS = ("delayed_inputs", "direct_inputs", "start_of", "resting", "block_states", "block_ends")
 _FUNCTIONS = """
 pam_rhs pam_out pam_loc pam_core_rhs pam_lin pam_variation pam_jvp pam_init pam_init_jvp pam_delay pam_check
 pam_start_lin pam_start_variation pam_start_jvp
@@ -145,6 +150,14 @@ def _resting(ode: Ode) -> list[int]:
     following = dict(ode.following)
     names = [state.name for state in ode.states[: ode.core]]
     return [1 if name in ode.resting else 2 if name in following else 0 for name in names]
+
+
+def _blocks(ode: Ode) -> list[list[int]]:
+    """The states of which each depends on every other, those first that others depend on."""
+    core = ode.core
+    slopes = ca.jacobian_sparsity(ode.derivatives[:core], ode.x[:core])
+    count, states, ends = slopes.T.scc()
+    return [sorted(states[ends[i] : ends[i + 1]]) for i in range(count)]
 
 
 def _direct_inputs(ode: Ode) -> list[bool]:

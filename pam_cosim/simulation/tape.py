@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from pam_cosim.fmu.generate import FUNCTIONS, SIZES
+from pam_cosim.fmu.generate import DOUBLES, FUNCTIONS, INTEGERS, SIZES
 from pam_cosim.fmu.tape import TABLES, Tape, in_order, read_tapes
 
 _KEPT = 256  # models; a library reads them in place, as long as any simulator uses it
@@ -36,14 +36,7 @@ class _Model(ctypes.Structure):
         ("tolerance", ctypes.c_double),
         ("max_step", ctypes.c_double),
         ("state_names", ctypes.POINTER(ctypes.c_char_p)),
-        ("state_nominals", ctypes.c_void_p),
-        ("input_starts", ctypes.c_void_p),
-        ("parameter_starts", ctypes.c_void_p),
-        ("delayed_inputs", ctypes.c_void_p),
-        ("direct_inputs", ctypes.c_void_p),
-        ("start_of", ctypes.c_void_p),
-        ("resting", ctypes.c_void_p),
-        *((name, ctypes.c_void_p) for name in FUNCTIONS),
+        *((name, ctypes.c_void_p) for name in (*DOUBLES, *INTEGERS, *FUNCTIONS)),
         ("statements", ctypes.POINTER(_Statement)),
     ]
 
@@ -71,14 +64,8 @@ class _Given:
             tolerance=tables["tolerance"],
             max_step=tables["max_step"],
             state_names=self._texts(tables["state_names"]),
-            **{
-                n: self._array(tables[n], float)
-                for n in ("state_nominals", "input_starts", "parameter_starts")
-            },
-            **{
-                n: self._array(tables[n], np.intc)
-                for n in ("delayed_inputs", "direct_inputs", "start_of", "resting")
-            },
+            **{n: self._array(tables[n], float) for n in DOUBLES},
+            **{n: self._array(tables[n], np.intc) for n in INTEGERS},
             statements=self._statements(tables["statements"]),
         )
         self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))

@@ -15,6 +15,8 @@ from pam_cosim.compiler import smooth_parameters, with_sensitivities
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_fmu, build_model, build_source
+from pam_cosim.fmu.functions import model_functions
+from pam_cosim.fmu.generate import numbers_of
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fmu import models
 
@@ -50,6 +52,46 @@ def test_linear_model_has_its_exact_sensitivities(tmp_path: Path) -> None:
     assert y["sensitivity.y.b"] == pytest.approx(3.0 * e, abs=1e-7)
     assert y["sensitivity.y.tau"] == pytest.approx(9.0 * t / 0.49 * e, abs=1e-6)
     assert again["sensitivity.y.b"] == pytest.approx(2.0 * e, abs=1e-7)
+
+
+def _cascade() -> Ode:
+    """An oscillator behind a lag behind another one, the last of them first, and two states that nothing depends on."""
+    x, y, s, v, w, z = (ca.SX.sym(n) for n in ("x", "y", "s", "v", "w", "z"))
+    u, a, k, tau = (ca.SX.sym(n) for n in ("u", "a", "k", "tau"))
+    states = {
+        "v": (v, -k * s - 0.3 * v + y * s, 0.0), "w": (w, s * v - w, 0.1), "y": (y, (x - y) / tau, 0.2),
+        "s": (s, v, a), "z": (z, -z * w, 1.0), "x": (x, (u - x * x) / (2 * tau), a),
+    }  # fmt: skip
+    parameters = {"a": (a, 0.6), "k": (k, 9.0), "tau": (tau, 0.4)}
+    return models.ode("Cascade", states, {"s": s, "z": z}, inputs={"u": u}, parameters=parameters)
+
+
+def test_states_on_which_others_depend_come_first() -> None:
+    ode = with_sensitivities(_cascade(), ("a", "k", "tau"))
+    numbers = numbers_of(ode, model_functions(ode, lean=True))
+    blocks = np.split(numbers["block_states"], numbers["block_ends"][:-1])
+    assert [[ode.states[i].name for i in block] for block in blocks] == [
+        ["x"], ["y"], ["v", "s"], ["w"], ["z"]
+    ]  # fmt: skip
+
+
+def test_a_cascade_has_the_slopes_of_finite_differences(tmp_path: Path) -> None:
+    path = build_fmu(with_sensitivities(_cascade(), ("a", "k", "tau")), tmp_path / "Cascade.fmu")
+    t, inputs = np.linspace(0.0, 4.0, 81), Inputs([0.0, 4.0], {"u": [0.5, 2.0]})
+
+    def run(**parameters: float) -> dict[str, np.ndarray]:
+        return dict(simulator.run(t, parameters=parameters, inputs=inputs, tolerance=1e-11).values)
+
+    with Simulator(path) as simulator:
+        slopes = run()
+        for name, value in {"a": 0.6, "k": 9.0, "tau": 0.4}.items():
+            h = 1e-4 * value
+            up, down = run(**{name: value + h}), run(**{name: value - h})
+            for output in ("s", "z"):
+                difference = (up[output] - down[output]) / (2 * h)
+                scale = np.abs(difference).max()
+                found = slopes[f"sensitivity.{output}.{name}"]
+                assert np.abs(found - difference).max() < 1e-6 * scale, (output, name)
 
 
 def test_equal_to_careful_finite_differences() -> None:
