@@ -43,7 +43,7 @@ typedef struct {
                                          2 where it begins where these have it */
     const int *block_states;          /* nc: the first nc states, block after block */
     const int *block_ends;            /* nb: where each block ends there */
-    pam_function rhs;                 /* (t, x, u, d, p) -> dx */
+    pam_function rhs;                 /* (t, x, u, d, p) -> dx; NULL where nobody asks for rates of sensitivities */
     pam_function out;                 /* (t, x, u, d, p) -> y */
     pam_function loc;                 /* (t, x, u, d, p) -> w */
     /* of the first nc states alone */

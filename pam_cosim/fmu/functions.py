@@ -14,8 +14,8 @@ from pam_cosim.errors import ModelError
 def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     """The functions the runtime calls, with the inputs and outputs listed in ``pam_model.h``.
 
-    ``pam_check`` is there only where the model states something of itself; directional derivatives are not there in
-    a ``lean`` model.
+    ``pam_check`` is there only where the model states something of itself; directional derivatives and the rates of
+    sensitivities are not there in a ``lean`` model.
 
     Raises:
         ModelError: an expression holds a symbol that is neither time, state, input, delayed input nor parameter.
@@ -40,7 +40,7 @@ def model_functions(ode: Ode, lean: bool = False) -> list[ca.Function]:
     )
     check = [_function("pam_check", known, [conditions, shown])] if ode.statements else []
     return [
-        _function("pam_rhs", known, [f]),
+        *([] if lean else [_function("pam_rhs", known, [f])]),
         _function("pam_out", known, [y]),
         _function("pam_loc", known, [w]),
         _function("pam_core_rhs", [t, own, u, d, p], [core]),

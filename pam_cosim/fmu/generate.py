@@ -23,16 +23,14 @@ _STEPS_OF_TIMED_MODEL = 100
 def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
     """One C file, complete but for ``pam_model.h``; it is the same for the same model and GUID.
 
-    ``lean``: without directional derivatives.
+    ``lean``: without directional derivatives and rates of sensitivities.
     """
     functions = model_functions(ode, lean)
     generator = ca.CodeGenerator("model", {"with_header": False})
     for function in functions:
         generator.add(function)
     generated = _unguarded(_without_helpers(generator.dump()))
-    if lean:
-        generated = _seldom("pam_rhs", generated)  # the solver asks for the model's own rates
-    elif ode.sensitivities:
+    if ode.sensitivities and not lean:
         generated = _seldom("pam_jvp", generated)
     numbers = numbers_of(ode, functions)
     parts = [

@@ -27,6 +27,7 @@ _OPERATIONS = """
 OUTPUT ASSIGN ADD SUB MUL DIV NEG EXP LOG POW CONSTPOW SQRT SQ TWICE SIN COS TAN ASIN ACOS ATAN LT LE EQ NE NOT
 AND OR FLOOR CEIL FMOD FABS SIGN COPYSIGN IF_ELSE_ZERO ERF FMIN FMAX INV SINH COSH TANH ASINH ACOSH ATANH ATAN2
 """
+Pair = tuple[int, int]
 OPERATIONS = tuple(_OPERATIONS.split())
 """CasADi's operations in the order of ``pam_tape.c``."""
 TABLES, NUMBERS = "tape.json", "tape.bin"
@@ -92,7 +93,7 @@ def tape_of(function: ca.Function) -> Tape:
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
-    listed, numbers = list[_Operation](), _numbers()
+    listed, outputs, numbers = list[_Operation](), defaultdict[int, list[Pair]](list), _numbers()
     for step in steps:
         if step.operation == ca.OP_CONST:
             place[step.to[0]] = fixed[function.instruction_constant(step.number)]
@@ -101,14 +102,14 @@ def tape_of(function: ca.Function) -> Tape:
             place[step.to[0]] = begin[argument] + element
         elif step.operation == ca.OP_OUTPUT:
             result, element = step.to
-            listed.append(_Operation((_OUTPUT, result), place[step.of[0]], element))
+            outputs[result].append((place[step.of[0]], element))
         elif step.operation in numbers:
-            kind = (numbers[step.operation], 0)
-            listed.append(_Operation(kind, place[step.of[0]], place[step.of[-1]]))
-            place[step.to[0]] = begin[-1] + len(listed) - 1
+            a, b = place[step.of[0]], place[step.of[-1]]
+            place[step.to[0]] = begin[-1] + len(listed)
+            listed.append(_Operation(numbers[step.operation], a, b))
         else:
             raise NoTapeError(f"{function.name()}: operation {step.operation}")
-    batches, operands = _in_batches(listed, begin[-1])
+    batches, operands = _in_batches(listed, outputs, begin[-1])
     results = max(
         (function.numel_out(i) for i in range(function.n_out())), default=0
     )  # w is looked at there too
@@ -122,74 +123,84 @@ def tape_of(function: ca.Function) -> Tape:
 
 
 class _Operation(NamedTuple):
-    """Its kind, which of an output names the result too, and the places of its operands; of an output, the element."""
+    """Its number in ``OPERATIONS``, and the places of its operands."""
 
-    kind: tuple[int, int]
+    kind: int
     a: int
     b: int
 
-    @property
-    def is_output(self) -> bool:
-        return self.kind[0] == _OUTPUT
-
 
 def _in_batches(
-    operations: Sequence[_Operation], begin: int
+    operations: Sequence[_Operation], outputs: Mapping[int, Sequence[Pair]], begin: int
 ) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Operations of one kind together, each after those that make its operands: ``batches`` and ``operands``.
 
     Args:
         operations: each after those that make its operands.
-        begin: the place of the first one's result; the others' follow.
+        outputs: by the number of the result, places and the elements that they are put to.
+        begin: the place of the first operation's result; the others' follow.
     """
-    order, batches, place = [], [], begin
-    for (operation, result), members in _batches(operations, begin):
-        batches.append((operation, len(members), result if operation == _OUTPUT else place))
-        order += members
-        place += 0 if operation == _OUTPUT else len(members)
-    moved, place = np.arange(begin + len(operations)), begin
-    for index in order:
-        if not operations[index].is_output:
-            moved[begin + index] = place
-            place += 1
-    operands = np.array([operations[i][1:] for i in order], dtype=np.int32).reshape(-1, _OPERANDS)
-    outputs = np.array([operations[i].is_output for i in order], dtype=bool)
-    operands[:, 0] = moved[operands[:, 0]]
-    operands[~outputs, 1] = moved[operands[~outputs, 1]]
-    return np.array(batches, dtype=np.int32).reshape(-1, _BATCH), operands
+    scheduled = _scheduled(operations, begin)
+    order = np.array([i for _, members in scheduled for i in members], dtype=int)
+    moved = np.arange(begin + len(operations))
+    moved[begin + order] = begin + np.arange(len(order))
+    batches, to = [], begin
+    for kind, members in scheduled:
+        batches.append((kind, len(members), to))
+        to += len(members)
+    batches += [(_OUTPUT, len(elements), result) for result, elements in outputs.items()]
+    pairs = [operations[i][1:] for i in order]
+    results = [(moved[at], element) for elements in outputs.values() for at, element in elements]
+    operands = [*moved[np.array(pairs, dtype=int)].reshape(-1, _OPERANDS), *results]
+    return (
+        np.array(batches, dtype=np.int32).reshape(-1, _BATCH),
+        np.array(operands, dtype=np.int32).reshape(-1, _OPERANDS),
+    )
 
 
-def _batches(
-    operations: Sequence[_Operation], begin: int
-) -> list[tuple[tuple[int, int], list[int]]]:
+def _scheduled(operations: Sequence[_Operation], begin: int) -> list[tuple[int, list[int]]]:
     """Kinds with the numbers of their operations, in an order in which every operand is made before it is used.
 
     A list schedule: of the kinds that are ready, one of which nothing is left to come, else the one from which the
     longest chain of operations hangs.
     """
     users: list[list[int]] = [[] for _ in operations]
-    missing, ready = [0] * len(operations), defaultdict[tuple[int, int], list[int]](list)
-    for i, one in enumerate(operations):
-        for made in {one.a} if one.is_output else {one.a, one.b}:
-            if made >= begin:
-                users[made - begin].append(i)
-                missing[i] += 1
-        if not missing[i]:
-            ready[one.kind].append(i)
-    chain = [0] * len(operations)
+    missing, chain = [0] * len(operations), [1] * len(operations)
+    for i, (_, a, b) in enumerate(operations):
+        if a >= begin:
+            users[a - begin].append(i)
+            missing[i] += 1
+        if b >= begin and b != a:
+            users[b - begin].append(i)
+            missing[i] += 1
     for i in reversed(range(len(operations))):
-        chain[i] = 1 + max((chain[u] for u in users[i]), default=0)
-    left, found = Counter(one.kind for one in operations), []
+        if users[i]:
+            chain[i] += max(map(chain.__getitem__, users[i]))
+    kinds = [one.kind for one in operations]
+    left, found = Counter(kinds), []
+    ready, longest = defaultdict[int, list[int]](list), Counter[int]()
+
+    def note(i: int) -> None:
+        kind = kinds[i]
+        ready[kind].append(i)
+        longest[kind] = max(longest[kind], chain[i])
+
+    for i, count in enumerate(missing):
+        if not count:
+            note(i)
     while ready:
-        kind = max(ready, key=lambda k: (len(ready[k]) == left[k], max(chain[i] for i in ready[k])))
+        kind = max(ready, key=lambda k: (len(ready[k]) == left[k], longest[k]))
         members = ready.pop(kind)
         for i in members:  # which grows: an operation may use what one of its own kind makes
             for user in users[i]:
                 missing[user] -= 1
                 if not missing[user]:
-                    other = operations[user].kind
-                    (members if other == kind else ready[other]).append(user)
+                    if kinds[user] == kind:
+                        members.append(user)
+                    else:
+                        note(user)
         left[kind] -= len(members)
+        longest[kind] = 0
         found.append((kind, members))
     return found
 
