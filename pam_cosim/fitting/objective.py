@@ -94,6 +94,7 @@ class Objective:
             None  # by number of the run; None: nothing was simulated yet
         )
         self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
+        self._squares_at: dict[bytes, float] = {}
         # where they were as the descent was last linearised, and (start values, parameters) how they move from there
         self._starts_begin: dict[int, Array] = {}
         self._starts_follow: dict[int, Array] = {}
@@ -185,6 +186,7 @@ class Objective:
             fresh = self._fresh_starts(z, i)
             self._starts_begin[i] = self._starts_begin[i] if fresh is None else _put(one, fresh)
         self._linearised_at = None
+        self._squares_at.clear()
 
     def _fresh_starts(self, z: Array, i: int) -> dict[str, float] | None:
         """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
@@ -215,6 +217,8 @@ class Objective:
         better = {i for i in starts if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
         self._starts_begin = {i: there[i] if i in better else here[i] for i in starts}
         self._forget(z)
+        if better:
+            self._squares_at.clear()
         return bool(better)
 
     def _forget(self, z: Array) -> None:
@@ -262,9 +266,16 @@ class Objective:
         return squares <= CRITERIA.fit.at_noise * self.samples
 
     def squares(self, z: Array) -> float:
-        """The sum of squared residuals, simulated with slopes; infinite where a simulation breaks down."""
-        residuals = self.residuals(z)
-        return float(residuals @ residuals)
+        """The sum of squared residuals, simulated with slopes; infinite where a simulation breaks down.
+
+        A point that is asked for again has the same: start values that were looked for from elsewhere meanwhile could
+        lead to less there, by chance.
+        """
+        point = z.tobytes()
+        if point not in self._squares_at:
+            residuals = self.residuals(z)
+            self._squares_at[point] = float(residuals @ residuals)
+        return self._squares_at[point]
 
     def triangle(self, z: Array) -> Array:
         """The residuals linearised about ``z`` as few rows: the triangular factor of the slopes beside the residuals.
