@@ -130,15 +130,13 @@ def cached_taped_model(key: str, make_ode: Callable[[], Ode]) -> Path:
     full = _lean_key(key)
     if folder_is_whole("models", full):
         return folder_in_cache("models", full)
+    return cached_folder("tapes", full, lambda: _as_data_or_compiled(_bare(make_ode())))
 
-    def make() -> dict[str, bytes]:
-        bare = _bare(make_ode())
-        try:
-            return _as_data(bare, taped(bare))
-        except NoTapeError:
-            return _compiled(bare)
 
-    return cached_folder("tapes", full, make)
+def cached_whole_taped_model(key: str, make_ode: Callable[[], Ode]) -> Path:
+    """As ``cached_taped_model``, with all local variables."""
+    full = digest(_lean_key(key), "whole")
+    return cached_folder("tapes", full, lambda: _as_data_or_compiled(make_ode()))
 
 
 def _lean_key(key: str) -> str:
@@ -149,17 +147,24 @@ def _bare(ode: Ode) -> Ode:
     return replace(ode, locals=ca.SX(0, 1), interface=replace(ode.interface, locals={}))
 
 
-def _compiled(bare: Ode) -> dict[str, bytes]:
-    return _contents(bare, [native_platform()], "2.0", lean=True)
+def _compiled(ode: Ode) -> dict[str, bytes]:
+    return _contents(ode, [native_platform()], "2.0", lean=True)
 
 
-def _as_data(bare: Ode, model: TapedModel) -> dict[str, bytes]:
+def _as_data_or_compiled(ode: Ode) -> dict[str, bytes]:
+    try:
+        return _as_data(ode, taped(ode))
+    except NoTapeError:
+        return _compiled(ode)
+
+
+def _as_data(ode: Ode, model: TapedModel) -> dict[str, bytes]:
     """The files of a model as data; each has a copy of the library, for a library that is loaded is one model."""
-    draft = _descriptions(bare, _NO_GUID, "2.0", lean=True)[_DESCRIPTION]
+    draft = _descriptions(ode, _NO_GUID, "2.0", lean=True)[_DESCRIPTION]
     guid = _guid(draft, *tape_files(model, _NO_GUID).values())
     platform = native_platform()
     library = compile_library((*runtime(), _TAPE), {}, platform)
-    binary = f"binaries/{binary_folder(platform, [platform])}/{model_identifier(bare.interface.model)}{library.suffix}"
+    binary = f"binaries/{binary_folder(platform, [platform])}/{model_identifier(ode.interface.model)}{library.suffix}"
     described = {_DESCRIPTION: draft.replace(_NO_GUID.encode(), guid.encode(), 1)}
     return described | tape_files(model, guid) | {binary: library.read_bytes()}
 

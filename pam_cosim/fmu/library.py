@@ -17,7 +17,12 @@ from pam_cosim.compiler import (
 )
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
-from pam_cosim.fmu.build import cached_fmu, cached_lean_model, cached_taped_model
+from pam_cosim.fmu.build import (
+    cached_fmu,
+    cached_lean_model,
+    cached_taped_model,
+    cached_whole_taped_model,
+)
 from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.model.references import START_VALUES, is_fmu
 
@@ -30,6 +35,7 @@ def build_model(
     sensitivities: Sequence[str] = (),
     where_smooth: bool = False,
     fmi: str = "2.0",
+    brief: bool = False,
 ) -> Path:
     """The FMU of a model.
 
@@ -43,6 +49,8 @@ def build_model(
             output ``sensitivity.<output>.<parameter>``, integrated with the states; ``names.START_VALUES`` among them
             stands for the start values of all states.
         where_smooth: leave out those that the model does not have or that are lengths of delays.
+        brief: for a few runs on this machine, made without a compiler, unpacked: a folder; see
+            ``cached_whole_taped_model``.
 
     Raises:
         ModelError: the model cannot be compiled.
@@ -54,6 +62,8 @@ def build_model(
         check_regular(Path(model))
         return Path(model)
     key, make = _recipe(full_name(model, files), files, sensitivities, where_smooth)
+    if brief:
+        return cached_whole_taped_model(key, make)
     return cached_fmu(key, make, platforms=platforms, fmi=fmi)
 
 
@@ -126,7 +136,7 @@ def build_source(
         sensitivities: as in ``build_model``, where the solution is smooth.
         library: ``compiler.library_hash()``, where somebody asked for it already.
         lean: only what fits ask for, unpacked: a folder; see ``cached_lean_model``.
-        brief: the same for a few runs; see ``cached_taped_model``.
+        brief: for a few runs, without a compiler: a folder too; see ``cached_taped_model``.
 
     Raises:
         ModelError: the model cannot be compiled.
@@ -136,5 +146,5 @@ def build_source(
     )
     with few_collections():
         if brief:
-            return cached_taped_model(key, make)
+            return cached_taped_model(key, make) if lean else cached_whole_taped_model(key, make)
         return cached_lean_model(key, make) if lean else cached_fmu(key, make)

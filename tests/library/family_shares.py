@@ -77,7 +77,7 @@ def data_of(member: Effect, plan: Plan) -> DataSet:
 @cache
 def base_model() -> Path:
     """The base model with sensitivities to the base parameters."""
-    return build_model(BENCH, sensitivities=tuple(BOUNDS))
+    return build_model(BENCH, sensitivities=tuple(BOUNDS), brief=True)
 
 
 @cache
@@ -85,7 +85,7 @@ def model_with(effect: str) -> Path:
     """The base model with an effect."""
     composition = on_bench(effect, BENCH)
     free = (*BOUNDS, *composition.parameters[effect])
-    return build_source(composition.name, composition.text, sensitivities=free)
+    return build_source(composition.name, composition.text, sensitivities=free, brief=True)
 
 
 def fitted_base(data: DataSet) -> Fit:

@@ -42,7 +42,7 @@ def run(
     outputs: list[str] | None = None,
     tolerance: float | None = None,
 ) -> Trajectory:
-    with Simulator(build_source(of.name, of.text)) as simulator:
+    with Simulator(build_source(of.name, of.text, brief=True)) as simulator:
         kept = [*simulator.interface.outputs, *(outputs or [])]
         options = {} if tolerance is None else {"tolerance": tolerance}
         return simulator.run(

@@ -135,13 +135,13 @@ def values(
 
 @cache
 def base(bench: str, tolerance: float | None = None) -> tuple[Values, Interface]:
-    return run(build_model(bench), {}, tolerance)
+    return run(build_model(bench, brief=True), {}, tolerance)
 
 
 @cache
 def built(bench: str, effect: str) -> Path:
     composition = on_bench(effect, bench)
-    return build_source(composition.name, composition.text)
+    return build_source(composition.name, composition.text, brief=True)
 
 
 def run(

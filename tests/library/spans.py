@@ -180,7 +180,9 @@ def course_misses(
     weight: Array | float = 1.0,
 ) -> float:
     """As ``Law.misses``, for the course of a harness's only output under ``inputs``, each (times,)."""
-    with Simulator(build_source("Harness", text.format(effect=qualified(effect)))) as simulator:
+    with Simulator(
+        build_source("Harness", text.format(effect=qualified(effect)), brief=True)
+    ) as simulator:
         names = [n for n in simulator.interface.parameters if n.rpartition(".")[0] == part]
         own = coefficients(
             simulator.interface, [n for n in names if n.rpartition(".")[2] not in _GEOMETRY]

@@ -45,11 +45,11 @@ def test_another_muscle_takes_the_place_of_a_bench_s(tmp_path: Path) -> None:
     file.write_text(
         f"model Butyl extends {BENCH}(redeclare {MUSCLES}.ButylMuscle muscle); end Butyl;"
     )
-    with Simulator(build_model(str(file))) as simulator:
+    with Simulator(build_model(str(file), brief=True)) as simulator:
         ours = simulator.run([0.0, 1.0, 4.0], parameters={"load.m": 5.0}).values["x"]
-    with Simulator(build_model("PneumaticMuscle.Examples.ButylIsotonic")) as simulator:
+    with Simulator(build_model("PneumaticMuscle.Examples.ButylIsotonic", brief=True)) as simulator:
         stated = simulator.run([0.0, 1.0, 4.0], parameters={"load.m": 5.0}).values["x"]
-    with Simulator(build_model(BENCH)) as simulator:
+    with Simulator(build_model(BENCH, brief=True)) as simulator:
         usual = simulator.run([0.0, 1.0, 4.0], parameters={"load.m": 5.0}).values["x"]
     assert ours == pytest.approx(stated, abs=1e-12)
     assert np.abs(ours - usual).max() > 1e-4

@@ -165,9 +165,9 @@ def differences(
         composition = on_bench(effect, bench.model)
         member = next(e for e in effects() if e.name == effect)
         parameters |= values(member, composition, own or {})
-        fmu = build_source(composition.name, composition.text)
+        fmu = build_source(composition.name, composition.text, brief=True)
     else:
-        fmu = build_model(bench.model)
+        fmu = build_model(bench.model, brief=True)
     with Simulator(fmu) as simulator:
         run = simulator.run(
             trial.times, parameters=parameters, inputs=told(name, trial, stated), tolerance=1e-8

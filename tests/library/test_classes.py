@@ -76,7 +76,7 @@ def test_source_says_where_it_belongs() -> None:
 
 @pytest.mark.parametrize("model", MODELS)
 def test_model_builds_and_runs(model: str) -> None:
-    with Simulator(build_model(model)) as simulator:
+    with Simulator(build_model(model, brief=True)) as simulator:
         interface = simulator.interface
         assert interface.outputs
         run = simulator.run(np.linspace(0, interface.stop_time, 201), max_seconds=20).values

@@ -38,7 +38,7 @@ def values(declared: str, names: list[str]) -> dict[str, float]:
     """What a component of some class has for its parameters."""
     outputs = " ".join(f"output Real y{i} = it.{name};" for i, name in enumerate(names))
     with Simulator(
-        build_source("Pinned", f"model Pinned {declared} {outputs} end Pinned;")
+        build_source("Pinned", f"model Pinned {declared} {outputs} end Pinned;", brief=True)
     ) as simulator:
         run = simulator.run(np.array([0.0, 1.0]))
     return {n: float(run.values[f"y{i}"][0]) for i, n in enumerate(names)}
@@ -65,7 +65,9 @@ def test_record_holds_what_is_printed(record: str) -> None:
 def test_empirical_muscle_has_the_angle_of_the_slides() -> None:
     """DY print no angle; the default is that of AM, with whose factor q it comes."""
     with Simulator(
-        build_source("Hung", "model Hung extends PneumaticMuscle.Benches.VerticalLoad; end Hung;")
+        build_source(
+            "Hung", "model Hung extends PneumaticMuscle.Benches.VerticalLoad; end Hung;", brief=True
+        )
     ) as bench:
         parameters = bench.interface.parameters
     assert degrees(parameters["muscle.alpha_0"].start or 0.0) == pytest.approx(23.0, rel=1e-12)

@@ -47,7 +47,7 @@ def modelled(p: np.ndarray, eps: np.ndarray, strain: float) -> np.ndarray:
         redeclare model Braid = PneumaticMuscle.Effects.EndShape.ElasticBraid(e_f={strain!r})));
     end Bench;"""
     times = np.arange(float(len(p)))
-    with Simulator(build_source("Bench", text)) as simulator:
+    with Simulator(build_source("Bench", text, brief=True)) as simulator:
         values: np.ndarray = simulator.run(
             times, inputs=Inputs(times, {"p": p, "eps": eps}, "linear")
         ).values["F"]

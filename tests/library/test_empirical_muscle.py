@@ -38,7 +38,7 @@ def rig() -> ModuleType:
 def proposed() -> Path:
     composition = compose(tree(), BASE, [EFFECT])
     assert composition is not None
-    return build_source(composition.name, composition.text)
+    return build_source(composition.name, composition.text, brief=True)
 
 
 @pytest.mark.parametrize(
@@ -77,7 +77,7 @@ def test_constant_coefficient_and_effect_together_are_the_proposed_model() -> No
         lone = simulator.run(
             times, parameters=own | {"damper.ab": 0.15, "muscle.friction.c_v": 0.0}, inputs=course
         )
-    with Simulator(build_model("VerticalLoad")) as simulator:
+    with Simulator(build_model("VerticalLoad", brief=True)) as simulator:
         whole = simulator.run(times, parameters=own, inputs=course)
     assert np.abs(lone.values["x"] - whole.values["x"]).max() < 2e-6
 
@@ -92,7 +92,7 @@ def test_effect_finds_a_place_only_where_load_and_frequency_are_said() -> None:
 def at_rest(model: str, **parameters: float) -> Trajectory:
     times = np.linspace(0, 3, 31)
     changed = {name.replace("__", "."): value for name, value in parameters.items()}
-    with Simulator(build_model(model)) as simulator:
+    with Simulator(build_model(model, brief=True)) as simulator:
         return simulator.run(
             times, parameters=changed, inputs=Inputs(times, {"p": 0 * times}, "linear")
         )
@@ -132,7 +132,9 @@ def test_printed_sleeve_begins_without_a_jump_only_where_both_lengths_are_one() 
 
 def test_forces_of_figure_5_balance() -> None:
     """DY (13)-(16): F_dyn = F_s - M g - F_elastic - F_hys, and F_dyn = M L eps_ddot."""
-    with Simulator(build_model("PneumaticMuscle.Examples.Validation.ForceDynamics")) as simulator:
+    with Simulator(
+        build_model("PneumaticMuscle.Examples.Validation.ForceDynamics", brief=True)
+    ) as simulator:
         run = simulator.run(np.linspace(0, 20, 8001), tolerance=1e-8)
     v = run.values
     for i, load in enumerate((5, 10, 20, 30), start=1):
@@ -148,7 +150,7 @@ def test_forces_of_figure_5_balance() -> None:
 
 
 def test_longer_muscle_has_the_length_of_the_paper() -> None:
-    with Simulator(build_model("PneumaticMuscle.Examples.LongMuscle")) as simulator:
+    with Simulator(build_model("PneumaticMuscle.Examples.LongMuscle", brief=True)) as simulator:
         parameters = simulator.interface.parameters
         assert parameters["muscle.L0"].start == 0.53
         run = simulator.run(np.linspace(0, 10, 101))

@@ -14,7 +14,7 @@ from rig.flow import flow_function
 
 @cache
 def run(model: str, end: float, samples: int = 1001, **parameters: float) -> Trajectory:
-    with Simulator(build_model(f"PneumaticMuscle.{model}")) as simulator:
+    with Simulator(build_model(f"PneumaticMuscle.{model}", brief=True)) as simulator:
         return simulator.run(np.linspace(0, end, samples), parameters=parameters)
 
 
@@ -25,7 +25,7 @@ def at(trajectory: Trajectory, name: str, time: float) -> float:
 def static_force(p: float, eps: float) -> float:
     course = np.array([0.0, 1.0])
     inputs = Inputs(course, {"p": np.full(2, p), "eps": np.full(2, eps)})
-    with Simulator(build_model("StaticForce")) as simulator:
+    with Simulator(build_model("StaticForce", brief=True)) as simulator:
         return float(simulator.run(course, inputs=inputs).values["F"][0])
 
 
@@ -122,7 +122,7 @@ def test_laminar_flow_near_equal_pressures_bends_the_law_as_little_as_its_class_
         ratio = 1 - times * 3e-4
         source = f"""model Laminar{times} output Real m = PneumaticMuscle.Functions.isentropicFlow(
           {supply}, {supply * ratio!r}, 293.15, 1e-6); end Laminar{times};"""
-        with Simulator(build_source(f"Laminar{times}", source)) as simulator:
+        with Simulator(build_source(f"Laminar{times}", source, brief=True)) as simulator:
             flow = float(simulator.run(np.array([0.0, 1.0])).values["m"][0])
         exact = 0.0404154 * supply * 1e-6 / np.sqrt(293.15) * flow_function(ratio, 0.99999)
         assert 1 - flow / exact == pytest.approx(off, rel=0.05)

@@ -23,7 +23,7 @@ def courses(effect: str, times: np.ndarray) -> dict[str, np.ndarray]:
     edges = np.array([0, FILLED, FILLED + 1e-3, VENTED, VENTED + 1e-3, shut, shut + 1e-3, END])
     drive = {"u_in": [0.35, 0.35, 0, 0, 0, 0, 0, 0], "u_out": [0, 0, 0, 0, 0.35, 0.35, 0, 0]}
     inputs = Inputs(edges, {n: np.array(v, dtype=float) for n, v in drive.items()}, "linear")
-    with Simulator(built(BENCH, effect) if effect else build_model(BENCH)) as simulator:
+    with Simulator(built(BENCH, effect) if effect else build_model(BENCH, brief=True)) as simulator:
         run = simulator.run(np.r_[0.0, times], inputs=inputs, tolerance=1e-8)
         return {name: course[1:] for name, course in run.values.items()}
 

@@ -153,7 +153,7 @@ SETS = [s for n in (3, 4, 5) for s in combinations(SLEEVE, n) if "D0" in s or "t
 @cache
 def any_geometry() -> Path:
     made = rig("imposed-pressure", "imposed-length", "any-geometry", "F")
-    return build_source(made.name, made.text)
+    return build_source(made.name, made.text, brief=True)
 
 
 def sleeve(**measures: float) -> dict[str, float]:
@@ -239,7 +239,7 @@ def pull(law: str, p: np.ndarray, eps: np.ndarray, L0: float, **geometry: float)
       extends PneumaticMuscle.Benches.StaticForce(muscle({stated}, {change}));
     end Bench;"""
     times = np.arange(float(p.size))
-    with Simulator(build_source("Bench", text)) as simulator:
+    with Simulator(build_source("Bench", text, brief=True)) as simulator:
         inputs = Inputs(times, {"p": p.ravel(), "eps": eps.ravel()}, "linear")
         made: np.ndarray = simulator.run(times, inputs=inputs, max_seconds=30).values["F"]
     return made.reshape(p.shape)
@@ -343,7 +343,7 @@ def test_the_wall_as_an_effect_holds_until_its_threshold_and_does_not_push() -> 
     assert with_wall is not None
     source = f"{bench.text}\n{with_wall.text}"
     values = FRICTIONLESS | {"membrane.p_0": 40e3, "membrane.p_w": 0.0}
-    with Simulator(build_source(with_wall.name, source)) as simulator:
+    with Simulator(build_source(with_wall.name, source, brief=True)) as simulator:
         times = np.array([0.0, 1.0, 2.0, 3.0])
         inputs = Inputs(times, {"p": np.array([2e4, 2e4, 4e4, 2e5]), "s": np.zeros(4)}, "linear")
         made = simulator.run(times, parameters=values, inputs=inputs, max_seconds=30).values["F"]
@@ -361,7 +361,7 @@ def test_fibres_in_rubber_do_not_rub_unless_asked_for(tmp_path: Path, muscle: st
     """Same pull on the way up, on the way down and at rest; a slack muscle does not push."""
     file = tmp_path / "Rig.mo"
     pam.bench("imposed-pressure", "imposed-length", muscle, None, file, static=True)
-    with Simulator(build_model(str(file), [file])) as simulator:
+    with Simulator(build_model(str(file), [file], brief=True)) as simulator:
         inputs = {
             "p": np.full(6, 2e5),
             "s": np.repeat([0.005, 0.05], 3),

@@ -25,7 +25,9 @@ INPUTS = Inputs(
 
 @pytest.fixture(scope="module")
 def trajectory() -> Trajectory:
-    with Simulator(build_model("PneumaticMuscle.Examples.Validation.GasTemperature")) as simulator:
+    with Simulator(
+        build_model("PneumaticMuscle.Examples.Validation.GasTemperature", brief=True)
+    ) as simulator:
         return simulator.run(TIMES, tolerance=1e-8)
 
 
@@ -35,7 +37,9 @@ def at(course: Trajectory, name: str, time: float) -> float:
 
 def test_balance_of_energy_agrees_with_a_second_implementation() -> None:
     """Other states (internal energy and mass), another integrator, the same physics."""
-    with Simulator(build_model("PneumaticMuscle.Examples.PrintedWallEnergyGas")) as simulator:
+    with Simulator(
+        build_model("PneumaticMuscle.Examples.PrintedWallEnergyGas", brief=True)
+    ) as simulator:
         course = simulator.run(TIMES, inputs=INPUTS, tolerance=1e-9).values
     other = simulate_muscle(MUSCLE, 207e3, COURSE, TIMES, [GasEnergy(h=PRINTED)], rtol=1e-10)
     assert np.abs(course["p"] - other.p).max() < 20

@@ -44,7 +44,7 @@ def run(example: str, **force: float) -> Trajectory:
     parameters = {"muscle.n": N, "load.m": MASS} | {
         f"muscle.force.{n}": v for n, v in force.items()
     }
-    with Simulator(build_model(f"PneumaticMuscle.Examples.{example}")) as simulator:
+    with Simulator(build_model(f"PneumaticMuscle.Examples.{example}", brief=True)) as simulator:
         inputs = Inputs(knots, {n: np.array(v) for n, v in drive.items()})
         return simulator.run(
             TIMES, parameters=parameters, inputs=inputs, outputs=[*_STATES, *_FLOWS], tolerance=1e-9

@@ -114,7 +114,7 @@ def test_the_rig_of_a_bench_has_its_trajectory(
     times = np.linspace(0, 6, 301)
     inputs = drive(6.0) if bench != "SwitchedMuscle" else None
     made = run(rig(*of), times, parameters, inputs)
-    with Simulator(build_model(f"PneumaticMuscle.Benches.{bench}")) as simulator:
+    with Simulator(build_model(f"PneumaticMuscle.Benches.{bench}", brief=True)) as simulator:
         there = simulator.run(times, inputs=inputs)
     for name in rig(*of).outputs:
         expected = there.values[name]
@@ -132,7 +132,7 @@ def test_the_empirical_muscle_moves_as_on_its_bench() -> None:
         times,
         {"regulator.tau": 2e-3, "regulator.droop": 1e3, "load.m": 10.0},
     )
-    with Simulator(build_model("PneumaticMuscle.Benches.VerticalLoad")) as simulator:
+    with Simulator(build_model("PneumaticMuscle.Benches.VerticalLoad", brief=True)) as simulator:
         there = simulator.run(times)
     assert np.ptp(there.values["x"]) > 0.02
     assert np.abs(made.values["x"] - there.values["x"]).max() < 1e-5
@@ -146,7 +146,7 @@ def test_the_antagonistic_pair_swings_as_on_its_bench() -> None:
     )
     ours = held(8.0, **per_muscle, p_supply_1=207e3, p_supply_2=207e3)
     made = run(rig("valves", "antagonistic-pair", None, "p,x_1"), times, inputs=ours)
-    with Simulator(build_model("PneumaticMuscle.Benches.Antagonistic")) as simulator:
+    with Simulator(build_model("PneumaticMuscle.Benches.Antagonistic", brief=True)) as simulator:
         there = simulator.run(times, inputs=held(8.0, **per_muscle, p_supply=207e3))
     assert np.ptp(there.values["x"]) > 0.01
     assert made.values["x_1"] - 0.03 == pytest.approx(there.values["x"], abs=1e-7)

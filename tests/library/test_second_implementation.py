@@ -15,7 +15,7 @@ G = 9.80665
 
 
 def run(model: str, times: np.ndarray, course: Inputs, parameters: dict[str, float]) -> Trajectory:
-    with Simulator(build_model(model)) as simulator:
+    with Simulator(build_model(model, brief=True)) as simulator:
         return simulator.run(times, parameters=parameters, inputs=course, tolerance=1e-9)
 
 

@@ -78,9 +78,9 @@ def test_blocks_connect_to_a_bench(tmp_path: Path) -> None:
     file = tmp_path / "Wired.mo"
     file.write_text(WIRED)
     times = np.linspace(0, 2, 41)
-    with Simulator(build_model(str(file))) as simulator:
+    with Simulator(build_model(str(file), brief=True)) as simulator:
         wired = simulator.run(times, tolerance=1e-8).values
-    with Simulator(build_model(BENCH)) as simulator:
+    with Simulator(build_model(BENCH, brief=True)) as simulator:
         start = {"u_in": 0.3, "u_out": 0.0, "p_supply": 2e5}
         alone = simulator.run(times, parameters=start, tolerance=1e-8).values
     assert wired["p"] * 1e3 == pytest.approx(alone["p"], rel=1e-6, abs=0.1)

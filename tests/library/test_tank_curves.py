@@ -21,7 +21,7 @@ CURRENT = 0.35  # A
 
 @cache
 def simulator() -> Simulator:
-    return Simulator(build_model("TankFilling"))
+    return Simulator(build_model("TankFilling", brief=True))
 
 
 def exact_times(vessel: Vessel, supply: float, filling: bool) -> np.ndarray:

@@ -43,7 +43,9 @@ def test_nothing_is_left_out() -> None:
 
 @pytest.mark.parametrize("name", CLASSES)
 def test_class(name: str) -> None:
-    apart = differences(build_model(f"PneumaticMuscle.{name}"), HERE / "classes" / f"{name}.csv")
+    apart = differences(
+        build_model(f"PneumaticMuscle.{name}", brief=True), HERE / "classes" / f"{name}.csv"
+    )
     assert max(apart.values()) < ADDED_UP * 1e-9, apart
 
 
@@ -59,7 +61,7 @@ STARTED = sorted(p.stem for p in (HERE / "started").glob("*.csv"))
 @pytest.mark.parametrize("name", STARTED)
 def test_start_values_in_modelica(name: str) -> None:
     """Fixed starts, and the initial equations of effects, which lean on them and on the inputs."""
-    fmu = build_model(f"Started.{name}", files=[HERE / "started" / "Started.mo"])
+    fmu = build_model(f"Started.{name}", files=[HERE / "started" / "Started.mo"], brief=True)
     apart = differences(fmu, HERE / "started" / f"{name}.csv")
     assert max(apart.values()) < ADDED_UP * 1e-9, apart
 
@@ -67,7 +69,7 @@ def test_start_values_in_modelica(name: str) -> None:
 def test_start_values_of_an_fmu() -> None:
     """What another compiler makes of start values in a model is what the bench's FMU makes of those that are set."""
     values = {"muscle.gas.p": 219325.0, "load.s": 0.031, "load.v": 0.02, "u_in": 0.3}
-    apart = differences(build_model(BENCH), HERE / "started" / "Muscle.csv", values)
+    apart = differences(build_model(BENCH, brief=True), HERE / "started" / "Muscle.csv", values)
     assert max(apart.values()) < ADDED_UP * 1e-9, apart
 
 
@@ -77,7 +79,7 @@ RESTING = sorted(p.stem for p in (HERE / "resting").glob("*.csv"))
 @pytest.mark.parametrize("name", RESTING)
 def test_where_models_begin_at_rest(name: str) -> None:
     """All states and outputs of what begins at rest under open valves, from the same guess."""
-    fmu = build_model(f"Resting.{name}", files=[HERE / "resting" / "Resting.mo"])
+    fmu = build_model(f"Resting.{name}", files=[HERE / "resting" / "Resting.mo"], brief=True)
     header, values = (HERE / "resting" / f"{name}.csv").read_text().split()
     theirs = dict(zip(header.split(","), map(float, values.split(",")), strict=True))
     with Simulator(fmu) as simulator:

@@ -72,7 +72,7 @@ def test_without_the_statement_the_scatter_is_left(data: Callable[[str], DataSet
 def test_slopes_are_those_of_the_residuals(data: Callable[[str], DataSet]) -> None:
     growing = data('sigma_of_reading = "2 %"\n')
     with Simulator(
-        build_model("Isotonic", sensitivities=["valve.C_A", "muscle.mu_fb"])
+        build_model("Isotonic", sensitivities=["valve.C_A", "muscle.mu_fb"], brief=True)
     ) as simulator:
         free = base_parameters(growing, simulator.interface)
         objective = Objective(simulator, growing, growing.fit_runs, free, tolerance=1e-9)
