@@ -81,6 +81,17 @@ def _settled(data: DataSet) -> Iterator[tuple[Objective, Array, Array]]:
         yield objective, z, at
 
 
+def test_a_point_that_is_asked_for_again_has_the_squares_that_it_had(
+    data: Callable[..., DataSet],
+) -> None:
+    """Start values that were looked for from elsewhere meanwhile would be a little different."""
+    with _settled(data()) as (objective, z, _):
+        first = objective.squares(z)
+        objective.squares(z + 0.01)
+        asked = objective.evaluations
+        assert objective.squares(z) == first and objective.evaluations == asked
+
+
 def test_a_whole_recording_begins_at_rest(data: Callable[..., DataSet]) -> None:
     compared = pam.compare(data(cut=0.0))
     assert {run.start.mode for run in compared.data.runs} == {"rest"}

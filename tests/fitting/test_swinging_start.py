@@ -65,6 +65,7 @@ def test_a_fit_from_another_diameter_finds_both_swings(objective: Objective) -> 
     assert found.residuals["fit"].chi2_reduced < 1.2
 
 
+@pytest.mark.full
 def test_a_fit_that_is_resumed_finds_them_too(objective: Objective, tmp_path: Path) -> None:
     """Points that were asked before other starts were found have other answers than after."""
     plain = fit(objective.simulator, objective.data, FREE, fixed=TRUE)

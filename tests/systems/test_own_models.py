@@ -65,6 +65,7 @@ def _cracked() -> DataSet:
     )
 
 
+@pytest.mark.full
 def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None:
     diagnosis = study.diagnose(_cracked(), files=[HERE / "BurstLeak.mo"], workers=workers)
     assert diagnosis.verdict.kind == "identified", diagnosis.verdict
