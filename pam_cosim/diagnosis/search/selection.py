@@ -278,12 +278,13 @@ class _Models:
         """The other members of the families that came farthest, the general ones to the end.
 
         Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
-        to be known what one family can say by itself. Where a law leaves noise, or no effect is needed, none is tried;
-        where a general member leaves noise, the general members of the others alone: what one bends into, another may.
+        to be known what one family can say by itself. Where a law leaves noise, or no effect is needed, none is tried.
+        Where it leaves what may be a drift, the general members alone; where a general member leaves noise, those of
+        the others: what one bends into, another may.
         """
         answer = self.ranking.best()
         solved = not self.ranking.unsolved()
-        if solved and (answer is None or self.ranking.is_specific(answer.effects)):
+        if solved and (answer is None or self._is_law_in_noise(answer)):
             return
         best: dict[str, tuple[str, ...]] = {}
         for c in self.ranking.models(1):
@@ -303,6 +304,10 @@ class _Models:
             if c.brief and c.general and self.search.family[c.effect] in leading
         ]
         self._finish_within_effort(general)
+
+    def _is_law_in_noise(self, c: Candidate) -> bool:
+        """Whether a model is made of laws and leaves noise, not even a drift."""
+        return self.ranking.is_specific(c.effects) and not self.ranking.has_drift(c)
 
     def try_simpler(self) -> None:
         """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
