@@ -267,6 +267,17 @@ def test_a_general_member_that_leaves_noise_is_held_against_those_of_other_famil
     assert len({KNOWN[e].family for e in general}) == 3
 
 
+def test_where_a_law_leaves_what_may_be_a_drift_more_general_members_are_tried() -> None:
+    def general(strange: float) -> set[str]:
+        searched = world({"LinearBladder": 30.0}, strange=strange, coloured=1.1)
+        select_effects(searched, searched.fitted(()))
+        return {e for effects in searched.asked if len(effects) == 1 for e in effects} & {
+            *searched.general
+        }
+
+    assert general(strange=0.4) > general(strange=0.0)
+
+
 def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_effect_counts() -> (
     None
 ):
