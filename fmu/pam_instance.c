@@ -1,8 +1,6 @@
 /* The model's functions at the present time. */
 #include "pam_instance.h"
 
-#include <math.h>
-
 void pam_forget(pam_instance *c) { c->dx_known = c->y_known = c->w_known = 0; }
 
 /* Whether a delayed input is the present input: before the run, and where the delay is zero. */
@@ -38,9 +36,10 @@ static void evaluate(pam_instance *c, pam_function f, double *to) {
 
 const double *pam_derivatives(pam_instance *c) {
     const pam_model *m = c->model;
-    if (!c->dx_known) evaluate(c, m->rhs ? m->rhs : m->core_rhs, c->dx);
-    if (!c->dx_known && !m->rhs)
-        for (int i = m->nc; i < m->nx; i++) c->dx[i] = NAN;
+    if (!c->dx_known) {
+        evaluate(c, m->rhs ? m->rhs : m->core_rhs, c->dx);
+        if (!m->rhs) pam_solver_no_numbers(m, c->dx);
+    }
     c->dx_known = 1;
     return c->dx;
 }

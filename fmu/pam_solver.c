@@ -144,14 +144,14 @@ int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du,
     return begin_past(v, t);
 }
 
-static void no_numbers(const pam_model *m, double *x) {
+void pam_solver_no_numbers(const pam_model *m, double *x) {
     for (int i = m->nc; i < m->nx; i++) x[i] = NAN;
 }
 
 void pam_solver_leave_sensitivities(pam_solver *v) {
     v->s->plain = 1;
-    no_numbers(v->model, v->x);
-    no_numbers(v->model, v->x1);
+    pam_solver_no_numbers(v->model, v->x);
+    pam_solver_no_numbers(v->model, v->x1);
 }
 
 void pam_solver_core_state(const pam_solver *v, double t, double *x) {
@@ -168,7 +168,7 @@ void pam_solver_core_state(const pam_solver *v, double t, double *x) {
 
 void pam_solver_state(const pam_solver *v, double t, double *x) {
     pam_solver_core_state(v, t, x);
-    if (v->s->plain) no_numbers(v->model, x);
+    if (v->s->plain) pam_solver_no_numbers(v->model, x);
     else if (v->model->ns) pam_sensitivity_state(v, t, x + v->model->nc);
 }
 

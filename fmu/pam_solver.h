@@ -82,6 +82,9 @@ int pam_solver_begin(pam_solver *v, double t, const double *u, const double *du,
 /* Leaves the sensitivities out of the run that has begun. */
 void pam_solver_leave_sensitivities(pam_solver *v);
 
+/* Writes to the sensitivities among all states, or among their rates, that they are no numbers. */
+void pam_solver_no_numbers(const pam_model *m, double *x);
+
 /* Tells the solver the inputs from time t on; drops the pending step where they are not as assumed.
  * Returns 0, or 1 with a message.
  */

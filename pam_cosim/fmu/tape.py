@@ -27,12 +27,12 @@ _OPERATIONS = """
 OUTPUT ASSIGN ADD SUB MUL DIV NEG EXP LOG POW CONSTPOW SQRT SQ TWICE SIN COS TAN ASIN ACOS ATAN LT LE EQ NE NOT
 AND OR FLOOR CEIL FMOD FABS SIGN COPYSIGN IF_ELSE_ZERO ERF FMIN FMAX INV SINH COSH TANH ASINH ACOSH ATANH ATAN2
 """
-Pair = tuple[int, int]
 OPERATIONS = tuple(_OPERATIONS.split())
 """CasADi's operations in the order of ``pam_tape.c``."""
 TABLES, NUMBERS = "tape.json", "tape.bin"
 _BATCH, _OPERANDS = 3, 2  # numbers of a batch: operation, count, to; of an operation: a, b
 _OUTPUT = OPERATIONS.index("OUTPUT")
+_Pair = tuple[int, int]
 
 
 class NoTapeError(ValueError):
@@ -93,7 +93,7 @@ def tape_of(function: ca.Function) -> Tape:
     arguments = tuple(function.numel_in(i) for i in range(function.n_in()))
     begin = np.cumsum([len(constants), *arguments]).tolist()
     fixed, place = {value: i for i, value in enumerate(constants)}, dict[int, int]()
-    listed, outputs, numbers = list[_Operation](), defaultdict[int, list[Pair]](list), _numbers()
+    listed, outputs, numbers = list[_Operation](), defaultdict[int, list[_Pair]](list), _numbers()
     for step in steps:
         if step.operation == ca.OP_CONST:
             place[step.to[0]] = fixed[function.instruction_constant(step.number)]
@@ -110,15 +110,12 @@ def tape_of(function: ca.Function) -> Tape:
         else:
             raise NoTapeError(f"{function.name()}: operation {step.operation}")
     batches, operands = _in_batches(listed, outputs, begin[-1])
-    results = max(
-        (function.numel_out(i) for i in range(function.n_out())), default=0
-    )  # w is looked at there too
     return Tape(
         batches,
         operands,
         np.array(constants, dtype=float),
         arguments,
-        max(begin[-1] + len(listed), results, 1),
+        max(begin[-1] + len(listed), 1),
     )
 
 
@@ -131,7 +128,7 @@ class _Operation(NamedTuple):
 
 
 def _in_batches(
-    operations: Sequence[_Operation], outputs: Mapping[int, Sequence[Pair]], begin: int
+    operations: Sequence[_Operation], outputs: Mapping[int, Sequence[_Pair]], begin: int
 ) -> tuple[NDArray[np.int32], NDArray[np.int32]]:
     """Operations of one kind together, each after those that make its operands: ``batches`` and ``operands``.
 

@@ -70,7 +70,7 @@ def test_what_only_held_out_runs_show_is_found_and_not_called_checked(diagnosis:
 @pytest.mark.full
 @pytest.mark.xfail(
     strict=True,
-    reason="the general law of bladders has no corner, and end_shape makes up for it",
+    reason="end_shape is named alone; before, beside the general law of bladders, which has no corner",
 )
 def test_nothing_is_named_beside_it(diagnosis: Diagnosis) -> None:
     assert diagnosis.verdict.families == ("elasticity",)
