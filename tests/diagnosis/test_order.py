@@ -200,4 +200,13 @@ def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
 def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(
     fit: Fit, expected: bool
 ) -> None:
-    assert contradicted_by_holdout(fit) is expected
+    assert contradicted_by_holdout(fit, fitted(9.0, 9.0, STRUCTURE)) is expected
+
+
+@pytest.mark.parametrize(("base", "expected"), [(9.0, False), (4.0, True)])
+def test_values_excuse_no_model_that_leaves_more_in_held_out_runs_than_the_base_model(
+    base: float, expected: bool
+) -> None:
+    fit, excused = fitted(1.0, 5.0, STRUCTURE), fitted(1.0, 1.0)
+    vars(fit)["residuals_beyond_uncertainty"] = excused.residuals
+    assert contradicted_by_holdout(fit, fitted(9.0, base, STRUCTURE)) is expected

@@ -1,4 +1,4 @@
-"""An effect that only held-out runs show: it takes them to find it, and the verdict says so."""
+"""An effect that held-out runs show far better: it takes them to find it, and the verdict says so."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ _TIMES = np.arange(801) / 100.0  # [s]
 
 
 def _measured(folder: Path) -> DataSet:
-    """A muscle with a cord that is slack until 47 mm, which the low pressures of the fitted runs never reach."""
+    """A muscle with a cord that is slack until 47 mm: fitted runs stretch it by 5 mm at most, the others by 19."""
     rng, made = np.random.default_rng(3), []
     fill, hold, empty = Phase(2.5, u_in=0.33), Phase(2.5), Phase(3.0, u_out=0.33)
     for load, supply, role in (
@@ -50,10 +50,6 @@ def diagnosis(tmp_path_factory: pytest.TempPathFactory) -> Diagnosis:
 
 
 @pytest.mark.full
-@pytest.mark.xfail(
-    strict=True,
-    reason="end_shape is named, with which more is left than without: the fitted runs alone look like noise",
-)
 def test_what_only_held_out_runs_show_is_found_and_not_called_checked(diagnosis: Diagnosis) -> None:
     verdict = diagnosis.verdict
     assert verdict.kind == "identified" and "elasticity" in verdict.families
@@ -68,10 +64,6 @@ def test_what_only_held_out_runs_show_is_found_and_not_called_checked(diagnosis:
 
 
 @pytest.mark.full
-@pytest.mark.xfail(
-    strict=True,
-    reason="end_shape is named alone; before, beside the general law of bladders, which has no corner",
-)
 def test_nothing_is_named_beside_it(diagnosis: Diagnosis) -> None:
     assert diagnosis.verdict.families == ("elasticity",)
 

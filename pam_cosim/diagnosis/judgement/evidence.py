@@ -55,10 +55,20 @@ def may_have_structure(s: ResidualStatistics) -> bool:
     return seen and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
 
 
-def contradicted_by_holdout(fit: Fit) -> bool:
-    """Whether a model leaves noise in runs that were fitted, and structure in others that no values excuse."""
-    tested = fit.residuals_beyond_uncertainty
-    return not has_structure(tested["fit"]) and has_structure(tested["holdout"])
+def contradicted_by_holdout(fit: Fit, base: Fit) -> bool:
+    """Whether a model leaves noise in runs that were fitted, and structure in others that speaks against it.
+
+    No values of its parameters excuse that, or it is more than the base model leaves there.
+
+    Args:
+        fit: of the model.
+        base: the model without effects, fitted.
+    """
+    beyond, held = fit.residuals_beyond_uncertainty, fit.residuals["holdout"]
+    if has_structure(beyond["fit"]):
+        return False
+    worse = has_structure(held) and held.chi2 > base.residuals["holdout"].chi2
+    return worse or has_structure(beyond["holdout"])
 
 
 class NoiseScale(NamedTuple):
@@ -126,11 +136,15 @@ def information_criterion(
 def evidence_without_choice(fit: Fit, scale: NoiseScale, candidate: Candidate | None) -> float:
     """The information criterion but for how many sets of effects there are."""
     lost = _undetermined_count(candidate) if candidate else 0
+    return deviance(fit, scale) + scale.penalty(fit) * (fit.freedom + lost)
+
+
+def deviance(fit: Fit, scale: NoiseScale) -> float:
+    """Minus twice the logarithm of the likelihood of all runs, and what the priors add, but for a constant."""
     if scale.coloured:
-        return fit.coloured_deviance(scale.largest) + scale.penalty(fit) * (fit.freedom + lost)
-    held = fit.residuals_beyond_uncertainty["holdout"]
-    known = bic(fit, scale.variance, scale.time) + scale.penalty(fit) * lost
-    return known + (held.chi2 / scale.divisor if held.samples else 0.0)
+        return fit.coloured_deviance(scale.largest)
+    tested = fit.residuals_beyond_uncertainty.values()
+    return sum(s.chi2 for s in tested if s.samples) / scale.divisor + fit.chi2_priors
 
 
 def bic(fit: Fit, variance: float, time: float) -> float:

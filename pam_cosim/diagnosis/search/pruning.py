@@ -8,7 +8,7 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.judgement.evidence import bic_penalty, noise_scale
+from pam_cosim.diagnosis.judgement.evidence import deviance, noise_scale
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate, Fit, FitOptions, Free, fit
 from pam_cosim.measurement import DataSet
@@ -25,8 +25,9 @@ def pruned(
 ) -> Fit:
     """The fit without those of its ``own`` coefficients whose interval holds zero and that the evidence does not miss.
 
-    One after another, the least certain first; backward elimination by the Bayesian information criterion. What is
-    held stays among the parameters, as zero and not determined.
+    One after another, the least certain first; backward elimination by the Bayesian information criterion of all runs:
+    a held-out run may need what the fitted ones do not. What is held stays among the parameters, as zero and not
+    determined.
 
     Args:
         simulator: the model.
@@ -38,8 +39,7 @@ def pruned(
     """
     if full.residuals["fit"].exceeds(CRITERIA.search.pruning_excess):
         return full
-    variance, time, _ = noise_scale([full])
-    worth = variance * time * bic_penalty(full, time)  # chi-square that a parameter must take away
+    scale = noise_scale([full])
     few = CRITERIA.search.evaluations
     options = FitOptions(
         evaluations=few, screened_starts=0, precision=precision, holdout_uncertainty=True
@@ -59,7 +59,7 @@ def pruned(
         except SimulationFailure:
             needed.add(name)
             continue
-        if less.chi2_minimised - best.chi2_minimised > worth:
+        if deviance(less, scale) - deviance(best, scale) > scale.penalty(full):
             needed.add(name)
             continue
         held[name] = replace(
