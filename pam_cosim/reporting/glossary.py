@@ -16,8 +16,9 @@ WORDS = {
     ),
     "folds": "runs are left out in turn, the model is fitted to the others and judged on those (cross-validation)",
     "Δ BIC": (
-        "the Bayesian information criterion against the model without the effect; negative is better. Its *penalty* "
-        "for a parameter is the logarithm of the effective number of samples"
+        "the Bayesian information criterion against the model without the effect; negative is better. It counts fitted "
+        "runs, and held-out ones beyond the uncertainty of the parameters. Its *penalty* for a parameter is the "
+        "logarithm of the effective number of fitted samples"
     ),
 }
 

@@ -22,9 +22,10 @@ class Candidate:
         effects: all effects in the model, in the order in which they were added, ``effect`` last.
         own_parameters: names of the parameters that the tried effect brought.
         fit: the fitted model.
-        delta_bic: Bayesian information criterion minus that of the model without ``effect``; negative is better.
-        probability: weight among all candidates and the model without any, by that criterion alone, which knows of no
-            held-out run: the probability of a verdict is the verdict's.
+        delta_bic: Bayesian information criterion of all runs, held-out ones beyond the parameters' uncertainty, minus
+            that of the model without ``effect``; negative is better.
+        probability: weight among all candidates and the model without any, by that criterion alone: the probability of
+            a verdict is the verdict's.
         equations: the Modelica text of the model.
         brief: it was fitted in a few steps only, and might still come nearer.
         general: the effect is the general member of its family, which contains its laws.

@@ -93,8 +93,9 @@ class NoiseScale(NamedTuple):
         return self.variance * (1 + CRITERIA.residuals.drift)
 
     def penalty(self, fit: Fit) -> float:
-        """What a parameter costs."""
-        return bic_penalty(fit, self.time)
+        """What a parameter costs: the logarithm of the effective number of fitted samples."""
+        effective = fit.residuals["fit"].samples / self.time
+        return math.log(max(effective, CRITERIA.evidence.least_samples))
 
 
 def noise_scale(fits: Sequence[Fit]) -> NoiseScale:
@@ -134,7 +135,10 @@ def information_criterion(
 
 
 def evidence_without_choice(fit: Fit, scale: NoiseScale, candidate: Candidate | None) -> float:
-    """The information criterion but for how many sets of effects there are."""
+    """The information criterion but for how many sets of effects there are.
+
+    An effect pays for every parameter it brings, also for those that have done their work at one end of their range.
+    """
     lost = _undetermined_count(candidate) if candidate else 0
     return deviance(fit, scale) + scale.penalty(fit) * (fit.freedom + lost)
 
@@ -147,28 +151,14 @@ def deviance(fit: Fit, scale: NoiseScale) -> float:
     return sum(s.chi2 for s in tested if s.samples) / scale.divisor + fit.chi2_priors
 
 
-def bic(fit: Fit, variance: float, time: float) -> float:
-    """Bayesian information criterion with the effective number of samples, and what the priors add."""
-    s = fit.residuals["fit"]
-    return s.chi2 / (variance * time) + fit.chi2_priors + fit.freedom * bic_penalty(fit, time)
-
-
-def bic_penalty(fit: Fit, time: float) -> float:
-    """What a parameter costs in the criterion: the logarithm of the effective number of samples."""
-    return math.log(max(fit.residuals["fit"].samples / time, CRITERIA.evidence.least_samples))
-
-
 def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
-    """Candidates with their evidence, best first."""
+    """Candidates with their evidence beside that of the base model, best first."""
     if not candidates:
         return []
-    variance, time, _ = noise_scale([base, *(c.fit for c in candidates)])
-    start = bic(base, variance, time)
-    # an effect pays for every parameter it brings, also for those that have done their work at one end of their range
-    penalty = bic_penalty(base, time)
+    scale = noise_scale([base, *(c.fit for c in candidates)])
+    start = evidence_without_choice(base, scale, None)
     scored = [
-        replace(c, delta_bic=bic(c.fit, variance, time) + penalty * _undetermined_count(c) - start)
-        for c in candidates
+        replace(c, delta_bic=evidence_without_choice(c.fit, scale, c) - start) for c in candidates
     ]
     lowest = min(0.0, *(c.delta_bic for c in scored))
     weights = {c.effects: math.exp(-(c.delta_bic - lowest) / 2) for c in scored}
@@ -180,13 +170,6 @@ def rank(base: Fit, candidates: Sequence[Candidate]) -> list[Candidate]:
 
 def _undetermined_count(candidate: Candidate) -> int:
     return sum(not e.determined for e in candidate.effect_parameters.values())
-
-
-def significantly_better(base: Fit, candidate: Candidate) -> bool:
-    """Whether a candidate is better beyond chance, on runs that were fitted and on runs that were not."""
-    return candidate.delta_bic < -CRITERIA.evidence.very_strong and _improves_holdout(
-        base, candidate.fit
-    )
 
 
 def refuted_by_unfitted_signals(rival: Fit, best: Fit) -> bool:
@@ -248,10 +231,7 @@ def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:
     ):
         return None
     own = (c for c in ranked if c.family == family)
-    return next(
-        (c for c in own if _explains_nearly_all(base, c.fit) and significantly_better(base, c)),
-        None,
-    )
+    return next((c for c in own if _explains_nearly_all(base, c.fit)), None)
 
 
 def _explains_nearly_all(base: Fit, fit: Fit) -> bool:
@@ -259,8 +239,3 @@ def _explains_nearly_all(base: Fit, fit: Fit) -> bool:
     return all(
         after.excess <= CRITERIA.evidence.beyond_doubt * before.excess for before, after in both
     )
-
-
-def _improves_holdout(base: Fit, fit: Fit) -> bool:
-    before, after = base.residuals["holdout"], fit.residuals["holdout"]
-    return not before.samples or after.chi2 < before.chi2
