@@ -18,6 +18,7 @@ from pam_cosim.measurement.table import since_first
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import value_of
 from pam_cosim.simulation import Inputs, Trajectory
+from pam_cosim.study.read_limits import check_course
 from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import did_you_mean
 
@@ -41,14 +42,23 @@ def inputs_of(
         times: (n,) [s] at which functions are evaluated; lines between.
 
     Raises:
-        InputError: an unknown input, a unit that does not fit, numbers that cannot be used, a function that fails.
+        InputError: an unknown input, a unit that does not fit, numbers that cannot be used or that the model does not
+            allow, a function that fails.
     """
-    if source is None or isinstance(source, Inputs):
-        return source
-    if isinstance(source, str) and is_formulas(source):
-        return _of_formulas(source, interface, times())
-    if isinstance(source, (str, Path)):
+    if source is None:
+        return None
+    if isinstance(source, (str, Path)) and not is_formulas(str(source)):
         return read_inputs(Path(source), interface)
+    inputs = _unchecked(source, interface, times)
+    check_course(inputs, interface)
+    return inputs
+
+
+def _unchecked(source: Source, interface: Interface, times: Callable[[], Array]) -> Inputs:
+    if isinstance(source, Inputs):
+        return source
+    if isinstance(source, str):
+        return _of_formulas(source, interface, times())
     columns = _columns(source, interface)
     time = _time(columns)
     if time is None:
@@ -93,7 +103,7 @@ def read_inputs(file: Path, interface: Interface) -> Inputs:
     """The input columns of a CSV file, as inputs of a model.
 
     Raises:
-        InputError: the file cannot be read or has no input column.
+        InputError: the file cannot be read, has no input column, or a value that the model does not allow.
     """
     recording = read_recording(file, interface)
     if not recording.inputs:
@@ -101,7 +111,9 @@ def read_inputs(file: Path, interface: Interface) -> Inputs:
         raise InputError(
             f"has no column of an input; the inputs of {interface.model}: {known}", file, 1
         )
-    return Inputs(recording.time, recording.inputs, "linear")
+    inputs = Inputs(recording.time, recording.inputs, "linear")
+    check_course(inputs, interface, file)
+    return inputs
 
 
 def _columns(source: Any, interface: Interface) -> dict[str, Any]:

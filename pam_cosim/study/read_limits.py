@@ -1,8 +1,10 @@
-"""Recorded inputs against the least and the greatest value that the bench allows them."""
+"""Inputs against the least and the greatest value that the bench allows them."""
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
+from pathlib import Path
 
 import numpy as np
 
@@ -12,6 +14,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.simulation import Inputs
 from pam_cosim.units import format_quantity
 
 
@@ -30,16 +33,29 @@ def inputs_beyond(data: DataSet, interface: Interface) -> tuple[str, ...]:
     return tuple(f"{run.file.name}: {message}" for run, message in _beyond(data, interface))
 
 
+def check_course(inputs: Inputs, interface: Interface, file: Path | None = None) -> None:
+    """The same of inputs that were not recorded in a data set, in ``file`` if they come from one.
+
+    Raises:
+        InputError: one is beyond what the model allows; names the input and the time.
+    """
+    for name, values in inputs.values.items():
+        variable = interface.inputs.get(name)
+        message = variable and _message(variable, values, lambda i: f"at {inputs.time[i]:.6g} s")
+        if message:
+            raise InputError(message, file)
+
+
 def _beyond(data: DataSet, interface: Interface) -> Iterator[tuple[Run, str]]:
     for run in data.runs:
         for name, values in run.inputs.items():
             variable = interface.inputs.get(name)
-            message = _message(run, variable, values) if variable else ""
+            message = variable and _message(variable, values, partial(place_in, run))
             if message:
                 yield run, message
 
 
-def _message(run: Run, variable: Variable, values: Array) -> str:
+def _message(variable: Variable, values: Array, place: Callable[[int], str]) -> str:
     """What is wrong with an input; "" where nothing is."""
     room = CRITERIA.doubts.passed * float(np.ptp(values))
     limits = (("below the least", variable.min, -1.0), ("above the greatest", variable.max, 1.0))
@@ -52,7 +68,7 @@ def _message(run: Run, variable: Variable, values: Array) -> str:
                 format_quantity(float(v), variable.unit) for v in (values[there[0]], limit)
             )
             return (
-                f"{variable.name} is {value} {place_in(run, int(there[0]))}, {words} value {end} that the model "
+                f"{variable.name} is {value} {place(int(there[0]))}, {words} value {end} that the model "
                 "allows: is it the sign, the unit, or the zero?"
             )
     return ""

@@ -42,6 +42,20 @@ def test_a_pressure_below_a_vacuum_is_refused(command: Command, place: Path, ver
     assert "is it the sign, the unit, or the zero?" in outcome.err
 
 
+@pytest.mark.parametrize("source", ["one.csv", "p = -150e3"])
+def test_inputs_of_a_single_run_are_refused_alike(
+    command: Command, place: Path, source: str
+) -> None:
+    (place / "one.csv").write_text("time [s],p [kPa]\n0,100\n3,-150\n")
+    outcome = command(
+        "simulate", "QuasiStaticIsometric", "--input", source, "--stop-time", "5", "-o", "o.csv"
+    )
+    assert outcome.status == 2 and "p is -150 kPa at " in outcome.err
+    assert "below the least value -101 kPa that the model allows" in outcome.err
+    assert ("one.csv: " in outcome.err) is (source == "one.csv")
+    assert not (place / "o.csv").exists()
+
+
 def test_noise_at_the_limit_is_not(place: Path) -> None:
     (run,) = study.read(data_set(place, 1.0, dip=-103.0)).runs
     assert run.inputs["p"][0] == -103e3
