@@ -10,6 +10,7 @@ from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
 from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.reporting.account.diagnosis_rows import (
     STATED,
+    balance_shares,
     candidate_row,
     missing_rows,
     parameter_rows,
@@ -60,7 +61,7 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
     rows, further = _candidate_rows(diagnosis)
     acting = [*diagnosis.balance, *(candidate.balance for candidate in fitted)]
     palette = balance_colours(diagnosis.data.domain.balances, acting) | {STATED: HALO}
-    balances = _balances(diagnosis)
+    balances = balance_shares(diagnosis)
     rules = diagnosis.base.comparison.where
     return render(
         "diagnosis.html",
@@ -145,17 +146,6 @@ def _effects(diagnosis: Diagnosis) -> str:
 def _probability_picture(verdict: Verdict) -> Picture | None:
     rows = probability_rows(verdict)
     return probability_picture(rows) if rows else None
-
-
-def _balances(diagnosis: Diagnosis) -> dict[str, float]:
-    """Share of each balance; a stated value stands for itself where it explains most among what acts in a balance."""
-    single = [c for c in diagnosis.candidates if len(c.effects) == 1]
-    shares: dict[str, float] = {}
-    for balance, share in diagnosis.balance.items():
-        there = [c for c in single if c.balance == balance]
-        best = max(there, key=lambda c: explained(diagnosis.base, c.fit), default=None)
-        shares[place_of(best) if best is not None else balance] = share
-    return shares
 
 
 def _ranking_picture(

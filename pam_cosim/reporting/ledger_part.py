@@ -6,7 +6,7 @@ from typing import Any
 
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.ledger import Ledger
-from pam_cosim.reporting.account.diagnosis_rows import STATED, place_of
+from pam_cosim.reporting.account.diagnosis_rows import acting_balances
 from pam_cosim.reporting.account.ledger_words import ledger_words
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.style import Picture, drawing, picture
@@ -19,7 +19,7 @@ def ledger_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
         return None
     return {
         "picture": _picture(ledger),
-        **ledger_words(ledger, [place_of(c) for c in diagnosis.path if place_of(c) != STATED]),
+        **ledger_words(ledger, acting_balances(diagnosis.path)),
     }
 
 

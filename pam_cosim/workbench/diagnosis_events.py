@@ -27,7 +27,9 @@ from pam_cosim.ledger import Ledger as KeptLedger
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account import (
+    acting_balances,
     against_of,
+    balance_shares,
     candidate_row,
     compared_sentence,
     error_sentence,
@@ -42,6 +44,7 @@ from pam_cosim.reporting.account import (
     not_tried_sentence,
     parameter_rows,
     percent,
+    place_of,
     probability_rows,
     probability_sentence,
     summary_rows,
@@ -105,7 +108,7 @@ class Following:
         common: dict[str, Any] = {
             "effects": c.effects,
             "family": words(c.family),
-            "balance": words(c.balance),
+            "balance": words(place_of(c)),
             "text": str(event),
         }
         if isinstance(c, FailedTrial) or base is None:
@@ -214,7 +217,7 @@ def verdict_event(d: Diagnosis) -> VerdictEvent:
         next=next_run(d.next_experiment),
         learned=learned_part(d),
         missing=missing_rows(d),
-        balance={words(name): share for name, share in d.balance.items()},
+        balance={words(name): share for name, share in balance_shares(d).items()},
         complete=True,
     )
 
@@ -226,7 +229,7 @@ def diagnosis_events(d: Diagnosis) -> list[PageEvent]:
         verdict_event(d),
     ]
     if d.ledger is not None:
-        events.append(ledger_event(d.ledger, [c.balance for c in d.path]))
+        events.append(ledger_event(d.ledger, acting_balances(d.path)))
     return events
 
 

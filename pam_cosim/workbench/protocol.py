@@ -388,8 +388,9 @@ class CandidateEvent(PageEvent):
 class RankingEvent(PageEvent):
     """All models that were fitted, best first: rows of texts as the report has them.
 
-    Each has ``effect``, ``family``, ``balance``, ``explained``, ``delta_bic``, ``chi2``, ``holdout``, ``own`` and
-    ``added``, and for the page ``effects`` as a list, ``number`` to take it by, and ``share`` and ``bic`` as numbers.
+    Each has ``effect``, ``family``, ``balance``, ``place``, ``explained``, ``delta_bic``, ``chi2``, ``holdout``,
+    ``own`` and ``added``, and for the page ``effects`` as a list, ``number`` to take it by, and ``share`` and ``bic``
+    as numbers.
     """
 
     event: ClassVar[str] = "ranking"

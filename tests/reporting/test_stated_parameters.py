@@ -7,8 +7,9 @@ import pytest
 from pam_cosim.fitting import Estimate
 from pam_cosim.model.domain import WRONG_PARAMETER
 from pam_cosim.reporting import diagnosis_report
-from pam_cosim.reporting.account.diagnosis_rows import STATED, candidate_row
-from pam_cosim.reporting.diagnosis_page import _balances
+from pam_cosim.reporting.account.diagnosis_rows import STATED, balance_shares, candidate_row
+from pam_cosim.workbench.diagnosis_events import diagnosis_events
+from pam_cosim.workbench.protocol import RankingEvent, VerdictEvent
 from tests.reporting.synthetic import make_candidate, make_data, make_diagnosis
 
 RATIO = "muscle.L0/stated"
@@ -23,7 +24,12 @@ def test_it_has_a_name_of_its_own(without_pictures: pytest.MonkeyPatch) -> None:
     made = make_diagnosis(
         "identified", data, candidates=(wrong, leak), path=(wrong,), balance=balance
     )
-    assert candidate_row(made.base, wrong, ())["balance"] == "stated parameter"
-    assert candidate_row(made.base, leak, ())["balance"] == "mass"
-    assert _balances(made) == {STATED: 0.8, "mass": 0.2}
+    rows = [candidate_row(made.base, c, ()) for c in (wrong, leak)]
+    assert [row["balance"] for row in rows] == ["stated parameter", "mass"]
+    assert [row["place"] for row in rows] == ["stated parameter", "mass balance"]
+    assert balance_shares(made) == {STATED: 0.8, "mass": 0.2}
     assert "<td>sensor</td>" not in diagnosis_report(made)
+    ranking, verdict = diagnosis_events(made)
+    assert isinstance(ranking, RankingEvent) and isinstance(verdict, VerdictEvent)
+    assert [row["place"] for row in ranking.candidates] == ["stated parameter", "mass balance"]
+    assert verdict.balance == {"stated parameter": 0.8, "mass": 0.2}

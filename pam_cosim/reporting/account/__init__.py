@@ -1,9 +1,12 @@
 """What is said of a product: sentences and rows of texts, without a picture; for reports, the terminal and the page."""
 
 from pam_cosim.reporting.account.diagnosis_rows import (
+    acting_balances,
+    balance_shares,
     candidate_row,
     missing_rows,
     parameter_rows,
+    place_of,
     summary_rows,
 )
 from pam_cosim.reporting.account.learned_part import learned_part
@@ -30,7 +33,9 @@ from pam_cosim.reporting.account.wording import (
 )
 
 __all__ = [
+    "acting_balances",
     "against_of",
+    "balance_shares",
     "candidate_row",
     "compared_sentence",
     "error_sentence",
@@ -46,6 +51,7 @@ __all__ = [
     "not_tried_sentence",
     "parameter_rows",
     "percent",
+    "place_of",
     "probability_rows",
     "probability_sentence",
     "quantity_text",

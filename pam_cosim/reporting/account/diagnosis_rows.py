@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from typing import Any
 
 from pam_cosim.comparison import Rule
-from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.diagnosis import Candidate, Diagnosis, FailedTrial
 from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import ROLES
@@ -67,9 +67,30 @@ def was_added(path: Sequence[Candidate], candidate: Candidate) -> bool:
     return any(candidate.effects == c.effects for c in path)
 
 
-def place_of(candidate: Candidate) -> str:
+def place_of(candidate: Candidate | FailedTrial) -> str:
     """The balance that a candidate's last effect acts in, or ``STATED``."""
     return STATED if candidate.family == WRONG_PARAMETER else candidate.balance
+
+
+def place_text(place: str) -> str:
+    """What ``place_of`` gives, in words."""
+    return words(place) if place == STATED else f"{words(place)} balance"
+
+
+def acting_balances(path: Sequence[Candidate]) -> list[str]:
+    """The balances in which effects were added; a stated value is in none."""
+    return [place_of(c) for c in path if place_of(c) != STATED]
+
+
+def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
+    """Share of each balance; a stated value stands for itself where it explains most among what acts in a balance."""
+    single = [c for c in diagnosis.candidates if len(c.effects) == 1]
+    shares: dict[str, float] = {}
+    for balance, share in diagnosis.balance.items():
+        there = [c for c in single if c.balance == balance]
+        best = max(there, key=lambda c: explained(diagnosis.base, c.fit), default=None)
+        shares[place_of(best) if best is not None else balance] = share
+    return shares
 
 
 def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
@@ -83,6 +104,7 @@ def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[st
         "effect": " + ".join(c.effects),
         "family": words(c.family),
         "balance": words(place_of(c)),
+        "place": place_text(place_of(c)),
         "delta_bic": fixed(c.delta_bic),
         "explained": percent(explained(base, c.fit)),
         "chi2": number(c.fit.comparison.chi2_reduced("fit")),

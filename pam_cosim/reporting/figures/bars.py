@@ -11,7 +11,7 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
-from pam_cosim.reporting.account.diagnosis_rows import STATED
+from pam_cosim.reporting.account.diagnosis_rows import place_text
 from pam_cosim.reporting.account.meaning import ProbabilityRow
 from pam_cosim.reporting.account.wording import percent, shortened, words
 from pam_cosim.reporting.style import (
@@ -115,7 +115,7 @@ def ranking_picture(
         axes.axvline(0, color=SOFT, lw=0.8, zorder=4)
         axes.grid(True, axis="x")
         used = [b for b in palette if any(bar.balance == b for bar in bars)]
-        handles = [Patch(color=palette[b], label=_legend_of(b)) for b in used]
+        handles = [Patch(color=palette[b], label=place_text(b)) for b in used]
         figure.legend(handles=handles, loc="outside upper right", ncols=len(handles))
         more = (
             f" The best {len(bars)} are drawn; the table holds {left_out} more." if left_out else ""
@@ -128,10 +128,6 @@ def ranking_picture(
             f"Share of the base model's squared error beyond the noise that each model removes on the {runs} runs, "
             f"in the order of the evidence. Effects of one balance have one colour.{note}",
         )
-
-
-def _legend_of(place: str) -> str:
-    return words(place) if place == STATED else f"{words(place)} balance"
 
 
 def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) -> Picture:

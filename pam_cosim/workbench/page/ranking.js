@@ -62,7 +62,7 @@ function row(c, { running, latest, busy, take }) {
         },
         "Take",
       );
-  const about = [c.family, c.balance ? `${c.balance} balance` : "", c.brief ? "first steps of its fit" : ""]
+  const about = [c.family, c.place ?? "", c.brief ? "first steps of its fit" : ""]
     .filter(Boolean)
     .join(", ");
   return make(
