@@ -7,9 +7,20 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.score import read_results
+Result = dict[str, Any]
 
-__all__ = ["append_result", "read_results"]
+
+def read_results(file: Path) -> dict[int, Result]:
+    """Results by case number, the last one of each; a line cut off by a stop is left out."""
+    results: dict[int, Result] = {}
+    if file.exists():
+        for line in file.read_text().splitlines():
+            try:
+                result = json.loads(line)
+            except ValueError:
+                continue
+            results[result["number"]] = result
+    return results
 
 
 def append_result(file: Path, result: Mapping[str, Any]) -> None:

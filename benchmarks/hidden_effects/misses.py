@@ -22,7 +22,6 @@ A line of JSON for each case goes beside the results, so that a second call goes
 from __future__ import annotations
 
 import argparse
-import json
 import math
 import sys
 import tempfile
@@ -35,7 +34,7 @@ from pathlib import Path
 from typing import Any
 
 from benchmarks.hidden_effects.outcome import judged
-from benchmarks.hidden_effects.score import read_results
+from benchmarks.results import append_result, read_results
 from blind_cases.prepared import made_case
 from pam_cosim import study
 from pam_cosim.criteria import CRITERIA
@@ -245,8 +244,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     with ProcessPoolExecutor(options.jobs) as pool:
         for line in pool.map(_explained, tasks):
             lines.append(line)
-            with out.open("a") as written:
-                written.write(json.dumps(line) + "\n")
+            append_result(out, line)
             if not options.sums:
                 print(line, flush=True)
     print(table(lines, results))

@@ -39,7 +39,8 @@ from benchmarks.hidden_effects.outcome import (
     size,
     stated_probability,
 )
-from benchmarks.hidden_effects.score import default_file, read_results
+from benchmarks.hidden_effects.score import default_file
+from benchmarks.results import read_results
 from blind_cases.table import FAMILIES
 
 plt.switch_backend("Agg")

@@ -16,7 +16,7 @@ from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from benchmarks.hidden_effects.score import Result, read_results
+from benchmarks.results import Result, read_results
 
 _COMPARED = ("case", "diagnosis", "error")
 

@@ -20,32 +20,18 @@ from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor, as_completed
 from contextlib import suppress
 from pathlib import Path
-from typing import Any
 
 from benchmarks.hidden_effects.outcome import judged
+from benchmarks.results import Result, append_result, read_results
 from blind_cases.many import APART
 from blind_cases.sets import SETS, case_of, outline
 
 ROOT = Path(__file__).resolve().parents[2]
-Result = dict[str, Any]
 
 
 def default_file(which: str) -> Path:
     """Where the results of a set go."""
     return ROOT / "build" / f"hidden-effects-{which}.jsonl"
-
-
-def read_results(file: Path) -> dict[int, Result]:
-    """Results by case number, the last one of each; a line cut off by a stop is left out."""
-    results: dict[int, Result] = {}
-    if file.exists():
-        for line in file.read_text().splitlines():
-            try:
-                result = json.loads(line)
-            except ValueError:
-                continue
-            results[result["number"]] = result
-    return results
 
 
 def run_case(which: str, number: int, limit: float, workers: int = 0) -> Result:
@@ -128,9 +114,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     signal.signal(signal.SIGTERM, _stop)
     print(f"{len(numbers)} cases to do, results in {file}", flush=True)
     begin = time.perf_counter()
-    with ThreadPoolExecutor(options.jobs) as pool, file.open("a") as out:
-        if out.tell() and not file.read_text().endswith("\n"):
-            out.write("\n")  # the last run was stopped within a line
+    with ThreadPoolExecutor(options.jobs) as pool:
         waiting = [
             pool.submit(run_case, options.which, n, options.time_limit, options.workers)
             for n in numbers
@@ -138,8 +122,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         try:
             for count, future in enumerate(as_completed(waiting), start=1):
                 result = future.result()
-                out.write(json.dumps(result) + "\n")
-                out.flush()
+                append_result(file, result)
                 left = (time.perf_counter() - begin) / count * (len(numbers) - count)
                 print(
                     f"{_line(result)}   {count}/{len(numbers)}, {left / 60:.0f} min left",

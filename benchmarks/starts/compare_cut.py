@@ -59,7 +59,7 @@ def one(which: str, number: int, diagnosed: bool) -> dict[str, Any]:
     """A case in each way."""
     case = many.case_of(which, number)
     outline = many.outline(case)
-    result: dict[str, Any] = {"number": number, "bench": outline["bench"], "signals": outline["signals"],
+    result: dict[str, Any] = {"set": which, "number": number, "bench": outline["bench"], "signals": outline["signals"],
                               "group": outline["group"], "families": outline["families"],
                               "same_as": outline["same_as"]}  # fmt: skip
     with tempfile.TemporaryDirectory() as name:
