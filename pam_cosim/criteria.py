@@ -235,7 +235,7 @@ class StartCriteria:
         3, "runs", "at least, of which one may differ, to know an offset that most have in common"
     )
     range: float = decides(
-        1.0, "of range", "sd of a start value by what the run itself goes through in that state"
+        1.0, "of range", "sd of a start value by what the runs go through in that state"
     )
     informed: float = decides(
         0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it"

@@ -241,7 +241,7 @@ def fit(
             end.z
         )  # a descent may have ended with a look elsewhere, or answers come from a file
     starts_estimated = start_estimates(objective) | held_out_starts(
-        simulator, data, objective.values(end.z), objective.tolerance, options.second_look
+        objective, end.z, options.second_look
     )
     values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
@@ -278,6 +278,7 @@ def _holdout_uncertainty(
         return HoldoutUncertainty()
     known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
     holdout = Objective(fitted.simulator, fitted.data, runs, known, values, options.tolerance)
+    holdout.state_ranges = fitted.state_ranges
     return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
 
 

@@ -27,10 +27,12 @@ from pam_cosim.fitting.sensitivities import (
     sensitivities_of_run,
 )
 from pam_cosim.fitting.start_values import (
+    RestCourse,
     StartValues,
     eliminate,
     eliminate_to_first_order,
     horizons,
+    rest_course,
     start_values,
 )
 from pam_cosim.fitting.tracker import Tracker
@@ -95,6 +97,7 @@ class Objective:
         )
         self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
         self._squares_at: dict[bytes, float] = {}
+        self.state_ranges: Mapping[str, float] = {}  # how far runs take each state [SI]
         # where they were as the descent was last linearised, and (start values, parameters) how they move from there
         self._starts_begin: dict[int, Array] = {}
         self._starts_follow: dict[int, Array] = {}
@@ -139,21 +142,32 @@ class Objective:
     def _start_values_at(self, z: Array) -> dict[int, StartValues]:
         """The start values that are parameters, about where the first samples put them at the first ``z``."""
         if self.starts is None:
-            estimated = [i for i, run in enumerate(self.runs) if run.start.mode == "estimated"]
-            values = self.values(z)
-            found = {
-                i: start_values(
-                    self.simulator,
-                    self.data,
-                    self.runs[i],
-                    values,
-                    about_given=self._to_first_order,
-                )
-                for i in estimated
-            }
+            found = self._first_starts(self.values(z))
             self.starts = {i: one for i, one in found.items() if one.names}
             self._starts_begin = self._starts_now()
         return self.starts
+
+    def _first_starts(self, values: Mapping[str, float]) -> dict[int, StartValues]:
+        """The start values of the runs by their number."""
+        courses = {
+            i: self._rest_course(run, values, about_given=self._to_first_order)
+            for i, run in enumerate(self.runs)
+            if run.start.mode == "estimated"
+        }
+        interface = self.simulator.interface
+        self.state_ranges = {
+            name: max([known, *(course.ranges[name] for course in courses.values())])
+            for name in interface.states
+            for known in [self.state_ranges.get(name, 0.0)]
+        }
+        return {
+            i: start_values(course, self.state_ranges, interface) for i, course in courses.items()
+        }
+
+    def _rest_course(
+        self, run: Run, values: Mapping[str, float], about_given: bool = False
+    ) -> RestCourse:
+        return rest_course(self.simulator, self.data, run, values, about_given=about_given)
 
     def _starts_now(self) -> dict[int, Array]:
         return {i: one.values for i, one in (self.starts or {}).items()}
@@ -191,10 +205,9 @@ class Objective:
     def _fresh_starts(self, z: Array, i: int) -> dict[str, float] | None:
         """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
         try:
-            fresh = start_values(self.simulator, self.data, self.runs[i], self.values(z))
+            return self._rest_course(self.runs[i], self.values(z)).begin
         except SimulationFailure:
             return None
-        return fresh.named()
 
     def found_other_starts(self, z: Array) -> bool:
         """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
@@ -233,6 +246,7 @@ class Objective:
             begin = {f"{name}@{run.name}": value for name, value in known.items()}
             values, part = {**self.values(z), **begin}, first_rows(run, rows)
             few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
+            few.state_ranges = self.state_ranges
             if np.isfinite(few.squares(np.zeros(0))):
                 known = known | {
                     n: v for one in (few.starts or {}).values() for n, v in one.named().items()

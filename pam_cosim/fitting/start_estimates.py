@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 
 import numpy as np
 
+from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
@@ -49,15 +51,18 @@ def estimated_starts(
     values: Mapping[str, float],
     tolerance: float | None = None,
     second_look: bool = True,
+    state_ranges: Mapping[str, float] = MappingProxyType({}),
 ) -> dict[str, Estimate]:
     """Where runs begin whose start is to be estimated, with given parameters [SI]; none where they cannot be simulated.
 
     Start values among the parameters are where the estimate begins. A second look goes by the first samples first.
+    Other runs take states as far as ``state_ranges`` [SI].
     """
     chosen = [run for run in runs if run.start.mode == "estimated"]
     if not chosen:
         return {}
     objective = Objective(simulator, data, chosen, (), values, tolerance)
+    objective.state_ranges = state_ranges
     try:
         nothing = np.zeros(0)
         if second_look and not objective.is_at_noise(objective.squares(nothing)):
@@ -96,12 +101,21 @@ def simulated(
     return tuple(simulate_run(simulator, data, run, known) for run in chosen), starts
 
 
-def held_out_starts(
-    simulator: AnySimulator,
-    data: DataSet,
-    values: Mapping[str, float],
-    tolerance: float | None,
-    second_look: bool = True,
-) -> dict[str, Estimate]:
-    """Those of held-out runs, whose samples say nothing about any other parameter."""
-    return estimated_starts(simulator, data, data.holdout_runs, values, tolerance, second_look)
+def held_out_starts(fitted: Objective, z: Array, second_look: bool = True) -> dict[str, Estimate]:
+    """Those of held-out runs, whose samples say nothing about any other parameter.
+
+    Args:
+        fitted: the objective of the fitted runs.
+        z: where the fit ended.
+        second_look: as for ``estimated_starts``.
+    """
+    data = fitted.data
+    return estimated_starts(
+        fitted.simulator,
+        data,
+        data.holdout_runs,
+        fitted.values(z),
+        fitted.tolerance,
+        second_look,
+        fitted.state_ranges,
+    )

@@ -22,7 +22,7 @@ from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.model.interface import Variable
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation import AnySimulator
 
 Result = TypeVar("Result")
@@ -40,10 +40,10 @@ class StartValues:
         run: the run.
         names: of the k states.
         mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the model's rest beside them
-            say that it begins, and how far the run itself takes them.
+            say that it begins, and how far the runs take them.
         shown: the signal that shows a state, by its name.
         values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
-        still: states that do not move in the run, where they are [SI].
+        still: states that no run moves, where they are [SI].
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
             known beforehand come last.
     """
@@ -114,15 +114,39 @@ class StartValues:
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
 
 
-def start_values(
+@dataclass(frozen=True)
+class RestCourse:
+    """A run that begins where its first samples and the model's rest beside them put it.
+
+    Attributes:
+        run: the run.
+        first: where each state begins then [SI].
+        ranges: how far the run takes each state from there [SI]; zero where it rests.
+        given: start values among the parameters, from which an estimate goes on [SI].
+        shown: the signal that shows a state, by its name.
+    """
+
+    run: Run
+    first: dict[str, float]
+    ranges: dict[str, float]
+    given: dict[str, float]
+    shown: dict[str, str]
+
+    @property
+    def begin(self) -> dict[str, float]:
+        """Where an estimate begins [SI]."""
+        return self.first | self.given
+
+
+def rest_course(
     simulator: AnySimulator,
     data: DataSet,
     run: Run,
     parameters: Mapping[str, float],
     *,
     about_given: bool = False,
-) -> StartValues:
-    """What is to be estimated of the start of a run, about where the first samples and the model's rest put it.
+) -> RestCourse:
+    """A run whose start is to be estimated, from where the first samples and the model's rest put it.
 
     Args:
         simulator: the model.
@@ -131,14 +155,17 @@ def start_values(
         parameters: fitted values [SI]; start values among them are where the estimate goes on from.
         about_given: if there are such, they take the place of the first samples: the start of another model is known,
             and this one has a state more.
+
+    Raises:
+        SimulationFailure: the model breaks down.
     """
     own = data.parameters_of(run, parameters)
     names = simulator.interface.states
     bare = {n: v for n, v in own.items() if n not in names}
-    given = {n: own[n] for n in names if n in own} if about_given else {}
+    given = {n: own[n] for n in names if n in own}
     begins = (
         initial_state_about(simulator, data, run, bare, given)
-        if given
+        if given and about_given
         else measured_initial_state(simulator, data, run, bare)
     )
     times = np.unique(np.append(start_time(run), run.time))
@@ -151,14 +178,34 @@ def start_values(
         settle=begins.settle,
     )
     first = {n: float(course[n][0]) for n in names}
-    moving = tuple(n for n in names if np.ptp(course[n]) > _STILL * np.max(np.abs(course[n])))
-    mean = np.array([first[n] for n in moving])
-    sd = CRITERIA.starts.range * np.array([np.ptp(course[n]) for n in moving])
-    values = np.array([own.get(n, first[n]) for n in moving])
-    low, high = _limits([simulator.interface.start_values[n] for n in moving])
-    still = {n: first[n] for n in names if n not in moving}
+    ranges = {n: _range(course[n]) for n in names}
+    return RestCourse(run, first, ranges, given, begins.shown)
+
+
+def _range(course: Array) -> float:
+    """How far a state moves; nothing where that is rounding."""
+    moved = float(np.ptp(course))
+    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
+
+
+def start_values(
+    course: RestCourse, ranges: Mapping[str, float], interface: Interface
+) -> StartValues:
+    """What is to be estimated of the start of a run, about where the first samples and the model's rest put it.
+
+    Args:
+        course: the run from there.
+        ranges: how far the runs take each state [SI]: one that rests in this run may be on its way as it begins.
+        interface: of the model.
+    """
+    moving = tuple(n for n in course.first if ranges[n])
+    mean = np.array([course.first[n] for n in moving])
+    sd = CRITERIA.starts.range * np.array([ranges[n] for n in moving])
+    values = np.array([course.begin[n] for n in moving])
+    low, high = _limits([interface.start_values[n] for n in moving])
+    still = {n: v for n, v in course.first.items() if n not in moving}
     return StartValues(
-        run, moving, mean, sd, begins.shown, np.clip(values, low, high), low, high, still
+        course.run, moving, mean, sd, course.shown, np.clip(values, low, high), low, high, still
     )
 
 
@@ -275,4 +322,12 @@ class _Point(Generic[Result]):
         return gain <= max(_SETTLED, CRITERIA.starts.linear * self.cost)
 
 
-__all__ = ["StartValues", "eliminate", "eliminate_to_first_order", "horizons", "start_values"]
+__all__ = [
+    "RestCourse",
+    "StartValues",
+    "eliminate",
+    "eliminate_to_first_order",
+    "horizons",
+    "rest_course",
+    "start_values",
+]
