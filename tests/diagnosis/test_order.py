@@ -59,6 +59,18 @@ def test_the_model_that_leaves_least_leads_where_none_beats_the_base_model() -> 
     assert (bar.reference, bar.criterion) == (slow[1], order.information_criterion(slow[1]))
 
 
+def test_it_leads_by_what_is_possible_where_what_is_left_says_next_to_nothing() -> None:
+    """Of two effects that only explain the data together, each alone gains less than a parameter costs."""
+    little = _model("OrificeLeak", 48.0, 1)
+    slow = replace(
+        little, fit=fitted(48.0, None, STRUCTURE, time=200.0, own=little.effect_parameters)
+    )
+    order = _order(slow)
+    assert order.information_criterion(slow) > order.information_criterion(None)
+    assert order.leader() is slow and order.parents() == [slow]
+    assert order.best() is None
+
+
 def test_noise_that_nobody_stated_is_what_the_best_model_leaves() -> None:
     """What a model leaves may look like red noise by itself, until another leaves a fifth of it."""
 

@@ -204,7 +204,8 @@ class Ranking:
         """The model that the search goes on from while nothing leaves noise: the best, or else the nearest to it.
 
         Where what is left is as slow as a run is long, there are too few independent samples to prefer any model to the
-        base model, and still the one that leaves least says more than that.
+        base model. Then the best on the scale of what is possible leads: two effects may explain the data together of
+        which neither does anything alone, as a thermometer that lags behind a gas with its energy.
 
         Args:
             specific: only of models that are made of laws.
@@ -213,9 +214,11 @@ class Ranking:
         if best is not None:
             return best
         some = [c for c in self._complete() if not specific or self.is_specific(c.effects)]
-        some = [c for c in some if self.has_structure(c)]
-        some = [c for c in some if self.information_criterion(c) < self.information_criterion(None)]
-        return min(some, key=lambda c: (self.information_criterion(c), c.effects), default=None)
+        scale = self.optimistic_scale()
+        evidence = {c.effects: self.information_criterion(c, scale) for c in some}
+        base = self.information_criterion(None, scale)
+        some = [c for c in some if self.has_structure(c) and evidence[c.effects] < base]
+        return min(some, key=lambda c: (evidence[c.effects], c.effects), default=None)
 
     def parents(self) -> list[Candidate]:
         """The models that the search goes on from: the best, the best of laws, and the best of other families.
