@@ -155,10 +155,9 @@ class Objective:
             if run.start.mode == "estimated"
         }
         interface = self.simulator.interface
+        every = [self.state_ranges, *(course.ranges for course in courses.values())]
         self.state_ranges = {
-            name: max([known, *(course.ranges[name] for course in courses.values())])
-            for name in interface.states
-            for known in [self.state_ranges.get(name, 0.0)]
+            name: max(ranges.get(name, 0.0) for ranges in every) for name in interface.states
         }
         return {
             i: start_values(course, self.state_ranges, interface) for i, course in courses.items()

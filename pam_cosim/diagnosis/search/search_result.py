@@ -113,8 +113,10 @@ def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchRe
         fit_runs_result: what the fitted runs came to.
     """
     # fitted runs in which the base model leaves noise cannot tell what is missing in the others
-    base = fit_runs_result.base
-    contradicted = any(contradicted_by_holdout(fit, base) for fit in (fit_runs_result.last, base))
+    contradicted = any(
+        contradicted_by_holdout(fit, fit_runs_result.base)
+        for fit in (fit_runs_result.last, fit_runs_result.base)
+    )
     if not contradicted or fit_runs_result.search.effort.spent:
         return None
     fit_runs_result.search.say(AllRunsSearched().message)
