@@ -21,9 +21,12 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residual_statistics import Series
 
 _MEMORIES = 8  # between a sample and the longest series, in equal ratios: a likelihood hardly changes between two
-_RATIOS = np.log(1e-3), np.log(1e3)  # of the variance of the slow course to that of the white noise
-_SEARCH = {"xatol": 0.05}  # of the logarithm of that ratio
-_GRID = 25  # of these ratios: steps of less than a factor of two
+_RATIOS = np.log(10.0) * np.linspace(-3, 3, 25)  # logarithms, of the slow variance to the white
+_AROUND = 3  # of their steps, to both sides of the likeliest, in which the exact one is sought
+_SEARCH = {"xatol": 0.05}  # of the logarithm
+_UNLIKELY = 12.0  # log-likelihood: a memory that is less likely by that, near enough, is not looked at exactly
+_SINGLE = 32  # lowest frequencies, each by itself; the others in bands
+_BAND = 1.05  # from one band to the next
 _TINY = 1e-300
 
 
@@ -38,21 +41,30 @@ def noise_log_likelihood(series: Sequence[Series], largest: float) -> float:
 
 
 def _most_likely(series: Sequence[Array], largest: float) -> float:
-    """Over the ratio of both variances, and over the memory."""
+    """Over the ratio of both variances, and over the memory; where the grid says that they may be the likeliest."""
     values, lengths = np.concatenate(series), [len(v) for v in series]
     ends = np.cumsum(lengths) - 1
     found = [float(_log_likelihood(len(values), float(values @ values), 0.0, 0.0, largest))]
-    for memory in np.geomspace(1.0, max(lengths), _MEMORIES).tolist():
+    grid = _likelihoods(series, largest)[:, 1:]
+    for memory, near in zip(_memories(max(lengths)), grid, strict=True):
+        if near.max() < grid.max() - _UNLIKELY:
+            continue
 
         def cost(log_ratio: float, memory: float = memory) -> float:
             ratio = float(np.exp(log_ratio))
             form = _form(values, ends, ratio, memory)
             return -float(_log_likelihood(len(values), *form, ratio, largest))
 
+        likeliest = int(near.argmax())
+        bounds = _RATIOS[[max(likeliest - _AROUND, 0), min(likeliest + _AROUND, len(_RATIOS) - 1)]]
         found.append(
-            -float(minimize_scalar(cost, bounds=_RATIOS, method="bounded", options=_SEARCH).fun)
+            -float(minimize_scalar(cost, bounds=bounds, method="bounded", options=_SEARCH).fun)
         )
     return max(found)
+
+
+def _memories(longest: int) -> list[float]:
+    return [float(m) for m in np.geomspace(1.0, longest, _MEMORIES)]
 
 
 def _log_likelihood(
@@ -105,13 +117,13 @@ def approximate_log_likelihood(series: Sequence[Series], largest: float) -> floa
     """As ``noise_log_likelihood``, in a hundredth of the time.
 
     In the discrete cosine transform the components of a slow course that is reflected at its ends are independent, each
-    with its part of the spectrum. Ratio and memory are the likeliest of a grid.
+    with its part of the spectrum, which hardly changes within a band. Ratio and memory are the likeliest of a grid.
 
     Args:
-        series: one for each run and signal, none of them long: the grid is kept for each length.
+        series: one for each run and signal.
         largest: mean square that noise may have at most.
     """
-    return sum(_most_likely_of_grid(values, largest) for values in _by_signal(series))
+    return sum(float(_likelihoods(values, largest).max()) for values in _by_signal(series))
 
 
 def _by_signal(series: Sequence[Series]) -> list[list[Array]]:
@@ -122,26 +134,32 @@ def _by_signal(series: Sequence[Series]) -> list[list[Array]]:
     return [*of_signal.values()]
 
 
-def _most_likely_of_grid(series: Sequence[Array], largest: float) -> float:
+def _likelihoods(series: Sequence[Array], largest: float) -> Array:
+    """(memories, 1 + ratios) of the series of a signal, the first of each memory without a slow course."""
     longest, samples = max(map(len, series)), sum(map(len, series))
     squares, determinants = np.zeros(1), np.zeros(1)
     for values in series:
-        inverse, determinant = _spectra(len(values), longest)
-        squares = squares + inverse @ dct(values, norm="ortho") ** 2
+        first, inverse, determinant = _spectra(len(values), longest)
+        squares = squares + inverse @ np.add.reduceat(dct(values, norm="ortho") ** 2, first)
         determinants = determinants + determinant
-    ratios = np.tile(_grid_of_ratios(), _MEMORIES)
-    return float(_log_likelihood(samples, squares, determinants, ratios, largest).max())
-
-
-def _grid_of_ratios() -> Array:
-    return np.append(0.0, np.exp(np.linspace(*_RATIOS, _GRID)))
+    ratios = np.tile(np.append(0.0, np.exp(_RATIOS)), _MEMORIES)
+    every = _log_likelihood(samples, squares, determinants, ratios, largest)
+    return every.reshape(_MEMORIES, -1)
 
 
 @lru_cache(maxsize=128)
-def _spectra(samples: int, longest: int) -> tuple[Array, Array]:
-    """Of white noise with slow courses of a grid: (g, samples) one over the spectrum, and (g,) the log-determinant."""
-    left = np.exp(-1.0 / np.geomspace(1.0, longest, _MEMORIES))[:, None, None]
-    frequency = np.pi * np.arange(samples) / samples
+def _spectra(samples: int, longest: int) -> tuple[NDArray[np.int_], Array, Array]:
+    """Of white noise with slow courses of a grid, in bands of frequency.
+
+    Returns:
+        where each band begins (b,), one over the spectra there (g, b), and the log-determinants (g,).
+    """
+    beyond = _SINGLE * _BAND ** np.arange(max(np.log(samples / _SINGLE) / np.log(_BAND), 0.0))
+    first = np.unique(np.append(np.arange(min(_SINGLE, samples)), beyond.astype(int)))
+    wide = np.diff(np.append(first, samples))
+    frequency = np.pi * (first + (wide - 1) / 2) / samples
+    left = np.exp(-1.0 / np.array(_memories(longest)))[:, None, None]
     slow = (1 - left**2) / (1 - 2 * left * np.cos(frequency) + left**2)
-    spectrum = (1 + _grid_of_ratios()[:, None] * slow).reshape(-1, samples)
-    return 1 / spectrum, np.log(spectrum).sum(axis=1)
+    ratios = np.append(0.0, np.exp(_RATIOS))[:, None]
+    spectrum = (1 + ratios * slow).reshape(-1, len(first))
+    return first, 1 / spectrum, np.log(spectrum) @ wide

@@ -7,7 +7,7 @@ import pytest
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import Series, approximate_log_likelihood, noise_log_likelihood
-from pam_cosim.comparison.coloured_noise import _form
+from pam_cosim.comparison.coloured_noise import _form, _log_likelihood, _memories
 
 ANY = 1e9  # noise of any size
 
@@ -93,6 +93,29 @@ def test_the_quick_likelihood_is_near_the_exact_one(
     exact, quick = (f(series, largest) for f in (noise_log_likelihood, approximate_log_likelihood))
     assert quick == pytest.approx(exact, abs=3.0)
     assert approximate_log_likelihood([], largest) == 0.0
+
+
+@pytest.mark.parametrize("largest", [1e9, 1.3])
+@pytest.mark.parametrize("course", ["white", "drift", "wave", "ramp", "jumps"])
+def test_memories_and_ratios_that_the_grid_passes_over_are_no_likelier(
+    course: str, largest: float
+) -> None:
+    rng, time = np.random.default_rng(6), np.linspace(0.0, 1.0, 700)
+    own = {
+        "white": 0.0 * time,
+        "drift": 0.4 * _slow(rng, 700, 60.0),
+        "wave": 0.5 * np.sin(20.0 * time),
+        "ramp": time,
+        "jumps": 0.4 * np.sign(np.sin(60.0 * time)),
+    }
+    values = own[course] + rng.standard_normal(700)
+    every = [
+        _log_likelihood(700, *_form(values, np.array([699]), ratio, memory), ratio, largest)
+        for memory in _memories(700)
+        for ratio in np.geomspace(1e-3, 1e3, 120).tolist()
+    ]
+    found = noise_log_likelihood([Series.plain(values)], largest)
+    assert found >= max(map(float, every)) - 0.1
 
 
 def test_noise_is_no_larger_than_it_may_be() -> None:
