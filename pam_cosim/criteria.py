@@ -325,7 +325,7 @@ class WhereCriteria:
     """Which rules say where the error sits."""
 
     bands: int = decides(4, "1", "bands of each output: coarse enough to be remembered")
-    least_time_share: float = decides(0.02, "of samples", "rules about less say what happened once")
+    least_samples: int = decides(2, "samples", "that a rule is about: one may be off by chance")
     least_value: float = decides(
         0.02, "1", "share of the error times what it exceeds the time share by; less is chance"
     )

@@ -112,9 +112,10 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
     for _ in range(CRITERIA.where.rules_per_signal):
         best: tuple[float, str, Mask] | None = None
         for text, mask in candidates:
-            time_share = float(mask.sum()) / count
-            if time_share < min(CRITERIA.where.least_time_share, 2 / count):
+            own = int(mask.sum())
+            if own < CRITERIA.where.least_samples:
                 continue
+            time_share = own / count
             gain = float(left[mask].sum()) / total
             value = gain * (gain - time_share)
             if gain > time_share and (best is None or value > best[0]):

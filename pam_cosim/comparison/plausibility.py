@@ -372,6 +372,8 @@ def _alike(
     both = {name: np.concatenate([v, b.run.inputs[name]]) for name, v in a.run.inputs.items()}
     span = {name: max(float(np.ptp(v)), 1e-300) for name, v in both.items()}
     samples, places = [], []
+    if min(len(a.run.time), len(b.run.time)) < few:
+        return None
     for r in (a, b):
         at = np.arange(0, len(r.run.time), math.ceil(len(r.run.time) / CRITERIA.doubts.most))
         where = _places(r, span)[at]

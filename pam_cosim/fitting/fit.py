@@ -80,11 +80,17 @@ class Fit(Printed):
         """``residuals``, those of held-out runs but for what the parameters' uncertainty explains of them."""
         if not self.holdout_uncertainty.shifts:
             return self.residuals
-        by_role = statistics_by_role(self.comparison, self.holdout_uncertainty.shifts)
-        held = replace(
-            by_role["holdout"], chi2=by_role["holdout"].chi2 + self.holdout_uncertainty.cost
-        )
+        held = statistics_of(self.comparison, "holdout", self.holdout_uncertainty.shifts)
+        held = replace(held, chi2=held.chi2 + self.holdout_uncertainty.cost)
         return {**self.residuals, "holdout": held}
+
+    def without_linear(self) -> Fit:
+        """The same without the linear model; what was reckoned of the residuals stays with it."""
+        bare = replace(self, linear=None)
+        for name in ("residuals_beyond_uncertainty", "_noise_deviances"):
+            if name in vars(self):
+                vars(bare)[name] = vars(self)[name]
+        return bare
 
     @property
     def values(self) -> dict[str, float]:
@@ -244,7 +250,7 @@ def fit(
         objective, end.z, options.second_look
     )
     values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
-    comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
+    comparison = compare(simulator, data, values, options.tolerance)
     by_role = statistics_by_role(comparison)
     spread = spread_of(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)
@@ -312,20 +318,23 @@ def profile(
     return profiles(objective, fit.values, spread_of(fit.residuals["fit"]), fit.model)
 
 
-def statistics_by_role(
-    comparison: Comparison, shifts: Mapping[tuple[str, str], Array] | None = None
-) -> dict[str, ResidualStatistics]:
-    """What the residuals of a comparison are like, per role ("fit", "holdout").
+def statistics_by_role(comparison: Comparison) -> dict[str, ResidualStatistics]:
+    """What the residuals of a comparison are like, per role ("fit", "holdout")."""
+    return {role: statistics_of(comparison, role) for role in ROLES}
+
+
+def statistics_of(
+    comparison: Comparison, role: str, shifts: Mapping[tuple[str, str], Array] | None = None
+) -> ResidualStatistics:
+    """What the residuals of the runs with one role are like.
 
     Args:
         comparison: of a model.
+        role: of the runs.
         shifts: (n,) what is added to the weighted residuals, by run and signal.
     """
-    by_role: dict[str, ResidualStatistics] = {}
-    for role in ROLES:
-        runs = [r for r in comparison.runs if r.run.role == role]
-        by_role[role] = residual_statistics(series_of(runs, comparison.data.signals, shifts))
-    return by_role
+    runs = [r for r in comparison.runs if r.run.role == role]
+    return residual_statistics(series_of(runs, comparison.data.signals, shifts))
 
 
 def spread_of(s: ResidualStatistics) -> float:

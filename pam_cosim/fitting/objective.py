@@ -120,7 +120,7 @@ class Objective:
         self.size = int(self.ends[-1])
         squares = [run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series]
         self.samples = sum(squares)
-        self._errors: dict[str, float] = {}
+        self._latest_runs: Sequence[RunComparison] = ()
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -338,6 +338,7 @@ class Objective:
             parts.append(left)
         if starts:
             self._starts_at[z.tobytes()] = self._starts_now()
+        self._latest_runs = runs
         return runs, np.concatenate(parts) if parts else np.zeros(0)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
@@ -393,7 +394,16 @@ class Objective:
 
     def _report(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
-        self.tracker.report(self.evaluations, chi2, lambda: self._errors, lambda: self.values(z))
+        self.tracker.report(self.evaluations, chi2, self._rms_errors, lambda: self.values(z))
+
+    def _rms_errors(self) -> dict[str, float]:
+        """Of each fitted signal [SI], over all runs as they were simulated last."""
+        squares = defaultdict[str, list[Array]](list)
+        for run, names in zip(self._latest_runs, self._signals, strict=False):
+            for name in names:
+                error = run.residual(name)[np.isfinite(run.run.measurements[name])]
+                squares[name].append(error**2)
+        return {name: float(np.sqrt(np.mean(np.concatenate(e)))) for name, e in squares.items()}
 
     def cost(self, z: Array) -> float:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
@@ -438,7 +448,8 @@ class Objective:
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
         """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            return self._weighted(self._simulate(z, self._signals, chosen), chosen)
+            self._latest_runs = self._simulate(z, self._signals, chosen)
+            return self._weighted(self._latest_runs, chosen)
         except SimulationFailure as failure:
             self._note_failure(failure)
             return np.full(sum(self.ends[i + 1] - self.ends[i] for i in chosen), np.inf)
@@ -453,16 +464,12 @@ class Objective:
             self.failures.append(str(failure))
 
     def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
-        parts, errors = [], defaultdict(list)
+        parts = []
         for run, i in zip(runs, chosen, strict=True):
             for name in self._signals[i]:
                 kept = np.isfinite(run.run.measurements[name])
                 error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
-                errors[name].append(error)
                 parts.append(standardized_residuals(error, self.data.signals[name], reading))
-        self._errors = {
-            name: float(np.sqrt(np.mean(np.concatenate(e) ** 2))) for name, e in errors.items()
-        }
         return np.concatenate(parts) if parts else np.zeros(0)
 
     def _by_error(self, run: RunComparison, name: str, kept: NDArray[np.bool_]) -> Array:

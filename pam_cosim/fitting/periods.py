@@ -38,7 +38,7 @@ def with_periods(
         settle=begin.settle,
     )
     from_last = [np.abs(course[n] - course[n][-1]) / sigma for n, sigma in fitted.items()]
-    differing = np.flatnonzero(np.max(from_last, axis=0) > CRITERIA.starts.round)
+    differing = np.flatnonzero(np.max(from_last, axis=0, initial=0.0) > CRITERIA.starts.round)
     count = max(int(differing[-1]) + 1 if differing.size else 0, 1)
     length = format_quantity(period, "s", 4)
     reason = f"{run.name} is periodic: {count} periods of {length} are simulated before it"

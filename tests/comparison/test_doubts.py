@@ -137,6 +137,15 @@ def test_runs_are_not_compared_where_inputs_do_not_say_what_the_model_does() -> 
     assert not [d for d in asked(light, heavy) if d.kind == "contradiction"]
 
 
+def test_a_run_of_one_sample_is_not_compared() -> None:
+    light, heavy = pair(-1.5e4)
+    values = {n: v[:1] for n, v in heavy.run.inputs.items()}
+    seen = {n: v[:1] for n, v in heavy.run.measurements.items()}
+    short = replace(heavy.run, time=heavy.run.time[:1], inputs=values, measurements=seen)
+    one = replace(heavy, run=short, model={n: v[:1] for n, v in heavy.model.items()})
+    assert not [d for d in asked(light, one) if d.kind == "contradiction"]
+
+
 def test_runs_that_differ_in_more_than_one_thing_are_not_compared() -> None:
     light, heavy = pair(-1.5e4)
     other = replace(heavy, run=replace(heavy.run, parameters={"load.m": 5.0, "p_supply": 1.0}))

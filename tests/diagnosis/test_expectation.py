@@ -12,6 +12,8 @@ from pam_cosim.diagnosis.search.expectation import (
     LinearisedNeighbourhood,
     addition,
 )
+from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
+from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.fitting import Linear, bounded_step, reduction_by
 from pam_cosim.measurement import Prior
 from tests.diagnosis.linear_world import ROWS, SHELF, moves, world
@@ -29,7 +31,7 @@ def additions() -> Additions:
         for p in WORLD.probe(BASE, (), [e.name for e in SHELF])
         if p.effect in NAMES
     ]
-    return Additions([a for a in made if a is not None])
+    return Additions([a for a in made if a is not None], ROWS)
 
 
 def reduction(linear: Linear) -> float:
@@ -66,7 +68,7 @@ def test_another_form_of_an_effect_is_expected_to_do_what_the_first_one_does_and
         for p in likely.probe(base, (), [e.name for e in SHELF])
         if p.effect in {"YoungBladder", "OrificeLeak"}
     ]
-    every = Additions([a for a in made if a is not None])
+    every = Additions([a for a in made if a is not None], ROWS)
     (other,) = LinearisedNeighbourhood(
         ("LinearBladder",), one.linear, FAMILY, every
     ).with_another_form
@@ -106,7 +108,7 @@ def test_an_added_effect_is_expected_where_samples_and_prior_balance() -> None:
     prior = {"LinearBladder.strength": Prior(0.0, 0.05)}
     made = addition(BASE.linear, replace(probe, linear=replace(probe.linear, priors=prior)))  # type: ignore[arg-type]
     assert made is not None and BASE.linear is not None
-    (one,) = LinearisedNeighbourhood((), BASE.linear, FAMILY, Additions([made])).with_one
+    (one,) = LinearisedNeighbourhood((), BASE.linear, FAMILY, Additions([made], ROWS)).with_one
     expected, rows = (
         one.within_bounds,
         np.hstack([BASE.linear.slopes, moves("LinearBladder", "fit")]),
@@ -149,3 +151,18 @@ def test_parameters_that_move_no_sample_cost_nothing() -> None:
     )
     costs = [addition(BASE.linear, p).cost for p in (probe, idle)]  # type: ignore[union-attr]
     assert costs[0] == costs[1] == len(own)
+
+
+def test_samples_that_are_set_aside_later_do_not_count_as_what_an_effect_does() -> None:
+    """Effects are probed beside all samples; outliers are seen later, beside a better model."""
+    assert BASE.linear is not None
+    spikes = np.where(np.arange(ROWS) % 100 == 7, 30.0, 0.0)
+    spiked = replace(BASE, linear=replace(BASE.linear, residual=BASE.linear.residual + spikes))
+    ranking = Ranking(WORLD, spiked, {})
+    predicted = PredictedEvidence(ranking)
+    predicted.note_probes(WORLD.probe(spiked, (), sorted(NAMES)))
+    ranking.base = BASE
+    for e in predicted.most_promising(len(NAMES)):
+        taken = BASE.residuals["fit"].chi2 - WORLD.fitted(e.effects).residuals["fit"].chi2
+        assert e.within_bounds is not None
+        assert e.within_bounds.reduction == pytest.approx(taken, rel=1e-3)

@@ -10,8 +10,9 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.judgement.evidence import contradicted_by_holdout
 from pam_cosim.diagnosis.search.ranking import Ranking
+from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit
-from tests.diagnosis.linear_world import KNOWN, world
+from tests.diagnosis.linear_world import KNOWN, TREE, world
 from tests.diagnosis.synthetic import fitted
 
 KNOWN_PARAMETERS = {name: len(e.parameters) for name, e in KNOWN.items()}
@@ -234,3 +235,23 @@ def test_values_excuse_no_model_that_leaves_more_in_held_out_runs_than_the_base_
     fit, excused = fitted(1.0, 5.0, STRUCTURE), fitted(1.0, 1.0)
     vars(fit)["residuals_beyond_uncertainty"] = excused.residuals
     assert contradicted_by_holdout(fit, fitted(9.0, base, STRUCTURE)) is expected
+
+
+def test_sets_of_which_an_effect_finds_no_place_are_not_proposed_again() -> None:
+    """One wraps the ruler, another takes its place."""
+    search = Search(
+        TREE, "PneumaticMuscle.Benches.VerticalLoad", tuple(KNOWN.values()), world({}).data
+    )
+    wanted = [FitRequest(("PositionCeiling", "PositionLag"), {})]
+    assert search.fit_briefly(wanted) == [] == search.failed
+    order = Ranking(search, fitted(50.0, score=STRUCTURE), {})
+    assert order.attempted == {frozenset(wanted[0].effects)}
+
+
+def test_a_further_effect_costs_as_much_as_one_that_is_expected() -> None:
+    last = list(KNOWN)[-1]
+    order = _order(_model("OrificeLeak", 1.0, 1))
+    assert order.search.likeliest_first == list(KNOWN)
+    order.search = replace(order.search, expected=frozenset({last}))
+    assert order.search.likeliest_first[0] == last != "OrificeLeak"
+    assert order.cost((last,)) < order.cost((list(KNOWN)[0],))

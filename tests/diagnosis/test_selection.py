@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import time
+from dataclasses import replace
 from itertools import combinations
 from typing import Any
 
@@ -23,6 +24,17 @@ def test_nothing_is_tried_where_nothing_is_missing() -> None:
     nothing = world({})
     selection = select_effects(nothing, nothing.fitted(()))
     assert selection.path == selection.tried == ()
+
+
+@pytest.mark.parametrize("effects", [(), ("OrificeLeak",)])
+def test_what_cannot_be_explained_with_the_effects_there_are_stays(
+    effects: tuple[str, ...],
+) -> None:
+    strange = replace(
+        world({"LinearBladder": 5.0}), available_effects=[KNOWN[name] for name in effects]
+    )
+    selection = select_effects(strange, strange.fitted(()))
+    assert selection.path == () and {c.effects for c in selection.tried} <= {effects}
 
 
 @pytest.mark.parametrize(

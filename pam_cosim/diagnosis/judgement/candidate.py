@@ -69,9 +69,7 @@ class Candidate:
         """The same without the linear model, which only a search needs."""
         if self.fit.linear is None:
             return self
-        return replace(
-            self, fit=replace(self.fit, linear=None), without_priors=without_priors(self.fit)
-        )
+        return replace(self, fit=self.fit.without_linear(), without_priors=without_priors(self.fit))
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""

@@ -217,6 +217,7 @@ class Rows:
         """Pairs of visible families of which one may be taken for the other, the worse way round."""
         own = {p.effect: p.strengths for p in self.probes}
         count = {name: len(strengths.own) for name, strengths in own.items()}
+        spaces = {p.effect: _orthonormal(moves[p.effect]) for p in self.probes}
         worst: dict[frozenset[str], ConfusedPair] = {}
         for family, best in result.families.items():
             if family not in result.visible:
@@ -225,7 +226,7 @@ class Rows:
             for p in self.probes:
                 if p.family == family or p.family not in result.visible:
                     continue
-                left = float(np.linalg.norm(_orthogonal_part(_orthonormal(moves[p.effect]), whole)))
+                left = float(np.linalg.norm(_orthogonal_part(spaces[p.effect], whole)))
                 needed = CRITERIA.evidence.very_strong - price * (
                     count[p.effect] - count[best.effect]
                 )

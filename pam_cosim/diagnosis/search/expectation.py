@@ -17,7 +17,6 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.fitting import Linear, bounded_minimum, prior_rows
 from pam_cosim.measurement import Prior
@@ -66,38 +65,43 @@ class EffectShape:
 
 
 class Additions:
-    """All that effects can add, and how alike that is."""
+    """All that effects can add, and how alike that is.
 
-    def __init__(self, every: Sequence[EffectDirections]) -> None:
+    Args:
+        every: what each can add. rows: m, in which that is reckoned.
+    """
+
+    def __init__(self, every: Sequence[EffectDirections], rows: int) -> None:
         self.every = list(every)
-        self.columns = np.column_stack([a.columns for a in every]) if every else np.zeros((0, 0))
+        self.columns = np.column_stack([np.zeros((rows, 0)), *(a.columns for a in every)])
         ends = np.cumsum([0, *(a.columns.shape[1] for a in every)]).tolist()
         self.at = [np.arange(a, b) for a, b in itertools.pairwise(ends)]
         self.gram = self.columns.T @ self.columns
         shapes = [shape for a in every for shape in a.shapes]
         parts = [np.column_stack([s.slopes, s.whole]) for s in shapes]
-        self.moves = np.column_stack(parts) if parts else np.zeros((0, 0))
+        self.moves = np.column_stack([np.zeros((rows, 0)), *parts])
         self.gram_of_moves = self.moves.T @ self.moves
         begin = np.cumsum([0, *(part.shape[1] for part in parts)]).tolist()
         self.begin = {id(shape): at for shape, at in zip(shapes, begin[:-1], strict=True)}
 
 
 def addition(
-    base: Linear, probe: EffectProbe, fitted: Candidate | None = None
+    probed_beside: Linear, probe: EffectProbe, fitted: tuple[Linear, Linear] | None = None
 ) -> EffectDirections | None:
     """What an effect can add; None where it does not move a sample.
 
-    Its directions are those of its parameters, and of the effect as a whole beside the base model, where it was probed
-    and where a model with this effect alone was fitted.
+    Its directions are those of its parameters, and of the effect as a whole beside a model, where it was probed and
+    where it was fitted.
+
+    Args:
+        probed_beside: the model that it was probed beside, of the samples of then.
+        probe: what it does there.
+        fitted: the base model and that with this effect alone, where it was fitted, of the samples of now.
     """
-    known = [
-        linear
-        for linear in (probe.linear, fitted.fit.linear if fitted else None)
-        if linear is not None
-    ]
-    shapes = tuple(_shape(base, linear, probe.own_parameters) for linear in known)
+    known = [(probed_beside, probe.linear), *([fitted] if fitted else [])]
+    shapes = tuple(_shape(beside, linear, probe.own_parameters) for beside, linear in known)
     columns = [part for shape in shapes for part in (shape.slopes, shape.whole[:, None])]
-    columns += [(base.residual - r)[:, None] for r in probe.further]
+    columns += [(probed_beside.residual - r)[:, None] for r in probe.further]
     basis = _orthonormal(np.column_stack(columns))
     cost = max(len(probe.own_parameters) - len(probe.inactive_parameters), 1)
     return (

@@ -21,7 +21,7 @@ def likest_members(
     """By effect, of each of some families the member that can do the likest to the samples, the likest first.
 
     To first order about the base model, and beyond what its free parameters can do: by the cosine of the angle between
-    the direction in which the effect moves the samples most and all that the member can do.
+    the direction that the effect and its parameters have most in common and all that the member can do.
 
     Args:
         effects: what they are compared with; none is like one that was not looked at, or does nothing.
@@ -47,7 +47,10 @@ def likest_members(
 
 
 def _space(probe: EffectProbe, base: Linear) -> Array:
-    """(m, k) orthonormal, the main one first: how an effect moves the samples and free parameters cannot."""
+    """(m, k) orthonormal, how an effect moves the samples and free parameters cannot.
+
+    The main one first: which most of its parameters, and the effect as a whole, have in common.
+    """
     own = np.isin(probe.linear.names, probe.own_parameters)
     free = np.linalg.qr(probe.linear.slopes[:, ~own])[0]
     range_of = (probe.linear.high - probe.linear.low)[own]

@@ -127,8 +127,9 @@ class PredictedEvidence:
     def __init__(self, ranking: Ranking) -> None:
         self.ranking = ranking
         self._base_probes: list[EffectProbe] = []
+        self._probed_beside_base = ranking.base.linear
         self._probes_beside: dict[tuple[str, ...], dict[str, EffectDirections]] = {}
-        self._base_additions: tuple[tuple[int, ...], Additions] = ((), Additions([]))
+        self._base_additions: tuple[list[Fit | None], Additions] | None = None
         self._merged: dict[tuple[str, ...], tuple[Additions, int, Additions]] = {}
         self._starts: dict[tuple[str, ...], Start] = {}
         self._neighbourhoods: dict[
@@ -139,8 +140,9 @@ class PredictedEvidence:
     # ---- what was looked at -----------------------------------------------------------------------------------
 
     def note_probes(self, probes: Sequence[EffectProbe]) -> None:
-        """Takes note of what effects do beside the base model, of all that were looked at there."""
+        """Takes note of what effects do beside the base model, of all that were looked at there just now."""
         self._base_probes = [p for p in probes if p.effect not in self.ranking.search.undetectable]
+        self._probed_beside_base = self.ranking.base.linear
 
     def note_probes_beside(self, c: Candidate, probes: Sequence[EffectProbe]) -> None:
         """Takes note of what effects do beside another model, besides those that were looked at there before."""
@@ -154,8 +156,8 @@ class PredictedEvidence:
 
     def note_outcomes(self, tried: Sequence[PredictedModel]) -> None:
         """Notes how much of the expected reductions came true."""
-        known = self.ranking.fitted
-        for e in (e for e in tried if not e.exchanged):
+        known, displaced = self.ranking.fitted, self.ranking.search.displaced
+        for e in (e for e in tried if not e.exchanged and e.set_of_effects not in displaced):
             start = known[e.start].fit if e.start else self.ranking.base
             after = known[e.effects].fit if e.effects in known else start
             gained = start.residuals["fit"].chi2 - after.residuals["fit"].chi2
@@ -201,12 +203,11 @@ class PredictedEvidence:
             n: self.ranking.acceptance_thresholds(n, possibly)
             for n in {len(c.effects) for c in brief}
         }
+        hopes = [(self._optimistic_criterion(c, possibly, noise_floor), c) for c in brief]
         promising = [
-            (self._optimistic_criterion(c, possibly, noise_floor), c.effects)
-            for c in brief
-            if self._may_be_accepted(
-                c, thresholds[len(c.effects)], self._optimistic_criterion(c, possibly, noise_floor)
-            )
+            (hope, c.effects)
+            for hope, c in hopes
+            if self._may_be_accepted(c, thresholds[len(c.effects)], hope)
         ]
         return [
             self.ranking.fitted[names] for _, names in sorted(promising)[: CRITERIA.search.together]
@@ -400,16 +401,19 @@ class PredictedEvidence:
 
     def _additions(self) -> Additions:
         """What the effects can add to the base model, as far as probes and fits tell by now."""
-        base = self.ranking.base
-        assert base.linear is not None
-        fitted = [self.ranking.fitted.get((p.effect,)) for p in self._base_probes]
-        key = (id(base), *(id(c.fit) if c else 0 for c in fitted))
-        if key != self._base_additions[0]:
+        base, probed_beside = self.ranking.base, self._probed_beside_base
+        assert base.linear is not None and probed_beside is not None
+        alone = [self.ranking.fitted.get((p.effect,)) for p in self._base_probes]
+        fits = [base, *(c.fit if c else None for c in alone)]
+        known = self._base_additions
+        if known is None or not all(a is b for a, b in zip(known[0], fits, strict=True)):
             made = [
-                addition(base.linear, p, c) for p, c in zip(self._base_probes, fitted, strict=True)
+                addition(probed_beside, p, (base.linear, f.linear) if f and f.linear else None)
+                for p, f in zip(self._base_probes, fits[1:], strict=True)
             ]
-            self._base_additions = (key, Additions([a for a in made if a is not None]))
-        return self._base_additions[1]
+            additions = Additions([a for a in made if a is not None], len(base.linear.residual))
+            self._base_additions = known = (fits, additions)
+        return known[1]
 
     def _neighbourhood(self, effects: tuple[str, ...], linear: Linear) -> LinearisedNeighbourhood:
         """What can be added to a fitted model: as looked at beside it, or else as by itself."""
@@ -417,7 +421,8 @@ class PredictedEvidence:
         if own:
             merged = self._merged.get(effects)
             if merged is None or merged[0] is not additions or merged[1] != len(own):
-                whole = Additions([*({a.effect: a for a in additions.every} | own).values()])
+                every = {a.effect: a for a in additions.every} | own
+                whole = Additions([*every.values()], len(linear.residual))
                 self._merged[effects] = merged = (additions, len(own), whole)
             additions = merged[2]
         known = self._neighbourhoods.get(effects)

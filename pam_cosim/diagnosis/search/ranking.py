@@ -78,9 +78,8 @@ class Ranking:
     @property
     def attempted(self) -> set[frozenset[str]]:
         """The sets of effects that were fitted, or could not be."""
-        return {
-            frozenset(names) for names in (*self.fitted, *(f.effects for f in self.search.failed))
-        }
+        failed = (f.effects for f in self.search.failed)
+        return {frozenset(names) for names in (*self.fitted, *failed, *self.search.displaced)}
 
     def update_scale(self) -> None:
         """Takes note of further fits."""
@@ -260,7 +259,7 @@ class Ranking:
 
     def _with_one_more(self, effects: Collection[str]) -> float:
         """The same with one more effect, of one parameter."""
-        others = (e.name for e in self.search.available_effects if e.name not in effects)
+        others = (name for name in self.search.likeliest_first if name not in effects)
         return self._cost(
             (*effects, next(others, "")), sum(self.search.cost[name] for name in effects) + 1
         )
@@ -270,9 +269,7 @@ class Ranking:
         best = self.best()
         if best is None or self.has_structure(best):
             return False
-        return self._cost(
-            [e.name for e in self.search.available_effects][:count], count
-        ) < self.cost(best.effects)
+        return self._cost(self.search.likeliest_first[:count], count) < self.cost(best.effects)
 
     def acceptance_thresholds(self, count: int, scale: NoiseScale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.

@@ -71,6 +71,7 @@ class Search:
         say: told each step and each result, in a line.
         workers: number of processes; None: the processors at hand.
         failed: trials without a fit so far; this grows.
+        displaced: sets of effects of which one finds no place beside the others; this grows.
         expected: names of effects that are likely.
         undetectable: names of effects that these cannot show, beside whatever else.
         inactive_parameters: by effect, full names of its parameters that no sample depends on; they are not fitted.
@@ -85,6 +86,7 @@ class Search:
     say: Callable[[Message], None] = lambda message: None
     workers: int | None = None
     failed: list[FailedTrial] = field(default_factory=list)
+    displaced: set[frozenset[str]] = field(default_factory=set)
     expected: frozenset[str] = frozenset()
     undetectable: frozenset[str] = frozenset()
     inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
@@ -113,6 +115,11 @@ class Search:
     def model_space(self) -> ModelSpace:
         """What a choice among the effects costs."""
         return ModelSpace(len(self.available_effects), self.expected & self.family.keys())
+
+    @cached_property
+    def likeliest_first(self) -> list[str]:
+        """The effects, those that are expected first."""
+        return sorted(self.family, key=lambda name: name not in self.expected)
 
     @cached_property
     def cost(self) -> dict[str, int]:
@@ -239,7 +246,7 @@ class Search:
 
     def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models from where they stand to the end, on other samples; no line is printed of them."""
-        changes = {"screened_starts": 0, "rules": False, "precision": CRITERIA.search.precision}
+        changes = {"screened_starts": 0, "precision": CRITERIA.search.precision}
         trials = [t.fitted_with(**changes) for t in self._trials(models)]
         results = self.effort.run_tasks(
             run_trial_without_samples, trials, crashed, lambda _: None, self.workers
@@ -268,7 +275,9 @@ class Search:
         trials = []
         for m in models:
             composition = compose_on(self.tree, self.structure, m.effects)
-            if composition is not None:
+            if composition is None:
+                self.displaced.add(frozenset(m.effects))
+            else:
                 trial = Trial(
                     own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files
                 )

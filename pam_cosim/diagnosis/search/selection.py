@@ -458,7 +458,8 @@ class _Models:
             return
         for _ in range(CRITERIA.search.rounds):
             brief = self.predicted.promising_brief_fits()
-            chosen = [p.prediction for p in self.predicted.proposals(count)]
+            needed = not brief or self.search.effort.spent
+            chosen = [p.prediction for p in self.predicted.proposals(count)] if needed else []
             if not (brief or chosen) or self._is_effort_spent(
                 [*(c.effects for c in brief), *(e.effects for e in chosen)]
             ):
