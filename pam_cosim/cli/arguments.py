@@ -187,8 +187,10 @@ def parse_frequencies(text: str) -> list[float]:
     frequency, parts = Variable("frequencies", "Hz"), text.split(":")
     if len(parts) == 1:
         return [value_of(part, frequency) for part in text.split(",")]
-    if len(parts) != 3 or not parts[2].strip().isdecimal() or not 1 <= int(parts[2]) <= MOST_RUNS:
+    if len(parts) != 3 or not parts[2].strip().isdecimal():
         raise InputError(f"'{text}': write FROM:TO:N, such as 0.1:20:16")
+    if not 1 <= int(parts[2]) <= MOST_RUNS:
+        raise InputError(f"'{text}': the number of frequencies is from 1 to {MOST_RUNS}")
     low, high = (value_of(part, frequency) for part in alike(parts[:2], text))
     if not 0 < low <= high:
         raise InputError(f"'{text}': frequencies must be above zero, the lower one first")

@@ -78,12 +78,13 @@ class Library:
 
     def _read_user_package(self, folder: Path) -> list[ClassDefinition]:
         package = _package(folder, signature_of(folder))
-        if package.name in self.top:
-            raise package.source.error(
-                f"a class '{package.name}' exists already: choose another name", package.at
-            )
+        if self._is_taken(package.name):
+            raise _exists(package, package.name)
         self.top[package.name] = package
         return [package]
+
+    def _is_taken(self, name: str) -> bool:
+        return name in self.top or name in names.PREDEFINED
 
     def _read_user_file(self, file: Path) -> list[ClassDefinition]:
         within, classes = parse_source(_read(file))
@@ -102,7 +103,7 @@ class Library:
                 self.inserted[place] = node
             elif node.name in self.top and _is_copy(node, self.top[node.name]):
                 continue
-            elif node.name in self.top:
+            elif self._is_taken(node.name):
                 raise _exists(node, node.name)
             else:
                 self.top[node.name] = node

@@ -6,6 +6,20 @@ import re
 
 from pam_cosim.compiler.lexer import KEYWORDS
 
+PREDEFINED = frozenset(
+    [
+        "Real",
+        "Integer",
+        "Boolean",
+        "String",
+        "Clock",
+        "ExternalObject",
+        "StateSelect",
+        "AssertionLevel",
+        "Connections",
+    ]
+)
+"""Types that the language has, which no class may take the name of (Modelica 3.6, sections 4.9 and 9.4)."""
 _PART = re.compile(r"(?:'(?:[^'\\]|\\.)*'|[^.'])+", re.DOTALL)
 _PLAIN = re.compile(r"[A-Za-z_][A-Za-z_0-9]*", re.ASCII)
 

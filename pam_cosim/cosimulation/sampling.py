@@ -29,7 +29,7 @@ def sampled(
     where = f"controller '{name}' ({one.model})"
     try:
         answer: Any = one(time, **inputs)
-    except Exception as error:  # whatever a user's function raises
+    except (Exception, SystemExit) as error:  # whatever a user's function raises
         place = traceback.extract_tb(error.__traceback__)[-1]
         what = f"{type(error).__name__}: {error}" if str(error) else type(error).__name__
         at = f"at {time:.6g} s, in line {place.lineno} of {place.filename}"

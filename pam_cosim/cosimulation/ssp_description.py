@@ -52,7 +52,12 @@ def description_of(entries: SspEntries) -> Description:
     description = Description(_plain(root.get("name")))
     if experiment is not None and experiment.get("stopTime"):
         begin, end = float(experiment.get("startTime") or 0.0), float(experiment.get("stopTime"))
-        description.stop_time = end - begin if math.isfinite(end - begin) and end > begin else None
+        if not (math.isfinite(end - begin) and end > begin):
+            raise InputError(
+                f"{DESCRIPTION}: stopTime {end:g} s is no time after the start, {begin:g} s",
+                entries.file,
+            )
+        description.stop_time = end - begin
     _system(entries, system, (), description)
     if not description.sources:
         raise InputError("the system has no components", entries.file)

@@ -103,6 +103,8 @@ def _stop_time(content: dict[str, Any], wrong: Any) -> float | None:
     if value is None:
         return None
     try:
+        if isinstance(value, bool):
+            raise TypeError(f"{value} is no time")
         time = seconds(value)
     except (UnitError, TypeError) as problem:
         raise wrong(f"stop_time: {problem}", "stop_time") from None

@@ -29,6 +29,12 @@ from pam_cosim.wording import shown
 _C = CRITERIA.recognition
 
 _SHARES = ("command", "ratio")  # need no unit: what is written there, such as on/off, is none
+_SCALES = {
+    "contraction": ("x", "0.02 mm"),
+    "force": ("F", "0.1 N"),
+    "pressure": ("p", "0.1 kPa"),
+}
+"""By kind, how a column in counts may be scaled: a name and the size of a count."""
 _MOST = 400  # columns; each is held against each
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
@@ -95,7 +101,9 @@ def _unknown(one: RecordedColumn) -> str:
     left_out = f"or leave it out: --recording 'ignore={one.name}'"
     if not is_count(one.unknown):
         return f"unit {shown(one.unknown)} is unknown; correct it in the file, {left_out}"
-    scaled = f"as in --column 'x={one.name} * \"0.02 mm\"'"
+    assert one.meaning is not None
+    signal, step = _SCALES.get(one.meaning.kind, _SCALES["contraction"])
+    scaled = f"as in --column '{signal}={one.name} * \"{step}\"'"
     return f"how large its {one.unknown} are is not said; scale it, {scaled}, {left_out}"
 
 
@@ -136,7 +144,7 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
         reading.written,
         reading.meaning,
         {i: column.values for i, column in places.items() if np.isfinite(column.values).any()},
-        unknown=first.unit.strip() if reading.unknown else "",
+        unknown=reading.unknown,
         absolute=reading.absolute,
         known=reading.known,
         places=places,

@@ -61,8 +61,16 @@ def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
         still &= ~moving(time, values)
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(int)))
     ends = [Rest(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
-    known = [(values, noise_of(time, values), _C.still * span(values)) for values in columns]
+    known = [
+        (_from_lowest(values), noise_of(time, values), _C.still * span(values))
+        for values in columns
+    ]
     return [level for one in ends for level in _levels(one, known)]
+
+
+def _from_lowest(values: Array) -> Array:
+    """Less the lowest of them: means of many like numbers differ in the last digit, means of noughts do not."""
+    return values - np.nanmin(values) if np.isfinite(values).any() else values
 
 
 def begins_still(time: Array, columns: Sequence[Array]) -> bool:

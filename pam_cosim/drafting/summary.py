@@ -20,12 +20,13 @@ from pam_cosim.drafting.mapped import ColumnEntry, Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.rest import begins_still
 from pam_cosim.drafting.vocabulary import Meaning
+from pam_cosim.drafting.zeros import ABSOLUTE_GAUGE
 from pam_cosim.measurement import DataSet
 from pam_cosim.measurement.pieces import PAUSES
 from pam_cosim.measurement.recording import LEFT_OUT
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, shown
 
 _FEWEST_ROWS = 2  # that a recording may have
 
@@ -184,6 +185,7 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
             *_freely_moving(made, choice),
             *_never_at_rest(made, mapped),
             *_unfed_inputs(made),
+            *_absolute_supply(made),
             *_unknown_directions(made),
             *_nothing_held_out(made),
             *_moving_starts(made, mapped),
@@ -212,6 +214,20 @@ def _unfed_inputs(made: Draft) -> Iterator[str]:
         if name not in made.stated:
             hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
             yield f"no column was recognised as the input {name}: {hint}"
+
+
+def _absolute_supply(made: Draft) -> Iterator[str]:
+    """A supply, which never rests at the ambient pressure, beside a pressure that was found to be absolute."""
+    absolute = [e.name for e in made.entries.values() if any(ABSOLUTE_GAUGE in w for w in e.why)]
+    variables = {**made.interface.inputs, **made.interface.outputs}
+    supply = Meaning("pressure", frozenset({"supply"}))
+    for name, entry in made.entries.items():
+        if absolute and name in variables and meaning_of(variables[name]) == supply:
+            column = entry.column or name
+            yield (
+                f"{listed(absolute)} is of an absolute gauge: if {name} is too, take the ambient pressure off under "
+                f'[columns], as in {name} = {{ column = {shown(column)}, offset = "-1.013 bar" }}'
+            )
 
 
 def _freely_moving(made: Draft, choice: BenchChoice) -> Iterator[str]:

@@ -17,8 +17,10 @@ from pam_cosim.drafting.words import (
     ABSOLUTE,
     ANY_PRESSURE,
     ATMOSPHERE,
+    COUNTS,
     DIRECTIONS,
     KINDS,
+    MEASURED_IN_COUNTS,
     NO_LOAD,
     OF_VALVES,
     ROLES,
@@ -58,7 +60,7 @@ class Heading:
         meaning: None where no word is known.
         unit: as pint reads it; "" where none is written.
         written: the unit as it stands in the file's place for units is ``unit``.
-        unknown: a unit is written that nobody knows.
+        unknown: the unit that is written, where nobody knows how large it is; else "".
         absolute: it says that the pressure is absolute.
         known: how many of its words are known, of all: the larger share names it better.
     """
@@ -66,7 +68,7 @@ class Heading:
     meaning: Meaning | None
     unit: str
     written: bool
-    unknown: bool = False
+    unknown: str = ""
     absolute: bool = False
     known: float = 0.0
 
@@ -81,13 +83,16 @@ def read_heading(name: str, unit: str) -> Heading:
     """What a column is, by its name and unit."""
     stated = "" if is_count(unit) else known_unit(unit)
     absolute = _says_absolute(unit, name)
-    if not unit.strip():
+    written_unit = unit.strip()
+    if not written_unit:
         stated, name = _unit_in_name(name)
+        if is_count(stated):
+            stated, written_unit = "", stated
     small = [folded(word) for word in split_words(name)]
     meaning = _meaning(small, stated)
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
-    unknown = not stated and not is_dimensionless(unit)
+    unknown = "" if stated or is_dimensionless(written_unit) else written_unit
     written = bool(stated) and stated == unit.strip()
     return Heading(meaning, stated, written, unknown, absolute, share)
 
@@ -149,8 +154,8 @@ def known_unit(unit: str) -> str:
 
 
 def is_count(unit: str) -> bool:
-    """Whether a unit counts steps of a converter, of which nobody but the lab knows how large they are."""
-    return folded(unit.strip()) in ("count", "counts", "bit", "bits", "digit", "digits", "lsb")
+    """Whether a unit is one of a converter, a camera or a bridge, of which only the lab knows how large it is."""
+    return folded(unit.strip()) in COUNTS
 
 
 @lru_cache(maxsize=4096)
@@ -200,10 +205,12 @@ def _unit_in_name(name: str) -> tuple[str, str]:
 
 def _unit_beside(part: str, rest: Sequence[str]) -> str:
     """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
-    unit = known_unit(part)
+    unit, said = known_unit(part), _kinds_in([folded(w) for one in rest for w in split_words(one)])
+    if is_count(part):
+        return part if MEASURED_IN_COUNTS.intersection(said) else ""
     if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
         return ""
-    kinds = set(_kinds_in([folded(word) for one in rest for word in split_words(one)]))
+    kinds = set(said)
     if not unit or (_is_role(part, rest) and "length" not in kinds):
         return ""
     among = {kind for kind in UNITS if fits(unit, kind)}

@@ -55,6 +55,24 @@ ROLES = {
     "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor =amb =tamb =pamb =patm =atm =umg "
     "=baro barometer barometr",
 }
+COUNTS = frozenset(
+    [
+        "count",
+        "counts",
+        "bit",
+        "bits",
+        "digit",
+        "digits",
+        "lsb",
+        "px",
+        "pix",
+        "pixel",
+        "pixels",
+        "mv/v",
+    ]
+)
+"""Units, folded, that a converter, a camera or a bridge of strain gauges gives."""
+MEASURED_IN_COUNTS = frozenset(("pressure", "force", "contraction", "length"))
 ATMOSPHERE = "atm"
 ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
 """Words, folded, for no pressure in particular: behind one of them "atm" says which, behind others it is a unit."""

@@ -18,6 +18,8 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
 
 _C = CRITERIA.recognition
+SET_PRESSURE = Meaning("pressure", frozenset({"set"}))
+ABSOLUTE_GAUGE = "as a gauge of absolute pressure does"
 
 
 def with_zero(
@@ -38,6 +40,9 @@ def with_zero(
     reason = ""
     if meaning.kind == "pressure" and not meaning.roles:
         reason = _reason_of_gauge(begin)
+    elif meaning == SET_PRESSURE:
+        absolute = begin.absolute and _is_measured_absolute(interface, courses)
+        reason = f"it begins with {{reading}}, {ABSOLUTE_GAUGE}" if absolute else ""
     elif name in choice.outputs and begin.far and _unloaded(courses, pressure, having):
         reason = _reason_of_unloaded(meaning, begin)
     if not reason:
@@ -51,8 +56,16 @@ def with_zero(
 def _reason_of_gauge(begin: _Begin) -> str:
     """Why the pressure of a muscle or a tank gets a zero; "" where it needs none."""
     if begin.absolute:
-        return "it begins with {reading}, as a gauge of absolute pressure does"
+        return f"it begins with {{reading}}, {ABSOLUTE_GAUGE}"
     return "it begins at rest with {reading}" if begin.far and begin.slight else ""
+
+
+def _is_measured_absolute(interface: Interface, courses: Sequence[MappedRecording]) -> bool:
+    """Whether the pressure of a muscle begins with that of the atmosphere in all recordings that have it."""
+    variables = {**interface.inputs, **interface.outputs}
+    measured = [n for n, v in variables.items() if meaning_of(v) == Meaning("pressure")]
+    having = {n: [c for c in courses if n in c.every and c.first_rest] for n in measured}
+    return any(_begin(name, own).absolute for name, own in having.items() if own)
 
 
 def _reason_of_unloaded(meaning: Meaning, begin: _Begin) -> str:

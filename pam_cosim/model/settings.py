@@ -61,7 +61,7 @@ def size_of(what: str, value: Setting, variable: Variable) -> float:
     """
     size = _finite(value, variable, difference=True)
     if not size > 0:
-        raise InputError(f"{what} must be above zero, not {size:g}")
+        raise InputError(f"{what} must be above zero, not {size:g} {variable.unit}")
     return size
 
 

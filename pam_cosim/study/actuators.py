@@ -173,15 +173,20 @@ def actuator(
         SimulationFailure: there is no equilibrium.
     """
     interface = describe(model, files)
-    for name, known in zip(
+    inputs, outputs = interface.inputs, interface.outputs
+    for name, known, what, unit in zip(
         (*names, length),
-        (interface.inputs, interface.inputs, interface.outputs, interface.parameters),
+        (inputs, inputs, outputs, interface.parameters),
+        ("pressure", "contraction", "force", "length"),
+        ("Pa", "m", "N", "m"),
         strict=True,
     ):
         if name not in known:
             raise InputError(
                 f"{model} has no '{name}' for an actuator; {did_you_mean(name, list(known))}"
             )
+        if known[name].unit != unit:
+            raise InputError(f"'{name}' is no {what}: its unit is {known[name].unit}")
     values = resolve(parameters or {}, interface)
     spans = [
         (value_of(low, interface.inputs[name]), value_of(high, interface.inputs[name]))
@@ -192,6 +197,9 @@ def actuator(
     rest = values.get(length, interface.parameters[length].start)
     if rest is None:
         raise InputError(f"{model} has no value of '{length}': state one")
+    if spans[1][1] >= rest:
+        contracted, whole = (format_quantity(one, "m") for one in (spans[1][1], rest))
+        raise InputError(f"a contraction of {contracted} is not within {length}, {whole}")
     p, x = (
         one.ravel() for one in np.meshgrid(*(np.linspace(low, high, GRID) for low, high in spans))
     )

@@ -177,7 +177,7 @@ def compose_fitted(
     stray = next((n for n in values if n not in known), None)
     if stray is not None:
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
-    if made.name in tree.classes:
+    if made.name in tree.classes or made.name in names.PREDEFINED:
         raise InputError(f"there is a class {made.name} already: choose another name")
     if beside:
         made = replace(made, text=f"{beside.rstrip()}\n\n{made.text}")

@@ -8,8 +8,9 @@ from pathlib import Path
 from pam_cosim.catalogue import BenchPart, EffectClass, compose_bench, effect_classes
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.compiler import read_library
+from pam_cosim.compiler import names, read_library
 from pam_cosim.compiler.names import last
+from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.simulation.models import Paths, as_paths
 
@@ -60,10 +61,10 @@ def bench(
         InputError: an unknown part or signal, a signal that is imposed, or parts that do not fit together.
         ModelError: a part is not what its interface asks for.
     """
-    name = Path(output).stem if output else None
-    rig = compose_bench(
-        read_library(files=as_paths(files)), pneumatics, mechanics, muscle, measure, name, static
-    )
+    name, tree = Path(output).stem if output else None, read_library(files=as_paths(files))
+    if name in names.PREDEFINED:
+        raise InputError(f"there is a class {name} already: choose another name")
+    rig = compose_bench(tree, pneumatics, mechanics, muscle, measure, name, static)
     if output:
         write_text(Path(output), rig.text)
     return rig.text

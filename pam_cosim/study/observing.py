@@ -23,6 +23,8 @@ from pam_cosim.study.dynamics import conditions_of, exchange, state_names
 from pam_cosim.study.recorded_start import recorded_start
 from pam_cosim.wording import did_you_mean
 
+_NOTHING = 1e-100  # of which the square still is a number
+
 
 def observe(
     model: str,
@@ -83,6 +85,7 @@ def observe(
         _deviations(spread or {}, face, state_names(known.path)),
         conditions_of(start or {}, face),
     )
+    _check_noise(belief.noise, read[2], face)
     samples = RecordedSamples(*read, held=interpolation == "previous")
     settings = resolve(parameters or {}, face)
     begins = ""
@@ -111,11 +114,29 @@ def _recorded(
         raise InputError(
             "nothing is measured: give the noise of each signal that is, such as p: 0.5 kPa"
         )
-    for name in noise:
-        if name not in columns:
-            raise InputError(f"the recording has no column '{name}'; {did_you_mean(name, columns)}")
     inputs = {name: np.asarray(v) for name, v in columns.items() if name in face.inputs}
-    return time, inputs, {name: np.asarray(columns[name]) for name in noise}
+    readings = {name: np.asarray(v) for name, v in columns.items() if name not in inputs}
+    for name in noise:
+        if name in inputs:
+            raise InputError(f"'{name}' is an input, which is taken as recorded: it has no noise")
+        if name not in readings:
+            raise InputError(
+                f"the recording has no column '{name}'; {did_you_mean(name, readings)}"
+            )
+        if not np.any(np.isfinite(readings[name])):
+            raise InputError(f"the recording has no sample of '{name}'")
+    return time, inputs, {name: readings[name] for name in noise}
+
+
+def _check_noise(noise: Mapping[str, float], read: Mapping[str, Array], face: Interface) -> None:
+    """Noise below the last digit of a sample is none; the filter would divide by nothing."""
+    for name, deviation in noise.items():
+        largest = float(np.nanmax(np.abs(read[name])))
+        if deviation < max(np.finfo(float).eps * largest, _NOTHING):
+            unit = (face.outputs | face.locals)[name].unit
+            raise InputError(
+                f"{name}: a standard deviation of {deviation:g} {unit} is below the last digit of its samples"
+            )
 
 
 def _deviations(

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
@@ -13,6 +14,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.exports import table_text
 from pam_cosim.files import check_writable, read_json, write_text
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
+from pam_cosim.wording import shown
 
 
 def _headed(name: str, unit: str) -> str:
@@ -121,6 +123,10 @@ def read_comparison(path: Path) -> dict[str, Any]:
     signals = content.get("signals") if isinstance(content, dict) else None
     if not isinstance(signals, dict) or not all(isinstance(s, dict) for s in signals.values()):
         raise InputError("is not a result of 'pam-cosim compare --json'", path)
+    for name, own in signals.items():
+        rmse = own.get("rmse")
+        if isinstance(rmse, bool) or not isinstance(rmse, (int, float)) or not 0 <= rmse < math.inf:
+            raise InputError(f"signals.{name}.rmse is {shown(rmse)}, no error", path)
     comparison: dict[str, Any] = content
     return comparison
 
@@ -132,8 +138,8 @@ def against_lines(
     lines = []
     for name, content in earlier:
         for signal, score in comparison.scores["all"].items():
-            before = content["signals"].get(signal, {}).get("rmse")
-            if isinstance(before, (int, float)) and before > 0:
+            before = content["signals"].get(signal, {}).get("rmse", 0.0)
+            if before > 0:
                 unit = comparison.data.signals[signal].unit
                 change = 100 * (score.rmse / before - 1)
                 lines.append(

@@ -10,6 +10,7 @@ import numpy as np
 from pam_cosim.analysis.tracking import Tracking
 from pam_cosim.arrays import Array
 from pam_cosim.cosimulation import Controller
+from pam_cosim.cosimulation.system import MOST_STEPS
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Setting, size_of, value_of
@@ -70,6 +71,7 @@ def track(
     middle, swing = _sizes(face, output, mean, amplitude)
     made = [controller() if callable(controller) else controller for _ in chosen]
     interval = _interval(made[0], rate)
+    _check_steps(lead + periods / float(chosen.min()), interval, periods)
     joined, acting = _connections(face, _face(made[0], files), output)
     rows = []
     for i, (frequency, one) in enumerate(zip(chosen, made, strict=True)):
@@ -122,8 +124,18 @@ def _check_times(frequencies: Array, rate: float, lead: float, periods: int) -> 
         or not rate > 0
     ):
         raise InputError("frequencies and the rate must be above zero")
-    if periods < 2 or not lead > 0:
-        raise InputError("two periods at least are compared, after a lead above zero")
+    if periods < 2 or not 0 < lead < np.inf:
+        raise InputError(
+            f"two periods at least are compared, after a finite lead above zero; not {periods} after {lead:g} s"
+        )
+
+
+def _check_steps(length: float, interval: float, periods: int) -> None:
+    """Refuses what nobody waits for, before there is a course of it."""
+    if max(length / interval, periods * SAMPLES) > MOST_STEPS:
+        raise InputError(
+            f"a run has {MOST_STEPS} steps at most; {periods} periods take {length:g} s in steps of {interval:g} s"
+        )
 
 
 def _sizes(plant: Interface, output: str, mean: Setting, amplitude: Setting) -> tuple[float, float]:

@@ -163,6 +163,9 @@ def test_missing_samples_and_a_file(
         ({"noise": {"q": 1}}, "no column 'q'"),
         ({"noise": {"x": "1 kg"}}, "x=1 kg"),
         ({"noise": {"x": 0}}, "a standard deviation must be above zero"),
+        ({"noise": {"x": 1e-160}}, "below the last digit of its samples"),
+        ({"noise": {"u_in": 0.1}}, "'u_in' is an input"),
+        ({"noise": {"p": 1}}, "no sample of 'p'"),
         ({"unknown": {"F": (1, 1)}}, "no input 'F'"),
         ({"unknown": {"u_in": (1, 1)}}, "'u_in' is recorded and unknown"),
         ({"drift": {"p": 1}}, "no state 'p'"),
@@ -173,7 +176,8 @@ def test_missing_samples_and_a_file(
 )
 def test_bad_input(words: dict, message: str) -> None:
     time = np.array([0, 0.1])
-    recording = pam.Trajectory(time, {"u_in": 0 * time, "x": 0 * time}, {"u_in": "A", "x": "m"})
+    values = {"u_in": 0 * time, "x": 0 * time, "p": np.nan * time}
+    recording = pam.Trajectory(time, values, {"u_in": "A", "x": "m", "p": "Pa"})
     with pytest.raises(pam.InputError, match=message):
         pam.observe(MODEL, recording, **({"noise": {"x": 1e-3}} | words))
 

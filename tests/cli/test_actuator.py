@@ -96,6 +96,11 @@ def test_mujoco_pulls_as_it_should(muscle: Actuator, tmp_path: Path) -> None:
         (("--pressure", "p=3 bar:1 bar"), "begin below its end"),
         (("--contraction", "x=100 mm:120 mm"), "pulls at"),
         (("--pressure", "p=1 bar"), "FROM:TO"),
+        (("--pressure", "x=0 mm:5 mm", "--contraction", "p=0 bar:1 bar"), "'x' is no pressure"),
+        (("--length", "ambient.T"), "'ambient.T' is no length"),
+        (("--contraction", "x=0 m:5 m"), "not within muscle.L0, 240 mm"),
+        (("--time-constant", "5 kg"), "--time-constant: unit 'kg'"),
+        (("--time-constant", "0"), "--time-constant must be a finite time above zero"),
     ],
 )
 def test_what_cannot_be_used(

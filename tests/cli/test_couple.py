@@ -34,6 +34,10 @@ def lift(time, x):
         raise RuntimeError("the cable is off")
     return 350
 
+@pam.controller(inputs={"x": "mm"}, outputs={"u_in": "mA"}, interval="20 ms")
+def leaves(time, x):
+    raise SystemExit(0)
+
 def plain(time, x):
     return 350
 """
@@ -110,6 +114,14 @@ def test_controller_that_raises_leaves_what_was_reached(command: Run, system: Pa
     assert pam.Trajectory.from_csv(Path("out.csv")).time[-1] == pytest.approx(0.12)
 
 
+def test_controller_that_would_end_the_program_is_one_that_raises(
+    command: Run, system: Path
+) -> None:
+    done = command("couple", "controlled.toml", "--controller", "lift=lift.py:leaves")
+    assert done.status == 2
+    assert "controller 'lift' (leaves) raised SystemExit: 0 at 0 s, in line 11" in done.err
+
+
 def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, place: Path) -> None:
     Path("Limited.mo").write_text(
         'model Limited "Level"\n input Real u(start=1) "u";\n output Real y(start=0, fixed=true) "y";\n'
@@ -133,6 +145,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         (["system.toml", "--method", "jakobi"], "unknown method 'jakobi'; did you mean 'jacobi'"),
         (["system.toml", "--step", "5 kg"], "the step: "),
         (["system.toml", "--tolerance", "-1"], "the tolerance of a step must be larger than zero"),
+        (["system.toml", "--tolerance", "0"], "the tolerance of a step must be larger than zero"),
         (["system.toml", "--set", "muscle.load.mm=5"], "did you mean 'muscle.load.m'"),
         (["system.toml", "--set", "muscle.p=5"], "muscle.p"),
         (["system.toml", "--keep", "muscle.w"], "no variable 'w'"),

@@ -57,6 +57,7 @@ def test_a_compiled_controller_acts_so_often(command: Command, sources: Path) ->
         (["--controller", "law.py:law", "-o", "law.py"], "law.py"),
         (["--controller", "Isotonic"], "no input 'y_wanted'"),
         (["--controller", "law.py:law", "--periods", "1"], "two periods at least"),
+        (["--controller", "law.py:law", "--periods", "1000000000"], "1000000000 periods take"),
     ],
 )
 def test_refused(command: Command, sources: Path, words: list[str], message: str) -> None:

@@ -80,6 +80,15 @@ def test_a_folder_that_is_no_package_and_a_name_that_is_taken(tmp_path: Path) ->
         read_library(files=[package / "Benches"])
 
 
+@pytest.mark.parametrize("name", ["Real", "String", "StateSelect"])
+def test_names_of_the_language_are_taken(tmp_path: Path, name: str) -> None:
+    file = tmp_path / f"{name}.mo"
+    file.write_text(f"\nmodel {name}\n  parameter Integer n = 1;\nend {name};\n")
+    with pytest.raises(ModelError, match=f"a class '{name}' exists already") as raised:
+        read_library(files=[file])
+    assert (raised.value.file, raised.value.line) == (file, 2)
+
+
 def test_two_classes_of_one_name_are_refused_wherever_they_stand(tmp_path: Path) -> None:
     """The last one used to be taken, without a word."""
     (tmp_path / "Two.mo").write_text("model Two\nend Two;\nmodel Two\n  Real x = 1;\nend Two;\n")

@@ -149,6 +149,7 @@ def test_supply_absolute_pressure_and_a_single_switch(tmp_path: Path) -> None:
     assert "zero" in content["columns"]["p"]
     assert float(np.mean(made.data.runs[0].measurements["p"][:300])) == pytest.approx(0.0, abs=50.0)
     assert any("u_out" in line for line in made.to_check)
+    assert any("if p_supply is too, take the ambient" in line for line in made.to_check)
 
 
 def test_runs_that_differ(tmp_path: Path) -> None:

@@ -28,6 +28,13 @@ def test_all_columns_must_rest() -> None:
     assert TIME[rests(TIME, [RAMP, other])[0].stop - 1] < 1.55
 
 
+@pytest.mark.parametrize("value", [0.015, 0.7, 6.1e5])
+def test_what_stays_where_it_is_rests_whatever_its_last_digit(value: float) -> None:
+    """The mean of 39 times 0.015 is not that of 40 times 0.015."""
+    own = RAMP + np.random.default_rng(5).normal(0.0, 0.01, 1000)
+    assert rests(TIME, [own, np.full(1000, value)]) == rests(TIME, [own])
+
+
 def test_nothing_rests() -> None:
     assert rests(TIME, [np.sin(3.0 * TIME) + RNG.normal(0.0, 0.01, 1000)]) == []
 

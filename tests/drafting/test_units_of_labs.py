@@ -114,6 +114,32 @@ def test_counts_want_a_scale(tmp_path: Path) -> None:
     np.testing.assert_allclose(data.runs[0].measurements["x"], CONTRACTION, atol=1e-9)
 
 
+@pytest.mark.parametrize(
+    ("head", "said"),
+    [
+        ("x [px]", "how large its px are is not said; scale it, as in --column 'x=x "),
+        ("length_px", "how large its px are"),
+        ("Force [mV/V]", "how large its mV/V are is not said; scale it, as in --column 'F=Force "),
+    ],
+)
+def test_pixels_and_bridges_want_a_scale(tmp_path: Path, head: str, said: str) -> None:
+    with pytest.raises(InputError, match=said):
+        drafted(tmp_path, f"time [s],p_set [bar],p [bar],{head}", x=lambda x: x / 2e-5)
+
+
+def test_a_set_point_is_absolute_where_the_pressure_is(tmp_path: Path) -> None:
+    time = 0.01 * np.arange(600)
+    p_set = AMBIENT + np.where(time > 2.0, 2e5, 0.0)
+    p = AMBIENT + 2e5 * (1.0 - np.exp(-np.clip(time - 2.0, 0.0, None) / 0.1))
+    noise = np.random.default_rng(3).normal(0.0, 1.0, (2, 600))
+    columns = [time, p_set, p + 100.0 * noise[0], 1e-7 * (p - AMBIENT) + 1e-5 * noise[1]]
+    lines = [",".join(f"{v:.17g}" for v in row) for row in np.column_stack(columns)]
+    (tmp_path / "a.csv").write_text("\n".join(["time [s],p_set [Pa],p [Pa],x [m]", *lines]))
+    run = pam.new(tmp_path / "rig", [tmp_path / "a.csv"]).data.runs[0]
+    assert run.inputs["p_set"][0] == pytest.approx(0.0, abs=1e-6)
+    assert run.inputs["p_set"][-1] == pytest.approx(2e5)
+
+
 @pytest.mark.parametrize("head", ["x [Zoll]", "x's course [INCH]", "length [Zoll]"])
 def test_what_no_formula_can_hold_is_scaled_and_turned(tmp_path: Path, head: str) -> None:
     """A unit or a name that a formula cannot read, of a position that falls where the pressure rises."""

@@ -12,7 +12,7 @@ from tests.hostile.reading import make
 
 RUN = ["simulate", "TankFilling", "--stop-time", "1"]
 SWEEP = ["sweep", "TankFilling", "--stop-time", "1", "--workers", "1", "-o", "s.csv"]
-BODE = ["bode", "TankFilling", "--from", "u_in", "--to", "p", "--frequencies"]
+BODE = ["bode", "TankFilling", "--by", "u_in", "--amplitude", "20 mA", "--frequencies"]
 SETTINGS = (
     "tank.V=5 K", "tank.V=", "=", "tank.V", "tank.V=1e400", "tank.V=nan", "tank.V=1 L/0", "tank.V=1 L;rm",
     "tank.V=__import__('os')", "tank.V=" + "9" * 5000, "tank.V=1 " + "m" * 10_000, "\x1b[31m=1", "u_in=inf",
@@ -56,7 +56,8 @@ ENDLESS = {
             ["compare", "data", "--model", "FILE"], ["add", "LinearBladder", "--to", "FILE", "-o", "x.mo"]],
     ".fmu": [["simulate", "FILE"], ["describe", "FILE"], ["build", "FILE", "-o", "x.fmu"],
              ["compare", "data", "--model", "FILE"]],
-    ".csv": [[*RUN, "--input", "FILE"], ["new", "rig", "FILE"], ["observe", "TankFilling", "FILE"]],
+    ".csv": [[*RUN, "--input", "FILE"], ["new", "rig", "FILE"],
+             ["observe", "TankFilling", "FILE", "--noise", "p=1 kPa"]],
     ".json": [["compare", "data", "--params", "FILE"], ["compare", "data", "--against", "FILE"]],
     ".toml": [["couple", "FILE"]],
 }  # fmt: skip

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import Annotated
 
@@ -10,10 +11,9 @@ import typer
 from pam_cosim import study
 from pam_cosim.cli.arguments import parse_limits, parse_pairs
 from pam_cosim.cli.commands.common import FilesOption, SetOption, check_results, say_written
-from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
 from pam_cosim.study.fitted_model import FittedModel, read_fitted_model
-from pam_cosim.units import seconds
+from pam_cosim.units import UnitError, seconds
 
 
 def actuator(
@@ -53,7 +53,7 @@ def actuator(
     check_results(output, sources=[model, params, *(files or [])])
     spans = parse_limits([pressure, contraction])
     interface = study.describe(model, files or [])
-    follows = None if time_constant is None else checked_time(seconds(time_constant))
+    follows = None if time_constant is None else _time_constant(time_constant)
     stated = study.read(data, files=files or []).parameters if data else {}
     known = {name: value for name, value in stated.items() if name in interface.parameters}
     fitted = read_fitted_model(params) if params else FittedModel("", (), {})
@@ -77,3 +77,13 @@ def actuator(
     if output:
         made.write(output, follows)
     say_written(output)
+
+
+def _time_constant(text: str) -> float:
+    try:
+        value = seconds(text)
+    except UnitError as problem:
+        raise InputError(f"--time-constant: {problem}") from None
+    if not 0 < value < math.inf:
+        raise InputError(f"--time-constant must be a finite time above zero, not {text}")
+    return value

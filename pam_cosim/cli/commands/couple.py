@@ -103,7 +103,7 @@ def couple(
             run = read.simulate(
                 stop_time,
                 step=step,
-                tolerance=tolerance or (_ADAPTIVE if adaptive else None),
+                tolerance=_ADAPTIVE if adaptive and tolerance is None else tolerance,
                 inputs=course,
                 outputs=[*(keep or []), *(formerly or [])],
                 progress=lambda time, stop: progress.update(task, completed=time, total=stop),
