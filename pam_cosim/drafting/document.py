@@ -35,6 +35,7 @@ class Draft:
         points: of tables of points at rest, what each file says of its direction, and values that are held out.
         follows: of what is stated, what is zero because it follows from the rest.
         having: which recordings have the column of a signal, if only empty.
+        beginning_anew: recordings whose time goes back, where another experiment begins.
     """
 
     title: str
@@ -60,6 +61,7 @@ class Draft:
     usual_muscle: bool = False
     points: PointsDraft | None = None
     follows: Sequence[str] = ()
+    beginning_anew: Sequence[int] = ()
 
 
 def document(draft: Draft) -> str:
@@ -275,6 +277,9 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
     if draft.interpolation[i] != "linear":
         yield from _guessed("inputs keep their value until the next sample", "they step and stay")
         yield f'interpolation = "{draft.interpolation[i]}"'
+    if i in draft.beginning_anew:
+        yield from _guessed("another experiment begins there", "the time goes back")
+        yield 'gaps = "split"'
     if draft.points is not None:
         yield from _points(draft.points, i)
     told = draft.told[i]

@@ -160,6 +160,7 @@ def _content(
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
+        beginning_anew=[i for i, c in enumerate(mapped.courses) if np.any(np.diff(c.time) < 0.0)],
         points=drafted(mapped.courses, interface, recorded.files, by_run)
         if recorded.points
         else None,

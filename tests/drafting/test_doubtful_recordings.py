@@ -200,3 +200,20 @@ def test_a_vessel_that_empties_is_not_closed(tmp_path: Path, least: float, bench
     rows: list[list[object]] = [[f"{a:.2f}", f"{b:.4f}"] for a, b in zip(t, p, strict=True)]
     file = write(tmp_path / "a.csv", "time_s,pressure_bar_abs", rows)
     assert pam.new(tmp_path / "rig", [file]).model == f"PneumaticMuscle.Benches.{bench}"
+
+
+def test_a_file_in_which_the_time_begins_anew_holds_several_runs(tmp_path: Path) -> None:
+    """Three experiments one after another, as a logger appends them."""
+    time = 0.01 * np.arange(300)
+    lines = ["Experiment,Time [s],p_set [kPa],p [kPa],x [mm]"]
+    for number, level in enumerate((100.0, 200.0, 300.0)):
+        p_set = np.where(time > 1.0, level, 0.0)
+        p = level * (1.0 - np.exp(-np.clip(time - 1.0, 0.0, None) / 0.1))
+        noise = np.random.default_rng(number).normal(0.0, 0.05, (2, 300))
+        rows = zip(time, p_set, p + noise[0], 0.1 * p + noise[1], strict=True)
+        lines += [f"{number + 1},{','.join(f'{v:.6g}' for v in row)}" for row in rows]
+    (tmp_path / "all.csv").write_text("\n".join(lines))
+    made = pam.new(tmp_path / "rig", [tmp_path / "all.csv"])
+    assert [len(run.time) for run in made.data.runs] == [300, 300, 300]
+    assert [run.inputs["p_set"].max() for run in made.data.runs] == pytest.approx([1e5, 2e5, 3e5])
+    assert "because the time goes back" in (tmp_path / "rig" / "experiment.toml").read_text()
