@@ -160,11 +160,22 @@ def _content(
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
-        beginning_anew=[i for i, c in enumerate(mapped.courses) if np.any(np.diff(c.time) < 0.0)],
+        beginning_anew=[i for i, c in enumerate(mapped.courses) if _begins_anew(c.time)],
         points=drafted(mapped.courses, interface, recorded.files, by_run)
         if recorded.points
         else None,
     )
+
+
+def _begins_anew(time: Array) -> bool:
+    """Whether the time goes back to its beginning, and on from there; elsewhere a cell is wrong."""
+    steps = np.diff(time)
+    back = np.flatnonzero(steps < 0.0) + 1
+    if not back.size or not np.any(steps > 0.0):
+        return False
+    latest = time[0] + float(np.median(steps[steps > 0.0]))
+    lengths = np.diff([0, *back, len(time)])
+    return bool(np.all(time[back] <= latest) and np.all(lengths >= CRITERIA.noise.fewest_samples))
 
 
 def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:
