@@ -72,18 +72,6 @@ def test_it_leads_by_what_is_possible_where_what_is_left_says_next_to_nothing() 
     assert order.best() is None
 
 
-def test_the_model_that_leaves_least_leads_while_none_leaves_noise() -> None:
-    """On the scale of what is left, 33 independent samples, one effect is preferred; two come nearer to the noise."""
-    models = [_model("OrificeLeak", 20.0, 1), _model("DahlFriction+OrificeLeak", 17.0, 2)]
-    one, two = (
-        replace(c, fit=fitted(x, None, STRUCTURE, time=30.0, own=c.effect_parameters))
-        for c, x in zip(models, (20.0, 17.0), strict=True)
-    )
-    order = _order(one, two)
-    assert order.best() is one
-    assert order.leader() is two and order.models(2) == [two, one]
-
-
 def test_noise_that_nobody_stated_is_what_the_best_model_leaves() -> None:
     """What a model leaves may look like red noise by itself, until another leaves a fifth of it."""
 

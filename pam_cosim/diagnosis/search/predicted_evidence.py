@@ -185,7 +185,7 @@ class PredictedEvidence:
         """One further effect beside a fitted model, None: the base model; what promises most first."""
         start = self._start(c)
         assert start.fit.linear is not None
-        noise_floor, scale = self.ranking.noise_floor(), self.ranking.optimistic_scale()
+        noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
         every = self._neighbourhood(c.effects if c else (), start.fit.linear).with_one
         return sorted(
             every,
@@ -203,11 +203,12 @@ class PredictedEvidence:
             n: self.ranking.acceptance_thresholds(n, possibly)
             for n in {len(c.effects) for c in brief}
         }
-        hopes = [(self._optimistic_criterion(c, possibly, noise_floor), c) for c in brief]
         promising = [
-            (hope, c.effects)
-            for hope, c in hopes
-            if self._may_be_accepted(c, thresholds[len(c.effects)], hope)
+            (self._optimistic_criterion(c, self.ranking.scale, noise_floor), c.effects)
+            for c in brief
+            if self._may_be_accepted(
+                c, thresholds[len(c.effects)], self._optimistic_criterion(c, possibly, noise_floor)
+            )
         ]
         return [
             self.ranking.fitted[names] for _, names in sorted(promising)[: CRITERIA.search.together]
@@ -262,7 +263,7 @@ class PredictedEvidence:
 
     def _first_of_families(self, promises: Sequence[Proposal]) -> list[Proposal]:
         """The most promising ones, one of each set of families."""
-        noise_floor, scale = self.ranking.noise_floor(), self.ranking.optimistic_scale()
+        noise_floor, scale = self.ranking.noise_floor(), self.ranking.scale
         possible = [
             (self.predicted_criterion(p, noise_floor, scale, p.prediction.reduction, 0.0), n)
             for n, p in enumerate(promises)

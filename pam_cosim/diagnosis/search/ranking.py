@@ -1,10 +1,9 @@
 """Which of the models that were fitted is best, and what a further one must come to.
 
 The evidence orders them (``diagnosis.evidence``), on the scale of noise that the best leaves. Among models that leave
-noise more effects need very strong evidence. While nothing leaves noise, the search goes by the scale of what is
-possible: that of the best has few independent samples then, and would prefer whatever has few parameters. The best
-model made of laws alone is carried on beside the best one: a general member takes away a part of what another family
-hides, and no law that is right in the end looks like it then.
+noise more effects need very strong evidence. While nothing leaves noise, the best model made of laws alone is carried
+on beside the best one: a general member takes away a part of what another family hides, and no law that is right in the
+end looks like it then.
 """
 
 from __future__ import annotations
@@ -111,8 +110,7 @@ class Ranking:
             for c in self.fitted.values()
             if len(c.effects) <= most and (not specific or self.is_specific(c.effects))
         ]
-        scale = self.optimistic_scale()
-        return sorted(some, key=lambda c: (self.information_criterion(c, scale), c.effects))
+        return sorted(some, key=lambda c: (self.information_criterion(c), c.effects))
 
     def of_each_families(self, count: int) -> list[Candidate]:
         """Of models with so many effects, fitted to the end, the best of each set of families, the best first."""
@@ -202,18 +200,17 @@ class Ranking:
         )
 
     def leader(self, specific: bool = False) -> Candidate | None:
-        """The model that the search goes on from: the best; while nothing leaves noise, the nearest to that.
+        """The model that the search goes on from while nothing leaves noise: the best, or else the nearest to it.
 
-        What is left then may be as slow as a run is long, and holds few independent samples: they prefer the models
-        with the fewest parameters, or none at all. On the scale of what is possible those lead that leave least: two
-        effects may explain the data together of which neither does much alone, as a thermometer that lags behind a gas
-        with its energy.
+        Where what is left is as slow as a run is long, there are too few independent samples to prefer any model to the
+        base model. Then the best on the scale of what is possible leads: two effects may explain the data together of
+        which neither does anything alone, as a thermometer that lags behind a gas with its energy.
 
         Args:
             specific: only of models that are made of laws.
         """
         best = self.best(specific)
-        if best is not None and not self.has_structure(best):
+        if best is not None:
             return best
         some = [c for c in self._complete() if not specific or self.is_specific(c.effects)]
         scale = self.optimistic_scale()
