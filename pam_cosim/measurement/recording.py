@@ -160,12 +160,16 @@ def _time(table: Table) -> NDArray[np.float64]:
     if back.size:
         row = int(back[0]) + 1
         went = f"time goes back, from {time[row - 1]:.9g} s to {time[row]:.9g} s"
-        raise table.error(f'{went}; state what that means: gaps = "split" or "through"', TIME, row)
+        meant = 'in a data set state what that means: gaps = "split" or "through"'
+        raise table.error(f"{went}; {meant}", TIME, row)
     third = np.flatnonzero((steps[1:] == 0.0) & (steps[:-1] == 0.0))
     if third.size:
         row = int(third[0]) + 2
         raise table.error(
-            f"a third row at {time[row]:.9g} s; a step is two rows at one time", TIME, row
+            f"a third row at {time[row]:.9g} s; a step is two rows at one time. If the clock is too coarse, state how "
+            "far rows are apart: [recording] interval",
+            TIME,
+            row,
         )
     if time[-1] == time[0]:
         raise table.error("the recording has no duration", TIME, 0)
