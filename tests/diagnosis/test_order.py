@@ -9,6 +9,7 @@ import pytest
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.judgement.evidence import contradicted_by_holdout
+from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit
@@ -232,8 +233,15 @@ def test_sets_of_which_an_effect_finds_no_place_are_not_proposed_again() -> None
     )
     wanted = [FitRequest(("PositionCeiling", "PositionLag"), {})]
     assert search.fit_briefly(wanted) == [] == search.failed
-    order = Ranking(search, fitted(50.0, score=STRUCTURE), {})
-    assert order.attempted == {frozenset(wanted[0].effects)}
+    assert search.displaced == {frozenset(wanted[0].effects)}
+    linear = world({"LinearBladder": 5.0})
+    base = linear.fitted(())
+    predicted = PredictedEvidence(Ranking(linear, base, {}))
+    predicted.note_probes(linear.probe(base, (), ["LinearBladder", "OrificeLeak"]))
+    proposed = {p.prediction.effects for p in predicted.proposals(1)}
+    linear.displaced.add(frozenset({"LinearBladder"}))
+    assert {p.prediction.effects for p in predicted.proposals(1)} == proposed - {("LinearBladder",)}
+    assert ("LinearBladder",) in proposed
 
 
 def test_a_further_effect_costs_as_much_as_one_that_is_expected() -> None:

@@ -111,7 +111,8 @@ def test_pieces_are_runs(read: Callable[..., DataSet]) -> None:
 
 def test_time_that_goes_back(read: Callable[..., DataSet]) -> None:
     with pytest.raises(
-        InputError, match='time goes back, from 1.9 s to 0 s; in a data set state what that means: gaps = "split"'
+        InputError,
+        match='time goes back, from 1.9 s to 0 s; in a data set state what that means: gaps = "split"',
     ):
         read(rows=ROWS + AGAIN)
     first, second = read('gaps = "split"', rows=ROWS + AGAIN).runs

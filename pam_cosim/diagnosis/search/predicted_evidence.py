@@ -228,7 +228,7 @@ class PredictedEvidence:
         possibly, noise_floor, tried = (
             self.ranking.optimistic_scale(),
             self.ranking.noise_floor(),
-            self.ranking.attempted,
+            self.ranking.attempted | self.ranking.search.displaced,
         )
         every = [
             p

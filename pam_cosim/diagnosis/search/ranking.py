@@ -77,8 +77,9 @@ class Ranking:
     @property
     def attempted(self) -> set[frozenset[str]]:
         """The sets of effects that were fitted, or could not be."""
-        failed = (f.effects for f in self.search.failed)
-        return {frozenset(names) for names in (*self.fitted, *failed, *self.search.displaced)}
+        return {
+            frozenset(names) for names in (*self.fitted, *(f.effects for f in self.search.failed))
+        }
 
     def update_scale(self) -> None:
         """Takes note of further fits."""
