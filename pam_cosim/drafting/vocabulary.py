@@ -155,7 +155,7 @@ def known_unit(unit: str) -> str:
 
 def is_count(unit: str) -> bool:
     """Whether a unit is one of a converter, a camera or a bridge, of which only the lab knows how large it is."""
-    return folded(unit.strip()) in COUNTS
+    return folded(unit.strip()) in COUNTS.split()
 
 
 @lru_cache(maxsize=4096)

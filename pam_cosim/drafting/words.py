@@ -55,22 +55,7 @@ ROLES = {
     "ambient": "ambient room umgebung raumtemp raumluft ambiant atmos outside labor =amb =tamb =pamb =patm =atm =umg "
     "=baro barometer barometr",
 }
-COUNTS = frozenset(
-    [
-        "count",
-        "counts",
-        "bit",
-        "bits",
-        "digit",
-        "digits",
-        "lsb",
-        "px",
-        "pix",
-        "pixel",
-        "pixels",
-        "mv/v",
-    ]
-)
+COUNTS = "count counts bit bits digit digits lsb px pix pixel pixels mv/v"
 """Units, folded, that a converter, a camera or a bridge of strain gauges gives."""
 MEASURED_IN_COUNTS = frozenset(("pressure", "force", "contraction", "length"))
 ATMOSPHERE = "atm"

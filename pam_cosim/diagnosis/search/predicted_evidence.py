@@ -407,7 +407,7 @@ class PredictedEvidence:
         alone = [self.ranking.fitted.get((p.effect,)) for p in self._base_probes]
         fits = [base, *(c.fit if c else None for c in alone)]
         known = self._base_additions
-        if known is None or not all(a is b for a, b in zip(known[0], fits, strict=True)):
+        if known is None or [*map(id, known[0])] != [*map(id, fits)]:
             made = [
                 addition(probed_beside, p, (base.linear, f.linear) if f and f.linear else None)
                 for p, f in zip(self._base_probes, fits[1:], strict=True)
