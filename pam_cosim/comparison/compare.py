@@ -15,7 +15,7 @@ from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.errors import InputError
 from pam_cosim.files import plain
 from pam_cosim.measurement import ROLES, DataSet
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, did_you_mean, listed
@@ -31,8 +31,8 @@ class Comparison(Printed):
         parameters: values the model was run with beyond what the data set knows [SI].
         runs: every run, simulated.
         scores: per role ("fit", "holdout", "all") and signal.
+        where: rules that hold most of the error, over all runs.
         units: SI units of the parameters and inputs of the runs, by name.
-        outputs, inputs: of the model, by name.
     """
 
     model: str
@@ -40,15 +40,8 @@ class Comparison(Printed):
     parameters: dict[str, float]
     runs: tuple[RunComparison, ...]
     scores: dict[str, dict[str, SignalScore]]
+    where: tuple[Rule, ...]
     units: dict[str, str] = field(default_factory=dict)
-    outputs: Mapping[str, Variable] = field(default_factory=dict)
-    inputs: Mapping[str, Variable] = field(default_factory=dict)
-
-    @cached_property
-    def where(self) -> tuple[Rule, ...]:
-        """Rules that hold most of the error, over all runs."""
-        data = self.data
-        return tuple(where(self.runs, data.signals, self.outputs, data.domain, self.inputs))
 
     @cached_property
     def doubts(self) -> tuple[Doubt, ...]:
@@ -171,6 +164,8 @@ def compare(
     data: DataSet,
     parameters: Mapping[str, float] | None = None,
     tolerance: float | None = None,
+    *,
+    rules: bool = True,
 ) -> Comparison:
     """Simulates every run of ``data`` and scores the differences.
 
@@ -179,6 +174,7 @@ def compare(
         data: the measurement.
         parameters: by name [SI].
         tolerance: relative, of the solver.
+        rules: whether to say where the error sits.
 
     Raises:
         SimulationFailure: a run did not reach its end.
@@ -191,7 +187,7 @@ def compare(
         message = f"no recording ({files}) has a sample of an output of {simulator.interface.model}: {outputs}"
         raise InputError(message, data.folder)
     runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
-    return scored(simulator.interface, data, known, runs)
+    return scored(simulator.interface, data, known, runs, rules=rules)
 
 
 def scored(
@@ -199,22 +195,20 @@ def scored(
     data: DataSet,
     parameters: Mapping[str, float],
     runs: Sequence[RunComparison],
+    *,
+    rules: bool = True,
 ) -> Comparison:
     """Scores runs that were simulated with ``parameters`` [SI] of the model with ``interface``; see ``compare``."""
     known = dict(parameters)
+    sits = (
+        where(runs, data.signals, interface.outputs, data.domain, interface.inputs) if rules else []
+    )
     settable = interface.settable
     own = (name for run in data.runs for name in (*run.parameters, *run.inputs))
     named = dict.fromkeys([*known, *own])
     units = {name: settable[name].unit for name in named if name in settable}
     return Comparison(
-        interface.model,
-        data,
-        known,
-        tuple(runs),
-        _scores(data, runs),
-        units,
-        interface.outputs,
-        interface.inputs,
+        interface.model, data, known, tuple(runs), _scores(data, runs), tuple(sits), units
     )
 
 

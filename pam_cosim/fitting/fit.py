@@ -250,7 +250,7 @@ def fit(
         objective, end.z, options.second_look
     )
     values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
-    comparison = compare(simulator, data, values, options.tolerance)
+    comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = spread_of(by_role["fit"])
     parameters = estimates(chosen, end.z, end.jacobian, objective.bounds, spread)

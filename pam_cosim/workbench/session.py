@@ -298,7 +298,7 @@ class Session:
 
     def _scored(self, state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:
         """The same as ``study.compare`` finds, but for where the error sits."""
-        return scored(opened.simulator.interface, state.data, state.values, runs)
+        return scored(opened.simulator.interface, state.data, state.values, runs, rules=False)
 
     def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
         label = standing_label(state)

@@ -35,7 +35,7 @@ from pam_cosim.measurement import experiment_tables
 from pam_cosim.measurement.free_parameter import Prior
 from pam_cosim.units import convert
 from tests.documentation.pages import DOCS, ROOT
-from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis
+from tests.reporting.synthetic import RULES, make_comparison, make_data, make_diagnosis
 from tests.reporting.test_ledger_learned_next import make_learned, make_ledger
 
 NAMED = {
@@ -127,7 +127,7 @@ def compared() -> dict[str, Any]:
     data = make_data()
     runs = [replace(run, parameters={"load.m": 2.0, "f": i}) for i, run in enumerate(data.runs)]
     comparison = make_comparison(replace(data, runs=tuple(runs)), 2.0)
-    content = as_json(comparison)
+    content = as_json(replace(comparison, where=RULES))
     content["runs"][0] |= {"start": "rest", "solver": ""}
     content["doubts"] = [as_json_of(Doubt("still", "p", "it never moves"))]
     return content | {"tables": [as_json(comparison.table("load.m", "f"))]}

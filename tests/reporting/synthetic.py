@@ -80,9 +80,7 @@ def make_comparison(data, error, model="PneumaticMuscle.Benches.Isotonic"):
         for role in ("fit", "holdout")
     }
     scores["all"] = score(runs, data.signals)
-    comparison = Comparison(model, data, {"valve.C_A": 0.7}, tuple(runs), scores)
-    vars(comparison)["where"] = RULES if error else ()
-    return comparison
+    return Comparison(model, data, {"valve.C_A": 0.7}, tuple(runs), scores, RULES if error else ())
 
 
 def make_fit(data, error, parameters=None):

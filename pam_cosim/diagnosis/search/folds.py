@@ -19,7 +19,7 @@ from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.files import plain_fields
-from pam_cosim.fitting import Fit, fit
+from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.model.references import is_ratio
 from pam_cosim.units import format_quantity
@@ -198,7 +198,7 @@ def _holdout_errors(
 def _without_effects(subject: Subject, search: Search, data: DataSet) -> dict[tuple[str, ...], Fit]:
     try:
         with search.effort.counting(), subject.simulator() as simulator:
-            return {(): fit(simulator, data)}
+            return {(): fit(simulator, data, options=FitOptions(rules=False))}
     except SimulationFailure:
         return {}
 

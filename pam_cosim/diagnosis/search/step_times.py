@@ -105,6 +105,7 @@ def _retimed(task: Retiming, simulator: Simulator) -> Retimed | None:
         evaluations=numbers.screening_evaluations,
         screened_starts=0,
         precision=numbers.precision,
+        rules=False,
         holdout_uncertainty=True,
     )
     for _ in range(_ROUNDS):

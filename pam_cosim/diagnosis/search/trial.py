@@ -81,6 +81,7 @@ class Trial:
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 second_look=False,
+                rules=False,
             ),
             brief=True,
         )
