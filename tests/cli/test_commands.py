@@ -153,6 +153,11 @@ def test_compare_params_against_json_report(command: Command, place: Path, data:
     assert one["signals"]["p"]["rmse"] > 3 * two["signals"]["p"]["rmse"]
     change = 100 * (two["signals"]["p"]["rmse"] / one["signals"]["p"]["rmse"] - 1)
     assert "against first: p rms error" in second.out and f"({change:+.0f} %)" in second.out
+    for wrong in ("x", None, -5.0, True):
+        one["signals"]["p"]["rmse"] = wrong
+        (place / "wrong.json").write_text(json.dumps(one))
+        refused = command("compare", "data", "--against", "wrong.json")
+        assert refused.status == 2 and "wrong.json: signals.p.rmse is" in refused.err
     for content in (one, two):
         keys = {"rmse", "nrmse", "bias", "max", "correlation", "chi2_reduced", "noise_rmse"}
         assert {"signals", "runs", "where"} <= set(content) and keys <= set(content["signals"]["p"])

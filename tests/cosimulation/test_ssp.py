@@ -259,6 +259,8 @@ BOMB = '<!DOCTYPE x [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;&a;">]>'
          "no output 'z'"),
         (system(""), "not valid by SSP 1.0: .*Elements"),
         (system(component("a")).replace('version="1.0"', 'version="9"'), "not valid by SSP 1.0"),
+        *((system(component("a")).replace("</ssd:System>", f'</ssd:System><ssd:DefaultExperiment stopTime="{end}"/>'),
+           "no time after the start") for end in ("-5", "NaN", "INF")),
         ("<not xml", "is not XML"),
         (BOMB + system(component("a")).replace("by hand", "&b;"), "declares a document type"),
         ('<!DOCTYPE x SYSTEM "file:///etc/hostname">' + "<x/>", "declares a document type"),
@@ -339,6 +341,7 @@ def test_toml_names_files_beside_it(tmp_path: Path) -> None:
         ("connections = 'a'\n[components]\na = 'Isotonic'", 1, "connections must be a list"),
         ("connections = ['a.x -> b.u']\n[components]\na = 'Isotonic'", None, "no component 'b'"),
         ("stop_time = '5 kg'\n[components]\na = 'Isotonic'", 1, "stop_time"),
+        ("stop_time = true\n[components]\na = 'Isotonic'", 1, "stop_time: True is no time"),
         ("[components\na = 'Isotonic'", 1, "not valid TOML"),
     ],
 )  # fmt: skip
