@@ -18,6 +18,7 @@ from pam_cosim.model.settings import value_of
 from pam_cosim.sweeps import MOST_RUNS
 from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.spans import alike
+from pam_cosim.wording import shown
 
 TABLES = (".csv", ".nc", ".parquet")
 
@@ -188,13 +189,14 @@ def parse_frequencies(text: str) -> list[float]:
     if len(parts) == 1:
         return [value_of(part, frequency) for part in text.split(",")]
     if len(parts) != 3 or not parts[2].strip().isdecimal():
-        raise InputError(f"'{text}': write FROM:TO:N, such as 0.1:20:16")
-    if not 1 <= int(parts[2]) <= MOST_RUNS:
-        raise InputError(f"'{text}': the number of frequencies is from 1 to {MOST_RUNS}")
+        raise InputError(f"{shown(text)}: write FROM:TO:N, such as 0.1:20:16")
+    number = parts[2].strip().lstrip("0") or "0"
+    if len(number) > len(str(MOST_RUNS)) or not 1 <= int(number) <= MOST_RUNS:
+        raise InputError(f"{shown(text)}: the number of frequencies is from 1 to {MOST_RUNS}")
     low, high = (value_of(part, frequency) for part in alike(parts[:2], text))
     if not 0 < low <= high:
         raise InputError(f"'{text}': frequencies must be above zero, the lower one first")
-    return [float(v) for v in np.geomspace(low, high, int(parts[2]))]
+    return [float(v) for v in np.geomspace(low, high, int(number))]
 
 
 def _parts(word: str) -> list[str]:

@@ -142,9 +142,14 @@ def _likelihoods(series: Sequence[Array], largest: float) -> Array:
         first, inverse, determinant = _spectra(len(values), longest)
         squares = squares + inverse @ np.add.reduceat(dct(values, norm="ortho") ** 2, first)
         determinants = determinants + determinant
-    ratios = np.tile(np.append(0.0, np.exp(_RATIOS)), _MEMORIES)
+    ratios = np.tile(_ratios(), _MEMORIES)
     every = _log_likelihood(samples, squares, determinants, ratios, largest)
     return every.reshape(_MEMORIES, -1)
+
+
+def _ratios() -> Array:
+    """Of the grid: no slow course at all, and ever larger ones."""
+    return np.append(0.0, np.exp(_RATIOS))
 
 
 @lru_cache(maxsize=128)
@@ -160,6 +165,5 @@ def _spectra(samples: int, longest: int) -> tuple[NDArray[np.int_], Array, Array
     frequency = np.pi * (first + (wide - 1) / 2) / samples
     left = np.exp(-1.0 / np.array(_memories(longest)))[:, None, None]
     slow = (1 - left**2) / (1 - 2 * left * np.cos(frequency) + left**2)
-    ratios = np.append(0.0, np.exp(_RATIOS))[:, None]
-    spectrum = (1 + ratios * slow).reshape(-1, len(first))
+    spectrum = (1 + _ratios()[:, None] * slow).reshape(-1, len(first))
     return first, 1 / spectrum, np.log(spectrum) @ wide

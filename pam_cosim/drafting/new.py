@@ -33,6 +33,7 @@ from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.pieces import usual_step
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 
@@ -171,11 +172,11 @@ def _begins_anew(time: Array) -> bool:
     """Whether the time goes back to its beginning, and on from there; elsewhere a cell is wrong."""
     steps = np.diff(time)
     back = np.flatnonzero(steps < 0.0) + 1
-    if not back.size or not np.any(steps > 0.0):
+    if not back.size:
         return False
-    latest = time[0] + float(np.median(steps[steps > 0.0]))
     lengths = np.diff([0, *back, len(time)])
-    return bool(np.all(time[back] <= latest) and np.all(lengths >= CRITERIA.noise.fewest_samples))
+    begins = time[back] <= time[0] + usual_step(steps)
+    return bool(np.all(begins) and np.all(lengths >= CRITERIA.noise.fewest_samples))
 
 
 def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:

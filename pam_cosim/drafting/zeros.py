@@ -41,8 +41,8 @@ def with_zero(
     if meaning.kind == "pressure" and not meaning.roles:
         reason = _reason_of_gauge(begin)
     elif meaning == SET_PRESSURE:
-        absolute = begin.absolute and _is_measured_absolute(interface, courses)
-        reason = f"it begins with {{reading}}, {ABSOLUTE_GAUGE}" if absolute else ""
+        if begin.absolute and _is_measured_absolute(interface, courses):
+            reason = _reason_of_gauge(begin)
     elif name in choice.outputs and begin.far and _unloaded(courses, pressure, having):
         reason = _reason_of_unloaded(meaning, begin)
     if not reason:
@@ -54,7 +54,7 @@ def with_zero(
 
 
 def _reason_of_gauge(begin: _Begin) -> str:
-    """Why the pressure of a muscle or a tank gets a zero; "" where it needs none."""
+    """Why a pressure gets a zero; "" where it needs none."""
     if begin.absolute:
         return f"it begins with {{reading}}, {ABSOLUTE_GAUGE}"
     return "it begins at rest with {reading}" if begin.far and begin.slight else ""

@@ -33,7 +33,7 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
     back = np.flatnonzero(steps < 0.0)
     if not back.size or not np.isfinite(column.values).all():
         return table
-    usual = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 1.0
+    usual = usual_step(steps) or 1.0
     pause = usual * (2.0 * CRITERIA.recognition.pause if gaps == "split" else 1.0)
     steps[back] = pause
     time = column.values[0] + np.concatenate([[0.0], np.cumsum(steps)])
@@ -53,10 +53,16 @@ def _times(count: int) -> str:
     return "once" if count == 1 else f"{count} times"
 
 
+def usual_step(steps: Array) -> float:
+    """The median of those in which time goes on [s]; 0 where it never does."""
+    forward = steps[steps > 0.0]
+    return float(np.median(forward)) if forward.size else 0.0
+
+
 def pauses(time: Array) -> NDArray[np.intp]:
     """Rows after which a recording pauses."""
     steps = np.diff(time)
-    usual = float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
+    usual = usual_step(steps)
     return (
         np.flatnonzero(steps > CRITERIA.recognition.pause * usual)
         if usual

@@ -40,7 +40,7 @@ OPTIONS = (
     ["fit", "data", "--free", ""], ["fit", "data", "--start", "valve.C_A=nan"], ["fit", "data", "--method", "x"],
     ["fit", "data", "--free", "valve.C_A", "--start", "valve.C_A=5 K"], ["fit", "data", "--resume", "data/run-01.csv"],
     ["linearise", "TankFilling", "--at", "nan"], ["linearise", "TankFilling", "--at", "3 m"],
-    [*BODE, "0:1:3"], [*BODE, "-1:1:3"], [*BODE, "nan"], ["describe", "x" * 5000],
+    [*BODE, "0:1:3"], [*BODE, "-1:1:3"], [*BODE, "nan"], [*BODE, "1:2:" + "9" * 5000], ["describe", "x" * 5000],
     ["build", "TankFilling", "--fmi", "9"], ["build", "TankFilling", "--platform", "; ls"],
     ["add", "Zzz", "--to", "Isotonic", "-o", "x.mo"],
 )  # fmt: skip
