@@ -11,6 +11,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import span
+from pam_cosim.drafting.logged_on_change import with_values_kept
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.time_column import with_time
@@ -54,7 +55,8 @@ def find_columns(
             sources[-1].file,
         )
     columns = [_found(name, sources) for name in names]
-    columns = with_time(_valves(_supply(columns)), asked.get("time"))
+    columns = with_time(_valves(_supply(columns)), asked.get("time"), sources)
+    columns = with_values_kept(columns)
     _check_alike(columns, sources)
     return columns
 

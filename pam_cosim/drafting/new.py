@@ -157,7 +157,9 @@ def _content(
         files=copies,
         roles=stated_roles(guessed, [file.stem for file in recorded.files], stated),
         told=told,
-        interpolation=[_interpolation(course.inputs) for course in mapped.courses],
+        interpolation=[
+            _interpolation(_set_columns(bench, recorded, i), i) for i in range(len(mapped.courses))
+        ],
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
@@ -264,10 +266,23 @@ def _sigma(name: str, bench: Bench, recorded: ReadRecordings, mapped: Mapped) ->
     return sigma_of(name, bench.interface.outputs[name].unit, mapped.courses, recorded.files)
 
 
-def _interpolation(inputs: Mapping[str, Array]) -> str:
-    """``previous`` where inputs keep their values between steps."""
-    steps = [values for values in inputs.values() if is_held(values) or is_switch(values)]
-    return "previous" if steps else "linear"
+def _set_columns(bench: Bench, recorded: ReadRecordings, run: int) -> list[RecordedColumn]:
+    """The columns of a recording that feed inputs, as they are or by a formula."""
+    inputs = bench.interface.inputs
+    formulas = [text for name, text in recorded.formulas.items() if name in inputs]
+    names = {name for text in formulas for name in names_in(text)}
+    read = [c for c in recorded.columns if c.name in names]
+    fed = [c for c in bench.choice.inputs.values() if not c.in_names]
+    return [c for c in (*fed, *read) if run in c.values]
+
+
+def _interpolation(columns: Sequence[RecordedColumn], run: int) -> str:
+    """``previous`` where what is imposed keeps its value between steps."""
+    for column in columns:
+        values = column.values[run]
+        if column.logged_on_change or is_held(values) or is_switch(values):
+            return "previous"
+    return "linear"
 
 
 def _means(courses: Sequence[MappedRecording]) -> str:

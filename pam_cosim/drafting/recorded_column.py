@@ -38,6 +38,7 @@ class RecordedColumn:
         in_names: it stands in the names of the files, one value for each.
         words: of a direction that is told in words: what its numbers are places of.
         senses: of a direction: 1 up, -1 down, 0 neither, by its numbers.
+        logged_on_change: its cells are empty in the files while it keeps its value.
     """
 
     name: str
@@ -54,6 +55,7 @@ class RecordedColumn:
     in_names: bool = False
     words: tuple[str, ...] = ()
     senses: dict[float, int] = field(default_factory=dict)
+    logged_on_change: bool = False
 
     @property
     def readable(self) -> bool:
@@ -88,7 +90,7 @@ class RecordedColumn:
     @cached_property
     def whole(self) -> bool:
         """It lacks so few samples that it may be meant as an input."""
-        return float(np.mean(np.isnan(self.every))) <= _C.gaps
+        return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= _C.gaps
 
     def text_of(self, value: float) -> str:
         """One of its numbers, or the word that it stands for."""

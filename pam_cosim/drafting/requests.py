@@ -9,8 +9,11 @@ from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
 
+import numpy as np
 from pydantic import ValidationError
 
+from pam_cosim.arrays import Array
+from pam_cosim.drafting.clock_columns import even_interval
 from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns, with_known_units
 from pam_cosim.drafting.direction import with_directions
@@ -21,6 +24,7 @@ from pam_cosim.drafting.time_column import check_time
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.units import convert
 from pam_cosim.wording import did_you_mean, shown
 
 
@@ -89,6 +93,10 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     columns = with_known_units(columns, formulas.values(), sources, asked.values())
     columns += quantities(files, columns, list(map(_rows, sources)))
     time = check_time(columns, sources, recording)
+    interval = None if time is None else even_interval(_seconds(time))
+    if time is not None and interval is not None:
+        columns = [_coarse(c, interval) if c is time else c for c in columns]
+        time, recording = None, recording.model_copy(update={"interval": interval})
     points = time is None and recording.interval is None
     if points:
         columns = _as_points(columns)
@@ -97,6 +105,18 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     return ReadRecordings(
         tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points
     )
+
+
+def _seconds(time: RecordedColumn) -> list[Array]:
+    return [convert(values, time.unit, "s") for values in time.values.values()]
+
+
+def _coarse(time: RecordedColumn, interval: str) -> RecordedColumn:
+    """The clock, which is no time any more."""
+    values = next(iter(time.values.values()))
+    rows, times = len(values), len(np.unique(values))
+    why = f"a clock too coarse, {rows} rows at {times} times: the rows are taken to be {interval} apart"
+    return replace(time, meaning=None, why=(why,))
 
 
 def _check_different(files: Sequence[Path]) -> None:

@@ -11,6 +11,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.date_times import says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
+from pam_cosim.measurement.switch_words import are_switch_words
 from pam_cosim.measurement.table import Layout, Table
 from pam_cosim.measurement.text_table import text_columns
 
@@ -40,7 +41,7 @@ class RecordingSource:
 
 
 def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[RecordingSource]:
-    """Reads every file; columns of text are left out, but for those that tell a direction.
+    """Reads every file; columns of text are left out, but for those of a direction or a switch.
 
     Raises:
         InputError: as the readers, with file, line and column.
@@ -85,7 +86,11 @@ def _directions(texts: Sequence[dict[str, tuple[str, ...]]]) -> dict[str, tuple[
 def _source(
     file: Path, layout: Layout, texts: dict[str, tuple[str, ...]], words: dict[str, tuple[str, ...]]
 ) -> RecordingSource:
-    left_out = tuple(heading for heading in texts if heading not in words)
+    left_out = tuple(
+        heading
+        for heading, cells in texts.items()
+        if heading not in words and not are_switch_words(cells)
+    )
     own = {heading: cells for heading, cells in words.items() if heading in texts}
     codes = {
         heading: {cell: float(i) for i, cell in enumerate(cells)} for heading, cells in own.items()

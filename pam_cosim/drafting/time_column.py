@@ -10,6 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.clock_columns import difference
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits
@@ -21,19 +22,59 @@ from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _C = CRITERIA.recognition
-_LABVIEW = re.compile(r"x[ _]?values?", re.IGNORECASE)
+_LABVIEW = re.compile(r"x[ _]?values?([ _.]?\d+)?", re.IGNORECASE)
 
 
-def with_time(columns: list[RecordedColumn], asked: str | None) -> list[RecordedColumn]:
-    """The columns with one of time at most, and its unit."""
+def with_time(
+    columns: list[RecordedColumn], asked: str | None, sources: Sequence[RecordingSource]
+) -> list[RecordedColumn]:
+    """The columns with one of time at most, and its unit.
+
+    Raises:
+        InputError: the column that is asked for is in no file; a second clock that runs differently.
+    """
     wanted, why = _likely_time(columns) if asked is None else _asked_time(columns, asked)
     if wanted is None:
         return columns
-    rest = [_no_time(c) if c.of("time") else c for c in columns]
-    is_known = wanted.unit and fits(wanted.unit, "time")
-    unit, more = (wanted.unit, _why_known(wanted)) if is_known else _unit_of_time(wanted)
+    unit, more = _known_unit_of_time(wanted)
     made = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
-    return [made if c.name == wanted.name else c for c in rest]
+    return [
+        made if c.name == wanted.name else _beside(made, c, sources) if _is_clock(c) else c
+        for c in columns
+    ]
+
+
+def _is_clock(column: RecordedColumn) -> bool:
+    return column.of("time") or bool(_LABVIEW.fullmatch(column.name) and _runs(column))
+
+
+def _known_unit_of_time(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
+    """The unit of a column of time, and why."""
+    is_known = column.unit and fits(column.unit, "time")
+    return (column.unit, _why_known(column)) if is_known else _unit_of_time(column)
+
+
+def _beside(
+    time: RecordedColumn, column: RecordedColumn, sources: Sequence[RecordingSource]
+) -> RecordedColumn:
+    """A clock beside the one that is the time.
+
+    Raises:
+        InputError: it runs differently, so that columns may belong to either.
+    """
+    if not _rises(column) or time.values.keys().isdisjoint(column.values):
+        return _no_time(column)
+    late = difference(time.values, time.unit, column.values, _known_unit_of_time(column)[0])
+    if late is None:
+        source = sources[min(column.values)]
+        keep = f"leave it out, --recording 'ignore={column.name}', where all columns belong to the first"
+        apart = f"write what belongs to it into a file of its own, which [[runs.loggers]] joins; or {keep}"
+        message = f"it runs otherwise than {shown(time.name)}: two clocks in one file; {apart}"
+        raise InputError(message, source.file, source.table.header_line, column.name)
+    away = ""
+    if late and not (column.since or time.since):
+        away = f", {abs(late):.4g} s {'later' if late > 0.0 else 'earlier'}"
+    return replace(column, meaning=None, why=(f"it runs with {shown(time.name)}, the time{away}",))
 
 
 def _why_known(column: RecordedColumn) -> tuple[str, ...]:

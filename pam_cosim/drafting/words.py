@@ -28,7 +28,8 @@ UNITS = {
 
 KINDS = {
     "time": "=t =time =zeit =temps =sec =sek time zeit temps elapsed",
-    "pressure": "=p =pm =pk =ps =pset =psoll =psp =pref =pcmd =psup =psupply =psource =pamb =patm =baro barometer "
+    "pressure": "=p =pm =pk =ps =pset =psoll =psp =pref =pcmd =psup =psupply =psource =pamb =patm =baro =pist "
+    "=pmus =pmuscle =pdes =pact barometer "
     "barometr pressure druck pression press",
     "temperature": "=t =tamb =temp temperature temperatur thermo",
     "current": "=i =u =strom =courant current strom courant intensite",
@@ -48,7 +49,7 @@ KINDS = {
 ROLES = {
     "supply": "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel =sup =src =ps "
     "=psup",
-    "set": "=set =sp =soll =ref =cmd =pset =psoll =psp =pref =pcmd setpoint soll "
+    "set": "=set =sp =soll =ref =cmd =pset =psoll =psp =pref =pcmd =pdes setpoint soll "
     "consigne target desired reference wanted demand told command befehl",
     "inlet": "=in =inl =ein inlet intake einlass zuluft admission beluft belueft fill fullen gonflage remplissage",
     "exhaust": "=out =ex =exh =aus =vent exhaust outlet auslass abluft entluft entlueft echappement purge vidange",
@@ -111,6 +112,8 @@ _WRITTEN = {
     "MPa": "mpa",
     "mbar": "mbar",
     "N": "newton, n",
+    "kN": "kn",
+    "torr": "torr",
     "degC": "celsius, c, degc, grad c, deg c",
     "degF": "fahrenheit, f, degf, grad f, deg f",
     "kg": "kg",

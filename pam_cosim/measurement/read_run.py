@@ -18,7 +18,7 @@ from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
-from pam_cosim.measurement.recording import Recording, recording_of
+from pam_cosim.measurement.recording import Recording, recording_of, with_held_values
 from pam_cosim.measurement.table import TIME, Column, Layout, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
@@ -124,7 +124,10 @@ def _recording(
     gaps = document.content.gaps
     if isinstance(entry, RunTable):
         gaps = entry.gaps or gaps
-    return recording_of(with_time_going_on(with_columns(table, renaming), gaps), interface)
+    table = with_time_going_on(with_columns(table, renaming), gaps)
+    if document.content.runs[int(place[1])].interpolation == "previous":
+        table = with_held_values(table, interface.inputs)
+    return recording_of(table, interface)
 
 
 def _stated(document: ExperimentFile, entry: RunTable | LoggerTable) -> RecordingTable:

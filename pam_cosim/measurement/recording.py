@@ -100,6 +100,37 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
     return replace(table, columns=kept, lines=lines, notes=(*table.notes, note))
 
 
+def with_held_values(table: Table, held: Iterable[str]) -> Table:
+    """The table in which an empty cell of a ``held`` column, which is logged on change, has the last value above it.
+
+    Raises:
+        InputError: nothing stands above an empty cell.
+    """
+    columns = dict(table.columns)
+    notes = []
+    for name in held:
+        if name not in columns:
+            continue
+        values = columns[name].values
+        empty = np.isnan(values)
+        if not empty.any():
+            continue
+        if empty[0]:
+            message = (
+                "the cell is empty, and no value stands above it; write the one that it had then"
+            )
+            raise table.error(message, name, 0)
+        columns[name] = replace(columns[name], values=filled_forward(values))
+        notes.append(f"{name} keeps its value over {int(empty.sum())} empty cells of {len(values)}")
+    return replace(table, columns=columns, notes=(*table.notes, *notes)) if notes else table
+
+
+def filled_forward(values: NDArray[np.float64]) -> NDArray[np.float64]:
+    """(n,) the values, where one is missing the last one before it; NaN where there is none."""
+    last = np.maximum.accumulate(np.where(np.isnan(values), 0, np.arange(len(values))))
+    return values[last]
+
+
 def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
     """What to say of a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:

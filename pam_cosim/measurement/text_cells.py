@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.date_times import date_time, seconds_between
+from pam_cosim.measurement.switch_words import SWITCH_WORDS
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
 from pam_cosim.wording import shown
@@ -105,14 +106,22 @@ class Reader:
             if '"' in joined:
                 return None
             cells = joined.split(self.separator)
-        columns = [
-            self._seconds(cells[i::count], self.dates[i])
-            if i in self.dates
-            else _floats(cells[i::count], self.decimal)
-            for i in self.keep
-        ]
+        columns = [self._plain_column(i, cells[i::count]) for i in self.keep]
         numbers = [column for column in columns if column is not None]
         return numbers if len(numbers) == len(columns) else None
+
+    def _plain_column(self, column: int, cells: list[str]) -> NDArray[np.float64] | None:
+        """(n,) the cells of a column; None where one is not plainly what the others are."""
+        if column in self.dates:
+            return self._seconds(cells, self.dates[column])
+        words = self.words[column]
+        if words:
+            small = [cell.strip().casefold() for cell in cells]
+            if all(cell in words for cell in small):
+                return np.array([words[cell] for cell in small])
+        if words is SWITCH_WORDS:
+            return None
+        return _floats(cells, self.decimal)
 
     def _seconds(self, cells: Sequence[str], first: str) -> NDArray[np.float64] | None:
         """(n,) seconds since the first date; None where one is not plainly a date."""
@@ -163,7 +172,8 @@ class Reader:
             return words[cell.casefold()]
         number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
         name = self.names[column]
-        if not _NUMBER.fullmatch(number) or (self.decimal == "," and "." in cell):
+        is_number = _NUMBER.fullmatch(number) and not (self.decimal == "," and "." in cell)
+        if words is SWITCH_WORDS or not is_number:
             wrong = (
                 f"{shown(cell)} is none of {', '.join(words)}"
                 if words

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import replace
 from pathlib import Path
@@ -13,6 +13,7 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.date_times import date_time, is_date_time
+from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
 from pam_cosim.measurement.table import Column, Layout, Table, split_heading
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
@@ -31,7 +32,8 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     """Reads columns of decimal numbers below a header of names with units.
 
     Blank lines, comment lines (``#``, ``%``, ``//``), lines above the header, a row of units, a byte order mark and
-    any line ends are fine. What is not stated is recognised where it is unambiguous (``text_layout``).
+    any line ends are fine. A column of words for a switch (ON, OFF) becomes one of 1 and 0. What is not stated is
+    recognised where it is unambiguous (``text_layout``).
 
     Raises:
         InputError: not readable, empty, ambiguous, a heading twice, a row of the wrong length, a cell that is no
@@ -52,7 +54,11 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
     reader.clock = _clock(layout, names, stated)
-    reader.dates = _dates(body, layout, keep)
+    beginning = _rows(body[:LOOKED_AT], layout.separator)
+    reader.dates = _dates(beginning, keep)
+    for i in keep:
+        if not reader.words[i] and are_switch_words(_present(beginning, i, stated.missing)[:1]):
+            reader.words[i] = SWITCH_WORDS
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
@@ -93,9 +99,8 @@ def _clock(
     )  # fmt: skip
 
 
-def _dates(body: Sequence[Line], layout: TextLayout, keep: Sequence[int]) -> dict[int, str]:
+def _dates(rows: Sequence[Sequence[str]], keep: Sequence[int]) -> dict[int, str]:
     """Places of columns of dates with times of day, and the first of each."""
-    rows = _rows(body[:LOOKED_AT], layout.separator)
     first = {i: next(iter(_filled(rows, i)), "") for i in keep}
     return {i: cell for i, cell in first.items() if date_time(cell) is not None}
 
@@ -129,6 +134,11 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
 def _filled(rows: Sequence[Sequence[str]], column: int) -> list[str]:
     """The cells of a column that are not empty."""
     return [row[column] for row in rows if column < len(row) and row[column]]
+
+
+def _present(rows: Sequence[Sequence[str]], column: int, missing: Container[str]) -> list[str]:
+    """The cells of a column in which no sample is missing."""
+    return [cell for cell in _filled(rows, column) if cell.casefold() not in missing]
 
 
 def _is_text(cells: Sequence[str]) -> bool:
@@ -179,7 +189,7 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
             )
         name, unit = parts
         if name in seen:
-            raise InputError("this column stands twice in the header", file, line, name)
+            raise InputError("this column stands twice in the header; rename one", file, line, name)
         if unit and below and unit != below:
             raise InputError(
                 f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name

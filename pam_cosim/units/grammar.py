@@ -1,8 +1,8 @@
 """Texts of units as people and Modelica write them, read for pint.
 
 Both spellings are read by one small grammar: ``W/(m2.K)``, ``N.s/m``, ``m/s^2``, ``kg*m``, ``N/mm²``, ``degC``, ``%``.
-Pressures carry no reference: ``kPa`` on a gauge pressure is gauge, and so are ``kPag`` and ``bar(g)``; what says
-that it is absolute, such as ``psia``, is refused, for its numbers are others.
+Pressures carry no reference: ``kPa`` on a gauge pressure is gauge, and so are ``kPag``, ``bar(g)`` and ``barü``; what
+says that it is absolute, such as ``psia``, is refused, for its numbers are others.
 """
 
 from __future__ import annotations
@@ -30,6 +30,9 @@ _ALIASES = {
     "mil": "thou",
     "mils": "thou",
     "kp": "kilogram_force",
+    "Torr": "torr",
+    "mWS": "meter_H2O",
+    "mmWS": "mmH2O",
 }
 _DIMENSIONLESS = ("", "1", "-")
 _TOKEN = re.compile(
@@ -38,8 +41,8 @@ _TOKEN = re.compile(
 _LONGEST = 60
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
 _REFERENCE = re.compile(
-    r"(?P<unit>[mkhM]?(?:bar|Pa|psi)|mmHg|inHg|[cm]mH2O|inH2O|torr)"
-    r"[\s_]*(?:(?P<gauge>g|\(g\)|\(?(?:gauge|rel\.?)\)?)|(?P<absolute>a|\(a\)|\(?(?:abs\.?|absolute)\)?))",
+    r"(?P<unit>[mkhM]?(?:bar|Pa|psi)|mmHg|inHg|[cm]mH2O|inH2O|torr|at)"
+    r"[\s_]*(?:(?P<gauge>[gü]|\([gü]\)|\(?(?:gauge|rel\.?)\)?)|(?P<absolute>a|\(a\)|\(?(?:abs\.?|absolute)\)?))",
     re.IGNORECASE,
 )
 

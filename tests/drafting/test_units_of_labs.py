@@ -91,7 +91,7 @@ def test_a_shut_off_valve_is_not_absolute() -> None:
     assert not read_heading("Druck nach Absperrventil", "bar").absolute
 
 
-@pytest.mark.parametrize("unit", ["psy", "barr", "mmWS"])
+@pytest.mark.parametrize("unit", ["psy", "barr", "inWC"])
 def test_an_unknown_unit_is_not_replaced_by_a_guess(tmp_path: Path, unit: str) -> None:
     with pytest.raises(InputError, match=f"column 'p': unit '{unit}' is unknown") as raised:
         drafted(tmp_path, f"time [s],p_set [bar],p [{unit}],x [mm]")

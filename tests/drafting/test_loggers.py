@@ -1,0 +1,211 @@
+"""What loggers of labs do: words for a valve, set points written on change, clocks that are coarse or two."""
+
+from __future__ import annotations
+
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.drafting.vocabulary import read_heading
+from pam_cosim.errors import InputError
+from pam_cosim.units import convert
+
+COUNT = 500
+TIME = 0.01 * np.arange(COUNT)
+SET_POINT = np.repeat([0.0, 3.0, 5.0, 1.0, 2.0], 100)  # [bar]
+IS_FILLED = (TIME >= 1.0) & (TIME < 2.0)
+IS_EMPTIED = TIME >= 4.0
+
+
+def pressure(target: np.ndarray, tau: float = 0.06) -> np.ndarray:
+    """Of first order behind a course, with noise [bar]."""
+    p = np.zeros(COUNT)
+    for k in range(1, COUNT):
+        p[k] = p[k - 1] + 0.01 / tau * (target[k - 1] - p[k - 1])
+    return p + np.random.default_rng(1).normal(0.0, 0.004, COUNT)
+
+
+READ = pressure(SET_POINT)
+LENGTH = 10.0 * READ + np.random.default_rng(2).normal(0.0, 0.02, COUNT)  # [mm]
+
+
+def write(file: Path, heading: str, row: Callable[[int], list[object]]) -> Path:
+    lines = [",".join(map(str, row(k))) for k in range(COUNT)]
+    file.write_text("\n".join([heading, *lines]) + "\n", encoding="utf-8")
+    return file
+
+
+def description(made: pam.drafting.NewDataSet) -> dict[str, Any]:
+    return tomllib.loads((made.folder / "experiment.toml").read_text(encoding="utf-8"))
+
+
+def why(made: pam.drafting.NewDataSet, column: str) -> str:
+    (guess,) = [one for one in made.guesses if one.what == column]
+    return guess.why
+
+
+@pytest.mark.parametrize(("on", "off"), [("EIN", "AUS"), ("TRUE", "FALSE"), ("open", "closed")])
+def test_valves_in_words(tmp_path: Path, on: str, off: str) -> None:
+    def row(k: int) -> list[object]:
+        valves = [on if one[k] else off for one in (IS_FILLED, IS_EMPTIED)]
+        return [f"{TIME[k]:.2f}", *valves, f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"]
+
+    file = write(tmp_path / "a.csv", "t [s],valve in,valve out,p [bar],x [mm]", row)
+    made = pam.new(tmp_path / "rig", [file])
+    (run,) = made.data.runs
+    np.testing.assert_array_equal(run.inputs["u_in"], IS_FILLED.astype(float))
+    np.testing.assert_array_equal(run.inputs["u_out"], IS_EMPTIED.astype(float))
+    assert run.interpolation == "previous"
+
+
+def test_a_word_in_a_column_of_numbers_is_none_of_a_switch(tmp_path: Path) -> None:
+    def row(k: int) -> list[object]:
+        return [f"{TIME[k]:.2f}", SET_POINT[k], "OFF" if k == 77 else f"{READ[k]:.4f}"]
+
+    file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar]", row)
+    with pytest.raises(InputError, match=r"a\.csv:79: column 'p': 'OFF' is not a number"):
+        pam.new(tmp_path / "rig", [file])
+
+
+def test_another_word_in_a_column_of_a_switch(tmp_path: Path) -> None:
+    def row(k: int) -> list[object]:
+        word = "fault" if k == 300 else "on" if IS_FILLED[k] else "off"
+        return [f"{TIME[k]:.2f}", word, f"{READ[k]:.4f}"]
+
+    file = write(tmp_path / "a.csv", "time [s],u_in,p [bar]", row)
+    text = 'model = "PneumaticMuscle.Benches.SwitchedMuscle"\n[[runs]]\nfile = "a.csv"\n'
+    (tmp_path / "experiment.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(InputError, match=r"a\.csv:302: column 'u_in': 'fault' is none of on, "):
+        pam.read(tmp_path)
+    assert file.is_file()
+
+
+def on_change(first: object) -> Callable[[int], list[object]]:
+    """Rows of which the set point stands only where it changes."""
+
+    def row(k: int) -> list[object]:
+        changes = k and SET_POINT[k] != SET_POINT[k - 1]
+        set_point = SET_POINT[k] if changes else first if k == 0 else ""
+        return [f"{TIME[k]:.2f}", set_point, f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"]
+
+    return row
+
+
+def test_a_set_point_that_is_logged_on_change(tmp_path: Path) -> None:
+    file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar],x [mm]", on_change(0.0))
+    made = pam.new(tmp_path / "rig", [file])
+    (run,) = made.data.runs
+    np.testing.assert_allclose(run.inputs["p_set"], 1e5 * SET_POINT)
+    assert run.interpolation == "previous"
+    assert "495 of 500 cells are empty" in why(made, "p_set")
+    assert any("keeps its value over 495 empty cells of 500" in note for note in run.notes)
+
+
+def test_a_set_point_that_nothing_is_known_of_at_first(tmp_path: Path) -> None:
+    file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar],x [mm]", on_change(""))
+    with pytest.raises(InputError, match=r"a\.csv:2: column 'p_set': .* no value stands above it"):
+        pam.new(tmp_path / "rig", [file])
+    assert not (tmp_path / "rig").exists()
+
+
+def test_an_empty_cell_of_an_input_between_lines_is_a_slip(tmp_path: Path) -> None:
+    file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar],x [mm]", on_change(0.0))
+    made = pam.new(tmp_path / "rig", [file])
+    text = (made.folder / "experiment.toml").read_text(encoding="utf-8")
+    (made.folder / "experiment.toml").write_text(
+        text.replace('interpolation = "previous"', ""), encoding="utf-8"
+    )
+    with pytest.raises(InputError, match="the cell is empty; only measured outputs may lack"):
+        pam.read(made.folder)
+
+
+def test_an_input_of_a_formula_keeps_its_value(tmp_path: Path) -> None:
+    def row(k: int) -> list[object]:
+        return [f"{TIME[k]:.2f}", 2.0 * SET_POINT[k], f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"]
+
+    file = write(tmp_path / "a.csv", "t [s],u [V],p [bar],x [mm]", row)
+    made = pam.new(tmp_path / "rig", [file], columns={"p_set": 'u * "0.5 bar/V"'})
+    assert made.data.runs[0].interpolation == "previous"
+
+
+@pytest.mark.parametrize("digits", [1, 2])
+def test_a_clock_too_coarse_for_its_rows(tmp_path: Path, digits: int) -> None:
+    def row(k: int) -> list[object]:
+        time = f"{0.4 * TIME[k]:.{digits}f}"
+        return [time, SET_POINT[k], f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"]
+
+    file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar],x [mm]", row)
+    made = pam.new(tmp_path / "rig", [file])
+    assert description(made)["recording"] == {"interval": "4 ms", "ignore": ["t"]}
+    np.testing.assert_allclose(made.data.runs[0].time, 0.4 * TIME)
+    assert "the rows are taken to be 4 ms apart" in why(made, "t")
+
+
+def test_rows_that_are_not_evenly_apart_get_no_interval(tmp_path: Path) -> None:
+    def row(k: int) -> list[object]:
+        time = TIME[k] + (3.0 if k > 250 else 0.0)
+        return [f"{time:.1f}", SET_POINT[k], f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"]
+
+    file = write(tmp_path / "a.csv", "t [s],p_set [bar],p [bar],x [mm]", row)
+    with pytest.raises(InputError, match=r"a third row at 0 s"):
+        pam.new(tmp_path / "rig", [file])
+
+
+def clocks(second: Callable[[int], str]) -> Callable[[int], list[object]]:
+    return lambda k: [
+        f"{TIME[k]:.3f}", SET_POINT[k], f"{READ[k]:.4f}", second(k), f"{LENGTH[k]:.3f}",
+    ]  # fmt: skip
+
+
+def test_a_second_clock_that_runs_with_the_first(tmp_path: Path) -> None:
+    file = write(
+        tmp_path / "a.csv",
+        "Time 1 [s],p_set [bar],p [bar],Time 2 [ms],x [mm]",
+        clocks(lambda k: f"{1e3 * TIME[k] + 4.0:.1f}"),
+    )
+    made = pam.new(tmp_path / "rig", [file])
+    assert why(made, "Time 2") == "it runs with 'Time 1', the time, 0.004 s later"
+    assert set(made.data.runs[0].measurements) == {"p", "x"}
+
+
+@pytest.mark.parametrize("names", [("Time 1 [s]", "Time 2 [s]"), ("X_Value", "X_Value.1")])
+def test_two_clocks_in_one_file(tmp_path: Path, names: tuple[str, str]) -> None:
+    heading = f"{names[0]},p_set [bar],p [bar],{names[1]},x [mm]"
+    file = write(tmp_path / "a.csv", heading, clocks(lambda k: f"{2.0 * TIME[k]:.3f}"))
+    second = names[1].split(" [")[0]
+    with pytest.raises(InputError, match="two clocks in one file.*'ignore=") as told:
+        pam.new(tmp_path / "rig", [file])
+    assert told.value.column == second
+    made = pam.new(tmp_path / "rig", [file], recording={"ignore": [second]})
+    np.testing.assert_allclose(made.data.runs[0].time, TIME)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit", "meaning"),
+    [
+        ("Pist", "", "pressure"),
+        ("Pmus", "kPa", "pressure"),
+        ("pdes", "", "set pressure"),
+        ("Sollwert", "bar", "set pressure"),
+        ("Istwert", "bar", "pressure"),
+        ("pression des muscles", "bar", "pressure"),
+        ("F", "KN", "force"),
+    ],
+)
+def test_words(name: str, unit: str, meaning: str) -> None:
+    assert str(read_heading(name, unit).meaning) == meaning
+
+
+@pytest.mark.parametrize(
+    ("unit", "pascals"),
+    [("barü", 1e5), ("bar ü", 1e5), ("atü", 98066.5), ("mWS", 9806.65), ("Torr", 133.32236842)],
+)
+def test_units_of_old_gauges(unit: str, pascals: float) -> None:
+    assert convert(1.0, unit, "Pa") == pytest.approx(pascals)
+    heading = read_heading("p", unit)
+    assert convert(1.0, heading.unit, "Pa") == pytest.approx(pascals) and not heading.absolute
