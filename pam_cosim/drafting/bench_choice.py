@@ -35,7 +35,7 @@ def choose(
     """
     given = Feed(columns, asked, formulas, runs, stated)
     choices = [fed_bench(one, given) for one in _having(candidates, given)]
-    order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.unread))
+    order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.roundabout, c.unread))
     best = order[0]
     if not best.driven:
         raise InputError(_nothing_fits(best, columns))
@@ -44,7 +44,7 @@ def choose(
         {n: _among(c, columns, best, n in asked) for n, c in side.items()}
         for side in (best.inputs, best.outputs)
     )
-    return BenchChoice(best.ports, inputs, outputs, best.unfed, others[:3], best.cost, best.unread)
+    return replace(best, inputs=inputs, outputs=outputs, others=others[:3])
 
 
 def _lets_go(best: BenchChoice, other: BenchChoice) -> bool:

@@ -16,8 +16,8 @@ from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import BRANCH
 
 # What a column costs that is used nowhere, an input that nothing feeds, a column that looks imposed and is read or the
-# other way round, a column that is not quite what is asked for. Only their order matters: what is recorded is used.
-_UNUSED, _UNFED, _UNLIKELY, _ROUNDABOUT, _UNDRIVEN = 8.0, 4.0, 1.0, 0.25, 1e3
+# other way round. Only their order matters: what is recorded is used.
+_UNUSED, _UNFED, _UNLIKELY, _UNDRIVEN = 8.0, 4.0, 1.0, 1e3
 _ISOMETRIC = 5.0
 _NAMED = 0.6  # An input that is called as the bench calls it was meant for it.
 _LENGTHS = ("contraction", "length", "ratio")
@@ -36,6 +36,7 @@ class BenchChoice:
         unfed: inputs that no column feeds.
         others: names of benches that would do as well.
         cost: the lower, the better it fits.
+        roundabout: how far columns are from what is asked for, as a length is from a contraction.
         unread: how many of its outputs nobody read.
         driven: something is measured, and what drives the runs was recorded.
     """
@@ -46,6 +47,7 @@ class BenchChoice:
     unfed: tuple[str, ...]
     others: tuple[str, ...] = ()
     cost: float = 0.0
+    roundabout: float = 0.0
     unread: int = 0
     driven: bool = True
 
@@ -98,15 +100,20 @@ def fed_bench(ports: Ports, given: Feed) -> BenchChoice:
     left = _signals_among(recorded, used)
     driven = _is_driven(ports, fed, left)
     measured = bool(outputs) or len(unread) < len(readable)
-    cost = (
-        _UNUSED * _unused(left, used)
-        + _UNFED * len(unfed)
-        + _ROUNDABOUT * (far_inputs + far_outputs)
-    )
+    cost = _UNUSED * _unused(left, used) + _UNFED * len(unfed)
     cost += _UNLIKELY * _unlikely(inputs, outputs) + _UNDRIVEN * ((not driven) + 2 * (not measured))
     cost -= _NAMED * sum(name == column.name for name, column in inputs.items())
     cost += _ISOMETRIC * _must_be_fixed(ports, used)
-    return BenchChoice(ports, inputs, outputs, unfed, (), cost, len(unread), driven and measured)
+    return BenchChoice(
+        ports,
+        inputs,
+        outputs,
+        unfed,
+        cost=cost,
+        roundabout=far_inputs + far_outputs,
+        unread=len(unread),
+        driven=driven and measured,
+    )
 
 
 def _unused(left: Sequence[RecordedColumn], used: Sequence[RecordedColumn]) -> int:

@@ -209,3 +209,18 @@ def test_units_of_old_gauges(unit: str, pascals: float) -> None:
     assert convert(1.0, unit, "Pa") == pytest.approx(pascals)
     heading = read_heading("p", unit)
     assert convert(1.0, heading.unit, "Pa") == pytest.approx(pascals) and not heading.absolute
+
+
+def test_a_length_asks_for_no_other_bench_than_a_contraction(tmp_path: Path) -> None:
+    """In the middle of motion, with names that no bench has."""
+    course = 3.0 + np.sin(2.0 * np.pi * 0.5 * TIME + 1.0)
+    p = pressure(course)
+    rows = [
+        f"{TIME[k]:.2f},{course[k]:.4f},{p[k]:.4f},{200.0 - 10.0 * p[k]:.3f}"
+        for k in range(100, COUNT)
+    ]
+    file = tmp_path / "a.csv"
+    file.write_text("\n".join(["t [s],p_ref [bar],p_bar,L_mm", *rows]) + "\n", encoding="utf-8")
+    made = pam.new(tmp_path / "rig", [file])
+    assert set(made.data.runs[0].measurements) == {"p", "x"}
+    assert any("regulator and hanging-load" in line for line in made.to_check)
