@@ -29,6 +29,11 @@ def listed(names: Iterable[str]) -> str:
     return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
 
 
+def runs_in_words(count: int) -> str:
+    """``1 run``, ``2 runs``."""
+    return f"{count} run" if count == 1 else f"{count} runs"
+
+
 def closest(name: str, known: Iterable[str], most: int = 1) -> list[str]:
     """The names among ``known`` that ``name`` may have been meant for, best first; case does not matter."""
     folded = {one.casefold(): one for one in known}

@@ -28,7 +28,8 @@ from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, re
 from pam_cosim.drafting.roles import Role, roles, stated_roles
 from pam_cosim.drafting.sleeve import following_measures
 from pam_cosim.drafting.stated_value import StatedValue, check_stated, stated_values, text_of
-from pam_cosim.drafting.summary import NewDataSet, guesses, losses, next_commands, to_check
+from pam_cosim.drafting.summary import NewDataSet, guesses, losses, next_commands
+from pam_cosim.drafting.to_check import to_check
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.errors import InputError

@@ -224,3 +224,20 @@ def test_a_length_asks_for_no_other_bench_than_a_contraction(tmp_path: Path) -> 
     made = pam.new(tmp_path / "rig", [file])
     assert set(made.data.runs[0].measurements) == {"p", "x"}
     assert any("regulator and hanging-load" in line for line in made.to_check)
+
+
+def test_a_contraction_below_zero_is_asked_about(tmp_path: Path) -> None:
+    course = 3.0 + np.sin(2.0 * np.pi * 0.5 * TIME + 1.0)
+    p = pressure(course)
+    for name, zero in (("far", 30.0), ("right", 0.0)):
+        rows = [
+            f"{TIME[k]:.2f},{course[k]:.4f},{p[k]:.4f},{10.0 * p[k] - zero:.3f}"
+            for k in range(100, COUNT)
+        ]
+        file = tmp_path / f"{name}.csv"
+        file.write_text(
+            "\n".join(["t [s],p_set [bar],p [bar],x [mm]", *rows]) + "\n", encoding="utf-8"
+        )
+        made = pam.new(tmp_path / f"rig-{name}", [file])
+        told = [line for line in made.to_check if line.startswith("x goes down to -")]
+        assert len(told) == (zero > 0.0)

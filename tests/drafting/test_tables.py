@@ -314,3 +314,15 @@ def test_tables_of_a_press_come_to_a_verdict_with_no_line_by_hand(tmp_path: Path
     )
     assert after < 3 * sigma and after < before / 20
     assert {"pressure_sensor_lag", "temperature_sensor", "creep"} <= set(diagnosis.not_tried)
+
+
+@pytest.mark.parametrize("least", [0.0, 1.013e5, 2e5])
+def test_pressures_that_begin_at_that_of_the_atmosphere_are_asked_about(
+    tmp_path: Path, least: float
+) -> None:
+    p, x, pull = grid(PRESSURES, [0.0, 0.01, 0.02, 0.03])
+    rows = list(zip((p + least) / 1e5, 1e3 * x, pull + noise(len(p), 0.5, 1), strict=True))
+    file = write(tmp_path / "map.csv", "p [bar],x [mm],F [N]", rows)
+    made = pam.new(tmp_path / "rig", [file])
+    asked = [line for line in made.to_check if "the gauge is an absolute one" in line]
+    assert len(asked) == (least == 1.013e5)

@@ -1,0 +1,205 @@
+"""What only the experimenter knows of a new data set, in sentences that say how to state it."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting import open_parameters
+from pam_cosim.drafting.column_statistics import span
+from pam_cosim.drafting.contraction import LONGEST
+from pam_cosim.drafting.document import Draft
+from pam_cosim.drafting.feeding import BenchChoice, meaning_of
+from pam_cosim.drafting.mapped import Mapped, MappedRecording
+from pam_cosim.drafting.rest import begins_still
+from pam_cosim.drafting.vocabulary import Meaning
+from pam_cosim.drafting.zeros import ABSOLUTE_GAUGE
+from pam_cosim.model.interface import Interface
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import listed, runs_in_words, shown
+
+_FEWEST_ROWS = 2  # that a recording may have
+
+
+def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...]:
+    """What only the experimenter knows."""
+    return tuple(
+        [
+            *_unknown_muscle(made),
+            *_unknown_geometry(made),
+            *(
+                [made.why_model.removeprefix("guessed: ") + "; --model takes another"]
+                if made.why_model
+                else []
+            ),
+            *_freely_moving(made, choice),
+            *_never_at_rest(made, mapped),
+            *_below_zero(made, mapped),
+            *_absolute_points(made, mapped),
+            *_unfed_inputs(made),
+            *_absolute_supply(made),
+            *_unknown_directions(made),
+            *_nothing_held_out(made),
+            *_moving_starts(made, mapped),
+            *_few_rows(made, mapped),
+            _free(made),
+        ]
+    )
+
+
+def _unknown_muscle(made: Draft) -> Iterator[str]:
+    if made.usual_muscle:
+        hint = "--muscle DMSP-20 ('pam-cosim bench --list' has them all), its measures, or files called DMSP-20-300..."
+        yield f"which muscle it is, nobody says: it is taken for the bench's own; {hint}"
+
+
+def _unknown_geometry(made: Draft) -> Iterator[str]:
+    told = [name for name in made.to_state if all(name in run for run in made.told)]
+    unknown = [name for name in made.to_state if name not in made.stated and name not in told]
+    names = [name for name in unknown if open_parameters.is_geometry(made.to_state[name])]
+    if names:
+        yield f"geometry and load are the bench's own until you state yours under [parameters]: {listed(names)}"
+
+
+def _unfed_inputs(made: Draft) -> Iterator[str]:
+    for name in made.unfed:
+        if name not in made.stated:
+            hint = f"state its value, or --column {name}=..., or of each file --parameter {name}@FILE=..."
+            yield f"no column was recognised as the input {name}: {hint}"
+
+
+def _absolute_supply(made: Draft) -> Iterator[str]:
+    """A supply, which never rests at the ambient pressure, beside a pressure that was found to be absolute."""
+    absolute = [e.name for e in made.entries.values() if any(ABSOLUTE_GAUGE in w for w in e.why)]
+    variables = {**made.interface.inputs, **made.interface.outputs}
+    supply = Meaning("pressure", frozenset({"supply"}))
+    for name, entry in made.entries.items():
+        if absolute and name in variables and meaning_of(variables[name]) == supply:
+            column = entry.column or name
+            yield (
+                f"{listed(absolute)} is of an absolute gauge: if {name} is too, take the ambient pressure off under "
+                f'[columns], as in {name} = {{ column = {shown(column)}, offset = "-1.013 bar" }}'
+            )
+
+
+def _freely_moving(made: Draft, choice: BenchChoice) -> Iterator[str]:
+    """Lengths that are taken for imposed and move, as those of a muscle that lifts a load do."""
+    if made.points is not None or not choice.others:
+        return
+    for name, column in choice.moving_lengths.items():
+        yield (
+            f"{name} is taken for imposed, and {column.name} moves: if the muscle itself moved it, against a load that "
+            f"hangs or a spring, say --model '{choice.others[0]}'"
+        )
+
+
+def _never_at_rest(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """Contractions counted from the longest length, where the muscle has pressure in every row."""
+    counted = [e.name for e in made.entries.values() if any(LONGEST in why for why in e.why)]
+    pressures = _pressures(made.interface, mapped)
+    if not counted or not pressures.size:
+        return
+    least = CRITERIA.recognition.unloaded * float(np.nanmax(pressures))
+    if float(np.nanmin(pressures)) > least:
+        yield (
+            f"{listed(counted)} is counted from the longest length that was recorded, and in no row is the muscle "
+            "without pressure: its length at rest is longer; measure it, and write it in the formula under [columns]"
+        )
+
+
+def _below_zero(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """Contractions of which a muscle would be far longer than at rest: their zero is that of the instrument."""
+    if made.points is not None:
+        return
+    variables = {**made.interface.inputs, **made.interface.outputs}
+    for name in dict.fromkeys(name for course in mapped.courses for name in course.every):
+        if meaning_of(variables[name]) != Meaning("contraction") or name in made.stated:
+            continue
+        values = np.concatenate([c.every[name] for c in mapped.courses if name in c.every])
+        least = float(np.nanmin(values))
+        if least < -CRITERIA.recognition.offset * span(values):
+            reading = format_quantity(least, variables[name].unit)
+            yield (
+                f"{name} goes down to {reading}, as if the muscle were longer than at rest: its zero is that of "
+                f'the instrument; put it right under [columns], as in {name} = {{ ..., offset = "20 mm" }}'
+            )
+
+
+def _absolute_points(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """Pressures of points at rest that begin at that of the atmosphere, where the muscle does nothing."""
+    if made.points is None:
+        return
+    outputs = made.interface.outputs
+    low, high = CRITERIA.recognition.atmosphere
+    pressures = _pressures(made.interface, mapped)
+    if not pressures.size or not low <= float(np.nanmin(pressures)) <= high:
+        return
+    least = pressures <= high
+    read = [n for n in outputs if all(n in c.every for c in mapped.courses)]
+    shown_by = {n: np.abs(np.concatenate([c.every[n] for c in mapped.courses])) for n in read}
+    unloaded = CRITERIA.recognition.unloaded
+    if any(np.nanmax(v[least]) <= unloaded * np.nanmax(v) for v in shown_by.values()):
+        reading = format_quantity(float(np.nanmin(pressures)), "Pa")
+        yield (
+            f"the least pressure is {reading}, and the muscle does nothing there: if the gauge is an absolute one, "
+            'take the ambient pressure off under [columns], as in p = { ..., offset = "-1.013 bar" }'
+        )
+
+
+def _pressures(interface: Interface, mapped: Mapped) -> Array:
+    """Every pressure in the muscle, or the set points, that was recorded."""
+    for roles in ((), ("set",)):
+        wanted = Meaning("pressure", frozenset(roles))
+        names = [
+            name
+            for name, variable in {**interface.outputs, **interface.inputs}.items()
+            if meaning_of(variable) == wanted
+        ]
+        found = [c.every[name] for c in mapped.courses for name in names if name in c.every]
+        if found:
+            return np.concatenate(found)
+    return np.empty(0)
+
+
+def _few_rows(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """Recordings that are as short as one may be."""
+    counts = zip(made.files, mapped.courses, strict=True)
+    few = [file for file, course in counts if len(course.time) <= _FEWEST_ROWS]
+    if few and made.points is None:
+        yield f"two rows determine neither noise nor parameters: record more, or leave out {listed(few)}"
+
+
+def _nothing_held_out(made: Draft) -> Iterator[str]:
+    points = made.points is not None and any(made.points.hold_out)
+    if not points and all(role.role != "holdout" for role in made.roles):
+        yield f"nothing is held out of {runs_in_words(len(made.roles))}: nothing checks a fit on data it has not seen"
+
+
+def _moving_starts(made: Draft, mapped: Mapped) -> Iterator[str]:
+    moving = [c.first_rest is None and not _begins_still(c) for c in mapped.courses]
+    files = [file for file, moves in zip(made.files, moving, strict=True) if moves]
+    if files and made.points is None:
+        yield f"not at rest at the start, where the model is: {listed(files)}"
+
+
+def _free(made: Draft) -> str:
+    free = [name for name in made.free if name not in made.stated]
+    if free:
+        return f"free for the fit: {listed(free)}"
+    return "nothing is free: see [fit] for what may be, or let diagnose look"
+
+
+def _begins_still(course: MappedRecording) -> bool:
+    return begins_still(course.time, list(course.every.values()))
+
+
+def _unknown_directions(made: Draft) -> list[str]:
+    """Columns of directions of which no word is known."""
+    return [
+        f"nothing tells which way {entry.column or name} means by {listed(entry.words)}: write up or down for each"
+        for name, entry in made.entries.items()
+        if entry.words and not set(entry.words.values()) & {"up", "down"}
+    ]
