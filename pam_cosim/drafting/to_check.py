@@ -175,7 +175,10 @@ def _few_rows(made: Draft, mapped: Mapped) -> Iterator[str]:
 def _nothing_held_out(made: Draft) -> Iterator[str]:
     points = made.points is not None and any(made.points.hold_out)
     if not points and all(role.role != "holdout" for role in made.roles):
-        yield f"nothing is held out of {runs_in_words(len(made.roles))}: nothing checks a fit on data it has not seen"
+        runs = runs_in_words(len(made.roles))
+        hint = "a file may stand under [[runs]] twice, with from and to, as fit and as holdout"
+        more = "" if made.points is not None else f"; {hint}"
+        yield f"nothing is held out of {runs}: nothing checks a fit on data it has not seen{more}"
 
 
 def _moving_starts(made: Draft, mapped: Mapped) -> Iterator[str]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
+from math import inf
 from pathlib import Path
 
 from pam_cosim.errors import InputError
@@ -28,23 +29,37 @@ from pam_cosim.wording import shown
 
 
 def check_runs(document: ExperimentFile) -> None:
-    """Every file is there and listed once, names differ, and something is left to fit."""
+    """Every file is there, what is used of it is used once, names differ, and something is left to fit."""
     runs = document.content.runs
     if not any(run.role == "fit" for run in runs):
         raise document.error('no run has role = "fit"; one at least is needed', "runs")
-    files: set[Path] = set()
-    names: set[str] = set()
-    for index, run in enumerate(runs):
-        path = ("runs", index, "file")
-        file, name = file_inside(document, run.file, *path).resolve(), run_name(run.file)
-        if file in files:
-            raise document.error(f"the file {shown(run.file)} is listed twice", *path)
-        if name in names:
-            raise document.error(
-                f"two runs would be called {shown(name)}; rename one of the files", *path
-            )
-        files.add(file)
-        names.add(name)
+    files = [
+        file_inside(document, run.file, "runs", index, "file").resolve()
+        for index, run in enumerate(runs)
+    ]
+    names = run_names(document)
+    for index, (file, name) in enumerate(zip(files, names, strict=True)):
+        for other in range(index):
+            if file == files[other]:
+                _check_apart(document, index, other)
+            elif name == names[other]:
+                message = f"two runs would be called {shown(name)}; rename one of the files"
+                raise document.error(message, "runs", index, "file")
+
+
+def _check_apart(document: ExperimentFile, index: int, other: int) -> None:
+    """Raises InputError where two runs of a file use the same samples."""
+    tables = [document.content.runs[i] for i in (other, index)]
+    file, place = shown(tables[1].file), ("runs", index, "file")
+    if any(_is_static(document, table) for table in tables):
+        message = f"the file {file} is listed twice; hold_out keeps points of a file from the fit"
+        raise document.error(message, *place)
+    ends = [_stated_ends(document, i) for i in (other, index)]
+    begin = max(one.get("from", -inf) for one in ends)
+    end = min(one.get("to", inf) for one in ends)
+    if begin < end:
+        message = f"the file {file} is listed twice, and its runs share samples; from and to say which part each is"
+        raise document.error(message, *place)
 
 
 def check_branches(
@@ -67,7 +82,7 @@ def parameters_of_run(
 ) -> list[FreeParameter]:
     """What is fitted to one run alone."""
     table = document.content.runs[index]
-    path, name = ("runs", index, "fit"), run_name(table.file)
+    path, name = ("runs", index, "fit"), run_names(document)[index]
     for one in table.fit:
         if table.role == "holdout":
             message = f"{one} is free in a run that is never fitted; state its value under [runs.parameters]"
@@ -116,12 +131,15 @@ def runs_of_table(
         _check_dynamic(document, table, index)
         recording, files = read_run(document, index, interface)
     _check_constants(document, index, recording, values, own)
-    run = _whole_run(table, interface, recording, files, values)
+    run = _whole_run(run_names(document)[index], table, interface, recording, files, values)
     if points:
         every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
         parts = f"holds {len(every)} curves"
     else:
-        every = pieces_of(_cut_as_stated(document, index, run), table.gaps or document.content.gaps)
+        part = _cut_as_stated(document, index, run)
+        every = pieces_of(part, table.gaps or document.content.gaps)
+        if _is_listed_again(document, table):
+            run = part  # what others cut it to lies within: the rest is of another run
         parts = f"falls into {len(every)} pieces"
     if table.fit and len(every) > 1:
         message = f"{shown(table.file)} {parts}, which have no parameter of their own; free it under [fit]"
@@ -146,6 +164,7 @@ def _check_constants(
 
 
 def _whole_run(
+    name: str,
     table: RunTable,
     interface: Interface,
     recording: Recording,
@@ -155,7 +174,7 @@ def _whole_run(
     """The run with all rows of its recording, and no start yet."""
     stated = {*recording.inputs, *values}
     return Run(
-        name=run_name(table.file),
+        name=name,
         file=files[0],
         more_files=tuple(files[1:]),
         role=table.role,
@@ -195,6 +214,19 @@ def _own_values(
 
 def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
     """The rows of a recording that ``from`` and ``to`` leave."""
+    ends = _stated_ends(document, index)
+    try:
+        return cut_run(run, Cut(ends.get("from"), ends.get("to")))
+    except InputError as error:
+        raise document.error(error.message, "runs", index, next(iter(ends), "file")) from None
+
+
+def _is_listed_again(document: ExperimentFile, table: RunTable) -> bool:
+    return [Path(one.file) for one in document.content.runs].count(Path(table.file)) > 1
+
+
+def _stated_ends(document: ExperimentFile, index: int) -> dict[str, float]:
+    """``from`` and ``to`` of a run [s], as far as they are stated."""
     table, ends = document.content.runs[index], dict[str, float]()
     for key, value in (("from", table.begin), ("to", table.end)):
         if value is not None:
@@ -202,10 +234,7 @@ def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
                 ends[key] = parse_quantity(value, "s")
             except UnitError as error:
                 raise document.error(f"{key}: {error}", "runs", index, key) from None
-    try:
-        return cut_run(run, Cut(ends.get("from"), ends.get("to")))
-    except InputError as error:
-        raise document.error(error.message, "runs", index, next(iter(ends), "file")) from None
+    return ends
 
 
 def _begun(
@@ -258,6 +287,16 @@ def _curve(run: Run, points: Points, first: bool) -> Run:
     )
 
 
-def run_name(file: str) -> str:
-    """The name of the run of a file: its path without the suffix."""
-    return Path(file).with_suffix("").as_posix()
+def run_names(document: ExperimentFile) -> list[str]:
+    """The name of each table of ``[[runs]]``: the path of its file without the suffix, and which part of that it is."""
+    files = [Path(run.file) for run in document.content.runs]
+    return [
+        _name_of(file)
+        if files.count(file) == 1
+        else f"{_name_of(file)} part {files[: i + 1].count(file)}"
+        for i, file in enumerate(files)
+    ]
+
+
+def _name_of(file: Path) -> str:
+    return file.with_suffix("").as_posix()

@@ -123,3 +123,30 @@ def test_a_star_stands_for_all_runs_that_are_not_named(read: Callable[..., DataS
         cuts={"*": ("0.5 s", None), "run": ("0.7 s", None)}, starts={"*": "steady", "run": "rest"}
     ).runs[0]
     assert run.time[0] == 0.7 and run.start.mode == "rest"
+
+
+AGAIN = '[[runs]]\nfile = "run.csv"\nrole = "holdout"\n'
+
+
+def test_a_recording_is_fitted_at_first_and_held_out_then(read: Callable[..., DataSet]) -> None:
+    first, second = read(f'to = "1.2 s"\n{AGAIN}from = "1.2 s"').runs
+    assert (first.name, first.role) == ("run part 1", "fit")
+    assert (second.name, second.role) == ("run part 2", "holdout")
+    assert first.time[[0, -1]].tolist() == pytest.approx([0.0, 1.2])
+    assert second.time[[0, -1]].tolist() == pytest.approx([1.2, 1.9])
+
+
+def test_what_cuts_all_runs_cuts_each_part_within_its_own(read: Callable[..., DataSet]) -> None:
+    stated = f'to = "1.2 s"\n{AGAIN}from = "1.2 s"'
+    first, second = read(stated, cuts={"*": ("0.5 s", "1.7 s")}).runs
+    assert first.time[[0, -1]].tolist() == pytest.approx([0.5, 1.2])
+    assert second.time[[0, -1]].tolist() == pytest.approx([1.2, 1.7])
+
+
+@pytest.mark.parametrize(
+    ("first", "second"),
+    [("", ""), ('to = "1.2 s"', ""), ('to = "1.2 s"', 'from = "1.1 s"'), ('from = "1 s"', "")],
+)
+def test_no_sample_is_of_two_runs(read: Callable[..., DataSet], first: str, second: str) -> None:
+    with pytest.raises(InputError, match="'run.csv' is listed twice, and its runs share samples"):
+        read(f"{first}\n{AGAIN}{second}")
