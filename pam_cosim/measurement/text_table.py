@@ -21,6 +21,8 @@ from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, f
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
 from pam_cosim.wording import shown
 
+LABVIEW_TIME = "x_value"
+"""How LabVIEW heads its times, in small letters, again before each channel that has times of its own."""
 _TALLEST = 8  # Lines of one quoted cell.
 _MEANT = re.compile(
     r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE
@@ -188,6 +190,8 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
                 message, file, line, heading[:60] if heading.isprintable() and heading else None
             )
         name, unit = parts
+        if name.casefold() == LABVIEW_TIME and name in seen:
+            name = f"{name} {1 + sum(one.startswith(name) for one in seen)}"
         if name in seen:
             raise InputError("this column stands twice in the header; rename one", file, line, name)
         if unit and below and unit != below:

@@ -185,6 +185,24 @@ def test_two_clocks_in_one_file(tmp_path: Path, names: tuple[str, str]) -> None:
     np.testing.assert_allclose(made.data.runs[0].time, TIME)
 
 
+def test_labview_heads_the_times_of_every_channel_alike(tmp_path: Path) -> None:
+    def row(k: int) -> list[object]:
+        time = f"{TIME[k]:.6f}"
+        return [time, SET_POINT[k], time, f"{READ[k]:.4f}", time, f"{LENGTH[k]:.3f}", ""]
+
+    file = write(tmp_path / "a.csv", "X_Value,p_set,X_Value,p,X_Value,x,Comment", row)
+    made = pam.new(tmp_path / "rig", [file])
+    assert description(made)["recording"]["ignore"] == ["X_Value 2", "X_Value 3", "Comment"]
+    np.testing.assert_allclose(made.data.runs[0].time, TIME)
+    np.testing.assert_allclose(made.data.runs[0].inputs["p_set"], 1e5 * SET_POINT)
+
+
+def test_other_headings_may_not_stand_twice(tmp_path: Path) -> None:
+    file = write(tmp_path / "a.csv", "t [s],p,p", lambda k: [TIME[k], READ[k], READ[k]])
+    with pytest.raises(InputError, match="column 'p': this column stands twice in the header"):
+        pam.new(tmp_path / "rig", [file])
+
+
 @pytest.mark.parametrize(
     ("name", "unit", "meaning"),
     [
