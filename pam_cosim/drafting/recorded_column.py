@@ -118,5 +118,7 @@ def with_usual_unit(one: RecordedColumn) -> RecordedColumn:
     if kind == "command" and largest > _LARGEST_COMMAND:
         return replace(one, unknown="counts")
     unit = usual_unit(str(one.meaning), largest) or usual_unit(kind, largest)
-    why = f"no unit is written; numbers up to {largest:.4g} are taken as {unit}" if unit else ""
-    return replace(one, unit=unit, why=(*one.why, why) if why else one.why)
+    if not unit and (kind not in USUAL_UNITS or (is_switch(one.every) and largest == 1.0)):
+        return one  # nothing to guess
+    why = f"no unit is written; numbers up to {largest:.4g} are taken as {unit or 'shares of one'}"
+    return replace(one, unit=unit, why=(*one.why, why))

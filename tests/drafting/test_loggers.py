@@ -185,6 +185,19 @@ def test_two_clocks_in_one_file(tmp_path: Path, names: tuple[str, str]) -> None:
     np.testing.assert_allclose(made.data.runs[0].time, TIME)
 
 
+@pytest.mark.parametrize(("full", "guessed"), [(0.35, True), (1.0, False)])
+def test_a_command_without_a_unit_is_a_guess_where_it_is_no_switch(
+    tmp_path: Path, full: float, guessed: bool
+) -> None:
+    def row(k: int) -> list[object]:
+        valves = [full * one[k] for one in (IS_FILLED, IS_EMPTIED)]
+        return [f"{TIME[k]:.2f}", *valves, f"{READ[k]:.4f}", f"{LENGTH[k]:.3f}"]
+
+    file = write(tmp_path / "a.csv", "t [s],valve_in,valve_out,p [bar],x [mm]", row)
+    made = pam.new(tmp_path / "rig", [file])
+    assert ("numbers up to 0.35 are taken as shares of one" in why(made, "valve_in")) == guessed
+
+
 def test_labview_heads_the_times_of_every_channel_alike(tmp_path: Path) -> None:
     def row(k: int) -> list[object]:
         time = f"{TIME[k]:.6f}"
