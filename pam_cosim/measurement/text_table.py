@@ -180,7 +180,7 @@ def _joined(lines: list[str]) -> Iterator[Line]:
 
 def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
     """Name and unit of each column."""
-    line, seen = layout.header_line or None, set()
+    line, seen = layout.header_line or None, set[str]()
     named = []
     for number, (heading, below) in enumerate(layout.headings, start=1):
         parts = split_heading(heading)
