@@ -169,7 +169,9 @@ class RecognitionCriteria:
         1e-5, "of range", "scatter below is of computed numbers, and no instrument's noise"
     )
     gaps: float = decides(
-        0.1, "of samples", "a column that lacks more is measured: inputs have no gaps"
+        0.1,
+        "of samples",
+        "a column that lacks more is measured, or an input that is logged on change",
     )
     long: int = decides(20000, "rows", "of a run, from which on means over several are proposed")
     follows: float = decides(

@@ -10,6 +10,7 @@ from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
 from pam_cosim.drafting.roles import Role
+from pam_cosim.drafting.sources import Part
 from pam_cosim.drafting.stated_value import StatedValue, text_of
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.toml_text import toml_key, toml_string
@@ -35,7 +36,7 @@ class Draft:
         points: of tables of points at rest, what each file says of its direction, and values that are held out.
         follows: of what is stated, what is zero because it follows from the rest.
         having: which recordings have the column of a signal, if only empty.
-        beginning_anew: recordings whose time goes back, where another experiment begins.
+        parts: of each recording, which part of its file it is; None: all of it.
     """
 
     title: str
@@ -61,7 +62,14 @@ class Draft:
     usual_muscle: bool = False
     points: PointsDraft | None = None
     follows: Sequence[str] = ()
-    beginning_anew: Sequence[int] = ()
+    parts: Sequence[Part | None] = ()
+
+    @property
+    def recordings(self) -> list[str]:
+        """Each recording by its file, and the part that it is of that."""
+        parts = self.parts or [None] * len(self.files)
+        named = zip(self.files, parts, strict=True)
+        return [file if part is None else f"{file}, part {part.number}" for file, part in named]
 
 
 def document(draft: Draft) -> str:
@@ -277,9 +285,15 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
     if draft.interpolation[i] != "linear":
         yield from _guessed("inputs keep their value until the next sample", "they step and stay")
         yield f'interpolation = "{draft.interpolation[i]}"'
-    if i in draft.beginning_anew:
-        yield from _guessed("another experiment begins there", "the time goes back")
+    part = draft.parts[i] if draft.parts else None
+    if part is not None:
+        yield from _guessed(
+            f"this is experiment {part.number} of the file", "the time goes back to its beginning"
+        )
         yield 'gaps = "split"'
+        for key, at in (("from", part.begin), ("to", part.end)):
+            if at is not None:
+                yield f'{key} = "{seconds(at)}"'
     if draft.points is not None:
         yield from _points(draft.points, i)
     told = draft.told[i]

@@ -8,7 +8,6 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.arrays import Array
 from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters, values
@@ -34,7 +33,6 @@ from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
-from pam_cosim.measurement.pieces import usual_step
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 
@@ -66,7 +64,7 @@ def draft(
         recorded = known(files, wishes)
         bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
         recorded = _with_length(recorded, bench)
-        copies = copy_files(files, place)
+        copy_of = dict(zip(files, copy_files(files, place), strict=True))
         try:
             for stated in (recorded.stated, *recorded.own):
                 check_stated(stated, bench.interface)
@@ -83,12 +81,12 @@ def draft(
             bench,
             recorded,
             mapped,
-            copies,
+            [copy_of[file] for file in recorded.files],
             wishes.roles or {},
         )
         made = replace(made, follows=tuple(follows))
         (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
-        data = read_draft(place, dict(zip(copies, files, strict=True)), describe)
+        data = read_draft(place, {copy: file for file, copy in copy_of.items()}, describe)
         put(place, folder)
     check = (*losses(data), *to_check(made, mapped, bench.choice))
     told = guesses(made, bench.choice, recorded.time), check
@@ -156,7 +154,7 @@ def _content(
         perhaps=open_parameters.perhaps(interface, recorded.points),
         to_state=open_parameters.to_state(interface, recorded.points),
         files=copies,
-        roles=stated_roles(guessed, [file.stem for file in recorded.files], stated),
+        roles=stated_roles(guessed, recorded.sources, stated),
         told=told,
         interpolation=[
             _interpolation(_set_columns(bench, recorded, i), i) for i in range(len(mapped.courses))
@@ -164,22 +162,11 @@ def _content(
         resample=_means(mapped.courses),
         having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
-        beginning_anew=[i for i, c in enumerate(mapped.courses) if _begins_anew(c.time)],
+        parts=[source.part for source in recorded.sources],
         points=drafted(mapped.courses, interface, recorded.files, by_run)
         if recorded.points
         else None,
     )
-
-
-def _begins_anew(time: Array) -> bool:
-    """Whether the time goes back to its beginning, and on from there; elsewhere a cell is wrong."""
-    steps = np.diff(time)
-    back = np.flatnonzero(steps < 0.0) + 1
-    if not back.size:
-        return False
-    lengths = np.diff([0, *back, len(time)])
-    begins = time[back] <= time[0] + usual_step(steps)
-    return bool(np.all(begins) and np.all(lengths >= CRITERIA.noise.fewest_samples))
 
 
 def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:

@@ -18,6 +18,7 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns, with_known_units
 from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
+from pam_cosim.drafting.parts import in_parts
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.sources import RecordingSource, read_sources
 from pam_cosim.drafting.time_column import check_time
@@ -46,7 +47,7 @@ class ReadRecordings:
     """The recordings as they were read.
 
     Attributes:
-        sources: one for each file.
+        sources: one for each file, or for each experiment in it.
         columns: of all of them, with what each is.
         time: the one of time; None where an interval is stated.
         recording: as stated.
@@ -69,7 +70,7 @@ class ReadRecordings:
 
     @property
     def files(self) -> list[Path]:
-        """Of the user."""
+        """Of the user, one for each recording."""
         return [source.file for source in self.sources]
 
 
@@ -89,10 +90,11 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     asked = {name: column for name, column in wanted.items() if column in names}
     formulas = {name: text for name, text in wanted.items() if text not in names}
     _check_asked(formulas, names)
-    columns = find_columns(sources, asked)
-    columns = with_known_units(columns, formulas.values(), sources, asked.values())
-    columns += quantities(files, columns, list(map(_rows, sources)))
-    time = check_time(columns, sources, recording)
+    columns, time = _recognised(sources, asked, formulas, recording)
+    parts = sources if time is None else in_parts(sources, time)
+    if len(parts) > len(sources):
+        sources = parts
+        columns, time = _recognised(sources, asked, formulas, recording)
     interval = None if time is None else even_interval(_seconds(time))
     if time is not None and interval is not None:
         columns = [_coarse(c, interval) if c is time else c for c in columns]
@@ -100,11 +102,24 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     points = time is None and recording.interval is None
     if points:
         columns = _as_points(columns)
-    stated, own = _stated(wishes.parameters or {}, [file.stem for file in files])
+    stated, own = _stated(wishes.parameters or {}, sources)
     recording = _with_missing(recording, sources)
     return ReadRecordings(
         tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points
     )
+
+
+def _recognised(
+    sources: Sequence[RecordingSource],
+    asked: Mapping[str, str],
+    formulas: Mapping[str, str],
+    recording: RecordingTable,
+) -> tuple[list[RecordedColumn], RecordedColumn | None]:
+    """The columns and what each is, and the one of time."""
+    columns = find_columns(sources, asked)
+    columns = with_known_units(columns, formulas.values(), sources, asked.values())
+    columns += quantities([one.file for one in sources], columns, list(map(_rows, sources)))
+    return columns, check_time(columns, sources, recording)
 
 
 def _seconds(time: RecordedColumn) -> list[Array]:
@@ -171,21 +186,24 @@ def _instead(
 
 
 def _stated(
-    parameters: Mapping[str, str], names: Sequence[str]
+    parameters: Mapping[str, str], sources: Sequence[RecordingSource]
 ) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
     """Parameters of all recordings, and those of one, ``NAME@RECORDING``."""
     shared: dict[str, str] = {}
-    own: tuple[dict[str, str], ...] = tuple({} for _ in names)
+    own: tuple[dict[str, str], ...] = tuple({} for _ in sources)
     for key, value in parameters.items():
         name, at, run = key.partition("@")
         if not at:
             shared[name] = value
-        elif run not in names:
+            continue
+        called = [i for i, one in enumerate(sources) if one.is_called(run)]
+        if not called:
+            names = [source.name for source in sources]
             raise InputError(
                 f"--parameter {key}: there is no recording {shown(run)}; {did_you_mean(run, names)}"
             )
-        else:
-            own[names.index(run)][name] = value
+        for i in called:
+            own[i][name] = value
     return shared, own
 
 

@@ -11,6 +11,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import is_constant, span
 from pam_cosim.drafting.mapped import MappedRecording
+from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
 from pam_cosim.model.interface import Interface
@@ -147,21 +148,25 @@ def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
 
 
 def stated_roles(
-    guessed: Sequence[Role], names: Sequence[str], stated: Mapping[str, str]
+    guessed: Sequence[Role], sources: Sequence[RecordingSource], stated: Mapping[str, str]
 ) -> list[Role]:
     """The roles, those by name that the user states instead of guesses.
 
     Raises:
         InputError: there is no such recording or role, or none would be left to fit.
     """
+    made = list(guessed)
     for name, role in stated.items():
-        if name not in names:
+        called = [i for i, one in enumerate(sources) if one.is_called(name)]
+        if not called:
+            names = [source.name for source in sources]
             raise InputError(f"there is no recording {shown(name)}; {did_you_mean(name, names)}")
         if role not in ROLES:
             raise InputError(
                 f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}"
             )
-    made = [Role(stated[n]) if n in stated else one for n, one in zip(names, guessed, strict=True)]
+        for i in called:
+            made[i] = Role(role)
     if not any(one.role == "fit" for one in made):
         raise InputError("no recording would be left to fit")
     return made

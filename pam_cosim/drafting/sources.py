@@ -21,12 +21,27 @@ _MOST_WORDS = 3  # up, down, and neither
 
 
 @dataclass(frozen=True)
+class Part:
+    """One of several experiments in a file.
+
+    Attributes:
+        number: from one on.
+        begin, end: between which times it lies [s], of a time that goes on from each to the next; None: the file's own.
+    """
+
+    number: int
+    begin: float | None
+    end: float | None
+
+
+@dataclass(frozen=True)
 class RecordingSource:
     """One recording.
 
     Attributes:
         texts: headings of columns of text, which are left out.
         labels: the cells of those that hold the same in every row.
+        part: which one of its file, where that holds several experiments.
         clocks: headings of those whose cells hold times of day in a way that is not read.
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
@@ -38,6 +53,16 @@ class RecordingSource:
     words: dict[str, tuple[str, ...]] = field(default_factory=dict)
     labels: tuple[str, ...] = ()
     clocks: tuple[str, ...] = ()
+    part: Part | None = None
+
+    @property
+    def name(self) -> str:
+        """Of the run that it becomes, as far as files are not renamed."""
+        return self.file.stem if self.part is None else f"{self.file.stem} part {self.part.number}"
+
+    def is_called(self, name: str) -> bool:
+        """Whether a name is its own, or that of its file, of which it may be a part."""
+        return name in (self.name, self.file.stem)
 
 
 def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[RecordingSource]:

@@ -79,7 +79,7 @@ def guesses(made: Draft, choice: BenchChoice, time: RecordedColumn | None) -> tu
         unit = made.interface.outputs[name].unit
         noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
         rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
-    for file, role in zip(made.files, made.roles, strict=True):
+    for file, role in zip(made.recordings, made.roles, strict=True):
         if role.why:
             rows.append(Guess(file, role.role, f"guessed: {role.why}"))
     return tuple(rows + _of_points(made))
@@ -110,7 +110,7 @@ def _of_points(made: Draft) -> list[Guess]:
         return []
     rows = []
     for file, branch, aside in zip(
-        made.files, made.points.branch, made.points.hold_out, strict=True
+        made.recordings, made.points.branch, made.points.hold_out, strict=True
     ):
         if branch:
             whys = {"order": "guessed: the rows go up and come back", "none": "its rows tell none"}

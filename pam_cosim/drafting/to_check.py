@@ -166,7 +166,7 @@ def _pressures(interface: Interface, mapped: Mapped) -> Array:
 
 def _few_rows(made: Draft, mapped: Mapped) -> Iterator[str]:
     """Recordings that are as short as one may be."""
-    counts = zip(made.files, mapped.courses, strict=True)
+    counts = zip(made.recordings, mapped.courses, strict=True)
     few = [file for file, course in counts if len(course.time) <= _FEWEST_ROWS]
     if few and made.points is None:
         yield f"two rows determine neither noise nor parameters: record more, or leave out {listed(few)}"
@@ -183,7 +183,7 @@ def _nothing_held_out(made: Draft) -> Iterator[str]:
 
 def _moving_starts(made: Draft, mapped: Mapped) -> Iterator[str]:
     moving = [c.first_rest is None and not _begins_still(c) for c in mapped.courses]
-    files = [file for file, moves in zip(made.files, moving, strict=True) if moves]
+    files = [file for file, moves in zip(made.recordings, moving, strict=True) if moves]
     if files and made.points is None:
         yield f"not at rest at the start, where the model is: {listed(files)}"
 

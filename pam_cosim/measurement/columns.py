@@ -66,8 +66,8 @@ def with_columns(table: Table, renaming: ColumnMapping) -> Table:
     """The table with the columns that ``[columns]`` describes; those they are made of are left out.
 
     Raises:
-        InputError: a column that is not in the file, a formula that cannot be read or whose units do not fit, a
-            rest interval without samples; with the place in the document.
+        InputError: a column that is not in the file, a formula that cannot be read or whose units do not fit; with the
+            place in the document.
     """
     made: dict[str, Column] = {}
     used: set[str] = set()
@@ -81,7 +81,15 @@ def with_columns(table: Table, renaming: ColumnMapping) -> Table:
     rest = {
         name: c for name, c in table.columns.items() if name not in made and c.heading not in used
     }
-    table = replace(table, columns={**rest, **made})
+    return replace(table, columns={**rest, **made})
+
+
+def with_zeros(table: Table, renaming: ColumnMapping) -> Table:
+    """The table with the zero of each column that has a rest interval taken off.
+
+    Raises:
+        InputError: a rest interval without samples; with the place in the document.
+    """
     for name, one in renaming.tables.items():
         if one.zero is not None:
             table = _zeroed(table, renaming, name)

@@ -29,14 +29,10 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
     if gaps is None or TIME not in table.columns:
         return table
     column = table.columns[TIME]
-    steps = np.diff(column.values)
-    back = np.flatnonzero(steps < 0.0)
+    back = np.flatnonzero(np.diff(column.values) < 0.0)
     if not back.size or not np.isfinite(column.values).all():
         return table
-    usual = usual_step(steps) or 1.0
-    pause = usual * (2.0 * CRITERIA.recognition.pause if gaps == "split" else 1.0)
-    steps[back] = pause
-    time = column.values[0] + np.concatenate([[0.0], np.cumsum(steps)])
+    time = going_on(column.values, gaps)
     places = ", ".join(f"{column.values[i]:g}" for i in back[: CRITERIA.recognition.pauses_listed])
     meant = (
         "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
@@ -46,6 +42,16 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
         table,
         columns={**table.columns, TIME: replace(column, values=time)},
         notes=(*table.notes, note),
+    )
+
+
+def going_on(time: Array, gaps: Gaps) -> Array:
+    """(n,) the time, which where it goes back goes on a pause later (``split``), or one usual step."""
+    steps = np.diff(time)
+    usual = usual_step(steps) or 1.0
+    pause = usual * (2.0 * CRITERIA.recognition.pause if gaps == "split" else 1.0)
+    return np.asarray(
+        time[0] + np.concatenate([[0.0], np.cumsum(np.where(steps < 0.0, pause, steps))])
     )
 
 

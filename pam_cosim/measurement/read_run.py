@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
-from pam_cosim.measurement.columns import ColumnMapping, with_columns
+from pam_cosim.measurement.columns import ColumnMapping, with_columns, with_zeros
 from pam_cosim.measurement.experiment import ExperimentFile
 from pam_cosim.measurement.experiment_errors import KeyPath
 from pam_cosim.measurement.experiment_tables import LoggerTable, RecordingTable, RunTable
@@ -98,7 +98,11 @@ def read_points(
     words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
     layout = replace(_layout(stated, renaming, interface), words={source: words})
     return points_of(
-        with_columns(read_table(file, layout), renaming), interface, document, index, held
+        with_zeros(with_columns(read_table(file, layout), renaming), renaming),
+        interface,
+        document,
+        index,
+        held,
     ), (file,)
 
 
@@ -124,7 +128,7 @@ def _recording(
     gaps = document.content.gaps
     if isinstance(entry, RunTable):
         gaps = entry.gaps or gaps
-    table = with_time_going_on(with_columns(table, renaming), gaps)
+    table = with_zeros(with_time_going_on(with_columns(table, renaming), gaps), renaming)
     if document.content.runs[int(place[1])].interpolation == "previous":
         table = with_held_values(table, interface.inputs)
     return recording_of(table, interface)

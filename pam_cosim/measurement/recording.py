@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import TIME, Table
@@ -101,7 +102,9 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
 
 
 def with_held_values(table: Table, held: Iterable[str]) -> Table:
-    """The table in which an empty cell of a ``held`` column, which is logged on change, has the last value above it.
+    """The table in which an empty cell of a ``held`` column has the last value above it, where it is logged on change.
+
+    Where few cells are empty, they are slips, and stay so.
 
     Raises:
         InputError: nothing stands above an empty cell.
@@ -109,19 +112,16 @@ def with_held_values(table: Table, held: Iterable[str]) -> Table:
     columns = dict(table.columns)
     notes = []
     for name in held:
-        if name not in columns:
-            continue
-        values = columns[name].values
-        empty = np.isnan(values)
-        if not empty.any():
+        empty = np.isnan(columns[name].values) if name in columns else np.zeros(1, dtype=bool)
+        if np.mean(empty) <= CRITERIA.recognition.gaps:
             continue
         if empty[0]:
             message = (
                 "the cell is empty, and no value stands above it; write the one that it had then"
             )
             raise table.error(message, name, 0)
-        columns[name] = replace(columns[name], values=filled_forward(values))
-        notes.append(f"{name} keeps its value over {int(empty.sum())} empty cells of {len(values)}")
+        columns[name] = replace(columns[name], values=filled_forward(columns[name].values))
+        notes.append(f"{name} keeps its value over {int(empty.sum())} empty cells of {len(empty)}")
     return replace(table, columns=columns, notes=(*table.notes, *notes)) if notes else table
 
 

@@ -213,7 +213,27 @@ def test_a_file_in_which_the_time_begins_anew_holds_several_runs(tmp_path: Path)
         rows = zip(time, p_set, p + noise[0], 0.1 * p + noise[1], strict=True)
         lines += [f"{number + 1},{','.join(f'{v:.6g}' for v in row)}" for row in rows]
     (tmp_path / "all.csv").write_text("\n".join(lines))
-    made = pam.new(tmp_path / "rig", [tmp_path / "all.csv"])
+    made = pam.new(tmp_path / "rig", [tmp_path / "all.csv"], roles={"all part 3": "fit"})
     assert [len(run.time) for run in made.data.runs] == [300, 300, 300]
     assert [run.inputs["p_set"].max() for run in made.data.runs] == pytest.approx([1e5, 2e5, 3e5])
+    assert [run.role for run in made.data.runs] == ["fit", "holdout", "fit"]
     assert "because the time goes back" in (tmp_path / "rig" / "experiment.toml").read_text()
+
+
+def test_each_experiment_of_a_file_has_a_zero_and_values_of_its_own(tmp_path: Path) -> None:
+    time = 0.01 * np.arange(300)
+    lines = ["Time [s],Masse [kg],p_set [kPa],p [kPa],x [mm]"]
+    for number, level in enumerate((100.0, 200.0, 300.0)):
+        p_set = np.where(time > 1.0, level, 0.0)
+        p = level * (1.0 - np.exp(-np.clip(time - 1.0, 0.0, None) / 0.1))
+        noise = np.random.default_rng(number).normal(0.0, 0.05, (2, 300))
+        read = (p_set, p + 2.0 * number + noise[0], 0.1 * p + 0.5 * number + noise[1])
+        rows = zip(time, np.full(300, 1.0 + number), *read, strict=True)
+        lines += [",".join(f"{v:.6g}" for v in row) for row in rows]
+    (tmp_path / "all.csv").write_text("\n".join(lines))
+    runs = pam.new(tmp_path / "rig", [tmp_path / "all.csv"]).data.runs
+    assert [run.parameters["load.m"] for run in runs] == [1.0, 2.0, 3.0]
+    for run in runs:
+        rest = run.time < run.time[0] + 0.8
+        assert abs(run.measurements["p"][rest].mean()) < 50.0
+        assert abs(run.measurements["x"][rest].mean()) < 0.05e-3
