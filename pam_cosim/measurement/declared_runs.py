@@ -37,14 +37,15 @@ def check_runs(document: ExperimentFile) -> None:
         file_inside(document, run.file, "runs", index, "file").resolve()
         for index, run in enumerate(runs)
     ]
-    names = run_names(document)
-    for index, (file, name) in enumerate(zip(files, names, strict=True)):
-        for other in range(index):
-            if file == files[other]:
-                _check_apart(document, index, other)
-            elif name == names[other]:
-                message = f"two runs would be called {shown(name)}; rename one of the files"
-                raise document.error(message, "runs", index, "file")
+    listed: dict[Path, list[int]] = {}
+    for index, file in enumerate(files):
+        for other in listed.setdefault(file, []):
+            _check_apart(document, index, other)
+        listed[file].append(index)
+    for index, name in enumerate(document.run_names):
+        if name in document.run_names[:index]:
+            message = f"two runs would be called {shown(name)}; rename one of the files"
+            raise document.error(message, "runs", index, "file")
 
 
 def _check_apart(document: ExperimentFile, index: int, other: int) -> None:
@@ -82,7 +83,7 @@ def parameters_of_run(
 ) -> list[FreeParameter]:
     """What is fitted to one run alone."""
     table = document.content.runs[index]
-    path, name = ("runs", index, "fit"), run_names(document)[index]
+    path, name = ("runs", index, "fit"), document.run_names[index]
     for one in table.fit:
         if table.role == "holdout":
             message = f"{one} is free in a run that is never fitted; state its value under [runs.parameters]"
@@ -131,14 +132,14 @@ def runs_of_table(
         _check_dynamic(document, table, index)
         recording, files = read_run(document, index, interface)
     _check_constants(document, index, recording, values, own)
-    run = _whole_run(run_names(document)[index], table, interface, recording, files, values)
+    run = _whole_run(document.run_names[index], table, interface, recording, files, values)
     if points:
         every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
         parts = f"holds {len(every)} curves"
     else:
         part = _cut_as_stated(document, index, run)
         every = pieces_of(part, table.gaps or document.content.gaps)
-        if _is_listed_again(document, table):
+        if document.is_part(index):
             run = part  # what others cut it to lies within: the rest is of another run
         parts = f"falls into {len(every)} pieces"
     if table.fit and len(every) > 1:
@@ -221,10 +222,6 @@ def _cut_as_stated(document: ExperimentFile, index: int, run: Run) -> Run:
         raise document.error(error.message, "runs", index, next(iter(ends), "file")) from None
 
 
-def _is_listed_again(document: ExperimentFile, table: RunTable) -> bool:
-    return [Path(one.file) for one in document.content.runs].count(Path(table.file)) > 1
-
-
 def _stated_ends(document: ExperimentFile, index: int) -> dict[str, float]:
     """``from`` and ``to`` of a run [s], as far as they are stated."""
     table, ends = document.content.runs[index], dict[str, float]()
@@ -285,18 +282,3 @@ def _curve(run: Run, points: Points, first: bool) -> Run:
         notes=notes if first else (),
         default_inputs=tuple(name for name in run.default_inputs if name != BRANCH),
     )
-
-
-def run_names(document: ExperimentFile) -> list[str]:
-    """The name of each table of ``[[runs]]``: the path of its file without the suffix, and which part of that it is."""
-    files = [Path(run.file) for run in document.content.runs]
-    return [
-        _name_of(file)
-        if files.count(file) == 1
-        else f"{_name_of(file)} part {files[: i + 1].count(file)}"
-        for i, file in enumerate(files)
-    ]
-
-
-def _name_of(file: Path) -> str:
-    return file.with_suffix("").as_posix()

@@ -5,7 +5,9 @@ Units, names and bounds are checked afterwards, against the bench (see ``read``)
 
 from __future__ import annotations
 
+from collections import Counter
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 from pydantic import ValidationError
@@ -28,6 +30,24 @@ class ExperimentFile:
     file: Path
     text: str
     content: Experiment
+
+    @cached_property
+    def run_names(self) -> tuple[str, ...]:
+        """The name of each table of ``[[runs]]``: the path of its file without the suffix, and which part of it."""
+        files = [Path(run.file) for run in self.content.runs]
+        listed, seen = Counter(files), Counter[Path]()
+        names = []
+        for file in files:
+            seen[file] += 1
+            part = f" part {seen[file]}" if listed[file] > 1 else ""
+            names.append(f"{file.with_suffix('').as_posix()}{part}")
+        return tuple(names)
+
+    def is_part(self, index: int) -> bool:
+        """Whether a run is one of several of its file."""
+        return (
+            self.run_names[index] != Path(self.content.runs[index].file).with_suffix("").as_posix()
+        )
 
     def error(self, message: str, *path: str | int) -> InputError:
         """An error about the key at ``path``, with its line."""
