@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from pam_cosim.arrays import Array
 from pam_cosim.compiler.elementwise import evaluate, with_place
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.experiment import ExperimentFile
@@ -62,26 +64,42 @@ def _names_in(formula: str) -> list[str]:
     return [quoted or bare for quoted, bare in _NAME.findall(formula)]
 
 
-def with_columns(table: Table, renaming: ColumnMapping) -> Table:
+def with_columns(table: Table, renaming: ColumnMapping, needed: Collection[str] = ()) -> Table:
     """The table with the columns that ``[columns]`` describes; those they are made of are left out.
 
+    A column of time that is ``needed`` stays, also where a formula reads it.
+
+    Args:
+        table: as the file has it.
+        renaming: what ``[columns]`` states.
+        needed: names of columns that must not lack a sample.
+
     Raises:
-        InputError: a column that is not in the file, a formula that cannot be read or whose units do not fit; with the
-            place in the document.
+        InputError: a column that is not in the file, a formula that cannot be read or whose units do not fit, or that
+            gives no number where one is needed; with the place.
     """
     made: dict[str, Column] = {}
     used: set[str] = set()
+    notes: list[str] = []
+    time = table.columns.get(TIME)
+    staying = {time.heading} if time is not None and TIME in needed else set()
     for name, one in renaming.tables.items():
         if one.formula is not None:
-            made[name], names = _derived(table, made, renaming, name, one.formula)
-            used |= names
+            made[name], sources = _derived(table, made, renaming, name, one.formula)
+            undefined = _undefined(made[name], sources)
+            if undefined.any():
+                if name in needed:
+                    raise _no_number(table, name, one.formula, undefined)
+                made[name] = _without(made[name], undefined)
+                notes.append(_missing_rows(renaming, made[name], undefined))
+            used |= sources.keys() - staying
         else:
             made[name] = _mapped(_renamed(table, renaming, name), renaming, name)
             used.add(made[name].heading)
     rest = {
         name: c for name, c in table.columns.items() if name not in made and c.heading not in used
     }
-    return replace(table, columns={**rest, **made})
+    return replace(table, columns={**rest, **made}, notes=(*table.notes, *notes))
 
 
 def with_zeros(table: Table, renaming: ColumnMapping) -> Table:
@@ -153,8 +171,8 @@ def _stated(value: str | float | None, otherwise: float) -> Any:
 
 def _derived(
     table: Table, made: Mapping[str, Column], renaming: ColumnMapping, name: str, formula: str
-) -> tuple[Column, set[str]]:
-    """The column of a formula, and the headings of what it is made of."""
+) -> tuple[Column, dict[str, Array]]:
+    """The column of a formula, and the values of what it is made of, by heading."""
     one = renaming.tables[name]
     for key in ("column", "unit", "gain", "offset"):
         if getattr(one, key) is not None:
@@ -180,16 +198,43 @@ def _derived(
     return Column(name, unit, np.array(np.broadcast_to(values, count))), known.used
 
 
+def _undefined(column: Column, sources: Mapping[str, Array]) -> NDArray[np.bool_]:
+    """(n,) the rows in which a formula gives no finite number, though every column that it reads has one."""
+    wrong = ~np.isfinite(column.values)
+    for values in sources.values():
+        wrong &= np.isfinite(values)
+    return wrong
+
+
+def _no_number(table: Table, name: str, formula: str, undefined: NDArray[np.bool_]) -> InputError:
+    """The error about the first row in which a column that may not lack samples lacks one by its formula."""
+    message = f"the formula {shown(formula)} gives no finite number here; only measured outputs may lack samples"
+    return table.error(message, name, int(np.flatnonzero(undefined)[0]))
+
+
+def _without(column: Column, rows: NDArray[np.bool_]) -> Column:
+    """The column without the samples of some rows."""
+    return replace(column, values=np.where(rows, np.nan, column.values))
+
+
+def _missing_rows(renaming: ColumnMapping, column: Column, undefined: NDArray[np.bool_]) -> str:
+    """What a reader should know of the rows that a formula leaves without a sample."""
+    if np.isnan(column.values).all():
+        raise renaming.error("the formula gives a finite number in no row", column.name, "formula")
+    rows = f"{int(undefined.sum())} of {len(undefined)} rows"
+    return f"the formula of {column.name} is no finite number in {rows}, which count as missing"
+
+
 class _Quantities(dict[str, Any]):
     """Columns by name, bare or in single quotes, as quantities of pint; made when a formula asks for them."""
 
     def __init__(self, columns: Mapping[str, Column]) -> None:
         super().__init__({**columns, **{f"'{name}'": column for name, column in columns.items()}})
-        self.used: set[str] = set()
+        self.used: dict[str, Array] = {}
 
     def __getitem__(self, name: str) -> Any:
         column: Column = super().__getitem__(name)
-        self.used.add(column.heading or column.name)
+        self.used[column.heading or column.name] = column.values
         try:
             return quantity(column.values, column.unit)
         except UnitError as error:

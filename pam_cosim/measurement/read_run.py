@@ -97,13 +97,9 @@ def read_points(
     source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
     words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
     layout = replace(_layout(stated, renaming, interface), words={source: words})
-    return points_of(
-        with_zeros(with_columns(read_table(file, layout), renaming), renaming),
-        interface,
-        document,
-        index,
-        held,
-    ), (file,)
+    table = with_columns(read_table(file, layout), renaming, interface.inputs)
+    table = with_zeros(table, renaming)
+    return points_of(table, interface, document, index, held), (file,)
 
 
 def _own_words(stated: Mapping[str, str]) -> dict[str, float]:
@@ -128,7 +124,8 @@ def _recording(
     gaps = document.content.gaps
     if isinstance(entry, RunTable):
         gaps = entry.gaps or gaps
-    table = with_zeros(with_time_going_on(with_columns(table, renaming), gaps), renaming)
+    table = with_columns(table, renaming, [TIME, *interface.inputs])
+    table = with_zeros(with_time_going_on(table, gaps), renaming)
     if document.content.runs[int(place[1])].interpolation == "previous":
         table = with_held_values(table, interface.inputs)
     return recording_of(table, interface)
