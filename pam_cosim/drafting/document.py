@@ -282,7 +282,8 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
     if role.why:
         yield from _guessed("held out", role.why)
     yield f'role = "{role.role}"'
-    if draft.interpolation[i] != "linear":
+    over_time = draft.points is None
+    if over_time and draft.interpolation[i] != "linear":
         yield from _guessed("inputs keep their value until the next sample", "they step and stay")
         yield f'interpolation = "{draft.interpolation[i]}"'
     part = draft.parts[i] if draft.parts else None

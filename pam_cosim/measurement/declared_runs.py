@@ -125,6 +125,7 @@ def runs_of_table(
     values = {name: value for name, value in {**known, **own}.items() if name not in table.fit}
     points: list[Points] = []
     if _is_static(document, table):
+        _check_static(document, table, index)
         constants = {one: value for one, value in values.items() if one in interface.inputs}
         points, files = read_points(document, index, interface, constants)
         recording = points[0].recording
@@ -198,6 +199,14 @@ def _check_dynamic(document: ExperimentFile, table: RunTable, index: int) -> Non
     for key in ("branch", "hold_out"):
         if getattr(table, key):
             message = f'{key} is for points at rest: state kind = "static", or leave it out'
+            raise document.error(message, "runs", index, key)
+
+
+def _check_static(document: ExperimentFile, table: RunTable, index: int) -> None:
+    """What is stated of one run alone would have no effect; what is stated of all may be meant for the others."""
+    for key, field in (("from", "begin"), ("to", "end"), ("gaps", "gaps"), ("interpolation",) * 2):
+        if field in table.model_fields_set:
+            message = f'{key} is for recordings over time; points of kind = "static" have none: leave it out'
             raise document.error(message, "runs", index, key)
 
 

@@ -22,6 +22,7 @@ _READERS: dict[str, Callable[[Path, Layout], Table]] = {
     ".parquet": read_parquet,
     ".pq": read_parquet,
 }
+_OF_SEVERAL_TABLES = (".mat", ".h5", ".hdf5", ".hdf", ".tdms")
 
 
 def read_table(file: Path, stated: Layout | None = None) -> Table:
@@ -35,6 +36,11 @@ def read_table(file: Path, stated: Layout | None = None) -> Table:
         message = "no column is read: none is of numbers, or [recording] ignore leaves them out"
         raise InputError(message, file)
     return table
+
+
+def may_hold_tables(file: Path) -> bool:
+    """Whether a file can hold several tables, of which one is chosen."""
+    return file.suffix.lower() in _OF_SEVERAL_TABLES
 
 
 def is_text(file: Path) -> bool:

@@ -14,7 +14,7 @@ from pam_cosim.measurement.columns import ColumnMapping, with_columns, with_zero
 from pam_cosim.measurement.experiment import ExperimentFile
 from pam_cosim.measurement.experiment_errors import KeyPath
 from pam_cosim.measurement.experiment_tables import LoggerTable, RecordingTable, RunTable
-from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.formats import may_hold_tables, read_table
 from pam_cosim.measurement.paths import file_inside
 from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
@@ -93,6 +93,7 @@ def read_points(
         )
         raise document.error(message, *place, "loggers", 0)
     file = file_inside(document, run.file, *place, "file")
+    _check_table(document, run, file, *place)
     branch = renaming.tables.get(BRANCH)
     source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
     words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
@@ -115,6 +116,7 @@ def _recording(
     *place: str | int,
 ) -> Recording:
     stated, renaming = _stated(document, entry), _renaming(document, entry, *place)
+    _check_table(document, entry, file, *place)
     table = read_table(file, _layout(stated, renaming, interface))
     if stated.interval is not None:
         where: KeyPath = (
@@ -129,6 +131,23 @@ def _recording(
     if document.content.runs[int(place[1])].interpolation == "previous":
         table = with_held_values(table, interface.inputs)
     return recording_of(table, interface)
+
+
+def _check_table(
+    document: ExperimentFile, entry: RunTable | LoggerTable, file: Path, *place: str | int
+) -> None:
+    """Nothing chooses a table of a file that is one; what is stated of all files may be meant for others."""
+    if may_hold_tables(file):
+        return
+    files = [Path(run.file) for run in document.content.runs]
+    shared = isinstance(entry, RunTable) and not any(map(may_hold_tables, files))
+    message = (
+        f"table chooses one of several in a file, and {file.name} is one by itself: leave it out"
+    )
+    if entry.recording.table is not None:
+        raise document.error(message, *place, "recording", "table")
+    if shared and document.content.recording.table is not None:
+        raise document.error(message, "recording", "table")
 
 
 def _stated(document: ExperimentFile, entry: RunTable | LoggerTable) -> RecordingTable:

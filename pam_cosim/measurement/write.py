@@ -173,7 +173,7 @@ class _Writer:
             if run.is_static:
                 yield 'kind = "static"'
             yield from self._start(run.start)
-            if run.interpolation != "linear":
+            if run.interpolation != "linear" and not run.is_static:
                 yield f'interpolation = "{run.interpolation}"'
             own = {
                 name: value for name, value in run.parameters.items() if known.get(name) != value

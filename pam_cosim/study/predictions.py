@@ -55,7 +55,7 @@ def predict(
         product: what was fitted; of a diagnosis, the model with all effects that were added.
         inputs: over time, as for ``simulate``.
         parameters: what is set in the run, by name; what differs between the recorded runs has to be stated.
-        run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands.
+        run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands, at its own times.
         stop_time: as for ``simulate``.
         interval: likewise.
         samples: of the parameters.
@@ -81,8 +81,11 @@ def predict(
         free = _free(fit, data, simulator.interface)
         posterior = _posterior(simulator, data, fit, free, samples, seed)
         if run is not None:
-            if inputs is not None or parameters or stop_time is not None:
-                raise InputError(f"the run {run} has inputs and parameters of its own")
+            stated = (inputs, parameters or None, stop_time, interval)
+            if any(one is not None for one in stated):
+                raise InputError(
+                    f"the run {run} has inputs and parameters of its own, and times; leave those out, or the run"
+                )
             chosen = _recorded(data, run)
         else:
             chosen = _run(data, simulator.interface, inputs, parameters or {}, stop_time, interval)

@@ -164,6 +164,14 @@ def test_a_file_without_a_header_is_one_question(tmp_path: Path) -> None:
         assert sum(run.sample_count("F") for run in made.data.runs) == 24
 
 
+def test_pressures_that_are_held_are_nothing_over_time(tmp_path: Path) -> None:
+    """Ten rows at each pressure look like steps of an input, of which points at rest have none."""
+    rows = [[p, x, 0.001 * p * (40 - x)] for p in (100, 200, 300) for x in range(10)]
+    file = write(tmp_path / "map.csv", "p [kPa],x [mm],F [N]", rows)
+    content = written(pam.new(tmp_path / "rig", [file]))
+    assert content["kind"] == "static" and "interpolation" not in content["runs"][0]
+
+
 def test_a_count_is_no_clock(tmp_path: Path) -> None:
     """Neither a column of cycles, nor of numbers that rise unevenly, is a time; valves are driven over time."""
     rows = [[i // 5, (i % 3) + 0.1 * i**3, 5.0 * i, 0.1 * i] for i in range(40)]

@@ -80,6 +80,8 @@ def test_bad_questions(fitted: Fit) -> None:
         study.predict(fitted, run="rum")
     with pytest.raises(InputError, match="inputs and parameters of its own"):
         study.predict(fitted, run="run", stop_time=3)
+    with pytest.raises(InputError, match="of its own, and times; leave those out, or the run"):
+        study.predict(fitted, run="run", interval=1)
     with pytest.raises(InputError, match="two samples"):
         study.predict(fitted, samples=1)
     data = fitted.comparison.data

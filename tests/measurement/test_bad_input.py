@@ -226,6 +226,20 @@ TOML_FAULTS = [
     ("very long name", "run-02.csv", "x" * 5000, "xxx", ["cannot be found"]),
     ("listed twice", "run-02.csv", "./run-01.csv", "./run-01.csv", ["listed twice"]),
     (
+        "table of a text",
+        "[signals.p]",
+        '[recording]\ntable = "rig"\n[signals.p]',
+        "table =",
+        ["table chooses one of several", "run-01.csv is one by itself"],
+    ),
+    (
+        "table of one text",
+        "[runs.parameters]",
+        '[runs.recording]\ntable = "rig"\n[runs.parameters]',
+        "table =",
+        ["run-02.csv is one by itself"],
+    ),
+    (
         "no fit run",
         'file = "run-01.csv"',
         'file = "run-01.csv"\nrole = "holdout"',

@@ -238,6 +238,18 @@ NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n !=
             '[runs.recording]\nresample = "1 s"',
             [f"{TOML}:11", "resample is for recordings over time"],
         ),
+        *(
+            (table(ROWS), f"{key} = {value}", [f"{TOML}:10", f"{key} is for recordings over time"])
+            for key, value in (
+                ("from", '"1 s"'),
+                ("to", "3"),
+                ("gaps", '"split"'),
+                ("interpolation", '"linear"'),
+                ("start", '"rest"'),
+                ("lead", '"1 s"'),
+                ("periodic", "false"),
+            )
+        ),
         (
             table(ROWS),
             '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0',

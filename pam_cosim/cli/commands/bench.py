@@ -45,6 +45,12 @@ def bench(
 ) -> None:
     """Write the bench of a rig, put together from parts, as readable Modelica."""
     if listing:
+        if static or any(
+            one is not None for one in (pneumatics, mechanics, muscle, measure, output)
+        ):
+            raise InputError(
+                "--list says what parts there are and writes no bench: leave out what is beside it"
+            )
         return _list(study.rig_parts(files or []))
     if pneumatics is None or mechanics is None or output is None:
         needed = {"--pneumatics": pneumatics, "--mechanics": mechanics, "-o FILE.mo": output}

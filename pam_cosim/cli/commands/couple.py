@@ -76,14 +76,17 @@ def couple(
     plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
     ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
     ssp_version: Annotated[
-        str, typer.Option("--ssp-version", help="Of that archive: 1.0 or 2.0.")
-    ] = "1.0",
+        str | None,
+        typer.Option("--ssp-version", help="Of that archive: 1.0 (the default) or 2.0."),
+    ] = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """Several FMUs, coupled."""
     if formerly:
         say_renamed("couple --observe VARIABLE")
+    if ssp_version is not None and ssp is None:
+        raise InputError("--ssp-version is of the archive that --ssp FILE writes; name one")
     files, controllers = files or [], controllers or []
     check_results(
         output, ssp, pictures=[plot], sources=[system, inputs, *files, *_files_of(controllers)]
@@ -94,7 +97,7 @@ def couple(
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
-        coupling.write_system(read, ssp, ssp=ssp_version)
+        coupling.write_system(read, ssp, ssp=ssp_version or "1.0")
         say_written(ssp)
     columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
