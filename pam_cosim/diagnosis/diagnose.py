@@ -26,7 +26,7 @@ from pam_cosim.diagnosis.judgement.events import (
 from pam_cosim.diagnosis.judgement.evidence import leaves_structure, rank
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.missing_term import MissingTerm, missing_term
-from pam_cosim.diagnosis.judgement.model_space import effects_named
+from pam_cosim.diagnosis.judgement.model_space import contradiction, effects_named
 from pam_cosim.diagnosis.judgement.next_experiment import (
     NextExperiment,
     RivalPlan,
@@ -282,7 +282,8 @@ def diagnose(
         expect: likewise, that are likely: the evidence for one of them need not be as strong.
 
     Raises:
-        InputError: the model cannot be compiled, or lacks a parameter that is to be fitted; an unknown family.
+        InputError: the model cannot be compiled, or lacks a parameter that is to be fitted; an unknown family, or one
+            that is both excluded and expected.
         SimulationFailure: the base model cannot be simulated at all.
     """
     say, tell = listened(say, progress), progress or (lambda event: None)
@@ -296,6 +297,7 @@ def diagnose(
         available_effects = subject.effects(simulator.interface)
         excluded = _effects_named(available_effects, data, "exclude", data.excluded, exclude)
         expected = _effects_named(available_effects, data, "expect", data.expected, expect)
+        _check_likely(available_effects, data, exclude, expect)
         data, base, outliers = fit_base_model(simulator, data, say)
     search = Search(
         subject.tree,
@@ -442,6 +444,25 @@ def _effects_named(
     return effects_named(available_effects, stated, wrong_key) | effects_named(
         available_effects, named, wrong_word
     )
+
+
+def _check_likely(
+    available_effects: Sequence[EffectClass],
+    data: DataSet,
+    exclude: Sequence[str],
+    expect: Sequence[str],
+) -> None:
+    """Raises InputError where something is said to be likely of which nothing is left to be tried."""
+    impossible, likely = [*data.excluded, *exclude], [*data.expected, *expect]
+    name = contradiction(available_effects, impossible, likely)
+    if name is None:
+        return
+    message = f"{name} is both excluded, as not missing, and expected, as likely; keep one of them"
+    if name in data.expected:
+        raise error_in(data.folder, message, "effects", "expect")
+    if name in data.excluded:
+        raise error_in(data.folder, message, "effects", "exclude")
+    raise InputError(f"expect: {message}")
 
 
 def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:

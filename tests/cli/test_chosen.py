@@ -93,6 +93,7 @@ def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place:
         (["diagnose", "--free", "orifice.C_x"], "did you mean 'orifice.C_d'"),
         (["diagnose", "--expect", "leek"], "did you mean 'leak'"),
         (["diagnose", "--exclude", "leek"], "did you mean 'leak'"),
+        (["diagnose", "--exclude", "leak", "--expect", "leak"], "leak is both excluded"),
     ],
 )
 def test_what_cannot_be_chosen(

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.judgement.model_space import ModelSpace, effects_named
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace, contradiction, effects_named
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
@@ -36,6 +36,32 @@ def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
     assert effects_named(SHELF, ["wrong_parameter"], InputError) == frozenset()
     with pytest.raises(InputError, match=r"no effect 'leek'; did you mean 'leak'"):
         effects_named(SHELF, ["leek"], InputError)
+
+
+def test_what_is_excluded_is_not_expected() -> None:
+    assert contradiction(SHELF, ["creep"], ["leak"]) is None
+    assert contradiction(SHELF, ["OrificeLeak"], ["leak"]) is None  # others of the family are left
+    assert contradiction(SHELF, ["leak"], ["elasticity", "OrificeLeak"]) == "OrificeLeak"
+    assert contradiction(SHELF, ["wrong_parameter"], ["wrong_parameter"]) == "wrong_parameter"
+
+
+@pytest.mark.parametrize(
+    ("table", "words"),
+    [
+        ('exclude = ["leak"]\nexpect = ["leak"]', {}),
+        ('expect = ["leak"]', {"exclude": ["leak"]}),
+        ('exclude = ["leak"]', {"expect": ["leak"]}),
+    ],
+)
+def test_an_effect_both_excluded_and_expected_is_refused_where_it_stands(
+    tmp_path: Path, table: str, words: dict[str, list[str]]
+) -> None:
+    write_light_data(tmp_path / "d", seed=3)
+    file = tmp_path / "d" / "experiment.toml"
+    file.write_text(f"{file.read_text()}\n[effects]\n{table}\n")
+    with pytest.raises(InputError, match="leak is both excluded, .* keep one of them") as refused:
+        study.diagnose(study.read(tmp_path / "d"), workers=0, **words)
+    assert (refused.value.file, refused.value.line) == (file, len(file.read_text().splitlines()))
 
 
 def test_what_is_excluded_or_expected_is_read_and_written(

@@ -36,6 +36,18 @@ def _cost(every: int, expected: int, likely: int, other: int) -> float:
     return 2 * math.log(math.comb(expected, likely) * math.comb(every, min(other, every)))
 
 
+def contradiction(
+    available_effects: Sequence[EffectClass], excluded: Sequence[str], expected: Sequence[str]
+) -> str | None:
+    """The first name of a family or an effect that is expected, of which all is excluded; None: there is none."""
+    left_out = {e.name for e in available_effects if not {e.name, e.family}.isdisjoint(excluded)}
+    for name in expected:
+        own = {e.name for e in available_effects if name in (e.name, e.family)}
+        if name in excluded or (own and own <= left_out):
+            return name
+    return None
+
+
 def effects_named(
     available_effects: Sequence[EffectClass],
     names: Sequence[str],
