@@ -66,10 +66,27 @@ class _Commands(Mapping[str, Any]):
         return len(COMMANDS)
 
 
+class _Command(typer.core.TyperCommand):
+    """A command in which an option that takes one value is given once: of two, one would be passed over in silence."""
+
+    def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
+        """Also raises InputError where such an option is given twice."""
+        _, _, given = self.make_parser(ctx).parse_args(args=list(args))
+        for option in given:
+            takes_one = not (getattr(option, "is_flag", True) or getattr(option, "multiple", True))
+            if takes_one and given.count(option) > 1:
+                raise InputError(
+                    f"{option.opts[0]} is given {given.count(option)} times; it takes one value"
+                )
+        return super().parse_args(ctx, args)
+
+
 @cache
 def _command(name: str) -> Any:
     alone = typer.Typer(**_STYLE)
-    alone.command(name)(getattr(import_module(f"pam_cosim.cli.commands.{name}"), name))
+    alone.command(name, cls=_Command)(
+        getattr(import_module(f"pam_cosim.cli.commands.{name}"), name)
+    )
     return typer.main.get_command(alone)
 
 

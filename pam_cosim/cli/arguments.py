@@ -68,11 +68,13 @@ def parse_named(words: Sequence[str]) -> dict[str, str]:
     """``NAME=TEXT`` words by name; a word without a name is its own.
 
     Raises:
-        InputError: a name twice.
+        InputError: an empty name or text, or a name twice.
     """
     named: dict[str, str] = {}
     for word in words:
         name, equals, text = (part.strip() for part in word.partition("="))
+        if not name or (equals and not text):
+            raise InputError(f"'{word}': write a scalar, such as max(p), or NAME=SCALAR")
         if name in named:
             raise InputError(f"'{name}' is asked for twice")
         named[name] = text if equals else name
@@ -112,6 +114,8 @@ def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list
         for word in words
         for part in _parts(word)
     ]
+    if not pairs:
+        raise InputError(f'{shown(" ".join(words))}: write NAME=VALUE, such as "p=6 bar", or rest')
     names = [name for name, _ in pairs]
     if set(names) == {"time"}:
         return [value_of(text, Variable("time", "s")) for _, text in pairs]

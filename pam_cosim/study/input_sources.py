@@ -47,6 +47,8 @@ def inputs_of(
     """
     if source is None:
         return None
+    if isinstance(source, str) and not source.strip():
+        raise InputError("the inputs are an empty text; name a CSV file, or write 'u_in = 0.25'")
     if isinstance(source, (str, Path)) and not is_formulas(str(source)):
         return read_inputs(Path(source), interface)
     inputs = _unchecked(source, interface, times)

@@ -1,4 +1,4 @@
-"""The process around the command: interrupts that come where Python ignores exceptions."""
+"""The process around the command: interrupts that come where Python ignores exceptions; options given twice."""
 
 from __future__ import annotations
 
@@ -6,10 +6,12 @@ import os
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
+from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import ROOT
+from tests.cli.conftest import ROOT, Outcome, everything
 
 SCRIPT = """
 import os, signal, time
@@ -63,3 +65,36 @@ def test_an_output_that_takes_nothing_ends_in_words(
     completed = subprocess.run(words, env=environment, capture_output=True, text=True, timeout=240)
     assert completed.stderr == said
     assert status is None or completed.returncode == status
+
+
+SWEEP = ["sweep", "TankFilling", "--vary", "u_in=0,1", "-o", "table.csv"]
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (
+            ["simulate", "TankFilling", "--input", "u_in = 0.1", "--input", "u_out = 0"],
+            "--input is given 2 times; it takes one value",
+        ),
+        (["simulate", "TankFilling", "--input", " "], "the inputs are an empty text"),
+        (["linearise", "TankFilling", "--at", ""], "write NAME=VALUE"),
+        (["bode", "TankFilling", "--by", "u_in", "--amplitude", "1 mA", "--at", ""], "NAME=VALUE"),
+        ([*SWEEP, "--scalar", "=max(p)"], "NAME=SCALAR"),
+        ([*SWEEP, "--scalar", "top="], "NAME=SCALAR"),
+    ],
+)
+def test_an_empty_word_and_one_too_many_are_refused(
+    command: Callable[..., Outcome], place: Path, words: list[str], said: str
+) -> None:
+    """Of two values of one option the first had been passed over, and an empty state was that of the model."""
+    refused = command(*words)
+    assert refused.status == 2 and said in refused.err and refused.err.count("\n") == 1
+    assert everything(place) == []
+
+
+def test_an_option_of_several_values_is_repeated(
+    command: Callable[..., Outcome], place: Path
+) -> None:
+    words = ("simulate", "TankFilling", "--stop-time", "1", "--set", "u_in=0.1", "--set", "u_out=0")
+    assert command(*words, "--keep", "valve.C_A", "--keep", "tank.gas.p").status == 0

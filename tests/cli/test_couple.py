@@ -154,6 +154,10 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
             ["system.toml", "--ssp-version", "2.0"],
             "--ssp-version is of the archive that --ssp FILE",
         ),
+        (
+            ["system.toml", "--sample", "muscle=1ms", "--sample", "muscle=2ms"],
+            "--sample: 'muscle' is given twice",
+        ),
         (["system.toml", "--sample", "muscle"], "write NAME=TIME"),
         (["system.toml", "--sample", "muscel=1ms"], "did you mean 'muscle'"),
         (["controlled.toml"], "no component 'lift'"),

@@ -28,11 +28,16 @@ SCALARS = (
     "time_to(p, 1e400 %)",
     "steady(x, 200 %)",
     "max(T);ls",
+    "=max(T)",
+    "hottest=",
+    "",
 )
 FORMULAS = ("u_in = time^^2", "u_in = " + "(" * 3000 + "1" + ")" * 3000, "u_in = __import__('os').system('ls')",
             "zzz = 1", "u_in = u_in", "u_in = 1/0*time")  # fmt: skip
 OPTIONS = (
     [*RUN, "--interval", "1 kg"], [*RUN, "--interval", "-1"], [*RUN, "--keep", "nothing"],
+    [*RUN, "--input", ""], [*RUN, "--input", "u_in = 0.1", "--input", "u_out = 0"],
+    ["linearise", "TankFilling", "--at", ""],
     [*RUN, "--engine", "x; ls"], [*RUN, "--timeout", "nan"], ["simulate", "TankFilling", "--stop-time", "3 m"],
     ["compare", "data", "--set", "valve.C_A=5 K"], ["compare", "data", "--set", "valve.C_A@run-09=1"],
     ["compare", "data", "--role", "="], ["compare", "data", "--params", "data/run-01.csv"],

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from pathlib import Path
-from typing import Annotated, Any
+from typing import Annotated, Any, TypeVar
 
 import typer
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
@@ -27,6 +28,7 @@ from pam_cosim.study import coupling
 from pam_cosim.study.input_sources import read_inputs
 from pam_cosim.units import format_quantity
 
+Value = TypeVar("Value")
 _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
 
 
@@ -91,9 +93,10 @@ def couple(
     check_results(
         output, ssp, pictures=[plot], sources=[system, inputs, *files, *_files_of(controllers)]
     )
-    made = dict(map(_controller, controllers))
+    made = _by_name("--controller", map(_controller, controllers))
+    acting = _by_name("--sample", map(_sample, samples or []))
     read = coupling.read_system(system, made, files=files, timeout=timeout)
-    read = read.having(parse_pairs(settings or [])).sampling(dict(map(_sample, samples or [])))
+    read = read.having(parse_pairs(settings or [])).sampling(acting)
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
@@ -139,6 +142,15 @@ def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
         reporting.plot_trajectory(run.trajectory, plot)
     say_written(output)
     say_written(plot)
+
+
+def _by_name(option: str, pairs: Iterable[tuple[str, Value]]) -> dict[str, Value]:
+    named: dict[str, Value] = {}
+    for name, value in pairs:
+        if name in named:
+            raise InputError(f"{option}: '{name}' is given twice")
+        named[name] = value
+    return named
 
 
 def _sample(word: str) -> tuple[str, str]:

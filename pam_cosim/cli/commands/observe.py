@@ -66,7 +66,7 @@ def observe(
 ) -> None:
     """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
     check_results(output, json, pictures=[plot], sources=[model, recording, *(files or [])])
-    point = parse_point([start]) if start else {}
+    point = {} if start is None else parse_point([start])
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")
     observation = observing.observe(
