@@ -23,31 +23,76 @@ from pam_cosim.wording import did_you_mean, shown
 
 KeyPath = tuple[str | int, ...]
 
+_LISTS_OF_TEXTS = {
+    ("recording", "names"): '["time [s]", "p [kPa]"]',
+    ("recording", "ignore"): '["remark", "raw_*"]',
+    ("recording", "missing"): '["-", "-999"]',
+    ("effects", "exclude"): '["FAMILY", "EFFECT"], as pam-cosim effects lists them',
+    ("effects", "expect"): '["FAMILY", "EFFECT"], as pam-cosim effects lists them',
+}
+
 
 def complaint_of(error: ErrorDetails) -> tuple[KeyPath, str]:
     """Where the error is, and what is wrong there."""
-    path, kind = error["loc"], error["type"]
-    key = shown(path[-1]) if path else "the file"
+    path, kind = _of_keys(error["loc"]), error["type"]
+    named = next((one for one in reversed(path) if isinstance(one, str)), None)
+    key = "the file" if named is None else shown(named)
     if kind == "extra_forbidden":
         return path, _unknown_key(path, error["input"])
     if kind == "missing":
         return path, f"{key} is missing{_hint_for_missing(path)}"
-    if path == ("runs",):
-        return path, "runs must be a list of tables: write each as [[runs]], in double brackets"
-    return path, f"{key}: {_wrong_kind(error)}"
+    wrong_list = _wrong_list(path, error)
+    return path, wrong_list or f"{key}: {_wrong_kind(error, named)}"
 
 
-def _wrong_kind(error: ErrorDetails) -> str:
+def _of_keys(path: KeyPath) -> KeyPath:
+    """The path without the kind of value that was tried, which stands behind the key of a column."""
+    match path:
+        case (*_, "columns", _, "column", _):
+            return path[:-1]
+    return path
+
+
+def _wrong_list(path: KeyPath, error: ErrorDetails) -> str:
+    """What is wrong where a list of something else is needed; "": it is something else."""
+    is_list = error["type"] != "list_type"
+    place, what = (path[:-1] if is_list else path), ""
+    match place:
+        case ("runs",) if not is_list:
+            return "runs must be a list of tables: write each as [[runs]], in double brackets"
+        case (*_, "loggers") if not is_list:
+            return "loggers must be a list of tables: write each as [[runs.loggers]], in double brackets"
+        case (*_, "hold_out", str(name)) if not is_list:
+            return f'{name} must be a list of values such as ["250 kPa"]'
+        case (*_, str(table), str(name)) if (table, name) in _LISTS_OF_TEXTS:
+            what = f"{name} must be a list of texts such as {_LISTS_OF_TEXTS[table, name]}"
+    if not is_list or not what:
+        return what
+    wrong = error["type"] == "string_type"
+    return f"{what}; {shown(error['input'])} is not in quotes" if wrong else ""
+
+
+def _wrong_kind(error: ErrorDetails, named: str | None) -> str:
     value = shown(error["input"])
     match error["type"]:
         case "value_error":
             return str(error["ctx"]["error"])
         case "literal_error":
-            return f"{value} is not possible; write {error['ctx']['expected']}"
+            return f"{value} is not possible; write {error['ctx']['expected'].lower()}"
+        case "string_type" if named == "column":
+            return f"{value} is neither the name of a column, in quotes, nor its number, such as 2"
         case "string_type":
             return f"{value} is not a text; put it in quotes"
         case "model_type" | "dict_type" | "model_attributes_type":
             return f"{value} stands where a table of keys is needed"
+        case "int_type":
+            return f"{value} is not a whole number, without quotes"
+        case "bool_type":
+            return f"{value} is not possible; write true or false, without quotes"
+        case "greater_than_equal":
+            return f"{value} is too small; the least is {error['ctx']['ge']}"
+        case "list_type":
+            return f"{value} stands where a list is needed, in brackets"
     return error["msg"]
 
 

@@ -105,6 +105,8 @@ def test_files_that_are_no_recording(make, case):
     assert word in error.message
 
 
+SIGNAL = "[signals.p]"
+
 # (name, text replaced, replacement, text on the line that is named, words of the message)
 TOML_FAULTS = [
     ("syntax", "title = ", "title := ", "title := ", ["not valid TOML"]),
@@ -225,6 +227,76 @@ TOML_FAULTS = [
     ("zero byte", "run-02.csv", "\\u0000", "u0000", ["not visible"]),
     ("very long name", "run-02.csv", "x" * 5000, "xxx", ["cannot be found"]),
     ("listed twice", "run-02.csv", "./run-01.csv", "./run-01.csv", ["listed twice"]),
+    *(
+        (f"{key} {name}", SIGNAL, f"[{table}]\n{key} = {value}\n{SIGNAL}", f"{key} =", words)
+        for table, key, name, value, words in (
+            (
+                "recording",
+                "names",
+                "as text",
+                '"p"',
+                ['names must be a list of texts such as ["time [s]"'],
+            ),
+            (
+                "recording",
+                "names",
+                "of a number",
+                "[1]",
+                ["names must be a list", "'1' is not in quotes"],
+            ),
+            (
+                "recording",
+                "missing",
+                "as number",
+                "-999",
+                ['missing must be a list of texts such as ["-"'],
+            ),
+            (
+                "recording",
+                "missing",
+                "of a number",
+                "[-999]",
+                ["missing must be", "'-999' is not in quotes"],
+            ),
+            ("recording", "ignore", "as text", '"raw"', ["ignore must be a list of texts"]),
+            (
+                "recording",
+                "ignore",
+                "of a hidden letter",
+                r'["\u001b"]',
+                ["'ignore': the character"],
+            ),
+            ("recording", "header_line", "as text", '"3"', ["'3' is not a whole number"]),
+            ("recording", "units_line", "zero", "0", ["'0' is too small; the least is 1"]),
+            ("effects", "exclude", "as text", '"leak"', ["exclude must be a list of texts"]),
+            (
+                "effects",
+                "expect",
+                "of a number",
+                "[2]",
+                ["expect must be a list", "'2' is not in quotes"],
+            ),
+            (
+                "columns",
+                "p",
+                "as number",
+                "{ column = 1.5 }",
+                ["'column': '1.5' is neither the name of a column"],
+            ),
+            ("columns", "p", "as truth", "{ column = true }", ["nor its number, such as 2"]),
+            ("columns", "p", "hidden", r'{ column = "\u001b" }', ["'column': the character"]),
+            ("columns", "p", "fitted", '{ fit = "x" }', ["write true, false, 'gain' or 'offset'"]),
+        )
+    ),
+    ("truth in words", "title =", 'periodic = "no"\ntitle =', "periodic", ["write true or false"]),
+    (
+        "one value to hold out",
+        "role =",
+        "hold_out = { p = 3 }\nrole =",
+        "hold_out",
+        ["p must be a list of values"],
+    ),
+    ("loggers as a value", "role =", "loggers = 3\nrole =", "loggers", ["[[runs.loggers]]"]),
     (
         "table of a text",
         "[signals.p]",
