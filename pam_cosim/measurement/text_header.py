@@ -64,6 +64,9 @@ _NO_HEADER = (
 )
 
 
+_BESIDE = "where units stand beside the names, such as 'p [kPa]', leave units_line out"
+
+
 def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Header | None:
     """The last comment above the rows, where it has as many names as they have cells."""
     if not comments:
@@ -74,6 +77,8 @@ def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Hea
 
 
 def _stated_header(separator: str, above: list[Row], count: int, stated: Layout) -> _Header | str:
+    if stated.header_line is not None and stated.header_line == stated.units_line:
+        return f"header_line and units_line are both {stated.units_line}; {_BESIDE}"
     by_line = {row.number: row for row in above}
     units = by_line.get(stated.units_line or 0)
     if stated.units_line is not None and units is None:
@@ -86,6 +91,10 @@ def _stated_header(separator: str, above: list[Row], count: int, stated: Layout)
         if earlier
         else None
     )
+    if names is None and stated.header_line is None:
+        below = [row.number for row in above if row.number > (stated.units_line or 0)]
+        hint = f"state theirs too, such as header_line = {below[0]}" if below else _BESIDE
+        return f"units_line = {stated.units_line}, but no line above it holds names; {hint}"
     if names is None:
         return f"header_line = {stated.header_line}, but there is no such line above this first row"
     cells = _names(separator, names.text, count)

@@ -238,6 +238,39 @@ def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) 
     assert "left out: 1 of 5 rows" in runs[0].notes[0]
 
 
+@pytest.mark.parametrize(
+    ("head", "header_line", "units_line", "words"),
+    [
+        (
+            "s,kPa\ntime,p",
+            None,
+            1,
+            "no line above it holds names; state theirs too, such as header_line = 2",
+        ),
+        ("time [s],p [kPa]", None, 1, "beside the names, such as 'p [kPa]', leave units_line out"),
+        (
+            "time [s],p [kPa]",
+            1,
+            1,
+            "header_line and units_line are both 1; where units stand beside",
+        ),
+    ],
+)
+def test_a_row_of_units_without_names_above(
+    tmp_path: Path, head: str, header_line: int | None, units_line: int, words: str
+) -> None:
+    (tmp_path / "a.csv").write_text(f"{head}\n0,1\n1,2\n")
+    with pytest.raises(InputError) as caught:
+        read_table(tmp_path / "a.csv", Layout(header_line=header_line, units_line=units_line))
+    assert words in caught.value.message and "None" not in caught.value.message
+
+
+def test_a_row_of_units_may_stand_above_the_names(tmp_path: Path) -> None:
+    (tmp_path / "a.csv").write_text("s,kPa\ntime,p\n0,1\n1,2\n")
+    columns = read_table(tmp_path / "a.csv", Layout(header_line=2, units_line=1)).columns
+    assert {name: column.unit for name, column in columns.items()} == {"time": "s", "p": "kPa"}
+
+
 CLOCKS = ("", "column = 'stamp'", "column = 1", "formula = 'stamp * 1'")
 
 
