@@ -21,6 +21,7 @@ from pam_cosim.sweeps.spans import alike
 from pam_cosim.wording import shown
 
 TABLES = (".csv", ".nc", ".parquet")
+KINDS_OF_TABLES = "the result is written as CSV, NetCDF or Parquet"
 
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:

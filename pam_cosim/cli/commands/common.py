@@ -122,6 +122,7 @@ DataOrFmu = Annotated[
 def check_results(
     *outputs: Path | None,
     pictures: Iterable[Path | None] = (),
+    tables: Iterable[Path | None] = (),
     sources: Iterable[Path | str | None] = (),
     new_folder: bool = False,
 ) -> None:
@@ -129,7 +130,10 @@ def check_results(
     drawn = [path for path in pictures if path is not None]
     for path in drawn:
         check_ending(path, "pictures are drawn as PNG", PICTURES)
-    named = [*(path for path in outputs if path is not None), *drawn]
+    written = [path for path in tables if path is not None]
+    for path in written:
+        check_ending(path, "this is written as CSV", (".csv",))
+    named = [*(path for path in outputs if path is not None), *written, *drawn]
     for path in named:
         check_writable(path, new_folder=new_folder)
         results[path] = identity(path)

@@ -74,7 +74,7 @@ def compare(
         )
     files, against = files or [], against or []
     sources = [model, params, *against, *files]
-    check_results(json, report, table_csv, pictures=[table_plot], sources=sources)
+    check_results(json, report, tables=[table_csv], pictures=[table_plot], sources=sources)
     fitted = _values_of(params, model) if params else {}
     chosen = parse_pairs(settings or [])
     earlier = [(path.stem, read_comparison(path)) for path in against]

@@ -91,7 +91,10 @@ def couple(
         raise InputError("--ssp-version is of the archive that --ssp FILE writes; name one")
     files, controllers = files or [], controllers or []
     check_results(
-        output, ssp, pictures=[plot], sources=[system, inputs, *files, *_files_of(controllers)]
+        ssp,
+        tables=[output],
+        pictures=[plot],
+        sources=[system, inputs, *files, *_files_of(controllers)],
     )
     made = _by_name("--controller", map(_controller, controllers))
     acting = _by_name("--sample", map(_sample, samples or []))

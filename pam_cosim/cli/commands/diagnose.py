@@ -98,7 +98,7 @@ def diagnose(
     """Find the physical effect that the model lacks."""
     files = files or []
     _check_endings(output, learned, save)
-    check_results(output, save, json, report, following, learned, sources=[model, *files])
+    check_results(output, save, json, report, learned, tables=[following], sources=[model, *files])
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("refitting the base model") as status:
         say = teller(status)

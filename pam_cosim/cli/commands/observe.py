@@ -65,7 +65,9 @@ def observe(
     timeout: TimeoutOption = None,
 ) -> None:
     """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
-    check_results(output, json, pictures=[plot], sources=[model, recording, *(files or [])])
+    check_results(
+        json, tables=[output], pictures=[plot], sources=[model, recording, *(files or [])]
+    )
     point = {} if start is None else parse_point([start])
     if not isinstance(point, dict):
         raise InputError("--start: give values by name, such as 'p=1 bar'")

@@ -66,7 +66,9 @@ def predict(
     files: FilesOption = None,
 ) -> None:
     """Predict a run that nobody made, with 95 % bands of what the data leave open."""
-    check_results(output, json, pictures=[plot], sources=[source, model, inputs, *(files or [])])
+    check_results(
+        json, tables=[output], pictures=[plot], sources=[source, model, inputs, *(files or [])]
+    )
     product = _fitted(source, model, files)
     with console.status("simulating samples of the parameters"):
         bands = study.predict(

@@ -8,13 +8,14 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import file_and_variables, parse_pairs
+from pam_cosim.cli.arguments import KINDS_OF_TABLES, TABLES, file_and_variables, parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
     SetOption,
     TimeoutOption,
+    check_ending,
     check_results,
     say_renamed,
     say_written,
@@ -50,6 +51,8 @@ def simulate(
     sources = [model, inputs, *(files or [])]
     check_results(*map(Path, output or []), pictures=[plot], sources=sources)
     file, formerly = file_and_variables(output or [], lambda: study.describe(model, files or []))
+    if file:
+        check_ending(file, KINDS_OF_TABLES, TABLES)
     if formerly:
         say_renamed("simulate --output VARIABLE")
     trajectory = study.simulate(

@@ -16,13 +16,21 @@ from rich.progress import (
 )
 
 from pam_cosim import study
-from pam_cosim.cli.arguments import file_and_variables, parse_named, parse_pairs, parse_varied
+from pam_cosim.cli.arguments import (
+    KINDS_OF_TABLES,
+    TABLES,
+    file_and_variables,
+    parse_named,
+    parse_pairs,
+    parse_varied,
+)
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
     SetOption,
     TimeoutOption,
+    check_ending,
     check_results,
     console,
     remarks,
@@ -107,6 +115,7 @@ def sweep(
     file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
     if file is None:
         raise InputError("name the file of the result with -o")
+    check_ending(file, KINDS_OF_TABLES, TABLES)
     if formerly:
         say_renamed("sweep --output VARIABLE")
     check_writable(partial_of(file))
