@@ -18,6 +18,13 @@ from pam_cosim.wording import shown
 _NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 
 
+def without_detour(folder: Path) -> Path:
+    """The same place, not named by way of folders that are not there: they would have to be made for it."""
+    if ".." in folder.parts and not folder.parent.exists():
+        return Path(os.path.realpath(folder))
+    return folder
+
+
 def check_place(folder: Path) -> None:
     """Raises InputError where there is something already, or nothing can be made."""
     try:

@@ -17,7 +17,14 @@ from pam_cosim.drafting.columns import names_in
 from pam_cosim.drafting.contraction import length_parameter
 from pam_cosim.drafting.document import Draft, document
 from pam_cosim.drafting.feeding import MECHANICAL, meaning_of
-from pam_cosim.drafting.folder import check_place, copy_files, put, read_draft, temporary_sibling
+from pam_cosim.drafting.folder import (
+    check_place,
+    copy_files,
+    put,
+    read_draft,
+    temporary_sibling,
+    without_detour,
+)
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.mapping import longest_of, map_columns
 from pam_cosim.drafting.noise import Sigma, sigma_of
@@ -58,6 +65,7 @@ def draft(
     Raises:
         InputError: whatever cannot be used, with file, line and column; nothing is written then.
     """
+    folder = without_detour(folder)
     check_place(folder)
     with temporary_sibling(folder) as place:
         files = _tidied(files, place, wishes)

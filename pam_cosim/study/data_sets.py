@@ -177,7 +177,7 @@ def new(
         described,
         as_paths(files),
     )
-    written = _read(Path(folder), described, files, Overrides())
+    written = _read(made.folder, described, files, Overrides())
     beyond = inputs_beyond(written, described(written.model))
     begun = data_with_starts(written, written.model, files=files)
     return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))

@@ -182,6 +182,18 @@ def test_nothing_is_overwritten(command: Command, place: Path) -> None:
     assert missing.status == 2 and "b.csv" in missing.err and not (place / "other").exists()
 
 
+def test_a_way_through_no_folder_makes_none(command: Command, place: Path) -> None:
+    """``none/../rig`` is ``rig``; the folder on the way had been left behind, empty."""
+    (place / "a.csv").write_text(GOOD)
+    outcome = command("new", "none/../rig", "a.csv")
+    assert outcome.status == 0 and (place / "rig" / "experiment.toml").is_file(), outcome.err
+    assert {one.name for one in place.iterdir()} == {"a.csv", "rig"}
+    again = command("new", "none/../rig", "a.csv")
+    assert again.status == 2 and "not empty" in again.err and not (place / "none").exists()
+    assert command("new", "more/deep/rig", "a.csv").status == 0
+    assert command("new", "more/../other", "a.csv").status == 0 and (place / "other").is_dir()
+
+
 def test_files_of_one_name_and_a_matrix(command: Command, place: Path) -> None:
     """Two files that are called alike are told apart; a matrix without names is one error."""
     for folder in ("one", "two"):
