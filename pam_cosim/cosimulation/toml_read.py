@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path, PurePosixPath
 from typing import Any
@@ -29,6 +30,7 @@ class Written:
         samples: distance of the samples of FMUs that act as controllers, by name.
         title: for people.
         stop_time: [s], or None.
+        file, text: where all this stands.
     """
 
     components: dict[str, str]
@@ -37,6 +39,25 @@ class Written:
     samples: dict[str, Setting]
     title: str
     stop_time: float | None
+    file: Path
+    text: str
+
+    @contextmanager
+    def at(self, key: str, name: str) -> Iterator[None]:
+        """Gives errors that name no file the line of a name under a key, or of a connection."""
+        try:
+            yield
+        except InputError as problem:
+            if problem.file:
+                raise
+            raise InputError(problem.message, self.file, self._line(key, name)) from problem
+
+    def _line(self, key: str, name: str) -> int | None:
+        if key != "connections":
+            return line_of(self.text, (key, name))
+        first = line_of(self.text, (key,)) or 1
+        lines = enumerate(self.text.split("\n")[first - 1 :], first)
+        return next((n for n, line in lines if f'"{name}"' in line or f"'{name}'" in line), first)
 
 
 def read_toml(file: Path) -> Written:
@@ -81,7 +102,8 @@ def read_toml(file: Path) -> Written:
         name: _model(model, file, lambda m, n=name: wrong(m, "components", n))
         for name, model in components.items()
     }
-    return Written(models, connections, parameters, samples, title, _stop_time(content, wrong))
+    stop_time = _stop_time(content, wrong)
+    return Written(models, connections, parameters, samples, title, stop_time, file, text)
 
 
 def _settings(table: Any, key: str, wrong: Callable[..., InputError]) -> dict[str, Setting]:

@@ -4,13 +4,22 @@ from __future__ import annotations
 
 import tempfile
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 from pathlib import Path
 
-from pam_cosim.cosimulation import Controller, CoupledFmu, Rig, System, connect, couple_values
+from pam_cosim.cosimulation import (
+    Connection,
+    Controller,
+    CoupledFmu,
+    Port,
+    Rig,
+    System,
+    connect,
+    couple_values,
+)
+from pam_cosim.cosimulation.parts import Component, check_name, check_once
 from pam_cosim.cosimulation.ssp_read import read_ssp
 from pam_cosim.cosimulation.ssp_write import write_ssp
-from pam_cosim.cosimulation.toml_read import read_toml
+from pam_cosim.cosimulation.toml_read import Written, read_toml
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import read_interface
 from pam_cosim.fmu.read import feedthrough
@@ -137,25 +146,56 @@ def read_system(
         return _from_ssp(file, controllers or {}, parameters or {}, timeout)
     if file.suffix != ".toml":
         raise InputError("a system is described by a .toml or an .ssp file", file)
+    return _from_toml(file, controllers or {}, parameters or {}, files, timeout)
+
+
+def _from_toml(
+    file: Path,
+    controllers: Mapping[str, Controller],
+    parameters: Mapping[str, Setting],
+    files: models.Paths,
+    timeout: float | None,
+) -> System:
+    """As ``couple``, step by step, so that whatever is wrong has its line."""
     written = read_toml(file)
-    both: dict[str, str | Path | Controller] = {**written.components, **(controllers or {})}
-    if len(both) < len(written.components) + len(controllers or {}):
+    if not controllers.keys().isdisjoint(written.components):
         raise InputError(
-            f"a controller has the name of a component: {', '.join(controllers or {})}", file
+            f"a controller has the name of a component: {', '.join(controllers)}", file
         )
+    made: dict[str, Component] = {}
+    for name, model in written.components.items():
+        with written.at("components", name):
+            check_name(name)
+            made[name] = _part(name, model, files)
+    made |= controllers
+    joined = _connections(written, made)
+    for name, value in written.parameters.items():
+        if name not in parameters:
+            with written.at("parameters", name):
+                couple_values({name: value}, made)
+                check_once(joined, {name: "a value"})
     try:
-        system = couple(
-            both,
-            written.connections,
-            {**written.parameters, **(parameters or {})},
-            samples=written.samples,
-            title=written.title,
-            files=files,
-            timeout=timeout,
-        )
+        values = couple_values({**written.parameters, **parameters}, made)
+        system = System(made, joined, values, timeout, written.title, written.stop_time)
     except InputError as problem:
         raise problem if problem.file else InputError(problem.message, file) from problem
-    return replace(system, stop_time=written.stop_time)
+    for name, interval in written.samples.items():
+        with written.at("samples", name):
+            system = system.sampling({name: interval})
+    return system
+
+
+def _connections(written: Written, made: Mapping[str, Component]) -> tuple[Connection, ...]:
+    """The connections of a file; an input that has two is told where the second one stands."""
+    joined: list[Connection] = []
+    taken: set[Port] = set()
+    for text in written.connections:
+        with written.at("connections", text):
+            joined.append(connect(text, made))
+            if joined[-1].target in taken:
+                check_once(tuple(joined), {})
+            taken.add(joined[-1].target)
+    return tuple(joined)
 
 
 def _from_ssp(

@@ -328,6 +328,9 @@ def test_toml_names_files_beside_it(tmp_path: Path) -> None:
     assert read.simulate(step=0.05).trajectory.time[-1] == 0.5
 
 
+ONE = "[components]\na = 'Isotonic'\n"
+
+
 @pytest.mark.parametrize(
     ("text", "line", "message"),
     [
@@ -337,9 +340,18 @@ def test_toml_names_files_beside_it(tmp_path: Path) -> None:
         ("[components]\na = '../x.fmu'", 2, "must lie in the folder of this file"),
         ("[components]\na = '/tmp/x.fmu'", 2, "must lie in the folder of this file"),
         ("[components]\na = 'x.fmu'", 2, "there is no file 'x.fmu'"),
-        ("[components]\na = 'Isotonik'", None, "Isotonik"),
+        ("[components]\na = 'Isotonik'", 2, "Isotonik"),
+        ("[components]\nb = 'Isotonic'\n'a b' = 'Isotonic'", 3, "'a b' cannot name a component"),
         ("connections = 'a'\n[components]\na = 'Isotonic'", 1, "connections must be a list"),
-        ("connections = ['a.x -> b.u']\n[components]\na = 'Isotonic'", None, "no component 'b'"),
+        ("connections = ['a.x -> b.u']\n[components]\na = 'Isotonic'", 1, "no component 'b'"),
+        (f"connections = [\n  'a.p -> a.p_supply',\n  \"a.p -> a.u_on\",\n]\n{ONE}", 3, "no input 'u_on'"),
+        (f"connections = [\n'a.p -> a.p_supply',\n'a.T -> a.p_supply',\n]\n{ONE}", 3, "connection 'a.T -> a.p_supply'"),
+        (f"connections = [\n'b.p -> a.p_supply',\n'a.p -> a.p_supply',\n]\n{ONE}b = 'Isotonic'", 3, "than one source"),
+        (f"{ONE}[parameters]\n'a.load.m' = '3 kg'\n'a.load.mm' = '3 kg'", 5, "did you mean 'load.m'"),
+        (f"{ONE}[parameters]\n'a.load.m' = '3 s'", 4, "load.m"),
+        (f"connections = ['a.p -> a.p_supply']\n{ONE}[parameters]\n'a.p_supply' = '3 bar'", 5, "more than one source"),
+        (f"{ONE}[samples]\nb = '10 ms'", 4, "there is no FMU 'b'"),
+        (f"{ONE}b = 'Isotonic'\n[samples]\na = '10 kg'", 5, "the interval of a controller"),
         ("stop_time = '5 kg'\n[components]\na = 'Isotonic'", 1, "stop_time"),
         ("stop_time = true\n[components]\na = 'Isotonic'", 1, "stop_time: True is no time"),
         ("[components\na = 'Isotonic'", 1, "not valid TOML"),
