@@ -203,8 +203,11 @@ def _check_dynamic(document: ExperimentFile, table: RunTable, index: int) -> Non
 
 
 def _check_static(document: ExperimentFile, table: RunTable, index: int) -> None:
-    """What is stated of one run alone would have no effect; what is stated of all may be meant for the others."""
-    for key, field in (("from", "begin"), ("to", "end"), ("gaps", "gaps"), ("interpolation",) * 2):
+    """What is stated of one run alone would have no effect; what is stated of all may be meant for the others.
+
+    ``interpolation`` may stand there: drafts of version 0.1.0 state it.
+    """
+    for key, field in (("from", "begin"), ("to", "end"), ("gaps", "gaps")):
         if field in table.model_fields_set:
             message = f'{key} is for recordings over time; points of kind = "static" have none: leave it out'
             raise document.error(message, "runs", index, key)
