@@ -125,7 +125,7 @@ TEXT = f'model = "{MODEL}"\n[columns]\n%s\n[[runs]]\nfile = "a.csv"\n%s'
         ("", "[runs.columns]\nu_in = { fit = true }\n", "state it under .columns."),
         ('u_in = { gain = "2 A/V", fit = true }', "", "an FMU takes no parameters in its place"),
         ('u_in = { column = "u_in", offset = "2 V" }', "", "column 'u_in': offset"),
-        ('u_in = { fit = "slope" }', "", "slope. is not possible; write True, False, 'gain' or 'offset'"),
+        ('u_in = { fit = "slope" }', "", "slope. is not possible; write true, false, 'gain' or 'offset'"),
     ],
 )  # fmt: skip
 def test_what_is_no_map_is_one_error(tmp_path: Path, columns: str, run: str, message: str) -> None:
