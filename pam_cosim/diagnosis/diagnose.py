@@ -462,7 +462,7 @@ def _check_likely(
         raise error_in(data.folder, message, "effects", "expect")
     if name in data.excluded:
         raise error_in(data.folder, message, "effects", "exclude")
-    raise InputError(f"expect: {message}")
+    raise InputError(message)
 
 
 def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:
