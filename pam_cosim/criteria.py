@@ -51,6 +51,9 @@ class NoiseCriteria:
         "1/sqrt(samples)",
         "or by more than this, where the samples are so few that chance lowers it",
     )
+    slight_rounding: float = decides(
+        0.01, "of the noise variance", "steps of a record that add less do not count"
+    )
     off_step: float = decides(
         0.05,
         "of a step",
@@ -294,7 +297,9 @@ class ResidualCriteria:
         "chi-square distribution",
     )
     slight_excess: float = decides(
-        0.01, "noise variances", "less is not seen by a person, and is no sign of a model"
+        0.1,
+        "noise variances",
+        "less, a third of a standard deviation, nobody sees: it may be the form of an effect that was found",
     )
     drift: float = decides(
         0.3,

@@ -110,7 +110,7 @@ def _with_steps(signal: Signal, samples: Sequence[Array]) -> Signal:
     steps = [record_step(values) for values in samples if quantum_of(values[np.isfinite(values)])]
     step = float(np.median(steps)) if steps else 0.0
     noise, rounding = signal.sigma, step**2 / 12.0
-    if rounding < CRITERIA.residuals.slight_excess * noise**2:
+    if rounding < CRITERIA.noise.slight_rounding * noise**2:
         return signal
     if signal.estimated:
         noise = sqrt(max(noise**2 - rounding, 0.0))
