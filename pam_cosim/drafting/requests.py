@@ -20,7 +20,7 @@ from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
 from pam_cosim.drafting.parts import in_parts
 from pam_cosim.drafting.recorded_column import RecordedColumn
-from pam_cosim.drafting.sources import RecordingSource, read_sources
+from pam_cosim.drafting.sources import RecordingSource, places_of, read_sources
 from pam_cosim.drafting.time_column import check_time
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
@@ -95,7 +95,9 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     if len(parts) > len(sources):
         sources = parts
         columns, time = _recognised(sources, asked, formulas, recording)
-    interval = None if time is None else even_interval(_seconds(time))
+    # rows of several experiments are not evenly apart
+    is_whole = all(source.part is None for source in sources)
+    interval = even_interval(_seconds(time)) if time is not None and is_whole else None
     if time is not None and interval is not None:
         columns = [_coarse(c, interval) if c is time else c for c in columns]
         time, recording = None, recording.model_copy(update={"interval": interval})
@@ -196,13 +198,7 @@ def _stated(
         if not at:
             shared[name] = value
             continue
-        called = [i for i, one in enumerate(sources) if one.is_called(run)]
-        if not called:
-            names = [source.name for source in sources]
-            raise InputError(
-                f"--parameter {key}: there is no recording {shown(run)}; {did_you_mean(run, names)}"
-            )
-        for i in called:
+        for i in places_of(run, sources, f"--parameter {key}: "):
             own[i][name] = value
     return shared, own
 

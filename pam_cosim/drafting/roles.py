@@ -11,12 +11,12 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import is_constant, span
 from pam_cosim.drafting.mapped import MappedRecording
-from pam_cosim.drafting.sources import RecordingSource
+from pam_cosim.drafting.sources import RecordingSource, places_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.wording import shown
 
 _C = CRITERIA.recognition
 
@@ -157,10 +157,7 @@ def stated_roles(
     """
     made = list(guessed)
     for name, role in stated.items():
-        called = [i for i, one in enumerate(sources) if one.is_called(name)]
-        if not called:
-            names = [source.name for source in sources]
-            raise InputError(f"there is no recording {shown(name)}; {did_you_mean(name, names)}")
+        called = places_of(name, sources)
         if role not in ROLES:
             raise InputError(
                 f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}"

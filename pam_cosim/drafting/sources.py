@@ -14,6 +14,7 @@ from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.switch_words import are_switch_words
 from pam_cosim.measurement.table import Layout, Table
 from pam_cosim.measurement.text_table import text_columns
+from pam_cosim.wording import did_you_mean, shown
 
 MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "---")
 """Words that stand where a sample is missing, in small letters."""
@@ -60,9 +61,20 @@ class RecordingSource:
         """Of the run that it becomes, as far as files are not renamed."""
         return self.file.stem if self.part is None else f"{self.file.stem} part {self.part.number}"
 
-    def is_called(self, name: str) -> bool:
-        """Whether a name is its own, or that of its file, of which it may be a part."""
-        return name in (self.name, self.file.stem)
+
+def places_of(name: str, sources: Sequence[RecordingSource], option: str = "") -> list[int]:
+    """The places of the recordings of a name, that of one or of a file of which they are parts.
+
+    Raises:
+        InputError: there is none; it begins with the ``option``.
+    """
+    called = [i for i, one in enumerate(sources) if name in (one.name, one.file.stem)]
+    if not called:
+        known = [one.name for one in sources]
+        raise InputError(
+            f"{option}there is no recording {shown(name)}; {did_you_mean(name, known)}"
+        )
+    return called
 
 
 def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[RecordingSource]:
