@@ -202,18 +202,35 @@ def test_a_vessel_that_empties_is_not_closed(tmp_path: Path, least: float, bench
     assert pam.new(tmp_path / "rig", [file]).model == f"PneumaticMuscle.Benches.{bench}"
 
 
-def test_a_file_in_which_the_time_begins_anew_holds_several_runs(tmp_path: Path) -> None:
-    """Three experiments one after another, as a logger appends them."""
+def appended(file: Path, heading: str, first: list[str], drift: float, digits: str = "g") -> Path:
+    """Three experiments one after another, as a logger appends them: to 100, 200 and 300 kPa.
+
+    Args:
+        file: to be written.
+        heading: of the table.
+        first: what stands in the column beside the time in each experiment.
+        drift: of the zeros, from one to the next [kPa]; a quarter of it in millimetres.
+        digits: how times are written.
+    """
     time = 0.01 * np.arange(300)
-    lines = ["Experiment,Time [s],p_set [kPa],p [kPa],x [mm]"]
+    lines = [heading]
     for number, level in enumerate((100.0, 200.0, 300.0)):
         p_set = np.where(time > 1.0, level, 0.0)
         p = level * (1.0 - np.exp(-np.clip(time - 1.0, 0.0, None) / 0.1))
         noise = np.random.default_rng(number).normal(0.0, 0.05, (2, 300))
-        rows = zip(time, p_set, p + noise[0], 0.1 * p + noise[1], strict=True)
-        lines += [f"{number + 1},{','.join(f'{v:.6g}' for v in row)}" for row in rows]
-    (tmp_path / "all.csv").write_text("\n".join(lines))
-    made = pam.new(tmp_path / "rig", [tmp_path / "all.csv"], roles={"all part 3": "fit"})
+        read = (p_set, p + drift * number + noise[0], 0.1 * p + drift / 4 * number + noise[1])
+        lines += [
+            f"{t:{digits}},{first[number]},{','.join(f'{v:.6g}' for v in row)}"
+            for t, row in zip(time, zip(*read, strict=True), strict=True)
+        ]
+    file.write_text("\n".join(lines))
+    return file
+
+
+def test_a_file_in_which_the_time_begins_anew_holds_several_runs(tmp_path: Path) -> None:
+    heading = "Time [s],Experiment,p_set [kPa],p [kPa],x [mm]"
+    file = appended(tmp_path / "all.csv", heading, ["1", "2", "3"], 0.0)
+    made = pam.new(tmp_path / "rig", [file], roles={"all part 3": "fit"})
     assert [len(run.time) for run in made.data.runs] == [300, 300, 300]
     assert [run.inputs["p_set"].max() for run in made.data.runs] == pytest.approx([1e5, 2e5, 3e5])
     assert [run.role for run in made.data.runs] == ["fit", "holdout", "fit"]
@@ -221,19 +238,18 @@ def test_a_file_in_which_the_time_begins_anew_holds_several_runs(tmp_path: Path)
 
 
 def test_each_experiment_of_a_file_has_a_zero_and_values_of_its_own(tmp_path: Path) -> None:
-    time = 0.01 * np.arange(300)
-    lines = ["Time [s],Masse [kg],p_set [kPa],p [kPa],x [mm]"]
-    for number, level in enumerate((100.0, 200.0, 300.0)):
-        p_set = np.where(time > 1.0, level, 0.0)
-        p = level * (1.0 - np.exp(-np.clip(time - 1.0, 0.0, None) / 0.1))
-        noise = np.random.default_rng(number).normal(0.0, 0.05, (2, 300))
-        read = (p_set, p + 2.0 * number + noise[0], 0.1 * p + 0.5 * number + noise[1])
-        rows = zip(time, np.full(300, 1.0 + number), *read, strict=True)
-        lines += [",".join(f"{v:.6g}" for v in row) for row in rows]
-    (tmp_path / "all.csv").write_text("\n".join(lines))
-    runs = pam.new(tmp_path / "rig", [tmp_path / "all.csv"]).data.runs
+    heading = "Time [s],Masse [kg],p_set [kPa],p [kPa],x [mm]"
+    file = appended(tmp_path / "all.csv", heading, ["1", "2", "3"], 2.0)
+    runs = pam.new(tmp_path / "rig", [file]).data.runs
     assert [run.parameters["load.m"] for run in runs] == [1.0, 2.0, 3.0]
     for run in runs:
         rest = run.time < run.time[0] + 0.8
         assert abs(run.measurements["p"][rest].mean()) < 50.0
         assert abs(run.measurements["x"][rest].mean()) < 0.05e-3
+
+
+def test_rows_of_several_experiments_are_not_taken_to_be_evenly_apart(tmp_path: Path) -> None:
+    heading = "Time [s],Experiment,p_set [kPa],p [kPa],x [mm]"
+    file = appended(tmp_path / "all.csv", heading, ["1", "2", "3"], 0.0, ".1f")
+    with pytest.raises(InputError, match="a third row at 0 s"):
+        pam.new(tmp_path / "rig", [file])
