@@ -13,7 +13,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.clock_columns import difference
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
-from pam_cosim.drafting.vocabulary import Meaning, fits
+from pam_cosim.drafting.vocabulary import Meaning, fits, read_heading
 from pam_cosim.drafting.words import DAYS, SHORTEST_STEP, USUAL_EPOCHS, USUAL_STEPS
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.date_times import EXAMPLE
@@ -188,6 +188,7 @@ def check_time(
         return None
     if time is None and may_be_points(columns, sources):
         _check_no_clock(sources)
+        _check_no_empty_time(columns, sources)
         return None
     for i, source in enumerate(sources):
         if time is None:
@@ -217,6 +218,30 @@ def _check_no_clock(sources: Sequence[RecordingSource]) -> None:
                 source.table.header_line,
                 name,
             )
+
+
+def _check_no_empty_time(
+    columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]
+) -> None:
+    """Raises InputError where a column is called time and is empty: its rows may be no points at rest."""
+    for column in columns:
+        if not column.values and column.places and _is_called_time(column.name):
+            source = sources[min(column.places)]
+            even = "say --recording interval='1 ms' where rows are evenly apart"
+            rest = f"--recording 'ignore={column.name}' where each row is a point at rest"
+            raise InputError(
+                f"it is called as the time is, and has no value in any row; {even}, or {rest}",
+                source.file,
+                source.table.header_line,
+                column.name,
+            )
+
+
+def _is_called_time(name: str) -> bool:
+    """Whether a heading can only be that of the time; a T may be a temperature."""
+    meaning = read_heading(name, "").meaning
+    called = name != "T" and meaning is not None and meaning.kind == "time"
+    return called or bool(_LABVIEW.fullmatch(name))
 
 
 def _no_time_among(source: RecordingSource) -> str:

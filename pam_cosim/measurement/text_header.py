@@ -6,6 +6,7 @@ import csv
 import re
 from dataclasses import dataclass
 
+from pam_cosim.measurement import labview_text
 from pam_cosim.measurement.table import Layout, is_unit
 from pam_cosim.measurement.text_rows import (
     COMMENT,
@@ -51,7 +52,7 @@ def header_of(
             return _Header(above[-2].number, names, _bare(last.cells))
     names = _names(separator, last.text, count)
     if _ends(len(names), ends):
-        return _Header(last.number, names)
+        return _Header(last.number, names, labview_text.units_above(above[:-1], len(names)))
     decimal = (
         "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
     )

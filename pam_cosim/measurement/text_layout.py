@@ -17,6 +17,7 @@ from functools import partial
 from pathlib import Path
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement import labview_text
 from pam_cosim.measurement.table import Layout, split_heading
 from pam_cosim.measurement.text_header import header_of
 from pam_cosim.measurement.text_rows import (
@@ -140,7 +141,8 @@ def _rows_of_words(lines: list[Line], file: Path) -> InputError | None:
 
 def _layout_by(separator: str, lines: list[Line], stated: Layout) -> TextLayout | None:
     """The layout by this separator; None when there are no rows."""
-    after = max(stated.header_line or 0, stated.units_line or 0)
+    stated_lines = (stated.header_line or 0, stated.units_line or 0)
+    after = max(*stated_lines, labview_text.end_of_header(lines))
     rows, start = rows_of(separator, lines, after, partial(is_row, missing=stated.missing))
     if start is None:
         rows, start = rows_of(separator, lines, after, is_dated_row)

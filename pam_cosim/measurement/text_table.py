@@ -12,6 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement import labview_text
 from pam_cosim.measurement.date_times import date_time, is_date_time
 from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
 from pam_cosim.measurement.table import Column, Layout, Table, split_heading
@@ -21,8 +22,6 @@ from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, f
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
 from pam_cosim.wording import shown
 
-LABVIEW_TIME = "x_value"
-"""How LabVIEW heads its times, in small letters, again before each channel that has times of its own."""
 _TALLEST = 8  # Lines of one quoted cell.
 _MEANT = re.compile(
     r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE
@@ -190,7 +189,7 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
                 message, file, line, heading[:60] if heading.isprintable() and heading else None
             )
         name, unit = parts
-        if name.casefold() == LABVIEW_TIME and name in seen:
+        if name.casefold() == labview_text.TIME and name in seen:
             name = f"{name} {1 + sum(one.startswith(name) for one in seen)}"
         if name in seen:
             raise InputError("this column stands twice in the header; rename one", file, line, name)

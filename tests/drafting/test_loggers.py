@@ -210,6 +210,62 @@ def test_labview_heads_the_times_of_every_channel_alike(tmp_path: Path) -> None:
     np.testing.assert_allclose(made.data.runs[0].inputs["p_set"], 1e5 * SET_POINT)
 
 
+LABVIEW = """LabVIEW Measurement
+Writer_Version\t2
+Separator\tTab
+X_Columns\t{mode}
+Date\t2026/03/04
+***End_of_Header***
+
+Channels\t3
+Samples\t500\t500\t500
+Date\t2026/03/04\t2026/03/04\t2026/03/04
+Y_Unit_Label\tbar\tkPa\t{unit}
+X_Dimension\tTime\tTime\tTime
+X0\t0.0E+0\t0.0E+0\t0.0E+0
+Delta_X\t0.010000\t0.010000\t0.010000
+***End_of_Header***
+X_Value\tp_set\tp\tx\tComment
+"""
+
+
+def labview(file: Path, times: bool, unit: str) -> Path:
+    """As LabVIEW writes it: units of the channels stand in a block of its own words above the names."""
+    rows = "".join(
+        f"{f'{TIME[k]:.6f}' if times else ''}\t{SET_POINT[k]:.6f}\t{100 * READ[k]:.6f}\t{LENGTH[k]:.6f}\t\n"
+        for k in range(COUNT)
+    )
+    file.write_text(LABVIEW.format(mode="One" if times else "No", unit=unit) + rows)
+    return file
+
+
+@pytest.mark.parametrize("times", [True, False])
+def test_units_of_labview_stand_above_the_names(tmp_path: Path, times: bool) -> None:
+    file = labview(tmp_path / "a.lvm", times, "mm")
+    made = pam.new(tmp_path / "rig", [file], recording={} if times else {"interval": "10 ms"})
+    (run,) = made.data.runs
+    np.testing.assert_allclose(run.time, TIME, atol=1e-9)
+    np.testing.assert_allclose(run.measurements["p"], 1e5 * READ, rtol=1e-3, atol=1e3)
+    assert not [one for one in made.guesses if "no unit is written" in one.why]
+
+
+def test_a_label_of_labview_that_is_no_unit_is_passed_over(tmp_path: Path) -> None:
+    made = pam.new(tmp_path / "rig", [labview(tmp_path / "a.lvm", True, "Ruler No. 3")])
+    assert "no unit is written" in why(made, "x")
+    np.testing.assert_allclose(made.data.runs[0].measurements["x"], 1e-3 * LENGTH, atol=1e-6)
+
+
+@pytest.mark.parametrize("name", ["X_Value", "Time"])
+def test_an_empty_column_of_times_makes_no_points_at_rest(tmp_path: Path, name: str) -> None:
+    file = write(tmp_path / "a.csv", f"{name},p [bar],x [mm]", lambda k: ["", READ[k], LENGTH[k]])
+    with pytest.raises(InputError, match="has no value in any row; say --recording interval="):
+        pam.new(tmp_path / "rig", [file])
+    made = pam.new(
+        tmp_path / "rig", [file], recording={"ignore": [name]}, parameters={"F": "0 N"}
+    )
+    assert made.data.is_static
+
+
 def test_other_headings_may_not_stand_twice(tmp_path: Path) -> None:
     file = write(tmp_path / "a.csv", "t [s],p,p", lambda k: [TIME[k], READ[k], READ[k]])
     with pytest.raises(InputError, match="column 'p': this column stands twice in the header"):
