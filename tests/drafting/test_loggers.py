@@ -260,9 +260,7 @@ def test_an_empty_column_of_times_makes_no_points_at_rest(tmp_path: Path, name: 
     file = write(tmp_path / "a.csv", f"{name},p [bar],x [mm]", lambda k: ["", READ[k], LENGTH[k]])
     with pytest.raises(InputError, match="has no value in any row; say --recording interval="):
         pam.new(tmp_path / "rig", [file])
-    made = pam.new(
-        tmp_path / "rig", [file], recording={"ignore": [name]}, parameters={"F": "0 N"}
-    )
+    made = pam.new(tmp_path / "rig", [file], recording={"ignore": [name]}, parameters={"F": "0 N"})
     assert made.data.is_static
 
 

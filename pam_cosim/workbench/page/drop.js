@@ -46,14 +46,17 @@ export class DropPage {
   }
 
   async send(files) {
+    let taken = false;
     for (const file of [...files]) {
       say(this.found, `Reading ${file.name} …`);
       const answer = await fetch(`drop?name=${encodeURIComponent(file.name)}`, { method: "POST", body: file });
-      if (!answer.ok)
-        this.alert((await answer.json().catch(() => null))?.failed ?? { text: `${file.name} was refused` });
+      if (answer.ok) taken = true;
+      else this.alert((await answer.json().catch(() => null))?.failed ?? { text: `${file.name} was refused` });
     }
     this.input.value = "";
-    this.again();
+    // The list of files comes over the socket, and may come later than this answer.
+    if (taken || this.files?.length) this.request();
+    else this.found.replaceChildren();
   }
 
   dropped(event) {
@@ -94,7 +97,10 @@ export class DropPage {
   }
 
   again() {
-    if (this.files?.length === 0) return;
+    if (this.files?.length !== 0) this.request();
+  }
+
+  request() {
     this.found.classList.add("waiting");
     this.ask("draft", { wishes: this.wishes });
   }

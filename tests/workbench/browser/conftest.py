@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from pathlib import Path
+from typing import Any
 from urllib.parse import urlsplit
 
 import pytest
@@ -72,8 +73,14 @@ def opened(browser: Browser) -> Iterator[Callable[..., Page]]:
         ):
             wrong.append(f"asked for {address}")
 
-    def open_page(address: str, wait: str = "#ladder .fit:not(:empty)") -> Page:
+    def open_page(
+        address: str,
+        wait: str = "#ladder .fit:not(:empty)",
+        socket: Callable[[Any], None] | None = None,
+    ) -> Page:
         page = context.new_page()
+        if socket is not None:
+            page.route_web_socket("**/socket", socket)
         page.on("request", lambda request: outside(request.url))
         page.on("websocket", lambda socket: outside(socket.url))
         page.on("pageerror", lambda error: wrong.append(f"script: {error}"))

@@ -66,3 +66,34 @@ def test_a_wrong_word_can_be_said_otherwise(
         page.locator(".preview").first.wait_for()
         assert page.locator(".problem").count() == 0
         page.close()
+
+
+@pytest.mark.full
+def test_the_list_of_files_may_come_after_the_answer(
+    opened: Callable[..., Any], muscle: Path, tmp_path: Path
+) -> None:
+    """It comes over the socket, which here keeps it back until the page has asked what becomes of the file."""
+    kept: list[Any] = []
+
+    def keeping(page_side: Any) -> None:
+        server_side = page_side.connect_to_server()
+
+        def down(message: Any) -> None:
+            late = isinstance(message, str) and '"dropped"' in message and "run-01" in message
+            kept.append(message) if late else page_side.send(message)
+
+        def up(message: Any) -> None:
+            if '"draft"' in str(message):
+                for one in kept:
+                    page_side.send(one)
+            server_side.send(message)
+
+        server_side.on_message(down)
+        page_side.on_message(up)
+
+    with serving(tmp_path / "my-rig") as address:
+        page = opened(address, wait=".zone", socket=keeping)
+        page.set_input_files("#recordings", [muscle / "run-01.csv"])
+        page.locator(".preview").first.wait_for()
+        assert kept
+        page.close()
