@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import fields
+from pathlib import Path
 from typing import Any
 
 from pam_cosim.catalogue.place import libraries, library_of, qualified
@@ -35,9 +36,7 @@ def domain_of(tree: ClassTree, model: str) -> Domain:
 
 def _class_in(tree: ClassTree, file: str) -> str:
     """The model that a file stands for: its last one."""
-    kinds = ("model", "block", "class")
-    names = [n for n, info in tree.classes.items() if str(info.file) == file and info.kind in kinds]
-    return names[-1] if names else ""
+    return next(reversed(tree.models_in(Path(file))), "")
 
 
 def _origins(tree: ClassTree, name: str) -> list[str]:

@@ -105,6 +105,12 @@ class ClassTree:
         of_packages = [name for name, node in self._definitions.items() if _is_of_package(node)]
         return [name for name in of_packages if name != base and base in self.bases(name)]
 
+    def models_in(self, file: Path) -> list[str]:
+        """Full names of the classes of a file that can be models, in its order."""
+        kinds = ("model", "block", "class")
+        nodes = [n for n in self._definitions.values() if str(n.source.file) == str(file)]
+        return [node.qualified_name for node in nodes if node.kind in kinds]
+
     def components(self, name: str) -> list[ComponentInfo]:
         """Components with inherited ones, redeclared as they are, in the order in which the compiler has them."""
         components: dict[str, ComponentInfo] = {}

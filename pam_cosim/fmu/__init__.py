@@ -2,7 +2,7 @@
 
 from pam_cosim.fmu.build import build_fmu, cached_fmu
 from pam_cosim.fmu.compile import PLATFORMS, CompilerError
-from pam_cosim.fmu.library import build_model, build_source, source_ode
+from pam_cosim.fmu.library import build_model, build_source, description_of, source_ode
 from pam_cosim.fmu.read import read_interface
 
 __all__ = [
@@ -12,6 +12,7 @@ __all__ = [
     "build_model",
     "build_source",
     "cached_fmu",
+    "description_of",
     "read_interface",
     "source_ode",
 ]

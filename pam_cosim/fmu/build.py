@@ -109,6 +109,19 @@ def cached_fmu(
     return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names, fmi))
 
 
+def cached_description(key: str, make_ode: Callable[[], Ode]) -> Path:
+    """What ``cached_fmu`` says of itself, alone in a folder of the cache: made without a compiler.
+
+    Args:
+        key: as in ``cached_fmu``.
+        make_ode: compiles the model.
+    """
+    full = digest(key, _packaging_key())
+    return cached_folder(
+        "descriptions", full, lambda: _descriptions(make_ode(), _NO_GUID, "2.0", lean=False)
+    )
+
+
 def cached_lean_model(key: str, make_ode: Callable[[], Ode]) -> Path:
     """A model for fits, in a folder of the cache that has the layout of an unpacked FMU 2.0 for this machine.
 

@@ -18,6 +18,7 @@ from pam_cosim.compiler import (
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
 from pam_cosim.fmu.build import (
+    cached_description,
     cached_fmu,
     cached_lean_model,
     cached_taped_model,
@@ -59,12 +60,28 @@ def build_model(
     if is_fmu(model) and sensitivities:
         raise InputError("sensitivities can be built into a Modelica model only", model)
     if is_fmu(model):
-        check_regular(Path(model))
-        return Path(model)
+        return _as_it_is(model)
     key, make = _recipe(full_name(model, files), files, sensitivities, where_smooth)
     if brief:
         return cached_whole_taped_model(key, make)
     return cached_fmu(key, make, platforms=platforms, fmi=fmi)
+
+
+def description_of(model: str, files: Sequence[Path] = ()) -> Path:
+    """A folder with the model description that the FMU of a model has, made without a compiler; an FMU is itself.
+
+    Raises:
+        ModelError: the model cannot be compiled.
+        InputError: there is no such FMU, or the cache cannot be written.
+    """
+    if is_fmu(model):
+        return _as_it_is(model)
+    return cached_description(*_recipe(full_name(model, files), files, (), where_smooth=False))
+
+
+def _as_it_is(fmu: str) -> Path:
+    check_regular(Path(fmu))
+    return Path(fmu)
 
 
 def _recipe(

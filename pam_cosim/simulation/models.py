@@ -7,7 +7,7 @@ from pathlib import Path
 
 from pam_cosim.counts import checked_time
 from pam_cosim.files import check_writable, make_folder, write_bytes
-from pam_cosim.fmu import build_model, read_interface
+from pam_cosim.fmu import build_model, description_of, read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.simulation import IsolatedSimulator, Simulator
@@ -21,7 +21,7 @@ def describe(model: str, files: Paths = ()) -> Interface:
     Raises:
         InputError: there is no such model, or it cannot be compiled.
     """
-    return read_interface(build(model, files=files))
+    return read_interface(description_of(model, as_paths(files)))
 
 
 def build(
@@ -53,17 +53,25 @@ def build(
 
 
 def opened(
-    model: str, files: Paths = (), free: Iterable[str] = (), timeout: float | None = None
+    model: str,
+    files: Paths = (),
+    free: Iterable[str] = (),
+    timeout: float | None = None,
+    *,
+    brief: bool = False,
 ) -> Simulator | IsolatedSimulator:
     """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
 
     A Modelica model tells its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model ends
     after so much processor time (None: ``CRITERIA.run.longest``); an FMU that makes no progress for so long is ended
-    (None: the default of ``IsolatedSimulator``).
+    (None: the default of ``IsolatedSimulator``). ``brief``: a Modelica model is for a few runs, and made without a
+    compiler.
     """
     if is_fmu(model):
         return IsolatedSimulator(build(model, files=files), timeout)
-    fmu = build_model(model, as_paths(files), sensitivities=tuple(free), where_smooth=True)
+    fmu = build_model(
+        model, as_paths(files), sensitivities=tuple(free), where_smooth=True, brief=brief
+    )
     return limited(Simulator(fmu), timeout)
 
 

@@ -14,7 +14,13 @@ from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import data_with_starts, for_model, overriding, values_of_runs
+from pam_cosim.study.data_sets import (
+    data_with_starts,
+    few_rows,
+    for_model,
+    overriding,
+    values_of_runs,
+)
 
 
 def compare(
@@ -34,8 +40,9 @@ def compare(
     interface = describe(name, files)
     values = overriding(values_of_runs(parameters or {}, data, interface), data)
     data = data_with_starts(data, name, values, files, timeout)
-    with opened(name, files, [START_VALUES] * data.estimates_starts, timeout) as simulator:
-        starts = estimated_starts(
+    starts = [START_VALUES] * data.estimates_starts
+    with opened(name, files, starts, timeout, brief=few_rows(data)) as simulator:
+        found = estimated_starts(
             simulator, data, runs_without_start(data, values, interface), values
         )
-        return _compare(simulator, data, values | {name: e.value for name, e in starts.items()})
+        return _compare(simulator, data, values | {name: e.value for name, e in found.items()})

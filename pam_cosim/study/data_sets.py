@@ -10,6 +10,7 @@ from pathlib import Path
 
 from pam_cosim.catalogue import domain_of
 from pam_cosim.compiler import read_library
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import starts_are_open, with_starts
@@ -183,6 +184,11 @@ def new(
     return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))
 
 
+def few_rows(data: DataSet) -> bool:
+    """Whether simulating all runs once or twice takes less time than a compiler does."""
+    return sum(len(run.time) for run in data.runs) <= CRITERIA.run.rows_without_compiler
+
+
 def data_with_starts(
     data: DataSet,
     model: str,
@@ -201,7 +207,7 @@ def data_with_starts(
     """
     if not starts_are_open(data):
         return data
-    with opened(model, files, timeout=timeout) as simulator:
+    with opened(model, files, timeout=timeout, brief=few_rows(data)) as simulator:
         return with_starts(simulator, data, values)
 
 

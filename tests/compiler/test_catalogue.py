@@ -101,6 +101,14 @@ def test_user_file_extends_the_library(tmp_path):
     assert read_library(MODELS, [file]).is_subtype("Mine", "Tanks.Bench")
 
 
+def test_models_of_a_file_stand_in_its_order(tmp_path):
+    file = tmp_path / "a.mo"
+    file.write_text(
+        "model B end B; record R end R; package P model Inner end Inner; end P; model A end A;"
+    )
+    assert read_library(files=[file]).models_in(file) == ["B", "P.Inner", "A"]
+
+
 def test_user_class_within_a_library_package(tmp_path):
     file = tmp_path / "More.mo"
     file.write_text("within Tanks; model More extends Bench; Tank third; end More;")

@@ -17,7 +17,14 @@ from fmpy.validation import validate_fmu
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.fmu import build_fmu, build_model, build_source, cached_fmu, read_interface
+from pam_cosim.fmu import (
+    build_fmu,
+    build_model,
+    build_source,
+    cached_fmu,
+    description_of,
+    read_interface,
+)
 from pam_cosim.fmu import library as fmu_library
 from pam_cosim.fmu.compile import universal_binary
 from pam_cosim.model.interface import Variable
@@ -224,6 +231,17 @@ def test_cached_fmu_compiles_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatc
     first = cached_fmu("key", make)
     assert cached_fmu("key", make) == first and len(made) == 1
     assert cached_fmu("other", make) != first and len(made) == 2
+
+
+def test_a_description_needs_no_compiler_and_is_that_of_the_fmu(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    built = read_interface(build_model("TankFilling"))
+    monkeypatch.setattr("pam_cosim.cache.cache_dir", lambda: tmp_path)
+    monkeypatch.setattr("pam_cosim.fmu.build.compile_library", None)
+    assert read_interface(description_of("TankFilling")) == built
+    with pytest.raises(InputError, match="no such file"):
+        description_of(str(tmp_path / "missing.fmu"))
 
 
 @pytest.mark.full
