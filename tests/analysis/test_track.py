@@ -65,6 +65,7 @@ def test_a_closed_loop_whose_answer_is_known(slide: str) -> None:
     )
 
 
+@pytest.mark.full
 def test_an_fmu_says_the_same(slide: str, gain: str) -> None:
     """It acts at its samples alone, however finely what is wanted is given."""
     compiled, python = (

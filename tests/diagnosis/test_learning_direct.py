@@ -97,6 +97,7 @@ def test_recordings_teach_a_term_that_holds_in_another_run(tmp_path: Path) -> No
     assert before > 5 and after < 0.25 * before, (before, after, found.term.formula)
 
 
+@pytest.mark.full
 def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Path) -> None:
     own = "within;\nmodel Own\n  extends PneumaticMuscle.Benches.QuasiStaticIsometric;\nend Own;\n"
     (tmp_path / "Own.mo").write_text(own)

@@ -51,6 +51,7 @@ def objective() -> Iterator[Objective]:
         yield Objective(simulator, data, data.runs, FREE, TRUE)
 
 
+@pytest.mark.full
 def test_the_first_samples_lead_to_where_the_mass_swings(objective: Objective) -> None:
     z = np.array([FREE[0].to_z(TRUE["muscle.D0"])])
     assert objective.squares(z) / objective.size > 100.0

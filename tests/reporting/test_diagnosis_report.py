@@ -161,6 +161,7 @@ def test_the_next_experiment_and_the_missing_term_are_told():
     assert "p 5.00 kPa 7.07 p −0.61" in text
 
 
+@pytest.mark.full
 def test_titles_and_names_cannot_carry_markup():
     title = "<script>alert('x')</script> & \"friends\""
     data = make_data(title=title)

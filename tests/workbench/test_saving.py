@@ -209,6 +209,7 @@ def same(one: Any, other: Any) -> None:
                 )
 
 
+@pytest.mark.full
 def test_script_and_commands_repeat_it(
     window: Window, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -304,6 +305,7 @@ def test_one_step_back_leaves_a_study_that_was_loaded(window: Window, folder: Pa
         assert again.state.steps == loaded and again.state.values == {"valve.C_A": 0.71}
 
 
+@pytest.mark.full
 def test_a_saved_study_does_not_take_the_place_of_a_model_that_was_named(
     window: Window, folder: Path
 ) -> None:

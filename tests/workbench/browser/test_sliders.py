@@ -20,6 +20,7 @@ def address(muscle: Path) -> Iterator[str]:
         yield told
 
 
+@pytest.mark.full
 def test_a_slider_moves_curve_and_error(opened: Open, address: str) -> None:
     page = opened(address)
     before, curve = error(page, "p"), picture(page)
@@ -103,6 +104,7 @@ def test_charts_zoom_together_and_a_rule_lights_up_its_times(opened: Open, addre
     assert rule.get_attribute("aria-pressed") == "true"
 
 
+@pytest.mark.full
 def test_all_can_be_reached_by_keys_and_is_seen(opened: Open, address: str) -> None:
     """Tab goes through everything that can be pressed; what has the focus is outlined."""
     page = opened(address)

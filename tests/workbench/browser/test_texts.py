@@ -7,11 +7,14 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+import pytest
+
 from tests.workbench.browser.conftest import serving
 
 HOSTILE = "<img src=x onerror=alert(1)><script>document.title='taken'</script><b>bold</b>"
 
 
+@pytest.mark.full
 def test_a_title_with_markup_stays_text(
     opened: Callable[..., Any], muscle: Path, tmp_path: Path
 ) -> None:
