@@ -22,6 +22,8 @@ from rig.schedule import Course
 from rig.trial import Trial
 from tests.fitting.models import data_set, recording
 
+pytestmark = pytest.mark.full
+
 MODEL = "PneumaticMuscle.Examples.ConstantFrictionLoad"
 TRUE = {"muscle.D0": 0.0218, "muscle.friction.c_c": 8.0, "muscle.friction.c_v": 20.0}
 KNOWN = {"muscle.L0": 0.545, "muscle.alpha_0": 0.383}
@@ -51,7 +53,6 @@ def objective() -> Iterator[Objective]:
         yield Objective(simulator, data, data.runs, FREE, TRUE)
 
 
-@pytest.mark.full
 def test_the_first_samples_lead_to_where_the_mass_swings(objective: Objective) -> None:
     z = np.array([FREE[0].to_z(TRUE["muscle.D0"])])
     assert objective.squares(z) / objective.size > 100.0
@@ -66,7 +67,6 @@ def test_a_fit_from_another_diameter_finds_both_swings(objective: Objective) -> 
     assert found.residuals["fit"].chi2_reduced < 1.2
 
 
-@pytest.mark.full
 def test_a_fit_that_is_resumed_finds_them_too(objective: Objective, tmp_path: Path) -> None:
     """Points that were asked before other starts were found have other answers than after."""
     plain = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
