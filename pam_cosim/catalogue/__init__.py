@@ -10,7 +10,7 @@ What makes a Modelica package a library is said in ``place``; ``effects`` reads 
 from pam_cosim.catalogue.bench_parts import BenchPart, rig_parts
 from pam_cosim.catalogue.compose import Composition, compose, compose_on
 from pam_cosim.catalogue.composed_bench import ComposedBench, compose_bench
-from pam_cosim.catalogue.domain import domain_of
+from pam_cosim.catalogue.domain import domain_of, known_domain
 from pam_cosim.catalogue.effects import EffectClass, effect_classes, effects_in, unknown_terms
 from pam_cosim.catalogue.input_maps import with_input_maps
 from pam_cosim.catalogue.model import full_name
@@ -29,6 +29,7 @@ __all__ = [
     "effect_classes",
     "effects_in",
     "full_name",
+    "known_domain",
     "library_of",
     "origins",
     "compose_bench",

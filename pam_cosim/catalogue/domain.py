@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from dataclasses import fields
+import json
+from collections.abc import Sequence
+from dataclasses import asdict, fields
 from pathlib import Path
 from typing import Any
 
+from pam_cosim.cache import cached, digest
 from pam_cosim.catalogue.place import libraries, library_of, qualified
-from pam_cosim.compiler import ClassTree
+from pam_cosim.compiler import ClassTree, flat_hash, read_library
 from pam_cosim.compiler.class_tree import Constant
 from pam_cosim.errors import ModelError
+from pam_cosim.model import domain as words
 from pam_cosim.model.domain import Domain
-from pam_cosim.model.references import is_modelica
+from pam_cosim.model.references import is_modelica, sources_of
 
 RECORD = "Domain"
 
@@ -32,6 +36,26 @@ def domain_of(tree: ClassTree, model: str) -> Domain:
     packages = dict.fromkeys([*_origins(tree, name), *libraries(tree)])
     records = (f"{package}.{RECORD}" for package in packages)
     return next((_read(tree, record) for record in records if record in tree.classes), Domain())
+
+
+def known_domain(model: str, files: Sequence[Path] = ()) -> Domain:
+    """As ``domain_of``, where the library need not be read: the domain is kept by what it was read from.
+
+    Raises:
+        ModelError: as ``domain_of``; the library, or a file, cannot be read.
+    """
+
+    def content() -> bytes:
+        tree = read_library(files=sources_of(files, model))
+        return json.dumps(asdict(domain_of(tree, model))).encode()
+
+    code = (Path(str(module)).read_bytes() for module in (__file__, words.__file__))
+    file = cached("domains", digest(flat_hash(model, files=files), *code), ".json", content)
+    return Domain(**{name: _tuples(value) for name, value in json.loads(file.read_bytes()).items()})
+
+
+def _tuples(value: Any) -> Any:
+    return tuple(map(_tuples, value)) if isinstance(value, list) else value
 
 
 def _class_in(tree: ClassTree, file: str) -> str:
