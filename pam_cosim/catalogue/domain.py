@@ -15,7 +15,7 @@ from pam_cosim.compiler.class_tree import Constant
 from pam_cosim.errors import ModelError
 from pam_cosim.model import domain as words
 from pam_cosim.model.domain import Domain
-from pam_cosim.model.references import is_modelica, sources_of
+from pam_cosim.model.references import is_modelica
 
 RECORD = "Domain"
 
@@ -38,19 +38,23 @@ def domain_of(tree: ClassTree, model: str) -> Domain:
     return next((_read(tree, record) for record in records if record in tree.classes), Domain())
 
 
-def known_domain(model: str, files: Sequence[Path] = ()) -> Domain:
+def known_domain(model: str, sources: Sequence[Path] = ()) -> Domain:
     """As ``domain_of``, where the library need not be read: the domain is kept by what it was read from.
+
+    Args:
+        model: as in ``domain_of``. What an FMU calls itself is a name, never a file that is read.
+        sources: the user's files, that of the model among them.
 
     Raises:
         ModelError: as ``domain_of``; the library, or a file, cannot be read.
     """
 
     def content() -> bytes:
-        tree = read_library(files=sources_of(files, model))
-        return json.dumps(asdict(domain_of(tree, model))).encode()
+        return json.dumps(asdict(domain_of(read_library(files=sources), model))).encode()
 
     code = (Path(str(module)).read_bytes() for module in (__file__, words.__file__))
-    file = cached("domains", digest(flat_hash(model, files=files), *code), ".json", content)
+    key = digest(model, flat_hash("", files=sources), *code)
+    file = cached("domains", key, ".json", content)
     return Domain(**{name: _tuples(value) for name, value in json.loads(file.read_bytes()).items()})
 
 

@@ -17,7 +17,7 @@ from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.measurement import DataSet, Moment, Overrides, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.model.references import is_fmu, is_ratio, parameter_of
+from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
 from pam_cosim.model.settings import Setting, resolve, value_of
 from pam_cosim.simulation.models import Paths, as_paths, describe, opened
 from pam_cosim.study.fitted_model import (
@@ -124,7 +124,8 @@ def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
     """The words of the model's field; an FMU says what class it was made from."""
-    return known_domain(interface.model if is_fmu(model) else model, as_paths(files))
+    sources = sources_of(as_paths(files), model)
+    return known_domain(interface.model if is_fmu(model) else model, sources)
 
 
 def new(

@@ -57,3 +57,9 @@ def test_a_faulty_record_is_named_each_time(file: Path) -> None:
     for _ in range(2):
         with pytest.raises(ModelError, match="confused must be rows of 3 texts"):
             known_domain("Motors.Bench", [file])
+
+
+def test_what_an_fmu_calls_itself_is_no_file(file: Path, tmp_path: Path) -> None:
+    other = tmp_path / "Other.mo"
+    other.write_text("faulty")
+    assert known_domain(str(other)) == known_domain("nobody's")
