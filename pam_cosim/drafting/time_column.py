@@ -210,10 +210,8 @@ def _check_no_clock(sources: Sequence[RecordingSource]) -> None:
         if source.clocks:
             name = source.clocks[0]
             read = f"a time of day is read beside its date, as {shown(EXAMPLE)}; write it so"
-            even = "say --recording interval='1 ms' where rows are evenly apart"
-            rest = f"--recording 'ignore={name}' where each row is a point at rest"
             raise InputError(
-                f"this text says when each row was taken, and no other column is the time; {read}, {even}, or {rest}",
+                f"this text says when each row was taken, and no other column is the time; {read}, {_otherwise(name)}",
                 source.file,
                 source.table.header_line,
                 name,
@@ -227,14 +225,18 @@ def _check_no_empty_time(
     for column in columns:
         if not column.values and column.places and _is_called_time(column.name):
             source = sources[min(column.places)]
-            even = "say --recording interval='1 ms' where rows are evenly apart"
-            rest = f"--recording 'ignore={column.name}' where each row is a point at rest"
             raise InputError(
-                f"it is called as the time is, and has no value in any row; {even}, or {rest}",
+                f"it is called as the time is, and has no value in any row; {_otherwise(column.name)}",
                 source.file,
                 source.table.header_line,
                 column.name,
             )
+
+
+def _otherwise(name: str) -> str:
+    """What to say where a column of that name is not read as the time."""
+    even = "say --recording interval='1 ms' where rows are evenly apart"
+    return f"{even}, or --recording 'ignore={name}' where each row is a point at rest"
 
 
 def _is_called_time(name: str) -> bool:
