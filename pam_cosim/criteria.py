@@ -764,7 +764,8 @@ class RunCriteria:
     rows_without_compiler: int = decides(
         10_000,
         "rows",
-        "fitted, up to which a model that is looked at or briefly fitted is not compiled; measured: docs/speed.md",
+        "fitted or compared, up to which a model that is looked at, compared or briefly fitted is not compiled; "
+        "measured: docs/speed.md",
     )
 
 
