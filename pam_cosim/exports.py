@@ -9,10 +9,21 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.files import write_json, write_text
+from pam_cosim.files import check_ending, write_json, write_text
 
 Table = tuple[Sequence[str], Iterable[Sequence[object]]]
 """Headings, and rows of as many cells."""
+
+TABLES = (".csv", ".nc", ".parquet")  # endings of tables over time
+
+
+def check_table_ending(path: Path) -> None:
+    """A trajectory or a sweep is written as one of ``TABLES``; without an ending it is CSV.
+
+    Raises:
+        InputError: the name ends otherwise.
+    """
+    check_ending(path, "the result is written as CSV, NetCDF or Parquet", TABLES)
 
 
 def headed(name: str, unit: str) -> str:

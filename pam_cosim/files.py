@@ -7,7 +7,7 @@ import os
 import re
 import stat
 import tempfile
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import fields, is_dataclass
 from math import isfinite
@@ -110,6 +110,16 @@ def _target(path: Path) -> Path:
     if not os.access(place, os.W_OK):
         raise InputError("cannot be written: it is protected", path)
     return place
+
+
+def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
+    """A file that is not what its name says is opened by nothing; a name without an ending says nothing.
+
+    Raises:
+        InputError: the name ends in none of ``known``.
+    """
+    if path.suffix and path.suffix.lower() not in known:
+        raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
 
 
 def _processes() -> int | None:

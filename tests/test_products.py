@@ -128,6 +128,16 @@ def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
         pam.load(file)
 
 
+def test_a_name_that_says_another_format_is_refused(tmp_path: Path) -> None:
+    run = pam.Trajectory(np.linspace(0.0, 1.0, 3), {"p": np.zeros(3)}, {"p": "Pa"})
+    with pytest.raises(pam.InputError, match=r"x\.json: a Fit is saved as \.npz"):
+        pam.save(PRODUCTS["fit"], tmp_path / "x.json")
+    with pytest.raises(pam.InputError, match=r"x\.json: the result is written as CSV, NetCDF"):
+        run.save(tmp_path / "x.json")
+    assert not list(tmp_path.iterdir())
+    assert run.save(tmp_path / "x").read_bytes() == run.save(tmp_path / "x.CSV").read_bytes()
+
+
 def test_what_is_no_product_is_not_saved(tmp_path: Path) -> None:
     with pytest.raises(pam.InputError, match="a dict cannot be saved"):
         pam.save({}, tmp_path / "x.npz")  # type: ignore[arg-type]

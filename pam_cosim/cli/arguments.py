@@ -11,6 +11,7 @@ import numpy as np
 
 from pam_cosim.compiler import names
 from pam_cosim.errors import InputError
+from pam_cosim.exports import TABLES
 from pam_cosim.fmu.description import model_identifier
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_file
@@ -19,9 +20,6 @@ from pam_cosim.sweeps import MOST_RUNS
 from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.spans import alike
 from pam_cosim.wording import shown
-
-TABLES = (".csv", ".nc", ".parquet")
-KINDS_OF_TABLES = "the result is written as CSV, NetCDF or Parquet"
 
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:

@@ -14,7 +14,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.exports import write_table
+from pam_cosim.exports import check_table_ending, write_table
 from pam_cosim.files import read_file, written_whole
 from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
@@ -81,12 +81,13 @@ class Trajectory(Printed):
         return "\n".join(lines)
 
     def save(self, path: Path | str) -> Path:
-        """Writes NetCDF (.nc), Parquet (.parquet) or CSV (any other ending), whole or not at all.
+        """Writes NetCDF (.nc), Parquet (.parquet) or CSV (.csv, or no ending), whole or not at all.
 
         Raises:
-            InputError: the file cannot be written.
+            InputError: the name ends otherwise, or the file cannot be written.
         """
         path = Path(path)
+        check_table_ending(path)
         if path.suffix.lower() == ".nc":
             with written_whole(path) as name:
                 with_netcdf_names(self.to_xarray()).to_netcdf(name, engine="h5netcdf")

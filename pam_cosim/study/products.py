@@ -24,7 +24,7 @@ from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
-from pam_cosim.files import check_writable, read_file, write_bytes
+from pam_cosim.files import check_ending, check_writable, read_file, write_bytes
 from pam_cosim.fitting import Fit, GlobalSearch, HoldoutUncertainty, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
@@ -56,10 +56,10 @@ _DAMAGED = "is no saved product of a study, or was damaged"
 def save(product: Product, path: Path | str) -> Path:
     """Writes a trajectory, comparison or any other product of a study; whole or not at all.
 
-    Planned runs are written as the tables that a rig plays where the name ends in ``.csv``.
+    It is written as ``.npz``; planned runs as the tables that a rig plays where the name ends in ``.csv``.
 
     Raises:
-        InputError: another kind of thing, or the file cannot be written.
+        InputError: another kind of thing, the name ends otherwise, or the file cannot be written.
     """
     target = Path(path)
     check_writable(target)
@@ -68,6 +68,7 @@ def save(product: Product, path: Path | str) -> Path:
         raise InputError(f"a {kind} cannot be saved; only {', '.join(_KINDS)}", target)
     if isinstance(product, RunPlan) and target.suffix.lower() == ".csv":
         return write_planned_runs(target, product)[0]
+    check_ending(target, f"a {kind} is saved as .npz", (".npz",))
     arrays: dict[bytes, tuple[int, np.ndarray]] = {}
     with _at_hand(arrays):
         content = {"kind": kind, "version": _VERSION, "content": _converter().unstructure(product)}

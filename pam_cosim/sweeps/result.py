@@ -131,13 +131,13 @@ class Sweep:
         return frame(self)
 
     def save(self, path: Path | str) -> Path:
-        """Writes NetCDF (.nc), Parquet (.parquet) or CSV (any other ending), whole or not at all.
+        """Writes NetCDF (.nc), Parquet (.parquet) or CSV (.csv, or no ending), whole or not at all.
 
         NetCDF holds everything. A table holds a row for each run where there are scalars, and otherwise a row for each
         time of each run.
 
         Raises:
-            InputError: the file cannot be written.
+            InputError: the name ends otherwise, or the file cannot be written.
         """
         from pam_cosim.sweeps.saving import save
 

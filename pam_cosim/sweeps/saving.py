@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pam_cosim.exports import check_table_ending
 from pam_cosim.files import written_whole
 from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.sweeps.labelled import axis_name, frame, output, skeleton
@@ -26,8 +27,9 @@ def save(sweep: Sweep, path: Path) -> None:
     """Writes NetCDF, Parquet or CSV.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the name ends otherwise, or the file cannot be written.
     """
+    check_table_ending(path)
     write = {".nc": _netcdf, ".parquet": _parquet}.get(path.suffix.lower(), _csv)
     with written_whole(path) as name:
         write(sweep, name)

@@ -6,7 +6,7 @@ Every command loads it, so that it loads no room of the package by itself.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any
@@ -17,7 +17,7 @@ from rich.markup import escape
 
 from pam_cosim import renamed
 from pam_cosim.errors import InputError
-from pam_cosim.files import check_distinct, check_spared, check_writable, identity
+from pam_cosim.files import check_distinct, check_ending, check_spared, check_writable, identity
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
@@ -144,12 +144,6 @@ def check_results(
 def say_renamed(option: str) -> None:
     """Answers an option that has another name now with that."""
     print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
-
-
-def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
-    """A file that is not what its name says is opened by nothing; a name without an ending says nothing."""
-    if path.suffix and path.suffix.lower() not in known:
-        raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
 
 
 def check_model_file(path: Path) -> None:

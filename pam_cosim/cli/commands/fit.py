@@ -21,13 +21,12 @@ from pam_cosim.cli.commands.common import (
     RoleOption,
     StartOption,
     TimeoutOption,
-    check_ending,
     check_results,
     console,
     read_data,
     say_written,
 )
-from pam_cosim.files import write_json
+from pam_cosim.files import check_ending, write_json
 from pam_cosim.fitting import METHODS, FitOptions, check_parameter_file, summary, write_parameters
 
 

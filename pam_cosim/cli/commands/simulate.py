@@ -8,18 +8,18 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import KINDS_OF_TABLES, TABLES, file_and_variables, parse_pairs
+from pam_cosim.cli.arguments import file_and_variables, parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
     SetOption,
     TimeoutOption,
-    check_ending,
     check_results,
     say_renamed,
     say_written,
 )
+from pam_cosim.exports import check_table_ending
 
 
 def simulate(
@@ -52,7 +52,7 @@ def simulate(
     check_results(*map(Path, output or []), pictures=[plot], sources=sources)
     file, formerly = file_and_variables(output or [], lambda: study.describe(model, files or []))
     if file:
-        check_ending(file, KINDS_OF_TABLES, TABLES)
+        check_table_ending(file)
     if formerly:
         say_renamed("simulate --output VARIABLE")
     trajectory = study.simulate(

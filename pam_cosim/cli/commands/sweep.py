@@ -17,8 +17,6 @@ from rich.progress import (
 
 from pam_cosim import study
 from pam_cosim.cli.arguments import (
-    KINDS_OF_TABLES,
-    TABLES,
     file_and_variables,
     parse_named,
     parse_pairs,
@@ -30,7 +28,6 @@ from pam_cosim.cli.commands.common import (
     KeepOption,
     SetOption,
     TimeoutOption,
-    check_ending,
     check_results,
     console,
     remarks,
@@ -38,6 +35,7 @@ from pam_cosim.cli.commands.common import (
     say_written,
 )
 from pam_cosim.errors import InputError
+from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
 
@@ -115,7 +113,7 @@ def sweep(
     file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
     if file is None:
         raise InputError("name the file of the result with -o")
-    check_ending(file, KINDS_OF_TABLES, TABLES)
+    check_table_ending(file)
     if formerly:
         say_renamed("sweep --output VARIABLE")
     check_writable(partial_of(file))
