@@ -83,6 +83,8 @@ NAMED: dict[tuple[Fault, ...], str] = {
     (ClockOffset(-0.04),): "clock_offset",
     (Saturation("p", high=60e3),): "saturation",
     (Offset("T", 2.0),): "temperature_sensor",
+    (Offset("p", 101_325.0),): "pressure_offset",  # an absolute pressure, recorded as gauge
+    (Offset("x", 0.03),): "position_sensor",
 }
 
 

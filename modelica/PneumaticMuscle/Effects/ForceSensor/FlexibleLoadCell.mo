@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ForceSensor;
 model FlexibleLoadCell "The force reading has errors of zero, span and linearity"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
-  parameter Real offset(unit="N", min=-100, max=100, nominal=2) = 2 "What the reading has too much"
+  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "What the reading has too much"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-10, 10}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));

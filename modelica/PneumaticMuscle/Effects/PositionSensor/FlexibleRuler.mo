@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.PositionSensor;
 model FlexibleRuler "The position reading has errors of zero, span and linearity"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
-  parameter Real offset(unit="m", min=-0.02, max=0.02, nominal=1e-3) = 1e-3 "What the reading has too much"
+  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "What the reading has too much"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-5e-3, 5e-3}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.PressureOffset;
 model FlexibleGauge "The pressure reading has errors of zero, span and linearity"
   extends Interfaces.Manometer;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
-  parameter Types.GaugePressure offset(min=-5e4, max=5e4, nominal=1e3) = 1e3
+  parameter Types.GaugePressure offset(min=-1.5e5, max=1.5e5, nominal=1e3) = 1e3
     "What the reading has too much at ambient pressure"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2e4, 2e4}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
