@@ -55,7 +55,8 @@ def difference(
 ) -> float | None:
     """By how much [s] one clock is late against another in the rows of both; None: they run differently.
 
-    The zeros may differ; what is returned is of the first recording that has both, of which there is one at least.
+    The zeros may differ; what is returned is of the first recording that has both, of which there is one at least. A
+    clock that ends before the other one has rows of its own.
     """
     late = []
     for i in first.keys() & other.keys():

@@ -34,8 +34,18 @@ def named_entry(
     variable: Variable,
     interface: Interface,
     stated: Mapping[str, str],
+    ambient: RecordedColumn | None = None,
 ) -> tuple[ColumnEntry, dict[int, Array]]:
-    """The entry that renames a column or makes it what the bench calls so, and its numbers."""
+    """The entry that renames a column or makes it what the bench calls so, and its numbers.
+
+    Args:
+        name: of the variable.
+        column: that is taken for it.
+        variable: of the bench.
+        interface: of the bench.
+        stated: parameters as texts.
+        ambient: the ambient pressure, where it was recorded.
+    """
     kind = column.meaning.kind if column.meaning else ""
     if kind == "direction":
         return _direction(name, column)
@@ -46,7 +56,7 @@ def named_entry(
         return _weight(name, column)
     numbers = _converted(name, column, variable.unit)
     if column.absolute and kind == "pressure":
-        return _gauge_pressure(name, column, numbers)
+        return _gauge_pressure(name, column, numbers, ambient)
     return ColumnEntry(name, column.name, unit_to_state(column), why=column.why), numbers
 
 
@@ -73,14 +83,17 @@ def _weight(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, A
 
 
 def _gauge_pressure(
-    name: str, column: RecordedColumn, numbers: dict[int, Array]
+    name: str, column: RecordedColumn, numbers: dict[int, Array], ambient: RecordedColumn | None
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """A gauge pressure that was recorded as an absolute one [Pa]."""
-    ambient = f"{_C.ambient / 1e3:g} kPa"
-    why = (*column.why, f"its heading says absolute; the ambient is taken as {ambient}")
-    return scaled_entry(name, column, None, f"-{ambient}", why), {
-        i: v - _C.ambient for i, v in numbers.items()
-    }
+    outside, source = _C.ambient, ""
+    if ambient is not None:
+        mean = float(np.nanmean(convert(ambient.every, ambient.unit, "Pa")))
+        outside, source = mean, f", the mean of {ambient.name}"
+    text = f"{outside / 1e3:.6g} kPa"
+    why = (*column.why, f"its heading says absolute; the ambient is taken as {text}{source}")
+    entry = scaled_entry(name, column, None, f"-{text}", why)
+    return entry, {i: v - outside for i, v in numbers.items()}
 
 
 def _direction(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:

@@ -3,9 +3,8 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass
-
-import numpy as np
 
 from pam_cosim.catalogue.ports import Ports
 from pam_cosim.criteria import CRITERIA
@@ -14,6 +13,7 @@ from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning, read_variable
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import BRANCH
+from pam_cosim.units import UnitError, convert
 
 # What a column costs that is used nowhere, an input that nothing feeds, a column that looks imposed and is read or the
 # other way round. Only their order matters: what is recorded is used.
@@ -196,24 +196,29 @@ def _nearest(
 ) -> tuple[float, RecordedColumn | None]:
     """The column that serves a variable best, and how far it is from what is asked for.
 
-    Of columns that are as far, the one of that name; the best known; the one that moves most; the first.
+    Of columns that are as far, the one of that name; one that moves; the best known; the one that moves most; the
+    first.
     """
-    distances = {i: _distance(column.meaning, meaning) for i, column in enumerate(columns)}
-    rank = []
-    for i, distance in distances.items():
-        if distance is not None:
-            one = columns[i]
-            rank.append((distance, one.name != name, -one.known, -_moves(one), i))
-    if not rank:
+    distances = [(_distance(column.meaning, meaning), column) for column in columns]
+    known = [distance for distance, _ in distances if distance is not None]
+    if not known:
         return 0.0, None
-    best = min(rank)
-    return best[0], columns[best[4]]
+    rivals = [column for distance, column in distances if distance == min(known)]
+    if len(rivals) == 1:
+        return min(known), rivals[0]
+    rank = [
+        (one.name != name, not one.moves, -one.known, -_span_in(rivals[0].unit, one), i)
+        for i, one in enumerate(rivals)
+    ]
+    return min(known), rivals[min(rank)[-1]]
 
 
-def _moves(column: RecordedColumn) -> float:
-    """Span of a column over its largest magnitude: of two, the one that moves is the muscle's."""
-    largest = float(np.nanmax(np.abs(column.every), initial=0.0))
-    return span(column.every) / largest if largest else 0.0
+def _span_in(unit: str, column: RecordedColumn) -> float:
+    """How far a column goes, in that unit where it can be: of two, the one that moves more is the muscle's."""
+    own = span(column.every)
+    with suppress(UnitError):
+        return float(convert(own, column.unit, unit, difference=True))
+    return own
 
 
 def _distance(column: Meaning | None, variable: Meaning) -> float | None:

@@ -15,11 +15,13 @@ from pam_cosim.drafting.requests import ReadRecordings
 from pam_cosim.drafting.rest import rests
 from pam_cosim.drafting.signs import signed_entry
 from pam_cosim.drafting.sources import RecordingSource
-from pam_cosim.drafting.vocabulary import fits
-from pam_cosim.drafting.zeros import with_zero, without_offsets
+from pam_cosim.drafting.vocabulary import Meaning, fits
+from pam_cosim.drafting.zeros import SET_PRESSURE, with_zero, without_offsets
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import convert, parse_quantity
+
+_FORCE = Meaning("force")
 
 
 def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings) -> Mapped:
@@ -33,7 +35,7 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
     arrays: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
         entries[name], arrays[name] = named_entry(
-            name, column, variables[name], interface, known.stated
+            name, column, variables[name], interface, known.stated, known.ambient_pressure
         )
         if column.in_names:
             held = {i: float(values[0]) for i, values in arrays[name].items()}
@@ -43,10 +45,11 @@ def map_columns(choice: BenchChoice, interface: Interface, known: ReadRecordings
     times = {
         i: _time(i, source, known.time, known.recording) for i, source in enumerate(known.sources)
     }
-    pressure = _pressure(interface, arrays)
-    for name in arrays:
+    pressure = _first(interface, arrays, Meaning("pressure"), SET_PRESSURE)
+    for name in sorted(arrays, key=lambda name: meaning_of(variables[name]) != _FORCE):
+        force = _first(interface, arrays, _FORCE)
         entries[name], arrays[name] = signed_entry(
-            entries[name], arrays[name], choice, variables[name], pressure
+            entries[name], arrays[name], choice, variables[name], pressure, force
         )
     courses = _courses(interface, times, arrays, moving=not known.points)
     if known.points:
@@ -73,17 +76,13 @@ def _time(
     return np.arange(count, dtype=np.float64) * step
 
 
-def _pressure(
-    interface: Interface, arrays: Mapping[str, dict[int, Array]]
+def _first(
+    interface: Interface, arrays: Mapping[str, dict[int, Array]], *meanings: Meaning
 ) -> dict[int, Array] | None:
-    """The pressure in the muscle, or the one it is told."""
+    """The numbers of a column that is the first of what is asked for, or the next."""
     variables = {**interface.inputs, **interface.outputs}
-    for roles in (frozenset[str](), frozenset({"set"})):
-        for name in arrays:
-            meaning = meaning_of(variables[name])
-            if meaning is not None and (meaning.kind, meaning.roles) == ("pressure", roles):
-                return arrays[name]
-    return None
+    found = [name for one in meanings for name in arrays if meaning_of(variables[name]) == one]
+    return arrays[found[0]] if found else None
 
 
 def _courses(

@@ -88,6 +88,13 @@ class RecordedColumn:
         return all(is_held(one) or is_constant(one) for one in self.values.values())
 
     @cached_property
+    def moves(self) -> bool:
+        """It is more than noise about one value."""
+        if self.points:
+            return span(self.every) > 0.0
+        return not all(is_constant(one) for one in self.values.values())
+
+    @cached_property
     def whole(self) -> bool:
         """It lacks so few samples that it may be meant as an input."""
         return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= _C.gaps

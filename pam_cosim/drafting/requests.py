@@ -13,6 +13,7 @@ import numpy as np
 from pydantic import ValidationError
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.clock_columns import even_interval
 from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns, with_known_units
@@ -67,6 +68,17 @@ class ReadRecordings:
     stated: dict[str, str]
     own: tuple[dict[str, str], ...] = ()
     points: bool = False
+
+    @property
+    def ambient_pressure(self) -> RecordedColumn | None:
+        """A column that holds it, near that of the standard atmosphere; None: there is none."""
+        low, high = CRITERIA.recognition.atmosphere
+        for column in self.columns:
+            if column.of("pressure", "ambient") and column.unit:
+                values = convert(column.every, column.unit, "Pa")
+                if values.size and bool(((low <= values) & (values <= high)).all()):
+                    return column
+        return None
 
     @property
     def files(self) -> list[Path]:

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
+from math import sqrt
 
 import numpy as np
 
@@ -23,26 +25,41 @@ def signed_entry(
     values: dict[int, Array],
     choice: BenchChoice,
     variable: Variable,
-    pressure: dict[int, Array] | None,
+    pressure: Mapping[int, Array] | None,
+    force: Mapping[int, Array] | None,
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """A contraction that falls while the pressure rises counts the other way, as does a pull below zero.
 
-    A length says itself which way it counts: what is made of one stays.
+    A contraction that is imposed counts the other way where the pull, at equal pressure, rises with it: a muscle that
+    is shorter pulls less. A length says itself which way it counts: what is made of one stays.
     """
     meaning = meaning_of(variable)
     column = choice.fed[entry.name]
     if meaning is None or column.of("length"):
         return entry, values
     why = ""
-    if meaning.kind == "contraction" and variable.name in choice.outputs and pressure is not None:
-        if correlation(pressure, values) < -_C.follows:
+    if meaning.kind == "contraction" and pressure is not None:
+        if variable.name in choice.outputs and correlation(pressure, values) < -_C.follows:
             why = "it falls where the pressure rises: its sign is turned round"
+        pull = force if variable.name in choice.inputs else None
+        if pull is not None and _at_equal(pressure, pull, values) > _C.follows:
+            why = "the pull rises with it at equal pressure: its sign is turned round"
     elif meaning.kind == "force" and _mostly_negative(np.concatenate(list(values.values()))):
         why = "it is below zero: its sign is turned round, so that a pull is positive"
     if not why:
         return entry, values
     turned = _turned(replace(entry, why=(*entry.why, why)), column)
     return turned, {i: -v for i, v in values.items()}
+
+
+def _at_equal(
+    third: Mapping[int, Array], one: Mapping[int, Array], other: Mapping[int, Array]
+) -> float:
+    """Partial correlation of two signals, without what each has in common with a third."""
+    both = correlation(one, other)
+    with_one, with_other = correlation(third, one), correlation(third, other)
+    rest = (1.0 - with_one**2) * (1.0 - with_other**2)
+    return (both - with_one * with_other) / sqrt(rest) if rest > 0.0 else 0.0
 
 
 def _turned(entry: ColumnEntry, column: RecordedColumn) -> ColumnEntry:

@@ -11,10 +11,17 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.clock_columns import difference
+from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits, read_heading
-from pam_cosim.drafting.words import DAYS, SHORTEST_STEP, USUAL_EPOCHS, USUAL_STEPS
+from pam_cosim.drafting.words import (
+    DAYS,
+    SHORTEST_RECORDING,
+    SHORTEST_STEP,
+    USUAL_EPOCHS,
+    USUAL_STEPS,
+)
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.date_times import EXAMPLE
 from pam_cosim.measurement.experiment_tables import RecordingTable
@@ -22,6 +29,7 @@ from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _C = CRITERIA.recognition
+NO_UNIT = "no unit is written"
 _LABVIEW = re.compile(r"x[ _]?values?([ _.]?\d+)?", re.IGNORECASE)
 
 
@@ -140,9 +148,9 @@ def _rises(column: RecordedColumn) -> bool:
 
 
 def _grows(values: Array) -> bool:
-    if len(values) < 2:
-        return False
-    return bool((np.diff(values) >= 0).all()) and bool(values[-1] > values[0])
+    """Whether no value is less than one before it; a column that is shorter than others has empty cells."""
+    known = values[np.isfinite(values)]
+    return known.size > 1 and bool((np.diff(known) >= 0).all()) and bool(known[-1] > known[0])
 
 
 def _runs(column: RecordedColumn) -> bool:
@@ -165,9 +173,15 @@ def _unit_of_time(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
     unit = "s"
     if whole and longest >= CRITERIA.noise.fewest_samples:
         unit = _first_above(abs(first), USUAL_EPOCHS) or _first_above(step, USUAL_STEPS)
-    elif DAYS[0] <= first <= DAYS[1] and 0.0 < step < SHORTEST_STEP:
+    elif 0.0 < step < SHORTEST_STEP and (DAYS[0] <= first <= DAYS[1] or _is_too_short(column)):
         unit = "d"
-    return unit, (f"no unit is written; steps of {step:.4g} are taken as {unit}",)
+    return unit, (f"{NO_UNIT}; steps of {step:.4g} are taken as {unit}",)
+
+
+def _is_too_short(column: RecordedColumn) -> bool:
+    """Whether numbers are parts of a day that last no time, if they were seconds."""
+    within = all(one[0] >= 0.0 and one[-1] < 1.0 for one in column.values.values())
+    return within and max(map(span, column.values.values())) < SHORTEST_RECORDING
 
 
 def _first_above(number: float, table: Sequence[tuple[float, str]]) -> str:

@@ -15,6 +15,7 @@ from pam_cosim.drafting.document import Draft
 from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.rest import begins_still
+from pam_cosim.drafting.time_column import NO_UNIT
 from pam_cosim.drafting.vocabulary import Meaning
 from pam_cosim.drafting.zeros import ABSOLUTE_GAUGE
 from pam_cosim.model.interface import Interface
@@ -35,6 +36,7 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
                 if made.why_model
                 else []
             ),
+            *_guessed_clock(made, mapped),
             *_freely_moving(made, choice),
             *_never_at_rest(made, mapped),
             *_below_zero(made, mapped),
@@ -83,6 +85,19 @@ def _absolute_supply(made: Draft) -> Iterator[str]:
                 f"{listed(absolute)} is of an absolute gauge: if {name} is too, take the ambient pressure off under "
                 f'[columns], as in {name} = {{ column = {shown(column)}, offset = "-1.013 bar" }}'
             )
+
+
+def _guessed_clock(made: Draft, mapped: Mapped) -> Iterator[str]:
+    """How long a recording lasts by a unit of time that nobody wrote."""
+    entry = made.entries.get("time")
+    guess = next((why for why in entry.why if NO_UNIT in why), "") if entry else ""
+    if entry and entry.unit not in (None, "s") and guess:
+        longest = max(range(len(mapped.courses)), key=lambda i: span(mapped.courses[i].time))
+        lasts = format_quantity(span(mapped.courses[longest].time), "s")
+        yield (
+            f"{guess}, so that {made.recordings[longest]} lasts {lasts}: if it does not, write the unit of "
+            "time under [columns]"
+        )
 
 
 def _freely_moving(made: Draft, choice: BenchChoice) -> Iterator[str]:

@@ -90,7 +90,9 @@ def _is_possible(value: float, parameter: Variable) -> bool:
 
 
 def _parameters_that_mean(meaning: Meaning, unit: str, interface: Interface) -> list[str]:
-    parameters = {name: v for name, v in interface.parameters.items() if v.unit == unit}
+    """Parameters of a kind; what is around a rig is recorded as it is, and not against itself."""
+    same_unit = {name: v for name, v in interface.parameters.items() if v.unit == unit}
+    parameters = {n: v for n, v in same_unit.items() if "gauge" not in v.description.casefold()}
     return [
         name
         for name, v in parameters.items()

@@ -153,3 +153,4 @@ USUAL_STEPS = ((1e3, "ms"), (1e6, "us"), (inf, "ns"))
 # Days since 1900, as spreadsheets count them, of recordings since 1982.
 DAYS = (30e3, 80e3)
 SHORTEST_STEP = 1e-5  # [s] of such numbers, if they were seconds
+SHORTEST_RECORDING = 0.1  # [s] of shares of a day, if they were seconds; no muscle is done so soon

@@ -43,8 +43,9 @@ def with_zero(
     elif meaning == SET_PRESSURE:
         if begin.absolute and _is_measured_absolute(interface, courses):
             reason = _reason_of_gauge(begin)
-    elif name in choice.outputs and begin.far and _unloaded(courses, pressure, having):
-        reason = _reason_of_unloaded(meaning, begin)
+    elif begin.far and _unloaded(courses, pressure, having):
+        is_clear = name in choice.outputs or begin.common
+        reason = _reason_of_unloaded(meaning, begin) if is_clear else ""
     if not reason:
         return entry
     reading = format_quantity(begin.reading, variable.unit)
@@ -85,6 +86,8 @@ class _Begin:
         far: it is away from zero by more than its error, in some recording.
         slight: by a small part of what the signal moves, in all.
         absolute: it is that of the atmosphere in all, and the signal moves.
+        common: it is the same in all, and the lowest that the signal comes to in motion: as of a machine that sets out
+            from where the muscle was mounted, and not from one of several contractions.
         largest: magnitude in any row.
     """
 
@@ -92,6 +95,7 @@ class _Begin:
     far: bool
     slight: bool
     absolute: bool
+    common: bool
     largest: float
 
 
@@ -100,12 +104,17 @@ def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
     moved = max((span(course.every[name]) for course in courses), default=0.0)
     low, high = _C.atmosphere
     errors = [_error(course, name) for course in courses]
+    reading = max(at_rest, key=abs)
+    lowest = min((float(np.nanmin(course.every[name])) for course in courses), default=0.0)
     magnitudes = [float(np.nanmax(np.abs(course.every[name]))) for course in courses]
     return _Begin(
-        reading=max(at_rest, key=abs),
+        reading=reading,
         far=any(abs(one) > _C.away * e for one, e in zip(at_rest, errors, strict=True)),
         slight=all(abs(one) <= _C.offset * moved for one in at_rest),
         absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
+        common=moved > 0.0
+        and reading - lowest <= _C.offset * moved
+        and all(abs(one - reading) <= _C.away * e for one, e in zip(at_rest, errors, strict=True)),
         largest=max(magnitudes, default=0.0),
     )
 

@@ -1,0 +1,135 @@
+"""Instruments that count the other way or from somewhere else, and several that could be meant."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.drafting import NewDataSet
+from tests.drafting.labs import LENGTH, Array, force, noisy
+from tests.drafting.test_doubtful_recordings import written
+
+TIME = 0.02 * np.arange(400)
+P = 1e5 * np.clip(np.sin(2.0 * (TIME - 1.0)) ** 2 * (TIME > 1.0) * 3.0, 0.0, None)  # [Pa]
+X = 0.015 * (1.0 - np.cos(2.9 * np.clip(TIME - 1.0, 0.0, None)))  # [m]
+PULL = np.asarray(force(P, X))
+
+
+def record(file: Path, columns: dict[str, Array]) -> Path:
+    rows = zip(*columns.values(), strict=True)
+    text = "".join(",".join("" if v != v else f"{v:.6f}" for v in row) + "\n" for row in rows)
+    file.write_text(",".join(columns) + "\n" + text, encoding="utf-8")
+    return file
+
+
+def course(made: NewDataSet, name: str) -> Array:
+    (run,) = made.data.runs
+    return {**run.inputs, **run.measurements}[name]
+
+
+@pytest.mark.parametrize(
+    ("heading", "read"),
+    [
+        ("Traverse [mm]", 100.0 - 1e3 * X),
+        ("Traverse [mm]", 100.0 + 1e3 * X),
+        ("Elongation [mm]", -1e3 * X),
+        ("strain [%]", -100.0 * X / LENGTH),
+        ("L/L0 [-]", 1.0 - X / LENGTH),
+    ],
+)
+def test_what_a_machine_imposes_is_a_contraction_from_rest(
+    tmp_path: Path, heading: str, read: Array
+) -> None:
+    """The pull says which way a crosshead counts, the rest at the beginning where it counts from."""
+    columns = {
+        "t [s]": TIME,
+        "p [bar]": noisy(P / 1e5, 0.002, 1),
+        "F [N]": noisy(PULL, 0.3, 2),
+        heading: read,
+    }
+    made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    np.testing.assert_allclose(course(made, "s"), X, atol=1e-5)
+
+
+def test_contractions_from_which_runs_set_out_are_no_zeros(tmp_path: Path) -> None:
+    for i, held in enumerate((10.0, 20.0)):
+        columns = {
+            "t [s]": TIME,
+            "p [bar]": noisy(P / 1e5, 0.002, i),
+            "F [N]": noisy(np.asarray(force(P, 1e-3 * held + X)), 0.3, i + 5),
+            "s [mm]": held + 1e3 * X,
+        }
+        record(tmp_path / f"run{i}.csv", columns)
+    made = pam.new(tmp_path / "rig", sorted(tmp_path.glob("run*.csv")))
+    begins = [float(run.inputs["s"][0]) for run in made.data.runs]
+    assert begins == pytest.approx([0.01, 0.02])
+
+
+@pytest.mark.parametrize("dead", [0.0, 1e-3])
+@pytest.mark.parametrize("first", [True, False])
+def test_of_two_alike_the_one_that_moves_is_the_muscles(
+    tmp_path: Path, dead: float, first: bool
+) -> None:
+    """The other one is noise about zero, or hardly moves."""
+    live = noisy(1e3 * X, 0.02, 1)
+    other = noisy(1e3 * dead * X, 0.02, 2)
+    pair = {"Weg 1 [mm]": live, "Weg 2 [mm]": other}
+    if not first:
+        pair = {"Weg 1 [mm]": other, "Weg 2 [mm]": live}
+    columns = {"t [s]": TIME, "p_set [bar]": P / 1e5, "p [bar]": noisy(P / 1e5, 0.002, 3), **pair}
+    made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    assert float(np.ptp(course(made, "x"))) == pytest.approx(0.03, rel=0.05)
+
+
+@pytest.mark.parametrize("share", [0.5, 1.0])
+def test_a_second_clock_that_ends_before_the_rows_do(tmp_path: Path, share: float) -> None:
+    """Each clock heads the columns beside it; the shorter one leaves cells empty."""
+    slow = np.where(np.arange(400) < 200, 2.0 * TIME, np.nan)
+    first, second = (TIME, slow) if share < 1.0 else (slow, TIME)
+    columns = {
+        "Zeit 1 [s]": first, "p_set [bar]": P / 1e5, "p [bar]": P / 1e5,
+        "Zeit 2 [s]": second, "x [mm]": 1e3 * X,
+    }  # fmt: skip
+    with pytest.raises(pam.InputError, match="two clocks in one file"):
+        pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+
+
+def columns_over(time: Array) -> dict[str, Array]:
+    return {"Time": time, "p_set [bar]": P / 1e5, "p [bar]": P / 1e5, "x [mm]": 1e3 * X}
+
+
+@pytest.mark.parametrize("begin", [0.0, 0.5872])
+def test_parts_of_a_day(tmp_path: Path, begin: float) -> None:
+    file = tmp_path / "a.csv"
+    record(file, columns_over(TIME))
+    head, *rows = file.read_text().splitlines()
+    parts = [f"{begin + t / 86400.0:.10f}" for t in TIME]
+    rows = [f"{part},{row.partition(',')[2]}" for part, row in zip(parts, rows, strict=True)]
+    file.write_text("\n".join([head, *rows]) + "\n")
+    made = pam.new(tmp_path / "rig", [file])
+    assert float(np.ptp(made.data.runs[0].time)) == pytest.approx(float(np.ptp(TIME)), rel=1e-3)
+    assert any("taken as d, so that a.csv lasts 7.98 s" in line for line in made.to_check)
+
+
+def test_how_long_whole_numbers_last_is_asked(tmp_path: Path) -> None:
+    whole = record(tmp_path / "a.csv", columns_over(np.arange(400.0)))
+    made = pam.new(tmp_path / "rig", [whole])
+    assert any("taken as ms, so that a.csv lasts 0.399 s" in line for line in made.to_check)
+    seconds = record(tmp_path / "b.csv", columns_over(TIME))
+    made = pam.new(tmp_path / "other", [seconds])
+    assert not any("lasts" in line for line in made.to_check)
+
+
+def test_the_pressure_outside_that_was_recorded_is_subtracted(tmp_path: Path) -> None:
+    columns = {
+        "t [s]": TIME, "u_in [A]": 0.3 * (TIME > 1.0), "u_out [A]": np.zeros(400),
+        "p_supply [bar]": np.full(400, 3.0), "p_abs [bar]": 0.94 + P / 1e5 + 0.5,
+        "x [mm]": 1e3 * X + 5.0, "baro [mbar]": np.full(400, 940.0),
+    }  # fmt: skip
+    made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    assert made.data.runs[0].parameters["ambient.p"] == pytest.approx(94e3)
+    assert float(course(made, "p")[0]) == pytest.approx(0.5e5)
+    assert "94 kPa" in written(made)["columns"]["p"]["formula"]
