@@ -43,8 +43,8 @@ def sigma_of(
         return Sigma(None, f"{why}: the software estimates it from the samples")
     value = float(np.median([one[0] for one in told]))
     _, step, rest, course, file = max(told, key=lambda one: one[2].count)
-    first, last = course.time[rest.start], course.time[rest.stop - 1]
-    where = f"from {first:.4g} s to {last:.4g} s of {file.name}, where nothing moves"
+    first, last = (round(float(course.time[i]), 3) for i in (rest.start, rest.stop - 1))
+    where = f"from {first:.15g} s to {last:.15g} s of {file.name}, where nothing moves"
     steps = f"; recorded in steps of {format_quantity(step, unit)}" if step > value else ""
     more = f" (median of {len(told)} recordings)" if len(told) > 1 else ""
     return Sigma(value, f"the scatter of neighbouring samples {where}{more}{steps}")

@@ -30,8 +30,9 @@ def signed_entry(
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """A contraction that falls while the pressure rises counts the other way, as does a pull below zero.
 
-    A contraction that is imposed counts the other way where the pull, at equal pressure, rises with it: a muscle that
-    is shorter pulls less. A length says itself which way it counts: what is made of one stays.
+    A contraction that is imposed, and that no pressure moves, counts the other way where the pull, at equal pressure,
+    rises with it: a muscle that is shorter pulls less, but against a spring more. A length says itself which way it
+    counts: what is made of one stays.
     """
     meaning = meaning_of(variable)
     column = choice.fed[entry.name]
@@ -39,17 +40,27 @@ def signed_entry(
         return entry, values
     why = ""
     if meaning.kind == "contraction" and pressure is not None:
-        if variable.name in choice.outputs and correlation(pressure, values) < -_C.follows:
-            why = "it falls where the pressure rises: its sign is turned round"
         pull = force if variable.name in choice.inputs else None
-        if pull is not None and _at_equal(pressure, pull, values) > _C.follows:
-            why = "the pull rises with it at equal pressure: its sign is turned round"
+        why = _why_reversed(values, pressure, pull)
     elif meaning.kind == "force" and _mostly_negative(np.concatenate(list(values.values()))):
         why = "it is below zero: its sign is turned round, so that a pull is positive"
     if not why:
         return entry, values
     turned = _turned(replace(entry, why=(*entry.why, why)), column)
     return turned, {i: -v for i, v in values.items()}
+
+
+def _why_reversed(
+    values: Mapping[int, Array], pressure: Mapping[int, Array], pull: Mapping[int, Array] | None
+) -> str:
+    """Why a contraction counts the other way; "" where it does not. The pull is asked where no pressure moves it."""
+    together = correlation(pressure, values)
+    if together < -_C.follows:
+        return "it falls where the pressure rises: its sign is turned round"
+    is_moved = together > _C.follows
+    if pull is None or is_moved or _at_equal(pressure, pull, values) <= _C.follows:
+        return ""
+    return "the pull rises with it at equal pressure: its sign is turned round"
 
 
 def _at_equal(
