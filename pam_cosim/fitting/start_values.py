@@ -107,7 +107,9 @@ class StartValues:
         no samples could be asked."""
         if self.slopes.shape[1] != len(self.names):
             return np.array(self.sd, dtype=float)
-        return np.sqrt(np.diag(np.linalg.inv(self.slopes.T @ self.slopes)))
+        # no singular value is below one, of the rows of what is known; their squares would be lost beside large ones
+        _, sizes, directions = np.linalg.svd(self.slopes * self.sd, full_matrices=False)
+        return np.asarray(self.sd * np.linalg.norm(directions.T / sizes, axis=1))
 
     def determined(self) -> NDArray[np.bool_]:
         """(k,) which of them the data tell, and not what is known beforehand alone."""

@@ -365,6 +365,14 @@ def _one_start(bound: float) -> StartValues:
     )
 
 
+def test_starts_that_samples_tell_together_alone_have_deviations() -> None:
+    """Of a pressure and an opening samples tell a sum, very exactly; what is known beforehand shares it out."""
+    sd = np.array([1e5, 1e-2])
+    start = replace(_one_start(1.0), names=("p", "y"), mean=np.zeros(2), sd=sd, values=np.zeros(2))
+    start.slopes = start.with_prior_slopes(1e9 * np.array([[1.0, 1.0], [1.0, 1.0 + 1e-12]]) / sd)
+    np.testing.assert_allclose(start.deviations(), sd / np.sqrt(2.0), rtol=1e-6)
+
+
 def test_a_trial_looks_for_starts_where_the_descent_is(data: Callable[..., DataSet]) -> None:
     """And not where a trial before it was led astray; nor does a point that was seen get others."""
     with _settled(data()) as (objective, z, _):
