@@ -78,7 +78,15 @@ def test_a_name_says_that_a_pressure_is_absolute(tmp_path: Path, name: str) -> N
     np.testing.assert_allclose(data.runs[0].measurements["p"], PRESSURE, atol=0.1)
 
 
-@pytest.mark.parametrize(("name", "factor"), [("p_psia", 6894.757293168), ("pressure_bara", 1e5)])
+@pytest.mark.parametrize(
+    ("name", "factor"),
+    [
+        ("p_psia", 6894.757293168),
+        ("pressure_bara", 1e5),
+        ("Pressure (kPa(a))", 1e3),
+        ("Pressure (bar a)", 1e5),
+    ],
+)
 def test_a_unit_in_a_name_says_that_a_pressure_is_absolute(
     tmp_path: Path, name: str, factor: float
 ) -> None:

@@ -12,6 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set
 from pam_cosim.measurement.experiment import read_experiment
 from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.table import split_heading
 from tests.measurement.bench import MODEL, describe
 
 LAB = """\
@@ -279,3 +280,20 @@ def test_a_time_of_a_formula_takes_the_place_of_that_of_the_file(lab) -> None:
     text = "time [s],x [mm]\n0,1\n1,2\n"
     run = read_data_set(lab(HEAD + columns + RUN, text), describe).runs[0]
     np.testing.assert_array_equal(run.time, [0.0, 0.5])
+
+
+@pytest.mark.parametrize(
+    ("heading", "parts"),
+    [
+        ("p (bar(a))", ("p", "bar(a)")),
+        ("p(kPa abs)", ("p", "kPa abs")),
+        ("p / bar (g)", ("p", "bar (g)")),
+        ("p in psia", ("p", "psia")),
+        ("u in (mA)", ("u in", "mA")),
+        ("heat (W/(m2.K))", ("heat", "W/(m2.K)")),
+        ("sensor (left)", ("sensor (left)", "")),
+        ("p (10^5 Pa)", ("p (10^5 Pa)", "")),
+    ],
+)
+def test_a_unit_in_round_brackets_or_behind_a_stroke(heading, parts):
+    assert split_heading(heading) == parts
