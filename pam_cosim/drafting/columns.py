@@ -22,6 +22,7 @@ from pam_cosim.drafting.vocabulary import (
     is_count,
     known_unit,
     read_heading,
+    scaled_unit,
 )
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column
@@ -100,13 +101,24 @@ def _lacks_unit(one: RecordedColumn) -> bool:
 
 
 def _unknown(one: RecordedColumn) -> str:
-    left_out = f"or leave it out: --recording 'ignore={one.name}'"
-    if not is_count(one.unknown):
-        return f"unit {shown(one.unknown)} is unknown; correct it in the file, {left_out}"
     assert one.meaning is not None
+    left_out = f"or leave it out: --recording 'ignore={one.name}'"
     signal, step = _SCALES.get(one.meaning.kind, _SCALES["contraction"])
-    scaled = f"as in --column '{signal}={one.name} * \"{step}\"'"
-    return f"how large its {one.unknown} are is not said; scale it, {scaled}, {left_out}"
+    scaled = f"scale it, as in --column {_scaling(signal, one.name, step)}"
+    if is_count(one.unknown):
+        return f"how large its {one.unknown} are is not said; {scaled}, {left_out}"
+    correct = "correct it in the file"
+    if scaled_unit(one.name) != one.unknown:
+        return f"unit {shown(one.unknown)} is unknown; {correct}, {left_out}"
+    more = "" if one.meaning.kind == "time" else f"{scaled}, "
+    return f"its unit {shown(one.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
+
+
+def _scaling(signal: str, name: str, step: str) -> str:
+    """A formula that scales a column, as a word of a command."""
+    if name.isidentifier():
+        return f"'{signal}={name} * \"{step}\"'"
+    return rf'''"{signal}='{name}' * \"{step}\""'''
 
 
 def _contradicts(one: RecordedColumn) -> str:

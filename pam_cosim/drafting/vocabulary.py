@@ -21,6 +21,7 @@ from pam_cosim.drafting.words import (
     DIRECTIONS,
     KINDS,
     MEASURED_IN_COUNTS,
+    NEEDING_UNITS,
     NO_LOAD,
     OF_VALVES,
     ROLES,
@@ -35,6 +36,14 @@ from pam_cosim.drafting.words import (
 from pam_cosim.measurement.table import is_unit
 from pam_cosim.units import UnitError, convert, is_dimensionless, pressure_reference
 from pam_cosim.wording import shown
+
+_AT_END = re.compile(
+    r"(?P<name>.+?)(?:\s*\((?P<round>.+)\)|\s+(?:/|in)\s+(?P<over>.+)|[\s_]+(?P<part>\d[^\s_]*))"
+)
+_SIZE = r"\d+(?:[.,]\d+)?(?:e[+-]?\d+)?(?:\^[+-]?\d+)?"
+_FACTOR = re.compile(
+    rf"(?:[x×*]\s*)?{_SIZE}(?:/{_SIZE})?\s*[x×*·]?\s*(?P<behind>\D.*)|(?P<before>\D.*?)\s*[/x×*·]\s*{_SIZE}"
+)
 
 
 @dataclass(frozen=True)
@@ -60,7 +69,7 @@ class Heading:
         meaning: None where no word is known.
         unit: as pint reads it; "" where none is written.
         written: the unit as it stands in the file's place for units is ``unit``.
-        unknown: the unit that is written, where nobody knows how large it is; else "".
+        unknown: the unit that is written, where nobody knows how large it is, or with a factor; else "".
         absolute: it says that the pressure is absolute.
         known: how many of its words are known, of all: the larger share names it better.
     """
@@ -83,18 +92,40 @@ def read_heading(name: str, unit: str) -> Heading:
     """What a column is, by its name and unit."""
     stated = "" if is_count(unit) else known_unit(unit)
     absolute = _says_absolute(unit, name)
-    written_unit = unit.strip()
+    written_unit = unit.strip() or scaled_unit(name)
     if not written_unit:
         stated, name = _unit_in_name(name)
         if is_count(stated):
             stated, written_unit = "", stated
     small = [folded(word) for word in split_words(name)]
-    meaning = _meaning(small, stated)
+    meaning = _meaning(small, stated or _unit_with_factor(written_unit))
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
     unknown = "" if stated or is_dimensionless(written_unit) else written_unit
     written = bool(stated) and stated == unit.strip()
     return Heading(meaning, stated, written, unknown, absolute, share)
+
+
+def scaled_unit(name: str) -> str:
+    """A unit with a factor that a name ends with, ``Pressure (10^5 Pa)``, ``x in mm/10``, ``Time_10ms``; "" for none.
+
+    Without a sign that sets it apart, a number may be a range or a level, but of a time.
+    """
+    match = _AT_END.fullmatch(name)
+    if match is None:
+        return ""
+    kinds = _kinds_in([folded(word) for word in split_words(match["name"])])
+    part = match["part"] if "time" in kinds else None
+    text = match["round"] or match["over"] or part or ""
+    unit = _unit_with_factor(text)
+    needing = NEEDING_UNITS.intersection(kinds or NEEDING_UNITS)
+    return text if unit and any(fits(unit, kind) for kind in needing) else ""
+
+
+def _unit_with_factor(text: str) -> str:
+    """The unit of a text such as ``x10^5 Pa`` or ``mm/10``; "" where it is another text."""
+    match = _FACTOR.fullmatch(text)
+    return known_unit(match["before"] or match["behind"]) if match else ""
 
 
 def contradiction(name: str, unit: str) -> str:
@@ -190,7 +221,7 @@ def split_words(text: str) -> list[str]:
 
 
 def _unit_in_name(name: str) -> tuple[str, str]:
-    """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
+    """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``; "20 kPa" is a value."""
     share = re.fullmatch(r"(.*?\w)\s*[/_]?\s*%", name)
     if share:
         return "%", share[1]
@@ -198,7 +229,7 @@ def _unit_in_name(name: str) -> tuple[str, str]:
     for place in range(len(parts) - 1, 0, -1):
         rest = parts[:place] + parts[place + 1 :]
         unit = _unit_beside(parts[place], rest)
-        if unit:
+        if unit and split_words(" ".join(rest)):
             return unit, " ".join(rest)
     return "", name
 
