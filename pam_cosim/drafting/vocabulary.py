@@ -29,6 +29,7 @@ from pam_cosim.drafting.words import (
     SAYS_SURELY,
     SPELLINGS,
     STANDS_FOR,
+    TRANSMITTED,
     UNITS,
     USUAL_UNITS,
     WITHOUT_ROLES,
@@ -129,13 +130,18 @@ def _unit_with_factor(text: str) -> str:
 
 
 def contradiction(name: str, unit: str) -> str:
-    """What the words of a name say without doubt, and what its unit says instead; "" where they agree."""
+    """What the words of a name say without doubt, and what its unit says instead; "" where they agree.
+
+    A current is a valve's or a transmitter's: any word for what is measured says whose.
+    """
     words = [folded(word) for word in split_words(name)]
+    possible = _kinds_in(words)
     named = [kind for kind, surely in SAYS_SURELY.items() if any(map(surely.fullmatch, words))]
-    by_unit = next((kind for kind in (*SAYS_SURELY, "length", "time") if fits(unit, kind)), "")
-    possible = [*named, *_kinds_in(words)]
-    weighed = "force" in named and fits(unit, "mass")
-    if not named or not by_unit or weighed or any(fits(unit, kind) for kind in possible):
+    if fits(unit, "current"):
+        named += [kind for kind in possible if kind in TRANSMITTED]
+    kinds = (*SAYS_SURELY, "length", "time", "current")
+    by_unit = next((kind for kind in kinds if fits(unit, kind)), "")
+    if not named or not by_unit or _kinds_with(unit).intersection([*named, *possible]):
         return ""
     return f"its name says {named[0]}, its unit {shown(unit)} says {by_unit}"
 
@@ -242,14 +248,20 @@ def _unit_beside(part: str, rest: Sequence[str]) -> str:
     if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
         return ""
     kinds = set(said)
-    if not unit or (_is_role(part, rest) and "length" not in kinds):
+    of_length = {UNITS[kind] for kind in kinds} == {"m"}  # it has neither inlet nor exhaust
+    if not unit or (_is_role(part, rest) and not of_length):
         return ""
-    among = {kind for kind in UNITS if fits(unit, kind)}
     # "valve_A", "valve_A1" and "F_g" name valves and a weight.
-    if len(part) > 1 and part.isalpha():
-        among |= {also for kind in among for also in STANDS_FOR.get(kind, ())}
+    is_word = len(part) > 1 and part.isalpha()
+    among = _kinds_with(unit) if is_word else {kind for kind in UNITS if fits(unit, kind)}
     says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
     return unit if says_so or "voltage" in among else ""
+
+
+def _kinds_with(unit: str) -> set[str]:
+    """What has numbers of this unit, or is also measured in it."""
+    kinds = {kind for kind in UNITS if fits(unit, kind)}
+    return kinds.union(*(STANDS_FOR.get(kind, ()) for kind in kinds))
 
 
 def _is_role(part: str, rest: Sequence[str]) -> bool:
