@@ -57,6 +57,13 @@ def test_a_lab_s_file_becomes_a_run(lab):
     assert any("semicolons, decimal commas" in note for note in data.notes())
 
 
+def test_the_zero_of_a_formula_is_told_in_a_unit_that_people_read(lab):
+    own = '[runs.columns]\np = { formula = "Spannung * \\"100 kPa/V\\"", zero = { from = "0 s", to = "0.1 s" } }\n'
+    text = HEAD + COLUMNS + RUN + own + '[runs.recording]\nignore = ["Bemerkung", "Druck 1"]\n'
+    notes = read_data_set(lab(text), describe).notes()
+    assert any("the zero of p, 50 kPa, is the mean of 2 samples" in note for note in notes)
+
+
 def test_a_run_may_state_its_own(lab):
     own = (
         COLUMNS
