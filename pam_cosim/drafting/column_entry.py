@@ -13,14 +13,13 @@ from pam_cosim.drafting.direction import words_of
 from pam_cosim.drafting.feeding import meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.recorded_column import RecordedColumn
-from pam_cosim.drafting.scaling import scaled_entry
+from pam_cosim.drafting.scaling import GRAVITY, scaled_entry
 from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 
 _C = CRITERIA.recognition
-_GRAVITY = "9.80665 m/s2"
 
 
 def unit_to_state(column: RecordedColumn) -> str | None:
@@ -76,10 +75,10 @@ def _converted(name: str, column: RecordedColumn, unit: str) -> dict[int, Array]
 
 def _weight(name: str, column: RecordedColumn) -> tuple[ColumnEntry, dict[int, Array]]:
     """A force that was recorded as a mass."""
-    gravity = parse_quantity(_GRAVITY, "m/s2")
+    gravity = parse_quantity(GRAVITY, "m/s2")
     numbers = {i: v * gravity for i, v in _converted(name, column, "kg").items()}
     why = (*column.why, f"a force in {column.unit}, times gravity")
-    return scaled_entry(name, column, _GRAVITY, None, why), numbers
+    return scaled_entry(name, column, GRAVITY, None, why), numbers
 
 
 def _gauge_pressure(

@@ -19,9 +19,11 @@ from pam_cosim.drafting.vocabulary import (
     Heading,
     Meaning,
     contradiction,
+    fits,
     is_count,
     known_unit,
     read_heading,
+    scaled_unit,
 )
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column
@@ -67,7 +69,7 @@ def with_known_units(
     sources: Sequence[RecordingSource],
     asked: Iterable[str] = (),
 ) -> list[RecordedColumn]:
-    """The columns, of which those whose unit nobody knows serve formulas alone.
+    """The columns, of which those whose unit nobody knows, or is of another quantity, serve formulas alone.
 
     Raises:
         InputError: a unit is written that nobody knows, or that is of another quantity than the name says, and neither
@@ -82,7 +84,11 @@ def with_known_units(
         if wrong:
             source = sources[min(one.places)]
             raise InputError(wrong, source.file, source.table.header_line, one.name)
-    return [replace(c, meaning=None) if _lacks_unit(c) else c for c in columns]
+    wrong_in_formulas = {c.name for c in columns if c.name in in_formulas and _contradicts(c)}
+    return [
+        replace(c, meaning=None) if _lacks_unit(c) or c.name in wrong_in_formulas else c
+        for c in columns
+    ]
 
 
 def names_in(formula: str) -> set[str]:
@@ -100,13 +106,26 @@ def _lacks_unit(one: RecordedColumn) -> bool:
 
 
 def _unknown(one: RecordedColumn) -> str:
-    left_out = f"or leave it out: --recording 'ignore={one.name}'"
-    if not is_count(one.unknown):
-        return f"unit {shown(one.unknown)} is unknown; correct it in the file, {left_out}"
     assert one.meaning is not None
+    left_out = f"or leave it out: --recording 'ignore={one.name}'"
     signal, step = _SCALES.get(one.meaning.kind, _SCALES["contraction"])
-    scaled = f"as in --column '{signal}={one.name} * \"{step}\"'"
-    return f"how large its {one.unknown} are is not said; scale it, {scaled}, {left_out}"
+    scaled = f"scale it, as in --column {_scaling(signal, one.name, step)}"
+    if is_count(one.unknown):
+        return f"how large its {one.unknown} are is not said; {scaled}, {left_out}"
+    correct = "correct it in the file"
+    if scaled_unit(one.name) != one.unknown:
+        return f"unit {shown(one.unknown)} is unknown; {correct}, {left_out}"
+    more = "" if one.meaning.kind == "time" else f"{scaled}, "
+    return f"its unit {shown(one.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
+
+
+def _scaling(signal: str, name: str, step: str, less: str = "") -> str:
+    """A formula that scales a column, as a word of a command."""
+    term = name if name.isidentifier() else f"'{name}'"
+    formula = f'{signal}={f"({term}{less})" if less else term} * "{step}"'
+    if term == name:
+        return f"'{formula}'"
+    return '"' + formula.replace('"', '\\"') + '"'
 
 
 def _contradicts(one: RecordedColumn) -> str:
@@ -116,8 +135,10 @@ def _contradicts(one: RecordedColumn) -> str:
     said = contradiction(one.name, unit) if unit and one.values else ""
     if not said:
         return ""
+    scaled = _scaling("p", one.name, "0.5 bar/mA", ' - "4 mA"')
+    scale = f"scale the signal, as in --column {scaled}, " if fits(unit, "current") else ""
     hint = f"--recording 'ignore={one.name}', or say what it is: --column NAME={shown(one.name)}"
-    return f"{said}; correct the heading, leave it out: {hint}"
+    return f"{said}; correct the heading, {scale}leave it out: {hint}"
 
 
 def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> None:

@@ -5,6 +5,9 @@ from __future__ import annotations
 from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.recorded_column import RecordedColumn
 
+GRAVITY = "9.80665 m/s2"
+"""By which a weight is a mass."""
+
 
 def scaled_entry(
     name: str, column: RecordedColumn, gain: str | None, offset: str | None, why: tuple[str, ...]

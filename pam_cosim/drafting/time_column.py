@@ -57,7 +57,9 @@ def _is_clock(column: RecordedColumn) -> bool:
 
 
 def _known_unit_of_time(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
-    """The unit of a column of time, and why."""
+    """The unit of a column of time, and why; none, where one is written that nobody knows."""
+    if column.unknown:
+        return "", column.why
     is_known = column.unit and fits(column.unit, "time")
     return (column.unit, _why_known(column)) if is_known else _unit_of_time(column)
 

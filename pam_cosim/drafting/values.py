@@ -13,14 +13,20 @@ from pam_cosim.drafting.column_statistics import is_constant, noise_of, span
 from pam_cosim.drafting.feeding import meaning_of
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
+from pam_cosim.drafting.scaling import GRAVITY
 from pam_cosim.drafting.stated_value import StatedValue, text_of
-from pam_cosim.drafting.vocabulary import Meaning, fits, read_variable
+from pam_cosim.drafting.vocabulary import Meaning, read_variable
 from pam_cosim.drafting.words import UNITS
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, parse_quantity
 
 _C = CRITERIA.recognition
-_IN_NAME = re.compile(r"(?<![A-Za-z0-9])(\d+(?:[.,]\d+)?)[ _-]?([A-Za-z]+)(?![A-Za-z])")
+_NUMBER = r"\d+(?:[.,]\d+)?"
+_LOAD = re.compile(
+    rf"(?<![A-Za-z0-9])(?:(?P<number>{_NUMBER})[ _-]?(?P<unit>[A-Za-z]+)|(?P<first>kg|lbs?)[ _-]?(?P<behind>{_NUMBER}))"
+    r"(?![A-Za-z0-9])"
+)
+_MASSES, _WEIGHTS = ("kg", "g", "lb", "lbs"), ("N", "kN", "lbf")
 
 
 def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedValue]:
@@ -113,18 +119,31 @@ def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dic
 
 
 def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, StatedValue]]:
-    """Loads that the names of the files tell, where they differ and one parameter only can be meant."""
+    """Loads that the names of the files tell, where one parameter only can be meant.
+
+    Where a force is imposed, a weight is that force and no mass.
+    """
     in_kg = {name: v for name, v in interface.parameters.items() if v.unit == "kg"}
     masses = [name for name, v in in_kg.items() if "mass" in v.description.casefold()]
-    stated = [mass for mass in (_mass(file.stem) for file in files) if mass is not None]
+    weights = all(v.unit != "N" for v in interface.inputs.values())
+    loads = [_load(file.stem, weights) for file in files]
+    stated = [load for load in loads if load is not None]
     if len(masses) != 1 or len(stated) < len(files):
         return [{} for _ in files]
+    possible = all(_is_possible(load.number, interface.parameters[masses[0]]) for load in stated)
+    return [{masses[0]: load} if possible else {} for load in stated]
+
+
+def _load(stem: str, weights: bool) -> StatedValue | None:
+    """The mass that a name tells, or the ``weights``, as a mass."""
     why = "the file's name says so"
-    return [{masses[0]: StatedValue(one, parse_quantity(one, "kg"), why)} for one in stated]
-
-
-def _mass(stem: str) -> str | None:
-    for number, unit in _IN_NAME.findall(stem):
-        if unit in ("kg", "g") and fits(unit, "mass"):
-            return f"{number.replace(',', '.')} {unit}"
+    for match in _LOAD.finditer(stem):
+        number = (match["number"] or match["behind"]).replace(",", ".")
+        unit = match["unit"] or match["first"]
+        said = f"{number} {unit}"
+        if unit in _MASSES:
+            return StatedValue(said, parse_quantity(said, "kg"), why)
+        if unit in _WEIGHTS and weights:
+            mass = parse_quantity(said, "N") / parse_quantity(GRAVITY, "m/s2")
+            return StatedValue(text_of(mass, "kg"), mass, f"{why}, as a weight of {said}")
     return None

@@ -21,6 +21,7 @@ from pam_cosim.drafting.words import (
     DIRECTIONS,
     KINDS,
     MEASURED_IN_COUNTS,
+    NEEDING_UNITS,
     NO_LOAD,
     OF_VALVES,
     ROLES,
@@ -28,6 +29,7 @@ from pam_cosim.drafting.words import (
     SAYS_SURELY,
     SPELLINGS,
     STANDS_FOR,
+    TRANSMITTED,
     UNITS,
     USUAL_UNITS,
     WITHOUT_ROLES,
@@ -35,6 +37,14 @@ from pam_cosim.drafting.words import (
 from pam_cosim.measurement.table import is_unit
 from pam_cosim.units import UnitError, convert, is_dimensionless, pressure_reference
 from pam_cosim.wording import shown
+
+_AT_END = re.compile(
+    r"(?P<name>.+?)(?:\s*\((?P<round>.+)\)|\s+(?:/|in)\s+(?P<over>.+)|[\s_]+(?P<part>\d[^\s_]*))"
+)
+_SIZE = r"\d+(?:[.,]\d+)?(?:e[+-]?\d+)?(?:\^[+-]?\d+)?"
+_FACTOR = re.compile(
+    rf"(?:[x×*]\s*)?{_SIZE}(?:/{_SIZE})?\s*[x×*·]?\s*(?P<behind>\D.*)|(?P<before>\D.*?)\s*[/x×*·]\s*{_SIZE}"
+)
 
 
 @dataclass(frozen=True)
@@ -60,7 +70,7 @@ class Heading:
         meaning: None where no word is known.
         unit: as pint reads it; "" where none is written.
         written: the unit as it stands in the file's place for units is ``unit``.
-        unknown: the unit that is written, where nobody knows how large it is; else "".
+        unknown: the unit that is written, where nobody knows how large it is, or with a factor; else "".
         absolute: it says that the pressure is absolute.
         known: how many of its words are known, of all: the larger share names it better.
     """
@@ -83,13 +93,13 @@ def read_heading(name: str, unit: str) -> Heading:
     """What a column is, by its name and unit."""
     stated = "" if is_count(unit) else known_unit(unit)
     absolute = _says_absolute(unit, name)
-    written_unit = unit.strip()
+    written_unit = unit.strip() or scaled_unit(name)
     if not written_unit:
         stated, name = _unit_in_name(name)
         if is_count(stated):
             stated, written_unit = "", stated
     small = [folded(word) for word in split_words(name)]
-    meaning = _meaning(small, stated)
+    meaning = _meaning(small, stated or _unit_with_factor(written_unit))
     known = [word for i, word in enumerate(small) if _kinds_of(word, i) or _roles_of([word])]
     share = len(known) / len(small) if small else 0.0
     unknown = "" if stated or is_dimensionless(written_unit) else written_unit
@@ -97,14 +107,41 @@ def read_heading(name: str, unit: str) -> Heading:
     return Heading(meaning, stated, written, unknown, absolute, share)
 
 
+def scaled_unit(name: str) -> str:
+    """A unit with a factor that a name ends with, ``Pressure (10^5 Pa)``, ``x in mm/10``, ``Time_10ms``; "" for none.
+
+    Without a sign that sets it apart, a number may be a range or a level, but of a time.
+    """
+    match = _AT_END.fullmatch(name)
+    if match is None:
+        return ""
+    kinds = _kinds_in([folded(word) for word in split_words(match["name"])])
+    part = match["part"] if "time" in kinds else None
+    text = match["round"] or match["over"] or part or ""
+    unit = _unit_with_factor(text)
+    needing = NEEDING_UNITS.intersection(kinds or NEEDING_UNITS)
+    return text if unit and any(fits(unit, kind) for kind in needing) else ""
+
+
+def _unit_with_factor(text: str) -> str:
+    """The unit of a text such as ``x10^5 Pa`` or ``mm/10``; "" where it is another text."""
+    match = _FACTOR.fullmatch(text)
+    return known_unit(match["before"] or match["behind"]) if match else ""
+
+
 def contradiction(name: str, unit: str) -> str:
-    """What the words of a name say without doubt, and what its unit says instead; "" where they agree."""
+    """What the words of a name say without doubt, and what its unit says instead; "" where they agree.
+
+    A current is a valve's or a transmitter's: any word for what is measured says whose.
+    """
     words = [folded(word) for word in split_words(name)]
+    possible = _kinds_in(words)
     named = [kind for kind, surely in SAYS_SURELY.items() if any(map(surely.fullmatch, words))]
-    by_unit = next((kind for kind in (*SAYS_SURELY, "length", "time") if fits(unit, kind)), "")
-    possible = [*named, *_kinds_in(words)]
-    weighed = "force" in named and fits(unit, "mass")
-    if not named or not by_unit or weighed or any(fits(unit, kind) for kind in possible):
+    if fits(unit, "current"):
+        named += [kind for kind in possible if kind in TRANSMITTED]
+    kinds = (*SAYS_SURELY, "length", "time", "current")
+    by_unit = next((kind for kind in kinds if fits(unit, kind)), "")
+    if not named or not by_unit or _kinds_with(unit).intersection([*named, *possible]):
         return ""
     return f"its name says {named[0]}, its unit {shown(unit)} says {by_unit}"
 
@@ -190,7 +227,7 @@ def split_words(text: str) -> list[str]:
 
 
 def _unit_in_name(name: str) -> tuple[str, str]:
-    """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
+    """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``; "20 kPa" is a value."""
     share = re.fullmatch(r"(.*?\w)\s*[/_]?\s*%", name)
     if share:
         return "%", share[1]
@@ -198,7 +235,7 @@ def _unit_in_name(name: str) -> tuple[str, str]:
     for place in range(len(parts) - 1, 0, -1):
         rest = parts[:place] + parts[place + 1 :]
         unit = _unit_beside(parts[place], rest)
-        if unit:
+        if unit and split_words(" ".join(rest)):
             return unit, " ".join(rest)
     return "", name
 
@@ -211,14 +248,20 @@ def _unit_beside(part: str, rest: Sequence[str]) -> str:
     if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
         return ""
     kinds = set(said)
-    if not unit or (_is_role(part, rest) and "length" not in kinds):
+    of_length = {UNITS[kind] for kind in kinds} == {"m"}  # it has neither inlet nor exhaust
+    if not unit or (_is_role(part, rest) and not of_length):
         return ""
-    among = {kind for kind in UNITS if fits(unit, kind)}
     # "valve_A", "valve_A1" and "F_g" name valves and a weight.
-    if len(part) > 1 and part.isalpha():
-        among |= {also for kind in among for also in STANDS_FOR.get(kind, ())}
+    is_word = len(part) > 1 and part.isalpha()
+    among = _kinds_with(unit) if is_word else {kind for kind in UNITS if fits(unit, kind)}
     says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
     return unit if says_so or "voltage" in among else ""
+
+
+def _kinds_with(unit: str) -> set[str]:
+    """What has numbers of this unit, or is also measured in it."""
+    kinds = {kind for kind in UNITS if fits(unit, kind)}
+    return kinds.union(*(STANDS_FOR.get(kind, ()) for kind in kinds))
 
 
 def _is_role(part: str, rest: Sequence[str]) -> bool:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -16,7 +16,6 @@ from pam_cosim.drafting.vocabulary import (
     kinds_of,
     read_heading,
     split_words,
-    usual_unit,
 )
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import RecordingTable
@@ -29,12 +28,17 @@ _KEYS = ("pressure", "force", "contraction", "ratio")
 
 @dataclass(frozen=True)
 class _Top:
-    """A column of one value of what stands along the top: a direction, or a number with a unit."""
+    """A column of one value of what stands along the top: a direction, or a number with a unit.
+
+    Attributes:
+        said: what else its name says, of the numbers below.
+    """
 
     column: Column
     key: str
     unit: str
     text: str
+    said: str
     kind: str | None
     value_unit: str
 
@@ -56,7 +60,7 @@ def tidied(file: Path, folder: Path, stated: RecordingTable) -> Path:
     kinds = [
         meaning.kind for c in rest if (meaning := read_heading(c.name, c.unit).meaning) is not None
     ]
-    tops = list(found.values())
+    tops = _filled(list(found.values()))
     if "time" in kinds or not rest or source.words or not _alike(tops):
         return file
     kind = tops[0].kind or _missing(tops[0].key, kinds)
@@ -85,9 +89,17 @@ def _top(column: Column) -> _Top | None:
         return None
     left = column.heading.partition("[")[0].replace(text, " ").strip(" @_-=,;:")
     reading = read_heading(left, column.unit if column.unit != unit else "")
-    return _Top(
-        column, key, unit, value, reading.meaning.kind if reading.meaning else None, reading.unit
-    )
+    kind = reading.meaning.kind if reading.meaning else None
+    return _Top(column, key, unit, value, left, kind, reading.unit or reading.unknown)
+
+
+def _filled(tops: Sequence[_Top]) -> list[_Top]:
+    """The columns, of which those that say nothing but their value are of what the one before says."""
+    made: list[_Top] = []
+    for top in tops:
+        before = made[-1] if made and not (top.said or top.value_unit) else top
+        made.append(replace(top, kind=before.kind, value_unit=before.value_unit))
+    return made
 
 
 def _is_way(word: str) -> bool:
@@ -112,13 +124,11 @@ def _missing(key: str, kinds: Sequence[str]) -> str | None:
 
 
 def _long(table: Table, rest: Sequence[Column], tops: Sequence[_Top], kind: str) -> str:
-    """The table as text: the other columns, what stood along the top, and the numbers below it."""
-    numbers = np.concatenate([top.column.values for top in tops])
-    largest = float(np.nanmax(np.abs(numbers), initial=0.0))
-    unit = tops[0].value_unit or usual_unit(kind, largest)
+    """The table as text: the other columns, what stood along the top, and the numbers below it, in the unit written."""
+    unit = f" [{tops[0].value_unit}]" if tops[0].value_unit else ""
     key = "direction" if tops[0].key == "direction" else f"{_NAMES[tops[0].key]} [{tops[0].unit}]"
     heads = [_quoted(c.heading or c.name) for c in rest]
-    lines = [",".join([*heads, key, f"{_NAMES[kind]} [{unit}]"])]
+    lines = [",".join([*heads, key, f"{_NAMES[kind]}{unit}"])]
     for top in tops:
         for row, value in enumerate(top.column.values):
             cells = [_cell(c.values[row]) for c in rest]

@@ -59,6 +59,8 @@ ROLES = {
 COUNTS = "count counts bit bits digit digits lsb px pix pixel pixels mv/v"
 """Units, folded, that a converter, a camera or a bridge of strain gauges gives."""
 MEASURED_IN_COUNTS = frozenset(("pressure", "force", "contraction", "length"))
+TRANSMITTED = MEASURED_IN_COUNTS | {"temperature"}
+NEEDING_UNITS = TRANSMITTED | {"mass", "current", "time"}
 ATMOSPHERE = "atm"
 ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
 """Words, folded, for no pressure in particular: behind one of them "atm" says which, behind others it is a unit."""

@@ -17,7 +17,15 @@ from pam_cosim.measurement.experiment import ExperimentFile
 from pam_cosim.measurement.experiment_errors import KeyPath
 from pam_cosim.measurement.experiment_tables import ColumnTable
 from pam_cosim.measurement.table import TIME, Column, Table
-from pam_cosim.units import UnitError, convert, parse_quantity, quantity, registry_errors, with_unit
+from pam_cosim.units import (
+    UnitError,
+    convert,
+    format_quantity,
+    parse_quantity,
+    quantity,
+    registry_errors,
+    with_unit,
+)
 from pam_cosim.wording import did_you_mean, shown
 
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
@@ -262,7 +270,6 @@ def _zeroed(table: Table, renaming: ColumnMapping, name: str) -> Table:
             f"no sample in the rest interval; {table.file.name} is of {span}", name, "zero"
         )
     zero = float(np.mean(at_rest))
-    said = f"{zero:.3g} {column.unit}".strip()
-    note = f"the zero of {name}, {said}, is the mean of {at_rest.size} samples at rest"
+    note = f"the zero of {name}, {format_quantity(zero, column.unit)}, is the mean of {at_rest.size} samples at rest"
     columns = {**table.columns, name: replace(column, values=column.values - zero)}
     return replace(table, columns=columns, notes=(*table.notes, note))

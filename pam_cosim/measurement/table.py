@@ -12,14 +12,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.units import UnitError, convert
+from pam_cosim.units import UnitError, convert, pressure_reference
 from pam_cosim.wording import shown
 
 TIME = "time"
 LONGEST_HEADING = 500  # letters; what is longer is no name
 _BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
-_ROUND = re.compile(r"(.+?)\s*\(([^()]+)\)")
-_OVER = re.compile(r"(.+?)\s+(?:/|in)\s+(\S+)")
+_ROUND = re.compile(r"(.+?)\s*\(((?:[^()]|\([^()]*\))+)\)")
+_OVER = re.compile(r"(.+?)\s+(?:/|in)\s+([^\s(]\S*(?:\s+\S+)?)")
 
 
 @dataclass(frozen=True)
@@ -111,17 +111,17 @@ class Layout:
 
 
 def split_heading(text: str) -> tuple[str, str] | None:
-    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p / kPa`` or ``p in kPa``.
+    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p / bar (a)`` or ``p in kPa``.
 
-    Only brackets always hold a unit: "sensor (left)" is a name. None: the text is no heading.
+    Only square brackets always hold a unit: "sensor (left)" is a name. None: the text is no heading.
     """
     match = _BRACKETS.fullmatch(text) if len(text) <= LONGEST_HEADING else None
     if match is None or not text.isprintable():
         return None
     if match[2] is None:
-        other = _ROUND.fullmatch(text) or _OVER.fullmatch(text)
-        if other is not None and is_unit(other[2]) and not other[2].isdigit():
-            return other[1], other[2]
+        for other in (_OVER.fullmatch(text), _ROUND.fullmatch(text)):
+            if other is not None and names_unit(other[2]) and not other[2].isdigit():
+                return other[1], other[2].strip()
     return match[1], (match[2] or "").strip()
 
 
@@ -132,6 +132,11 @@ def is_unit(text: str) -> bool:
     except UnitError:
         return False
     return True
+
+
+def names_unit(text: str) -> bool:
+    """Whether a text is a unit; that of an absolute pressure is one too, of which the column is told."""
+    return is_unit(text) or pressure_reference(text)[1] == "absolute"
 
 
 def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:

@@ -7,14 +7,13 @@ import re
 from dataclasses import dataclass
 
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.table import Layout, is_unit
+from pam_cosim.measurement.table import Layout, names_unit
 from pam_cosim.measurement.text_rows import (
     COMMENT,
     Line,
     Row,
     split_cells,
 )
-from pam_cosim.units import pressure_reference
 
 
 @dataclass(frozen=True)
@@ -113,12 +112,7 @@ def _bare(units: list[str]) -> list[str]:
 
 def _are_units(cells: list[str]) -> bool:
     bracketed = all(not cell or (cell[0] + cell[-1] in ("[]", "()")) for cell in cells)
-    return any(cells) and (bracketed or all(map(_names_unit, cells)))
-
-
-def _names_unit(cell: str) -> bool:
-    """Whether a cell is a unit; that of an absolute pressure is one too, of which the column is told."""
-    return is_unit(cell) or pressure_reference(cell)[1] == "absolute"
+    return any(cells) and (bracketed or all(map(names_unit, cells)))
 
 
 def _names(separator: str, text: str, count: int) -> list[str]:

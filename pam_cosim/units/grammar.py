@@ -36,7 +36,7 @@ _ALIASES = {
 }
 _DIMENSIONLESS = ("", "1", "-")
 _TOKEN = re.compile(
-    r"\s*(?:(?P<symbol>[cm]mH2O|inH2O|[A-Za-zµμ°Ω%_]+)|(?P<number>\d{1,2}(?!\d))|(?P<sign>\*\*|[-+*/.·^()]))"
+    r"\s*(?:(?P<symbol>[cm]mH2O|inH2O|[A-Za-zµμ°Ω%_]+)|(?P<number>\d{1,2}(?!\d|[eE][-+]?\d))|(?P<sign>\*\*|[-+*/.·^()]))"
 )
 _LONGEST = 60
 _RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")

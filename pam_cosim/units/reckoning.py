@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import cache
 from typing import Any
 
 import numpy as np
@@ -33,9 +34,16 @@ def quantity(values: ArrayLike | str, unit: str = "") -> Any:
 
 
 def with_unit(value: Any) -> tuple[NDArray[np.float64], str]:
-    """Numbers and unit of what was reckoned."""
+    """Numbers and unit of what was reckoned: ``N`` and not the base units that it is made of."""
     if not hasattr(value, "magnitude"):
         return np.asarray(value, dtype=float), ""
     base = value.to_base_units()
     unit = f"{base.units:~C}"
-    return np.asarray(base.magnitude, dtype=float), "" if unit == "dimensionless" else unit
+    shown_as = "" if unit == "dimensionless" else _names_by_base_units().get(unit, unit)
+    return np.asarray(base.magnitude, dtype=float), shown_as
+
+
+@cache
+def _names_by_base_units() -> dict[str, str]:
+    """Units with names of their own, by the base units that they are; a torque would be no joule."""
+    return {f"{quantity(1.0, name).units:~C}": name for name in ("N", "Pa", "V", "W")}

@@ -134,7 +134,9 @@ def test_measures_of_a_sleeve_that_follow_are_zero(tmp_path: Path) -> None:
     assert len(written(made)["parameters"]) == 3
 
 
-@pytest.mark.parametrize("heading", ["Set pressure (m)", "Solldruck [mm]", "Kraft [bar]"])
+@pytest.mark.parametrize(
+    "heading", ["Set pressure (m)", "Solldruck [mm]", "Kraft [bar]", "Kraft [mA]"]
+)
 def test_a_unit_of_another_quantity_than_the_name_says(tmp_path: Path, heading: str) -> None:
     rows: list[list[object]] = [[0.01 * k, *row] for k, row in enumerate(steps())]
     file = write(tmp_path / "a.csv", ",".join(["t [s]", heading, "p [bar]", "x [mm]"]), rows)
@@ -145,7 +147,21 @@ def test_a_unit_of_another_quantity_than_the_name_says(tmp_path: Path, heading: 
     assert written(made)["recording"]["ignore"] == [name]
 
 
-@pytest.mark.parametrize("heading", ["Compression [mm]", "Drucksensor [V]", "Kraft [kg]"])
+def test_a_current_of_a_transmitter_is_no_valve_s_and_wants_a_scale(tmp_path: Path) -> None:
+    bar: list[list[object]] = [[0.01 * k, *row] for k, row in enumerate(steps())]
+    signal: list[list[object]] = [[t, p_set, 4 + 2 * float(str(p)), x] for t, p_set, p, x in bar]
+    heads = "t [s],p_set [bar],Pressure [mA],x [mm]"
+    file = write(tmp_path / "a.csv", heads, signal)
+    with pytest.raises(InputError, match="its name says pressure, .* scale the signal, as in"):
+        pam.new(tmp_path / "rig", [file])
+    scaled = pam.new(tmp_path / "rig", [file], columns={"p": '(Pressure - "4 mA") * "0.5 bar/mA"'})
+    expected = [1e5 * float(str(p)) for _, _, p, _ in bar]
+    np.testing.assert_allclose(scaled.data.runs[0].measurements["p"], expected, atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    "heading", ["Compression [mm]", "Drucksensor [V]", "Kraft [kg]", "Druckventil [mA]"]
+)
 def test_names_that_leave_a_doubt_go_by_their_unit(tmp_path: Path, heading: str) -> None:
     rows: list[list[object]] = [[0.01 * k, *row, row[2]] for k, row in enumerate(steps())]
     heads = ",".join(["t [s]", "p_set [bar]", "p [bar]", "x [mm]", heading])

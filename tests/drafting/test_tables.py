@@ -12,6 +12,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.drafting import NewDataSet
 from pam_cosim.drafting.file_names import said_in
+from pam_cosim.errors import InputError
 from tests.drafting.labs import LENGTH
 from tests.drafting.tables import grid, loop, no_load, noise, write
 
@@ -233,6 +234,39 @@ def test_a_pressure_along_the_top(tmp_path: Path) -> None:
             (q, a, f) for q, own in zip(p, pull, strict=True) for a, f in zip(x, own, strict=True)
         ]
         np.testing.assert_allclose(sorted(told), sorted(expected), rtol=2e-3, atol=1e-9)
+
+
+def test_the_unit_of_the_values_is_guessed_where_none_is_written(tmp_path: Path) -> None:
+    rows = [[250 - 5 * i, 20 - i, 40 - 2 * i, 60 - 3 * i] for i in range(8)]
+    file = write(tmp_path / "map.csv", "Length [mm],20 psi,40 psi,60 psi", rows)
+    made = pam.new(tmp_path / "rig", [file])
+    copy = (tmp_path / "rig" / "map.csv").read_text(encoding="utf-8")
+    assert copy.splitlines()[0] == '"Length [mm]",p [psi],F'
+    assert any(
+        "no unit is written; numbers up to 60 are taken as N" in one.why for one in made.guesses
+    )
+    scaled = pam.new(tmp_path / "kgf", [file], columns={"F": 'F * "1 kgf"'})
+    largest = max(float(run.measurements["F"].max()) for run in scaled.data.runs)
+    assert largest == pytest.approx(60 * 9.80665)
+
+
+def test_an_unknown_unit_of_the_values_is_no_guess(tmp_path: Path) -> None:
+    heads = ",".join(["x [mm]", *(f"F@{bar}bar [Newt]" for bar in (1, 2, 3))])
+    file = write(tmp_path / "map.csv", heads, [[i, 9 - i, 19 - i, 29 - i] for i in range(8)])
+    with pytest.raises(InputError, match="unit 'Newt' is unknown"):
+        pam.new(tmp_path / "rig", [file])
+
+
+def test_what_the_first_heading_says_holds_for_those_of_a_value_alone(tmp_path: Path) -> None:
+    rows = [[m, 40 - 5 * m, 50 - 3 * m, 56 - 2 * m] for m in (0.5, 1, 2, 4)]
+    heads = "Load (kg),Contraction (mm) @ 100 kPa,@ 200 kPa,@ 300 kPa"
+    data = pam.new(tmp_path / "rig", [write(tmp_path / "iso.csv", heads, rows)]).data
+    told = {
+        (round(float(run.inputs["p"][i])), round(1e3 * float(run.measurements["x"][i]), 6))
+        for run in data.runs
+        for i in range(len(run.time))
+    }
+    assert told == {(int(1e5 * k), row[k]) for row in rows for k in (1, 2, 3)}
 
 
 def test_both_ways_beside_one_another(tmp_path: Path) -> None:

@@ -78,7 +78,15 @@ def test_a_name_says_that_a_pressure_is_absolute(tmp_path: Path, name: str) -> N
     np.testing.assert_allclose(data.runs[0].measurements["p"], PRESSURE, atol=0.1)
 
 
-@pytest.mark.parametrize(("name", "factor"), [("p_psia", 6894.757293168), ("pressure_bara", 1e5)])
+@pytest.mark.parametrize(
+    ("name", "factor"),
+    [
+        ("p_psia", 6894.757293168),
+        ("pressure_bara", 1e5),
+        ("Pressure (kPa(a))", 1e3),
+        ("Pressure (bar a)", 1e5),
+    ],
+)
 def test_a_unit_in_a_name_says_that_a_pressure_is_absolute(
     tmp_path: Path, name: str, factor: float
 ) -> None:
@@ -91,7 +99,7 @@ def test_a_shut_off_valve_is_not_absolute() -> None:
     assert not read_heading("Druck nach Absperrventil", "bar").absolute
 
 
-@pytest.mark.parametrize("unit", ["psy", "barr", "inWC"])
+@pytest.mark.parametrize("unit", ["psy", "barr", "inWC", "1e5 Pa"])
 def test_an_unknown_unit_is_not_replaced_by_a_guess(tmp_path: Path, unit: str) -> None:
     with pytest.raises(InputError, match=f"column 'p': unit '{unit}' is unknown") as raised:
         drafted(tmp_path, f"time [s],p_set [bar],p [{unit}],x [mm]")
@@ -125,6 +133,50 @@ def test_counts_want_a_scale(tmp_path: Path) -> None:
 def test_pixels_and_bridges_want_a_scale(tmp_path: Path, head: str, said: str) -> None:
     with pytest.raises(InputError, match=said):
         drafted(tmp_path, f"time [s],p_set [bar],p [bar],{head}", x=lambda x: x / 2e-5)
+
+
+@pytest.mark.parametrize(
+    ("name", "unit"),
+    [
+        ("Pressure (100 kPa)", "100 kPa"),
+        ("Pressure (x10^5 Pa)", "x10^5 Pa"),
+        ("p / 10^5 Pa", "10^5 Pa"),
+        ("p in 0.1 MPa", "0.1 MPa"),
+        ("Stroke (1/10 mm)", "1/10 mm"),
+        ("Stroke (mm/10)", "mm/10"),
+        ("x (10^-3 m)", "10^-3 m"),
+        ("Time(100us)", "100us"),
+        ("t (1e-3 s)", "1e-3 s"),
+        ("Time_10ms", "10ms"),
+        ("Pressure (0-10 bar)", ""),
+        ("Pressure_10bar", ""),
+        ("Force (3 bar)", ""),
+        ("valve (100%)", ""),
+        ("t2_ms", ""),
+    ],
+)
+def test_a_unit_with_a_factor_is_known_as_such(name: str, unit: str) -> None:
+    assert read_heading(name, "").unknown == unit
+
+
+def test_a_factor_before_a_unit_wants_a_scale(tmp_path: Path) -> None:
+    heads = "time [s],p_set [bar],Pressure (10^5 Pa),x [mm]"
+    with pytest.raises(InputError, match="its unit '10\\^5 Pa' has a factor.* scale it, as in"):
+        drafted(tmp_path, heads)
+    data = drafted(tmp_path, heads, columns={"p": "'Pressure (10^5 Pa)' * \"1e5 Pa\""})
+    np.testing.assert_allclose(data.runs[0].measurements["p"], PRESSURE, atol=0.1)
+
+
+@pytest.mark.parametrize("heads", ["time [ticks]", "Time (10 ms)"])
+def test_a_time_whose_unit_nobody_knows_is_not_taken_for_seconds(
+    tmp_path: Path, heads: str
+) -> None:
+    with pytest.raises(InputError, match="column '[tT]ime.*': .*unit '(ticks|10 ms)'"):
+        drafted(tmp_path, f"{heads},p_set [bar],p [bar],x [mm]")
+
+
+def test_a_value_is_no_unit() -> None:
+    assert read_heading("@ 200 kPa", "").meaning is None
 
 
 def test_a_set_point_is_absolute_where_the_pressure_is(tmp_path: Path) -> None:

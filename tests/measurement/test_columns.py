@@ -12,6 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set
 from pam_cosim.measurement.experiment import read_experiment
 from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.table import split_heading
 from tests.measurement.bench import MODEL, describe
 
 LAB = """\
@@ -54,6 +55,13 @@ def test_a_lab_s_file_becomes_a_run(lab):
     assert list(run.measurements) == ["p", "x", "T"]
     assert any("the zero of p, 1.1 bar, is the mean of 2 samples" in note for note in data.notes())
     assert any("semicolons, decimal commas" in note for note in data.notes())
+
+
+def test_the_zero_of_a_formula_is_told_in_a_unit_that_people_read(lab):
+    own = '[runs.columns]\np = { formula = "Spannung * \\"100 kPa/V\\"", zero = { from = "0 s", to = "0.1 s" } }\n'
+    text = HEAD + COLUMNS + RUN + own + '[runs.recording]\nignore = ["Bemerkung", "Druck 1"]\n'
+    notes = read_data_set(lab(text), describe).notes()
+    assert any("the zero of p, 50 kPa, is the mean of 2 samples" in note for note in notes)
 
 
 def test_a_run_may_state_its_own(lab):
@@ -279,3 +287,20 @@ def test_a_time_of_a_formula_takes_the_place_of_that_of_the_file(lab) -> None:
     text = "time [s],x [mm]\n0,1\n1,2\n"
     run = read_data_set(lab(HEAD + columns + RUN, text), describe).runs[0]
     np.testing.assert_array_equal(run.time, [0.0, 0.5])
+
+
+@pytest.mark.parametrize(
+    ("heading", "parts"),
+    [
+        ("p (bar(a))", ("p", "bar(a)")),
+        ("p(kPa abs)", ("p", "kPa abs")),
+        ("p / bar (g)", ("p", "bar (g)")),
+        ("p in psia", ("p", "psia")),
+        ("u in (mA)", ("u in", "mA")),
+        ("heat (W/(m2.K))", ("heat", "W/(m2.K)")),
+        ("sensor (left)", ("sensor (left)", "")),
+        ("p (10^5 Pa)", ("p (10^5 Pa)", "")),
+    ],
+)
+def test_a_unit_in_round_brackets_or_behind_a_stroke(heading, parts):
+    assert split_heading(heading) == parts

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pam_cosim.units import UnitError, convert, parse_quantity
+from pam_cosim.units import UnitError, convert, parse_quantity, quantity, with_unit
 from pam_cosim.units.grammar import registry
 
 
@@ -95,3 +95,19 @@ def test_what_is_kept_of_the_registry_is_the_registry(tmp_path, monkeypatch):
 def test_a_hertz_is_a_turn_a_second(value: float, unit: str, target: str, expected: float) -> None:
     """pint takes a radian for the number 1, so 60 rpm were 6.28 Hz."""
     assert float(convert(value, unit, target)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(
+    ("number", "unit", "value", "named"),
+    [
+        (2.0, "kgf", 19.6133, "N"),
+        (1.0, "bar", 1e5, "Pa"),
+        (5.0, "mV", 5e-3, "V"),
+        (2.0, "N.m", 2.0, "kg*m**2/s**2"),
+        (5.0, "mm", 5e-3, "m"),
+        (3.0, "%", 0.03, ""),
+    ],
+)
+def test_what_is_reckoned_has_the_name_of_its_unit(number, unit, value, named):
+    reckoned, symbol = with_unit(quantity(number, unit))
+    assert (float(reckoned), symbol) == (pytest.approx(value), named)
