@@ -73,7 +73,8 @@ def read_text_table(file: Path, stated: Layout) -> Table:
 
 def _filled_lines(text: str) -> list[Line]:
     """The lines that are not blank, with their numbers."""
-    return [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    filled = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    return labview_text.completed(filled)
 
 
 def _words_of_columns(
