@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -18,6 +19,7 @@ from pam_cosim.wording import did_you_mean, shown
 
 MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "---")
 """Words that stand where a sample is missing, in small letters."""
+_STATED = re.compile(r'(\w+) = \[?"([^"]+)"')
 _MOST_WORDS = 3  # up, down, and neither
 
 
@@ -92,7 +94,7 @@ def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Recordin
         units_line=stated.units_line,
         table=stated.table,
         ignore=tuple(stated.ignore or ()),
-        missing=frozenset(MISSING if stated.missing is None else map(str.casefold, stated.missing)),
+        missing=frozenset((*MISSING, *map(str.casefold, stated.missing or ()))),
     )
     texts = [_texts(file, layout) for file in files]
     words = _directions(texts)
@@ -148,5 +150,7 @@ def _with_hint(error: InputError) -> InputError:
     if "header is missing" in error.message:
         here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
     elif "[recording]" in error.message:
-        here = " (here: --recording KEY=VALUE)"
+        key = _STATED.search(error.message)
+        said = shown(f"{key[1]}={key[2]}") if key else "KEY=VALUE"
+        here = f" (here: --recording {said})"
     return InputError(f"{error.message}{here}", error.file, error.line, error.column)

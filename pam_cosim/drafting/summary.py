@@ -14,7 +14,7 @@ from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.measurement import DataSet
 from pam_cosim.measurement.pieces import PAUSES
-from pam_cosim.measurement.recording import LEFT_OUT
+from pam_cosim.measurement.table import LEFT_OUT
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed, runs_in_words
 

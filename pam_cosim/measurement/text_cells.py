@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import date_time, seconds_between
+from pam_cosim.measurement.date_times import date_time, is_date, seconds_between
 from pam_cosim.measurement.switch_words import SWITCH_WORDS
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
@@ -224,9 +225,20 @@ class Reader:
                 stated = 'state decimal = "," under [recording]'
                 return f"{shown(cell)} has a decimal comma; write a decimal point, or {stated} where all numbers do"
             return f"{shown(cell)} has a decimal point, other numbers have decimal commas"
+        if is_date(cell):
+            left_out = f"ignore = {_as_list(self.names[column])}"
+            return f"{shown(cell)} is a date without a time of day; leave it out under [recording]: {left_out}"
         if re.fullmatch(r"[+-]?\d+(?:[.,]\d+)+", cell, re.ASCII):
             return f"{shown(cell)} is grouped by thousands; write it without"
-        return f"{shown(cell)} is not a number"
+        if any(map(str.isdigit, cell)):
+            return f"{shown(cell)} is not a number"
+        stated = f"missing = {_as_list(cell)}"
+        return f"{shown(cell)} is not a number; where it stands for a missing sample, state {stated} under [recording]"
+
+
+def _as_list(word: str) -> str:
+    """A list of one word, as ``experiment.toml`` has it."""
+    return json.dumps([word], ensure_ascii=False)
 
 
 def _floats(cells: list[str], decimal: str) -> NDArray[np.float64] | None:

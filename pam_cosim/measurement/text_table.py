@@ -13,9 +13,9 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.date_times import date_time, is_date_time
+from pam_cosim.measurement.date_times import date_time, is_date, is_date_time
 from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
-from pam_cosim.measurement.table import Column, Layout, Table, split_heading
+from pam_cosim.measurement.table import LEFT_OUT, Column, Layout, Table, split_heading
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
@@ -42,15 +42,18 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     """
     text, encoding = read_any_text(file, stated.encoding)
     lines = _filled_lines(text)
+    is_ended = _is_ended(text)
     del text
     if not lines:
         raise InputError("the file is empty; begin with a header such as 'time [s],p [kPa]'", file)
-    layout = find_layout(lines, stated, file)
+    layout = _layout(lines, is_ended, stated, file)
     names = _names(layout, file)
     keep = [i for i, (name, _) in enumerate(names) if stated.keeps(layout.headings[i][0], name)]
     body = [
         line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])
     ]
+    cut = None if is_ended else _cut_short(body, layout)
+    body = body[:-1] if cut else body
     reader = Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
@@ -67,8 +70,39 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     }
     columns |= _since_first(columns, reader)
     numbers = np.array([number for number, _ in body], dtype=np.int64)
-    notes, met = _notes(layout, encoding, reader.decimal), tuple(reader.met)
-    return Table(file, columns, layout.header_line or None, numbers, notes, met)
+    notes = (*_notes(layout, encoding, reader.decimal), *_lost(layout, cut))
+    return Table(file, columns, layout.header_line or None, numbers, notes, tuple(reader.met))
+
+
+def _is_ended(text: str) -> bool:
+    """Whether the last line has an end."""
+    return text.endswith(("\n", "\r"))
+
+
+def _layout(lines: list[Line], is_ended: bool, stated: Layout, file: Path) -> TextLayout:
+    """How the lines are written; a last one without an end may be cut short, and the others tell if they can."""
+    if not is_ended and len(lines) > 1:
+        with suppress(InputError):
+            layout = find_layout(lines[:-1], stated, file)
+            if layout.consistent:
+                return layout
+    return find_layout(lines, stated, file)
+
+
+def _cut_short(body: Sequence[Line], layout: TextLayout) -> int | None:
+    """The number of the last line, which has no end, where it lacks cells: it was cut as the recording stopped."""
+    last = _rows(body[-1:], layout.separator)
+    cut = len(body) > 1 and last and len(last[0]) < len(layout.headings)
+    return body[-1][0] if cut else None
+
+
+def _lost(layout: TextLayout, cut: int | None) -> Iterator[str]:
+    """Notes on rows that are not read."""
+    if layout.passed_over:
+        rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
+        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
+    if cut is not None:
+        yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"
 
 
 def _filled_lines(text: str) -> list[Line]:
@@ -126,7 +160,7 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
     lines = _filled_lines(text)
     if not lines:
         return {}
-    layout = find_layout(lines, stated, file)
+    layout = _layout(lines, _is_ended(text), stated, file)
     looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
     texts = [i for i in range(len(layout.headings)) if _is_text(_filled(looked_at, i))]
     rows = _rows(lines[layout.start :], layout.separator) if texts else []
@@ -145,7 +179,12 @@ def _present(rows: Sequence[Sequence[str]], column: int, missing: Container[str]
 
 def _is_text(cells: Sequence[str]) -> bool:
     """Whether there are cells, none of them is meant as a number, and not all are dates with times of day."""
-    return bool(cells) and not (any(map(_MEANT.fullmatch, cells)) or all(map(is_date_time, cells)))
+    return bool(cells) and not (any(map(_is_meant, cells)) or all(map(is_date_time, cells)))
+
+
+def _is_meant(cell: str) -> bool:
+    """Whether a cell is meant as a number: a date such as 12.03.2024 is not."""
+    return _MEANT.fullmatch(cell) is not None and not is_date(cell)
 
 
 def _rows(lines: Sequence[Line], separator: str) -> list[list[str]]:

@@ -253,3 +253,25 @@ def test_rows_of_several_experiments_are_not_taken_to_be_evenly_apart(tmp_path: 
     file = appended(tmp_path / "all.csv", heading, ["1", "2", "3"], 0.0, ".1f")
     with pytest.raises(InputError, match="a third row at 0 s"):
         pam.new(tmp_path / "rig", [file])
+
+
+def test_a_word_among_numbers_is_asked_about(tmp_path: Path) -> None:
+    """It was no number, and nothing said what to do; words that are known need not be stated again."""
+    cells = dict.fromkeys(range(300, 310), "OVLD") | {315: "-"}
+    rows = [[0.01 * k, a, cells.get(k, b), c] for k, (a, b, c) in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join(["time [s]", *SET]), rows)
+    with pytest.raises(InputError, match=r"'OVLD' is not a number.*--recording 'missing=OVLD'"):
+        pam.new(tmp_path / "rig", [file])
+    made = pam.new(tmp_path / "rig", [file], recording={"missing": "OVLD"})
+    assert written(made)["recording"]["missing"] == ["OVLD", "-"]
+    assert made.data.runs[0].sample_count("p") == len(rows) - 11
+
+
+def test_lines_that_a_logger_cut_short_are_said(tmp_path: Path) -> None:
+    rows = [[0.01 * k, *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", "31,0.1\nReady\n" + ",".join(["time [s]", *SET]), rows)
+    file.write_text(file.read_text() + "40")
+    made = pam.new(tmp_path / "rig", [file])
+    assert len(made.data.runs[0].time) == len(rows)
+    assert len(said(made, "left out: the row above the header")) == 1
+    assert len(said(made, "left out: the last line, 404, which was cut short")) == 1

@@ -45,6 +45,8 @@ def test_times_that_are_written_stay(tmp_path: Path) -> None:
 def test_channels_with_intervals_of_their_own_have_no_common_time(tmp_path: Path) -> None:
     rows = "\t0.1\t0.2\t0.5\t\n\t0.3\t0.4\t0.6\t\n"
     file = tmp_path / "a.lvm"
-    above = ABOVE.format(begin="0.0\t0.0", steps="0.01\t0.02\t").replace("[bar]", "[bar]\tx [mm]\tF [N]")
+    above = ABOVE.format(begin="0.0\t0.0", steps="0.01\t0.02\t").replace(
+        "[bar]", "[bar]\tx [mm]\tF [N]"
+    )
     file.write_text(above + rows)
     assert np.isnan(read_table(file).columns["X_Value"].values).all()
