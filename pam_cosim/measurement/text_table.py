@@ -18,6 +18,7 @@ from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
 from pam_cosim.measurement.table import LEFT_OUT, Column, Layout, Table, split_heading
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
+from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
 from pam_cosim.wording import shown
@@ -232,7 +233,9 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
         if name.casefold() == labview_text.TIME and name in seen:
             name = f"{name} {1 + sum(one.startswith(name) for one in seen)}"
         if name in seen:
-            raise InputError("this column stands twice in the header; rename one", file, line, name)
+            hint = f"; or, {other_line(line - 1)}" if line is not None and line > 1 else ""
+            message = f"this column stands twice in the header; rename one{hint}"
+            raise InputError(message, file, line, name)
         if unit and below and unit != below:
             raise InputError(
                 f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name

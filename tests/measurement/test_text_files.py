@@ -344,3 +344,39 @@ def test_a_broken_row_is_no_header(tmp_path: Path, broken: str) -> None:
     file.write_text(f"0.1,1,2\n{broken}\n0.3,5,6\n")
     with pytest.raises(InputError, match="the header is missing"):
         read_table(file)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "Export;;\nZeit;Druck;Weg\ns;bar;mm\nFloat64;Float64;Float64\n",
+        "type;Trace;\nZeit;Druck;Weg\nunit;bar;mm\ntrace_values;;\n",
+        "Zeit;Druck;Weg\nSecond;Bar;mm\n",
+    ],
+    ids=["types below the units", "a word for units, and a label", "units with capitals"],
+)
+def test_rows_between_names_and_numbers(tmp_path: Path, head: str) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(f"{head}0,0;1,5;2\n0,1;2,5;3\n")
+    columns = read_table(file).columns
+    assert list(columns) == ["Zeit", "Druck", "Weg"]
+    assert [columns[name].unit for name in ("Druck", "Weg")] == ["bar", "mm"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("X,CH1,CH2,Start,\nSequence,Volt,Volt,-2.0,\n0,1,2,\n1,2,3,\n", "rename one; or, .* = 1"),
+        ("t,p,x\nRun 4,late\n0,1,2\n", "has 3 cells, the header has 2; .* header_line = 1"),
+    ],
+)
+def test_the_line_of_the_names_is_said_where_it_may_be_another(
+    tmp_path: Path, text: str, words: str
+) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(text)
+    with pytest.raises(InputError, match=words):
+        read_table(file)
+    assert list(read_table(file, Layout(header_line=1)).columns) == text.split("\n")[0].strip(
+        ","
+    ).split(",")
