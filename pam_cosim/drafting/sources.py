@@ -15,6 +15,7 @@ from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.switch_words import are_switch_words
 from pam_cosim.measurement.table import Layout, Table
 from pam_cosim.measurement.text_table import text_columns
+from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
 from pam_cosim.wording import did_you_mean, shown
 
 MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "---")
@@ -141,6 +142,7 @@ def _source(
     labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
     kept = [heading for heading in left_out if layout.keeps(heading, heading)]
     clocks = tuple(heading for heading in kept if all(map(says_time_of_day, texts[heading])))
+    table = with_clocks_going_on(table)
     return RecordingSource(file, table, left_out, own, labels, clocks)
 
 

@@ -275,3 +275,13 @@ def test_lines_that_a_logger_cut_short_are_said(tmp_path: Path) -> None:
     assert len(made.data.runs[0].time) == len(rows)
     assert len(said(made, "left out: the row above the header")) == 1
     assert len(said(made, "left out: the last line, 404, which was cut short")) == 1
+
+
+@pytest.mark.parametrize("name", ["time_us", "micros"])
+def test_a_full_counter_parts_no_recording(tmp_path: Path, name: str) -> None:
+    rows = [[(2**32 - 10**6 + 10_000 * k) % 2**32, *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join([name, *SET]), rows)
+    made = pam.new(tmp_path / "rig", [file])
+    (run,) = made.data.runs
+    np.testing.assert_allclose(np.diff(run.time), 0.01)
+    assert len(said(made, "a: a counter was full once")) == 1
