@@ -285,3 +285,23 @@ def test_a_full_counter_parts_no_recording(tmp_path: Path, name: str) -> None:
     (run,) = made.data.runs
     np.testing.assert_allclose(np.diff(run.time), 0.01)
     assert len(said(made, "a: a counter was full once")) == 1
+
+
+@pytest.mark.parametrize("place", [1, 2], ids=["p_set", "p"])
+def test_a_number_that_marks_missing_samples_is_named(tmp_path: Path, place: int) -> None:
+    """As `compare` names it, with what to say; the noise is not called none."""
+    rows = [[0.01 * k, f"{2 * k:.1f}", *row[1:]] for k, row in enumerate(steps())]
+    for k in (60, 61, 250):
+        rows[k][place] = 9999
+    rows[80][3] = "-"
+    file = write(tmp_path / "a.csv", ",".join(["time [s]", "p_set [kPa]", *SET[1:]]), rows)
+    made = pam.new(tmp_path / "rig", [file])
+    (line,) = said(made, "marks a missing sample")
+    assert "is 9999 in 3 of 400 samples" in line
+    assert line.endswith("say --recording 'missing=-,9999'")
+    if place == 2:
+        (sigma,) = [one for one in made.guesses if one.what == "sigma of p"]
+        assert "no noise" not in sigma.why
+    made = pam.new(tmp_path / "known", [file], recording={"missing": "-,9999"})
+    assert not said(made, "marks a missing sample")
+    assert written(made)["recording"]["missing"] == ["-", "9999"]
