@@ -13,7 +13,7 @@ from pam_cosim.measurement.date_times import says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.switch_words import are_switch_words
-from pam_cosim.measurement.table import Layout, Table
+from pam_cosim.measurement.table import Layout, Table, split_heading
 from pam_cosim.measurement.text_table import text_columns
 from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
 from pam_cosim.wording import did_you_mean, shown
@@ -141,9 +141,19 @@ def _source(
         raise _with_hint(error) from None
     labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
     kept = [heading for heading in left_out if layout.keeps(heading, heading)]
-    clocks = tuple(heading for heading in kept if all(map(says_time_of_day, texts[heading])))
+    clocks = tuple(
+        heading
+        for heading in kept
+        if all(map(says_time_of_day, texts[heading])) or _is_called_time(heading)
+    )
     table = with_clocks_going_on(table)
     return RecordingSource(file, table, left_out, own, labels, clocks)
+
+
+def _is_called_time(heading: str) -> bool:
+    """Whether the name of a column of text says time."""
+    meaning = read_heading(*(split_heading(heading) or (heading, ""))).meaning
+    return meaning is not None and meaning.kind == "time"
 
 
 def _with_hint(error: InputError) -> InputError:

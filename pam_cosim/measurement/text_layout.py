@@ -32,6 +32,7 @@ from pam_cosim.measurement.text_rows import (
     rows_of,
     split_cells,
 )
+from pam_cosim.measurement.text_units import is_measured, is_measured_row
 from pam_cosim.wording import shown
 
 SEPARATORS = {";": ";", "tab": "\t", ",": ",", "blank": " "}
@@ -182,6 +183,8 @@ def _layout_below(
     if start is None:
         rows, start = rows_of(separator, lines, after, is_dated_row)
     if start is None:
+        rows, start = rows_of(separator, lines, after, is_measured_row)
+    if start is None:
         return None
     start = first_row(rows, start)
     comments = [(number, line) for number, line in lines[: rows[start].index] if is_comment(line)]
@@ -205,7 +208,9 @@ def _name_in(heading: str) -> str:
 def _fits(cells: list[str], count: int, kept: list[int], missing: frozenset[str]) -> bool:
     if len(cells) < count or any(cells[count:]):
         return False
-    return all(not cells[i] or is_number(cells[i]) or cells[i].casefold() in missing for i in kept)
+    return all(
+        not cells[i] or is_measured(cells[i]) or cells[i].casefold() in missing for i in kept
+    )
 
 
 def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -> str:

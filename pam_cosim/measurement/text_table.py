@@ -21,6 +21,7 @@ from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
+from pam_cosim.measurement.text_units import unit_of
 from pam_cosim.wording import shown
 
 _TALLEST = 8  # Lines of one quoted cell.
@@ -64,6 +65,9 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     for i in keep:
         if not reader.words[i] and are_switch_words(_present(beginning, i, stated.missing)[:1]):
             reader.words[i] = SWITCH_WORDS
+        elif not reader.words[i] and i not in reader.dates:
+            reader.units |= _unit_in_cells(_present(beginning, i, stated.missing), i)
+    names = _with_units(names, reader.units, layout, file)
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
@@ -104,6 +108,28 @@ def _lost(layout: TextLayout, cut: int | None) -> Iterator[str]:
         yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
     if cut is not None:
         yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"
+
+
+def _unit_in_cells(cells: Sequence[str], place: int) -> dict[int, str]:
+    """The unit that is behind every number of a column, by its place; none where there is none."""
+    unit = unit_of(cells)
+    return {place: unit} if unit else {}
+
+
+def _with_units(
+    names: Sequence[tuple[str, str]], units: Mapping[int, str], layout: TextLayout, file: Path
+) -> list[tuple[str, str]]:
+    """Names and units of the columns, of which some have units in their cells.
+
+    Raises:
+        InputError: a heading states another unit.
+    """
+    for i, unit in units.items():
+        name, stated = names[i]
+        if stated not in ("", unit):
+            message = f"its heading says {shown(stated)}, its cells {shown(unit)}"
+            raise InputError(message, file, layout.header_line or None, name)
+    return [(name, units.get(i, unit)) for i, (name, unit) in enumerate(names)]
 
 
 def _filled_lines(text: str) -> list[Line]:
@@ -163,7 +189,9 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
         return {}
     layout = _layout(lines, _is_ended(text), stated, file)
     looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
-    texts = [i for i in range(len(layout.headings)) if _is_text(_filled(looked_at, i))]
+    cells = [_filled(looked_at, i) for i in range(len(layout.headings))]
+    known = [_present(looked_at, i, stated.missing) for i in range(len(layout.headings))]
+    texts = [i for i, own in enumerate(cells) if _is_text(own) and not unit_of(known[i])]
     rows = _rows(lines[layout.start :], layout.separator) if texts else []
     return {layout.headings[i][0]: tuple(dict.fromkeys(_filled(rows, i))) for i in texts}
 

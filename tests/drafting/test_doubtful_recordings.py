@@ -305,3 +305,15 @@ def test_a_number_that_marks_missing_samples_is_named(tmp_path: Path, place: int
     made = pam.new(tmp_path / "known", [file], recording={"missing": "-,9999"})
     assert not said(made, "marks a missing sample")
     assert written(made)["recording"]["missing"] == ["-", "9999"]
+
+
+@pytest.mark.parametrize("units", [("s", "s"), ("s", "min")], ids=["one unit", "two units"])
+def test_times_with_units_make_no_points_at_rest(tmp_path: Path, units: tuple[str, str]) -> None:
+    rows = [[f"{0.01 * k:.2f} {units[k // 200]}", *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join(["Time", *SET]), rows)
+    if units[0] != units[1]:
+        with pytest.raises(InputError, match=r"'Time': this text says when.*'ignore=Time'"):
+            pam.new(tmp_path / "rig", [file])
+        return
+    made = pam.new(tmp_path / "rig", [file])
+    np.testing.assert_allclose(made.data.runs[0].time, 0.01 * np.arange(400), atol=1e-9)
