@@ -19,6 +19,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Run, Signal
+from pam_cosim.measurement.markers import input_marker_of, marker_of
 from pam_cosim.units import convert, format_quantity
 from pam_cosim.wording import listed
 
@@ -77,14 +78,14 @@ def doubts(
         measured, modelled = _samples(runs, name)
         if len(measured):
             every += [
-                *_marker(runs, signal, measured),
+                *_markers(runs, signal, measured),
                 *_still(signal, measured, modelled),
                 *_impossible(runs, signal, measured, modelled),
                 *_far_off(signal, measured, modelled, fitted, lambda: _reach(runs, units)),
                 *_one_sided(signal, measured, modelled),
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
-    return (*_copies(runs), *every)
+    return (*_copies(runs), *_markers_of_inputs(runs, units), *every)
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
@@ -121,28 +122,38 @@ def _rms(values: Array) -> float:
     return float(np.sqrt(np.mean(values**2)))
 
 
-def _marker(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> Iterator[Doubt]:
+def _markers_of_inputs(runs: Sequence[RunComparison], units: Mapping[str, str]) -> Iterator[Doubt]:
+    driven = [r.run for r in runs if not r.run.is_static]
+    for name in dict.fromkeys(name for run in driven for name in run.inputs):
+        courses = [(run, run.inputs[name]) for run in driven if name in run.inputs]
+        value = input_marker_of(np.concatenate([values for _, values in courses]))
+        if value is not None:
+            yield _marker(name, units.get(name, ""), value, courses)
+
+
+def _markers(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> Iterator[Doubt]:
+    value = marker_of(measured)
+    if value is not None:
+        read = [r.run for r in runs if r.run.sample_count(signal.name)]
+        courses = [(run, run.measurements[signal.name]) for run in read]
+        yield _marker(signal.name, signal.unit, value, courses)
+
+
+def _marker(name: str, unit: str, value: float, courses: Sequence[tuple[Run, Array]]) -> Doubt:
     """One value farther from all others than these are apart, as loggers write where there is no reading."""
-    if len(measured) < CRITERIA.doubts.fewest:
-        return
-    for value in (measured.min(), measured.max()):
-        rest = measured[measured != value]
-        span = np.ptp(rest) if len(rest) else 0.0
-        if not span or np.min(np.abs(rest - value)) <= span:
-            continue
-        first = next(r.run for r in runs if value in r.run.measurements.get(signal.name, ()))
-        at = first.time[np.argmax(first.measurements[signal.name] == value)]
-        count = len(measured) - len(rest)
-        shown, low, high = (
-            format_quantity(float(v), signal.unit) for v in (value, rest.min(), rest.max())
-        )
-        yield Doubt(
-            "marker",
-            signal.name,
-            f"{signal.name}: {count} of {len(measured)} samples {_is(count)} {shown}, "
-            f"first at {at:.6g} s of {first.name}; all others lie between {low} and {high}. Where that number marks "
-            'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
-        )
+    every = np.concatenate([values[np.isfinite(values)] for _, values in courses])
+    rest = every[every != value]
+    run, values = next((run, values) for run, values in courses if value in values)
+    first = place_in(run, int(np.argmax(values == value)))
+    count = len(every) - len(rest)
+    shown, low, high = (format_quantity(float(v), unit) for v in (value, rest.min(), rest.max()))
+    return Doubt(
+        "marker",
+        name,
+        f"{name}: {count} of {len(every)} samples {_is(count)} {shown}, first {first}; "
+        f"all others lie between {low} and {high}. Where that number marks "
+        'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
+    )
 
 
 def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:

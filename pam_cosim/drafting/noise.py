@@ -10,6 +10,7 @@ import numpy as np
 
 from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.rest import noise_at_rest
+from pam_cosim.measurement.markers import marker_of
 from pam_cosim.units import format_quantity
 
 
@@ -35,12 +36,9 @@ def sigma_of(
         if sigma > 0.0:
             told.append((sigma, step, rest, course, file))
     if not told:
-        why = (
-            "nothing is at rest long enough"
-            if not any(c.rest for c in courses)
-            else "it shows no noise at rest"
+        return Sigma(
+            None, f"{_why_none(name, courses)}: the software estimates it from the samples"
         )
-        return Sigma(None, f"{why}: the software estimates it from the samples")
     value = float(np.median([one[0] for one in told]))
     _, step, rest, course, file = max(told, key=lambda one: one[2].count)
     first, last = (round(float(course.time[i]), 3) for i in (rest.start, rest.stop - 1))
@@ -48,3 +46,13 @@ def sigma_of(
     steps = f"; recorded in steps of {format_quantity(step, unit)}" if step > value else ""
     more = f" (median of {len(told)} recordings)" if len(told) > 1 else ""
     return Sigma(value, f"the scatter of neighbouring samples {where}{more}{steps}")
+
+
+def _why_none(name: str, courses: Sequence[MappedRecording]) -> str:
+    """Why the recordings tell no noise."""
+    if not any(course.rest for course in courses):
+        return "nothing is at rest long enough"
+    values = [course.outputs[name] for course in courses if name in course.outputs]
+    if values and marker_of(np.concatenate(values)) is not None:
+        return "one number is far from all others, as where a sample is missing"
+    return "it shows no noise at rest"

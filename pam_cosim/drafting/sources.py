@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
@@ -12,12 +13,14 @@ from pam_cosim.measurement.date_times import says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.switch_words import are_switch_words
-from pam_cosim.measurement.table import Layout, Table
+from pam_cosim.measurement.table import Layout, Table, split_heading
 from pam_cosim.measurement.text_table import text_columns
+from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
 from pam_cosim.wording import did_you_mean, shown
 
 MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "---")
 """Words that stand where a sample is missing, in small letters."""
+_STATED = re.compile(r'(\w+) = \[?("?)([^"\]]+)\2')
 _MOST_WORDS = 3  # up, down, and neither
 
 
@@ -92,7 +95,7 @@ def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Recordin
         units_line=stated.units_line,
         table=stated.table,
         ignore=tuple(stated.ignore or ()),
-        missing=frozenset(MISSING if stated.missing is None else map(str.casefold, stated.missing)),
+        missing=frozenset((*MISSING, *map(str.casefold, stated.missing or ()))),
     )
     texts = [_texts(file, layout) for file in files]
     words = _directions(texts)
@@ -138,8 +141,19 @@ def _source(
         raise _with_hint(error) from None
     labels = tuple(texts[heading][0] for heading in left_out if len(texts[heading]) == 1)
     kept = [heading for heading in left_out if layout.keeps(heading, heading)]
-    clocks = tuple(heading for heading in kept if all(map(says_time_of_day, texts[heading])))
+    clocks = tuple(
+        heading
+        for heading in kept
+        if all(map(says_time_of_day, texts[heading])) or _is_called_time(heading)
+    )
+    table = with_clocks_going_on(table)
     return RecordingSource(file, table, left_out, own, labels, clocks)
+
+
+def _is_called_time(heading: str) -> bool:
+    """Whether the name of a column of text says time."""
+    meaning = read_heading(*(split_heading(heading) or (heading, ""))).meaning
+    return meaning is not None and meaning.kind == "time"
 
 
 def _with_hint(error: InputError) -> InputError:
@@ -148,5 +162,7 @@ def _with_hint(error: InputError) -> InputError:
     if "header is missing" in error.message:
         here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
     elif "[recording]" in error.message:
-        here = " (here: --recording KEY=VALUE)"
+        key = _STATED.search(error.message)
+        said = shown(f"{key[1]}={key[3]}") if key else "KEY=VALUE"
+        here = f" (here: --recording {said})"
     return InputError(f"{error.message}{here}", error.file, error.line, error.column)

@@ -14,7 +14,8 @@ from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.measurement import DataSet
 from pam_cosim.measurement.pieces import PAUSES
-from pam_cosim.measurement.recording import LEFT_OUT
+from pam_cosim.measurement.table import LEFT_OUT
+from pam_cosim.measurement.wrapped_clocks import WRAPPED
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed, runs_in_words
 
@@ -133,11 +134,11 @@ def _of_points(made: Draft) -> list[Guess]:
 
 
 def losses(data: DataSet) -> tuple[str, ...]:
-    """Rows that are left out and pauses of the recordings, each with the runs that have them."""
+    """Rows that are left out, pauses and full counters of the recordings, each with the runs that have them."""
     notes: dict[str, list[str]] = {}
     for run in data.runs:
         for note in run.notes:
-            if note.startswith((LEFT_OUT, PAUSES)):
+            if note.startswith((LEFT_OUT, PAUSES, WRAPPED)):
                 notes.setdefault(note, []).append(run.name)
     return tuple(f"{listed(runs)}: {note}" for note, runs in notes.items())
 

@@ -18,6 +18,7 @@ from pam_cosim.drafting.rest import begins_still
 from pam_cosim.drafting.time_column import NO_UNIT
 from pam_cosim.drafting.vocabulary import Meaning
 from pam_cosim.drafting.zeros import ABSOLUTE_GAUGE
+from pam_cosim.measurement.markers import input_marker_of, marker_of
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed, runs_in_words, shown
@@ -37,6 +38,7 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
                 else []
             ),
             *_guessed_clock(made, mapped),
+            *_markers(made, choice),
             *_freely_moving(made, choice),
             *_never_at_rest(made, mapped),
             *_below_zero(made, mapped),
@@ -98,6 +100,24 @@ def _guessed_clock(made: Draft, mapped: Mapped) -> Iterator[str]:
             f"{guess}, so that {made.recordings[longest]} lasts {lasts}: if it does not, write the unit of "
             "time under [columns]"
         )
+
+
+def _markers(made: Draft, choice: BenchChoice) -> Iterator[str]:
+    """Numbers that may mark missing samples, and how to say so; words that were met are said again."""
+    for name, column in choice.fed.items():
+        is_input = name in made.interface.inputs
+        if column.in_names or (is_input and made.points is not None):
+            continue
+        values = column.every[np.isfinite(column.every)]
+        value = input_marker_of(values) if is_input else marker_of(values)
+        if value is not None:
+            rest = values[values != value]
+            words = ",".join([*(made.recording.missing or ()), f"{value:.15g}"])
+            yield (
+                f"{column.name} is {value:.15g} in {len(values) - len(rest)} of {len(values)} samples, and between "
+                f"{rest.min():g} and {rest.max():g} in all others: where that number marks a missing sample, say "
+                f"--recording 'missing={words}'"
+            )
 
 
 def _freely_moving(made: Draft, choice: BenchChoice) -> Iterator[str]:

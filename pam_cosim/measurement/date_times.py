@@ -10,6 +10,12 @@ _DATE_TIME = re.compile(
     r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d([.,]\d+)?)?(Z|[+-]\d\d(:?\d\d)?)?", re.ASCII
 )
 _TIME_OF_DAY = re.compile(r"(.*\D)?\d{1,2}:\d\d(:\d\d([.,]\d+)?)?(\D.*)?", re.ASCII)
+_DATE = re.compile(r"\d{1,2}([./-])\d{1,2}\1(\d{2}|\d{4})|\d{4}([./-])\d{1,2}\3\d{1,2}", re.ASCII)
+
+
+def is_date(cell: str) -> bool:
+    """Whether a cell is written as a day alone, in whatever order: ``12.03.2024``, ``2024-03-12``."""
+    return _DATE.fullmatch(cell) is not None
 
 
 def is_date_time(cell: str) -> bool:

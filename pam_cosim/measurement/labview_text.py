@@ -5,13 +5,15 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from pam_cosim.measurement.table import is_unit
-from pam_cosim.measurement.text_rows import Line, Row
+from pam_cosim.measurement.text_rows import NUMBER, Line, Row
 
 TIME = "x_value"
 """How LabVIEW heads its times, in small letters, again before each channel that has times of its own."""
 _FIRST = "LabVIEW Measurement"
 _END = "***End_of_Header***"
 _UNITS, _ALONG = "Y_Unit_Label", "X_Dimension"
+_START, _STEP = "X0", "Delta_X"
+_COMMENT = "Comment"
 
 
 def end_of_header(lines: Sequence[Line]) -> int:
@@ -36,3 +38,41 @@ def units_above(above: Sequence[Row], count: int) -> list[str] | None:
     along = "s" if "Time" in said.get(_ALONG, ()) else ""
     units = [along, *(cell if is_unit(cell) else "" for cell in said[_UNITS][1:])]
     return [*units, *[""] * count][:count]
+
+
+def completed(lines: list[Line]) -> list[Line]:
+    """The lines, of whose rows none lacks a cell that LabVIEW leaves out.
+
+    Rows without a comment have no cell below ``Comment``, and where the file has no times (``X_Columns No``) they
+    follow from ``X0`` and ``Delta_X``. A text that LabVIEW did not write stays as it is.
+    """
+    end = end_of_header(lines)
+    below = [i for i, (number, _) in enumerate(lines) if number > end] if end else []
+    heading = lines[below[0]][1] if below else ""
+    if not heading.casefold().startswith(TIME):
+        return lines
+    separator, rows = heading[len(TIME) : len(TIME) + 1], lines[below[0] + 1 :]
+    if separator and heading.split(separator)[-1].strip() == _COMMENT:
+        full = heading.count(separator)
+        rows = [(n, _with_comment(row, separator, full)) for n, row in rows]
+    if separator and all(row.startswith(separator) for _, row in rows):
+        times = _times(lines[: below[0]], separator, len(rows))
+        rows = [(n, time + row) for time, (n, row) in zip(times, rows, strict=True)]
+    return [*lines[: below[0] + 1], *rows]
+
+
+def _with_comment(row: str, separator: str, full: int) -> str:
+    """A row, which if it has no comment has an empty one."""
+    return row + separator if row.count(separator) == full - 1 else row
+
+
+def _times(above: Sequence[Line], separator: str, count: int) -> list[str]:
+    """The times of so many rows as LabVIEW writes them; empty where the channels' times differ or are not said."""
+    said = {key: set(cells) for _, line in above for key, *cells in [line.split(separator)]}
+    first, step = (sorted(said.get(key, set()) - {""}) for key in (_START, _STEP))
+    numbers = [*first, *step]
+    if len(first) != 1 or len(step) != 1 or not all(map(NUMBER.fullmatch, numbers)):
+        return [""] * count
+    begin, interval = (float(one.replace(",", ".")) for one in numbers)
+    times = [f"{begin + k * interval:.12g}" for k in range(count)]
+    return [one.replace(".", ",") for one in times] if "," in "".join(numbers) else times

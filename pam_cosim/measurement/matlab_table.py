@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -12,6 +12,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.hdf5_table import is_hdf5, read_hdf5
 from pam_cosim.measurement.table import Column, Layout, Table, check_names, headed, same_length
 from pam_cosim.wording import did_you_mean, listed, shown
+
+_LABELS = ("label", "name")
 
 
 def read_matlab(file: Path, stated: Layout) -> Table:
@@ -34,33 +36,54 @@ def read_matlab(file: Path, stated: Layout) -> Table:
         raise InputError(f"this file cannot be read as MATLAB's: {error}", file) from None
     variables = {name: value for name, value in content.items() if not name.startswith("__")}
     columns = list(_columns(_chosen(variables, stated.table, file), stated, file))
+    if not columns and not stated.ignore:
+        raise InputError(f"there is no vector of numbers; the file holds {_held(variables)}", file)
     return Table(file, same_length(columns, file))
 
 
 def _chosen(variables: Mapping[str, Any], name: str | None, file: Path) -> Any:
+    """What is stated, as ``log/signals`` within a structure; else all, where it has a vector, or the structure."""
     if name is not None:
-        if name not in variables:
+        places = dict(_places(variables))
+        if name.strip("/") not in places:
             raise InputError(
-                f"there is no variable {shown(name)}; {did_you_mean(name, variables)}", file
+                f"there is no variable {shown(name)}; {did_you_mean(name, places)}", file
             )
-        return variables[name]
+        return places[name.strip("/")]
     if any(_is_vector(value) for value in variables.values()):
         return variables
-    structures = [one for one, value in variables.items() if _fields(value)]
+    structures = [one for one, value in variables.items() if _structures(value)]
     if len(structures) != 1:
-        message = f"there is no vector of numbers among {listed(variables)}"
+        message = f"there is no vector of numbers among {_held(variables)}"
         raise InputError(
             f"{message}; state a structure or a matrix under [recording], as table = ...", file
         )
     return variables[structures[0]]
 
 
-def _fields(value: Any) -> dict[str, Any]:
-    """Fields of a structure."""
-    if isinstance(value, np.ndarray | np.void) and value.dtype.names and value.size == 1:
-        one = value.reshape(-1)[0] if isinstance(value, np.ndarray) else value
-        return {name: one[name] for name in value.dtype.names}
-    return {}
+def _places(fields: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, Any]]:
+    """Everything in a file by its path."""
+    for name, value in fields.items():
+        yield above + name, value
+        inner = _structures(value)
+        if len(inner) == 1:
+            yield from _places(inner[0], f"{above}{name}/")
+
+
+def _structures(value: Any) -> list[dict[str, Any]]:
+    """The fields of a structure, or of each of a row of them or of cells."""
+    if isinstance(value, np.ndarray) and value.dtype == object and not value.dtype.names:
+        return [fields for one in value.flat for fields in _structures(one)]
+    if not isinstance(value, np.ndarray | np.void) or not value.dtype.names or _is_object(value):
+        return []
+    return [{name: one[name] for name in value.dtype.names} for one in np.atleast_1d(value).flat]
+
+
+def _is_object(value: Any) -> bool:
+    """Whether it is of a class of MATLAB's, such as a table or a timeseries, whose layout is not public."""
+    from scipy.io.matlab import MatlabFunction, MatlabOpaque
+
+    return isinstance(value, MatlabFunction | MatlabOpaque)
 
 
 def _is_vector(value: Any) -> bool:
@@ -72,6 +95,20 @@ def _is_vector(value: Any) -> bool:
     )
 
 
+def _held(variables: Mapping[str, Any]) -> str:
+    """What a file holds, for people."""
+    return listed(f"{name} ({_described(value)})" for name, value in variables.items())
+
+
+def _described(value: Any) -> str:
+    inner = _structures(value)
+    if inner:
+        return f"structure of {listed(inner[0])}"
+    if isinstance(value, np.ndarray) and value.dtype.kind in "fiu":
+        return f"{' x '.join(map(str, value.shape))} numbers"
+    return "an object, which only MATLAB reads" if _is_object(value) else "no numbers"
+
+
 def _columns(chosen: Any, stated: Layout, file: Path) -> Iterator[Column]:
     if (
         isinstance(chosen, np.ndarray)
@@ -80,14 +117,44 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> Iterator[Column]:
         and stated.names
     ):
         check_names(stated.names, chosen.shape[1], file)
-        vectors = dict(zip(stated.names, chosen.T, strict=True))
+        vectors = list(zip(stated.names, chosen.T, strict=True))
     elif isinstance(chosen, np.ndarray) and chosen.ndim == 2:
         raise InputError(
             'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
         )
     else:
-        vectors = dict(chosen) if isinstance(chosen, Mapping) else _fields(chosen)
-    for heading, values in vectors.items():
+        fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
+        vectors = _named([one for own in fields for one in _vectors(own)])
+    for heading, values in vectors:
         name, unit = headed(heading, "", file)
         if _is_vector(np.asarray(values)) and stated.keeps(heading, name):
             yield Column(name, unit, np.array(values, dtype=float), heading)
+
+
+_Path = tuple[str, ...]
+
+
+def _vectors(fields: Mapping[str, Any], above: _Path = ()) -> list[tuple[_Path, Any]]:
+    """The vectors among some fields; where these are no two, which a table needs, those of structures within too.
+
+    One that is alone with a text called label or name, as Simulink and dSPACE write signals, is called by that.
+    """
+    own = [name for name, value in fields.items() if _is_vector(np.asarray(value))]
+    label = next((v for n, v in fields.items() if n.casefold() in _LABELS and _is_text(v)), None)
+    names = [label] if above and label and len(own) == 1 else own
+    found = [((*above, name), fields[one]) for name, one in zip(names, own, strict=True)]
+    if len(own) > 1:
+        return found
+    within = [(name, one) for name, value in fields.items() for one in _structures(value)]
+    return [*found, *(pair for name, one in within for pair in _vectors(one, (*above, name)))]
+
+
+def _is_text(value: Any) -> bool:
+    return isinstance(value, str) and bool(value.strip())
+
+
+def _named(vectors: Sequence[tuple[_Path, Any]]) -> list[tuple[str, Any]]:
+    """Vectors by their last names, or where these are not different by their paths."""
+    short = {path[-1] for path, _ in vectors}
+    differ = len(short) == len(vectors)
+    return [(path[-1] if differ else ".".join(path), values) for path, values in vectors]

@@ -1,4 +1,4 @@
-"""Recordings with gaps: a logger that paused, a counter of time that wrapped or began anew.
+"""Recordings with gaps: a logger that paused, a clock that began anew.
 
 ``gaps = "split"``: each piece is a run of its own, with a start of its own. ``gaps = "through"``: the model runs
 through the gaps, with the inputs as they are recorded before and after; time that goes back goes on one interval later.

@@ -20,6 +20,7 @@ from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of, with_held_values
 from pam_cosim.measurement.table import TIME, Column, Layout, Table
+from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import UnitError, parse_quantity
@@ -118,6 +119,7 @@ def _recording(
     stated, renaming = _stated(document, entry), _renaming(document, entry, *place)
     _check_table(document, entry, file, *place)
     table = read_table(file, _layout(stated, renaming, interface))
+    table = with_clocks_going_on(table, renaming.clock)
     if stated.interval is not None:
         where: KeyPath = (
             (*place, "recording") if entry.recording.interval is not None else ("recording",)

@@ -12,13 +12,10 @@ from numpy.typing import NDArray
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
-from pam_cosim.measurement.table import TIME, Table
+from pam_cosim.measurement.table import LEFT_OUT, TIME, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
-
-LEFT_OUT = "left out:"
-"""How a note on rows that are not read begins."""
 
 
 @dataclass(frozen=True)

@@ -16,6 +16,8 @@ from pam_cosim.units import UnitError, convert, pressure_reference
 from pam_cosim.wording import shown
 
 TIME = "time"
+LEFT_OUT = "left out:"
+"""How a note on rows that are not read begins."""
 LONGEST_HEADING = 500  # letters; what is longer is no name
 _BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 _ROUND = re.compile(r"(.+?)\s*\(((?:[^()]|\([^()]*\))+)\)")

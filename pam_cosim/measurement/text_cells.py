@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import json
 import math
 import re
 from collections.abc import Iterator, Mapping, Sequence
@@ -13,10 +14,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import date_time, seconds_between
+from pam_cosim.measurement.date_times import date_time, is_date, seconds_between
 from pam_cosim.measurement.switch_words import SWITCH_WORDS
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
+from pam_cosim.measurement.text_units import unit_behind
 from pam_cosim.wording import shown
 
 _BLOCK = 20_000  # Lines that are turned into numbers at once.
@@ -39,6 +41,7 @@ class Reader:
         self.missing: frozenset[str] = frozenset()
         self.clock: frozenset[int] | None = None  # places of columns of times; None: not known
         self.dates: dict[int, str] = {}  # places of columns of dates with times of day: the first
+        self.units: dict[int, str] = {}  # by place, behind the number in every cell
         self.met: dict[str, None] = {}
         self._lines: list[Line] = []
 
@@ -48,7 +51,7 @@ class Reader:
             if "." in line or "," in line:
                 cells = self._split(number, line)
                 for i in (i for i in self.keep if i not in self.dates):
-                    yield number, cells[i] if i < len(cells) else ""
+                    yield number, self._bare(cells[i], i) if i < len(cells) else ""
 
     def columns(self, lines: list[Line]) -> list[NDArray[np.float64]]:
         """(n,) of each column that is kept; NaN where a cell is empty."""
@@ -75,6 +78,11 @@ class Reader:
                 self.met[word] = None
                 values = np.where(there, np.nan, values)
         return values
+
+    def _bare(self, cell: str, column: int) -> str:
+        """A cell without the unit that is behind the numbers of its column."""
+        unit = self.units.get(column, "")
+        return cell.removesuffix(unit).rstrip() if unit else cell
 
     def _with_point(self, cell: str) -> str:
         """A number as this text writes it, with a decimal point."""
@@ -121,6 +129,8 @@ class Reader:
                 return np.array([words[cell] for cell in small])
         if words is SWITCH_WORDS:
             return None
+        if column in self.units:
+            cells = [self._bare(cell.strip(), column) for cell in cells]
         return _floats(cells, self.decimal)
 
     def _seconds(self, cells: Sequence[str], first: str) -> NDArray[np.float64] | None:
@@ -170,6 +180,7 @@ class Reader:
         words = self.words[column]
         if cell.casefold() in words:
             return words[cell.casefold()]
+        written, cell = cell, self._bare(cell, column)
         number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
         name = self.names[column]
         is_number = _NUMBER.fullmatch(number) and not (self.decimal == "," and "." in cell)
@@ -177,7 +188,7 @@ class Reader:
             wrong = (
                 f"{shown(cell)} is none of {', '.join(words)}"
                 if words
-                else self._not_a_number(cell, column)
+                else self._not_a_number(written, column)
             )
             raise InputError(wrong, self.file, line, name)
         value = float(number)
@@ -206,6 +217,10 @@ class Reader:
         return bool(with_comma) and all(map(_GROUPED.fullmatch, with_comma))
 
     def _not_a_number(self, cell: str, column: int) -> str:
+        if column in self.units and unit_behind(cell):
+            return (
+                f"{shown(cell)} has another unit than the first cell, {shown(self.units[column])}"
+            )
         if cell.lower().lstrip("+-") in _NOT_FINITE:
             where = (
                 f', or state the word under [recording]: missing = ["{cell}"]'
@@ -224,9 +239,20 @@ class Reader:
                 stated = 'state decimal = "," under [recording]'
                 return f"{shown(cell)} has a decimal comma; write a decimal point, or {stated} where all numbers do"
             return f"{shown(cell)} has a decimal point, other numbers have decimal commas"
+        if is_date(cell):
+            left_out = f"ignore = {_as_list(self.names[column])}"
+            return f"{shown(cell)} is a date without a time of day; leave it out under [recording]: {left_out}"
         if re.fullmatch(r"[+-]?\d+(?:[.,]\d+)+", cell, re.ASCII):
             return f"{shown(cell)} is grouped by thousands; write it without"
-        return f"{shown(cell)} is not a number"
+        if any(map(str.isdigit, cell)):
+            return f"{shown(cell)} is not a number"
+        stated = f"missing = {_as_list(cell)}"
+        return f"{shown(cell)} is not a number; where it stands for a missing sample, state {stated} under [recording]"
+
+
+def _as_list(word: str) -> str:
+    """A list of one word, as ``experiment.toml`` has it."""
+    return json.dumps([word], ensure_ascii=False)
 
 
 def _floats(cells: list[str], decimal: str) -> NDArray[np.float64] | None:

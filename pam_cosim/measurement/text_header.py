@@ -7,7 +7,7 @@ import re
 from dataclasses import dataclass
 
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.table import Layout, names_unit
+from pam_cosim.measurement.table import Layout, is_unit, names_unit
 from pam_cosim.measurement.text_rows import (
     COMMENT,
     Line,
@@ -44,6 +44,7 @@ def header_of(
         return _stated_header(separator, above, count, stated)
     if not above:
         return _header_in_comment(separator, comments, count) or _NO_HEADER
+    above = _without_labels(above, count)
     last = above[-1]
     if len(above) > 1 and _are_units(last.cells):
         names = _names(separator, above[-2].text, count)
@@ -55,7 +56,25 @@ def header_of(
     decimal = (
         "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
     )
-    return f"this row has {count} cells, the header has {len(names)}{decimal}"
+    said = f"this row has {count} cells, the header has {len(names)}{decimal}"
+    fits = [row for row in above[:-1] if len(_names(separator, row.text, count)) == count]
+    return f"{said}; {other_line(fits[-1].number)}" if fits and not decimal else said
+
+
+def other_line(number: int) -> str:
+    """What to state where names stand elsewhere, such as on this line."""
+    return f"where another line holds the names, state it under [recording]: header_line = {number}"
+
+
+def _without_labels(above: list[Row], count: int) -> list[Row]:
+    """The rows less those just above the numbers that say one word of all columns, such as their type, or of none."""
+    while len(above) > 1 and len(above[-2].cells) >= count and _says_one_word(above[-1], count):
+        above = above[:-1]
+    return above
+
+
+def _says_one_word(row: Row, count: int) -> bool:
+    return _ends(count, row.cells) and count > 1 and len({cell for cell in row.cells if cell}) == 1
 
 
 _NO_HEADER = (
@@ -106,13 +125,29 @@ def _stated_header(separator: str, above: list[Row], count: int, stated: Layout)
 
 
 def _bare(units: list[str]) -> list[str]:
-    """Units without brackets around them."""
-    return [re.sub(r"[\[(](.*)[\])]", r"\1", unit).strip() for unit in units]
+    """Units without brackets around them, and without the capital that their names never have."""
+    bare = [re.sub(r"[\[(](.*)[\])]", r"\1", unit).strip() for unit in units]
+    return [unit.lower() if _is_capitalised(unit) else unit for unit in bare]
+
+
+def _is_capitalised(cell: str) -> bool:
+    """Whether a cell is the name of a unit but for its capital, as in ``Volt``."""
+    return cell.istitle() and not is_unit(cell) and is_unit(cell.lower())
+
+
+_UNIT = ("unit", "units", "einheit", "einheiten", "unité", "unités")
+"""Words at the beginning of a row of units."""
 
 
 def _are_units(cells: list[str]) -> bool:
+    if cells and cells[0].casefold() in _UNIT:
+        cells = cells[1:]
     bracketed = all(not cell or (cell[0] + cell[-1] in ("[]", "()")) for cell in cells)
-    return any(cells) and (bracketed or all(map(names_unit, cells)))
+    return any(cells) and (bracketed or all(map(_names_unit, cells)))
+
+
+def _names_unit(cell: str) -> bool:
+    return names_unit(cell) or _is_capitalised(cell)
 
 
 def _names(separator: str, text: str, count: int) -> list[str]:

@@ -32,6 +32,7 @@ from pam_cosim.measurement.text_rows import (
     rows_of,
     split_cells,
 )
+from pam_cosim.measurement.text_units import is_measured, is_measured_row
 from pam_cosim.wording import shown
 
 SEPARATORS = {";": ";", "tab": "\t", ",": ",", "blank": " "}
@@ -51,6 +52,7 @@ class TextLayout:
         start: index of the first row among the lines.
         consistent: every line looked at is a row of numbers.
         complaint: the line at fault and why, where there is no header for the rows.
+        passed_over: rows above the header, of what was logged before.
     """
 
     separator: str
@@ -59,6 +61,7 @@ class TextLayout:
     start: int
     consistent: bool = True
     complaint: tuple[int, str] | None = None
+    passed_over: int = 0
 
 
 def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
@@ -143,9 +146,44 @@ def _layout_by(separator: str, lines: list[Line], stated: Layout) -> TextLayout 
     """The layout by this separator; None when there are no rows."""
     stated_lines = (stated.header_line or 0, stated.units_line or 0)
     after = max(*stated_lines, labview_text.end_of_header(lines))
+    layout = _layout_below(after, separator, lines, stated)
+    if layout is None or not layout.complaint or any(stated_lines):
+        return layout
+    return _layout_further_down(layout.start, separator, lines, stated) or layout
+
+
+def _layout_further_down(
+    start: int, separator: str, lines: list[Line], stated: Layout
+) -> TextLayout | None:
+    """The layout of all rows below a header that stands lower than the first row, at ``start``; None: there is none.
+
+    A logger that is switched on again while a line is written goes on with what it says of itself, and the header.
+    """
+    looked_at = lines[start : start + LOOKED_AT]
+    rows = [_is_row(separator, line, stated.missing) for _, line in looked_at]
+    for k in (k for k in range(1, len(rows) - 1) if not rows[k] and rows[k + 1]):
+        layout = _layout_below(looked_at[k][0], separator, lines, stated)
+        if layout is not None and layout.consistent:
+            named = not any(is_number(heading) for heading, _ in layout.headings)
+            return replace(layout, passed_over=sum(rows[:k])) if named else None
+    return None
+
+
+def _is_row(separator: str, line: str, missing: frozenset[str]) -> bool:
+    with suppress(csv.Error):
+        return is_row(split_cells(line, separator), missing)
+    return False
+
+
+def _layout_below(
+    after: int, separator: str, lines: list[Line], stated: Layout
+) -> TextLayout | None:
+    """The layout of the rows below a line; None where there are none."""
     rows, start = rows_of(separator, lines, after, partial(is_row, missing=stated.missing))
     if start is None:
         rows, start = rows_of(separator, lines, after, is_dated_row)
+    if start is None:
+        rows, start = rows_of(separator, lines, after, is_measured_row)
     if start is None:
         return None
     start = first_row(rows, start)
@@ -170,7 +208,9 @@ def _name_in(heading: str) -> str:
 def _fits(cells: list[str], count: int, kept: list[int], missing: frozenset[str]) -> bool:
     if len(cells) < count or any(cells[count:]):
         return False
-    return all(not cells[i] or is_number(cells[i]) or cells[i].casefold() in missing for i in kept)
+    return all(
+        not cells[i] or is_measured(cells[i]) or cells[i].casefold() in missing for i in kept
+    )
 
 
 def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -> str:

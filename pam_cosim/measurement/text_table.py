@@ -13,13 +13,15 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.date_times import date_time, is_date_time
+from pam_cosim.measurement.date_times import date_time, is_date, is_date_time
 from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
-from pam_cosim.measurement.table import Column, Layout, Table, split_heading
+from pam_cosim.measurement.table import LEFT_OUT, Column, Layout, Table, split_heading
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
+from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
+from pam_cosim.measurement.text_units import unit_of
 from pam_cosim.wording import shown
 
 _TALLEST = 8  # Lines of one quoted cell.
@@ -42,15 +44,18 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     """
     text, encoding = read_any_text(file, stated.encoding)
     lines = _filled_lines(text)
+    is_ended = _is_ended(text)
     del text
     if not lines:
         raise InputError("the file is empty; begin with a header such as 'time [s],p [kPa]'", file)
-    layout = find_layout(lines, stated, file)
+    layout = _layout(lines, is_ended, stated, file)
     names = _names(layout, file)
     keep = [i for i, (name, _) in enumerate(names) if stated.keeps(layout.headings[i][0], name)]
     body = [
         line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])
     ]
+    cut = None if is_ended else _cut_short(body, layout)
+    body = body[:-1] if cut else body
     reader = Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
@@ -60,6 +65,9 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     for i in keep:
         if not reader.words[i] and are_switch_words(_present(beginning, i, stated.missing)[:1]):
             reader.words[i] = SWITCH_WORDS
+        elif not reader.words[i] and i not in reader.dates:
+            reader.units |= _unit_in_cells(_present(beginning, i, stated.missing), i)
+    names = _with_units(names, reader.units, layout, file)
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
     columns = {
         names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
@@ -67,13 +75,67 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     }
     columns |= _since_first(columns, reader)
     numbers = np.array([number for number, _ in body], dtype=np.int64)
-    notes, met = _notes(layout, encoding, reader.decimal), tuple(reader.met)
-    return Table(file, columns, layout.header_line or None, numbers, notes, met)
+    notes = (*_notes(layout, encoding, reader.decimal), *_lost(layout, cut))
+    return Table(file, columns, layout.header_line or None, numbers, notes, tuple(reader.met))
+
+
+def _is_ended(text: str) -> bool:
+    """Whether the last line has an end."""
+    return text.endswith(("\n", "\r"))
+
+
+def _layout(lines: list[Line], is_ended: bool, stated: Layout, file: Path) -> TextLayout:
+    """How the lines are written; a last one without an end may be cut short, and the others tell if they can."""
+    if not is_ended and len(lines) > 1:
+        with suppress(InputError):
+            layout = find_layout(lines[:-1], stated, file)
+            if layout.consistent:
+                return layout
+    return find_layout(lines, stated, file)
+
+
+def _cut_short(body: Sequence[Line], layout: TextLayout) -> int | None:
+    """The number of the last line, which has no end, where it lacks cells: it was cut as the recording stopped."""
+    last = _rows(body[-1:], layout.separator)
+    cut = len(body) > 1 and last and len(last[0]) < len(layout.headings)
+    return body[-1][0] if cut else None
+
+
+def _lost(layout: TextLayout, cut: int | None) -> Iterator[str]:
+    """Notes on rows that are not read."""
+    if layout.passed_over:
+        rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
+        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
+    if cut is not None:
+        yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"
+
+
+def _unit_in_cells(cells: Sequence[str], place: int) -> dict[int, str]:
+    """The unit that is behind every number of a column, by its place; none where there is none."""
+    unit = unit_of(cells)
+    return {place: unit} if unit else {}
+
+
+def _with_units(
+    names: Sequence[tuple[str, str]], units: Mapping[int, str], layout: TextLayout, file: Path
+) -> list[tuple[str, str]]:
+    """Names and units of the columns, of which some have units in their cells.
+
+    Raises:
+        InputError: a heading states another unit.
+    """
+    for i, unit in units.items():
+        name, stated = names[i]
+        if stated not in ("", unit):
+            message = f"its heading says {shown(stated)}, its cells {shown(unit)}"
+            raise InputError(message, file, layout.header_line or None, name)
+    return [(name, units.get(i, unit)) for i, (name, unit) in enumerate(names)]
 
 
 def _filled_lines(text: str) -> list[Line]:
     """The lines that are not blank, with their numbers."""
-    return [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    filled = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
+    return labview_text.completed(filled)
 
 
 def _words_of_columns(
@@ -125,9 +187,11 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
     lines = _filled_lines(text)
     if not lines:
         return {}
-    layout = find_layout(lines, stated, file)
+    layout = _layout(lines, _is_ended(text), stated, file)
     looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
-    texts = [i for i in range(len(layout.headings)) if _is_text(_filled(looked_at, i))]
+    cells = [_filled(looked_at, i) for i in range(len(layout.headings))]
+    known = [_present(looked_at, i, stated.missing) for i in range(len(layout.headings))]
+    texts = [i for i, own in enumerate(cells) if _is_text(own) and not unit_of(known[i])]
     rows = _rows(lines[layout.start :], layout.separator) if texts else []
     return {layout.headings[i][0]: tuple(dict.fromkeys(_filled(rows, i))) for i in texts}
 
@@ -144,7 +208,12 @@ def _present(rows: Sequence[Sequence[str]], column: int, missing: Container[str]
 
 def _is_text(cells: Sequence[str]) -> bool:
     """Whether there are cells, none of them is meant as a number, and not all are dates with times of day."""
-    return bool(cells) and not (any(map(_MEANT.fullmatch, cells)) or all(map(is_date_time, cells)))
+    return bool(cells) and not (any(map(_is_meant, cells)) or all(map(is_date_time, cells)))
+
+
+def _is_meant(cell: str) -> bool:
+    """Whether a cell is meant as a number: a date such as 12.03.2024 is not."""
+    return _MEANT.fullmatch(cell) is not None and not is_date(cell)
 
 
 def _rows(lines: Sequence[Line], separator: str) -> list[list[str]]:
@@ -192,7 +261,9 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
         if name.casefold() == labview_text.TIME and name in seen:
             name = f"{name} {1 + sum(one.startswith(name) for one in seen)}"
         if name in seen:
-            raise InputError("this column stands twice in the header; rename one", file, line, name)
+            hint = f"; or, {other_line(line - 1)}" if line is not None and line > 1 else ""
+            message = f"this column stands twice in the header; rename one{hint}"
+            raise InputError(message, file, line, name)
         if unit and below and unit != below:
             raise InputError(
                 f"its heading says {shown(unit)}, the row of units {shown(below)}", file, line, name

@@ -53,6 +53,17 @@ def test_a_number_that_is_no_reading_is_named(count: int, verb: str) -> None:
     assert "marker" not in {d.kind for d in asked(compared(measured, PRESSURE))}
 
 
+@pytest.mark.parametrize(("held", "told"), [(1, True), (4, False)])
+def test_a_number_that_is_no_reading_of_an_input_is_named(held: int, told: bool) -> None:
+    """A command of few steps, each of which it holds, has none."""
+    run = compared(noisy(PRESSURE), PRESSURE)
+    command = np.repeat(np.sin(TIME[: len(TIME) // held + 1]), held)[: len(TIME)]
+    command[40:48] = 9999.0
+    made = replace(run, run=replace(run.run, inputs={"u": command}))
+    kinds = [(doubt.kind, doubt.signal) for doubt in asked(made)]
+    assert (("marker", "u") in kinds) is told
+
+
 @pytest.mark.parametrize(
     ("measured", "words"),
     [

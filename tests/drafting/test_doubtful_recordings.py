@@ -269,3 +269,67 @@ def test_rows_of_several_experiments_are_not_taken_to_be_evenly_apart(tmp_path: 
     file = appended(tmp_path / "all.csv", heading, ["1", "2", "3"], 0.0, ".1f")
     with pytest.raises(InputError, match="a third row at 0 s"):
         pam.new(tmp_path / "rig", [file])
+
+
+def test_a_word_among_numbers_is_asked_about(tmp_path: Path) -> None:
+    """It was no number, and nothing said what to do; words that are known need not be stated again."""
+    cells = dict.fromkeys(range(300, 310), "OVLD") | {315: "-"}
+    rows = [[0.01 * k, a, cells.get(k, b), c] for k, (a, b, c) in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join(["time [s]", *SET]), rows)
+    with pytest.raises(InputError, match=r"'OVLD' is not a number.*--recording 'missing=OVLD'"):
+        pam.new(tmp_path / "rig", [file])
+    made = pam.new(tmp_path / "rig", [file], recording={"missing": "OVLD"})
+    assert written(made)["recording"]["missing"] == ["OVLD", "-"]
+    assert made.data.runs[0].sample_count("p") == len(rows) - 11
+
+
+def test_lines_that_a_logger_cut_short_are_said(tmp_path: Path) -> None:
+    rows = [[0.01 * k, *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", "31,0.1\nReady\n" + ",".join(["time [s]", *SET]), rows)
+    file.write_text(file.read_text() + "40")
+    made = pam.new(tmp_path / "rig", [file])
+    assert len(made.data.runs[0].time) == len(rows)
+    assert len(said(made, "left out: the row above the header")) == 1
+    assert len(said(made, "left out: the last line, 404, which was cut short")) == 1
+
+
+@pytest.mark.parametrize("name", ["time_us", "micros"])
+def test_a_full_counter_parts_no_recording(tmp_path: Path, name: str) -> None:
+    rows = [[(2**32 - 10**6 + 10_000 * k) % 2**32, *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join([name, *SET]), rows)
+    made = pam.new(tmp_path / "rig", [file])
+    (run,) = made.data.runs
+    np.testing.assert_allclose(np.diff(run.time), 0.01)
+    assert len(said(made, "a: a counter was full once")) == 1
+
+
+@pytest.mark.parametrize("place", [1, 2], ids=["p_set", "p"])
+def test_a_number_that_marks_missing_samples_is_named(tmp_path: Path, place: int) -> None:
+    """As `compare` names it, with what to say; the noise is not called none."""
+    rows = [[0.01 * k, f"{2 * k:.1f}", *row[1:]] for k, row in enumerate(steps())]
+    for k in (60, 61, 250):
+        rows[k][place] = 9999
+    rows[80][3] = "-"
+    file = write(tmp_path / "a.csv", ",".join(["time [s]", "p_set [kPa]", *SET[1:]]), rows)
+    made = pam.new(tmp_path / "rig", [file])
+    (line,) = said(made, "marks a missing sample")
+    assert "is 9999 in 3 of 400 samples" in line
+    assert line.endswith("say --recording 'missing=-,9999'")
+    if place == 2:
+        (sigma,) = [one for one in made.guesses if one.what == "sigma of p"]
+        assert "no noise" not in sigma.why
+    made = pam.new(tmp_path / "known", [file], recording={"missing": "-,9999"})
+    assert not said(made, "marks a missing sample")
+    assert written(made)["recording"]["missing"] == ["-", "9999"]
+
+
+@pytest.mark.parametrize("units", [("s", "s"), ("s", "min")], ids=["one unit", "two units"])
+def test_times_with_units_make_no_points_at_rest(tmp_path: Path, units: tuple[str, str]) -> None:
+    rows = [[f"{0.01 * k:.2f} {units[k // 200]}", *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join(["Time", *SET]), rows)
+    if units[0] != units[1]:
+        with pytest.raises(InputError, match=r"'Time': this text says when.*'ignore=Time'"):
+            pam.new(tmp_path / "rig", [file])
+        return
+    made = pam.new(tmp_path / "rig", [file])
+    np.testing.assert_allclose(made.data.runs[0].time, 0.01 * np.arange(400), atol=1e-9)

@@ -246,3 +246,60 @@ def test_named_types_and_empty_data_sets_are_no_columns(tmp_path: Path) -> None:
         out["mytype"] = np.dtype("f8")
         out["nothing"] = h5py.Empty("f8")
     assert set(read_table(file).columns) == {"time", "p", "x"}
+
+
+def structures(kind: str) -> dict[str, object]:
+    """The same recording as programs nest it."""
+    p, x = ({"values": v, "label": n, "rank": 1} for v, n in ((P, "p [kPa]"), (X, "x [mm]")))
+    row = np.array([tuple(p.values()), tuple(x.values())], dtype=[(name, object) for name in p])
+    return {
+        "within": {"log": {"time": TIME, "signals": {"p": P, "x": X}, "rate": 10.0}},
+        "beside": {"time": TIME, "log": {"signals": {"p": P, "x": X}}},
+        "a row": {"ScopeData": {"time": TIME, "signals": row}},
+        "cells": {"ScopeData": {"time": TIME, "signals": np.array([p, x])}},
+        "alike": {"log": {"time": TIME, "p": {"values": P}, "x": {"values": X}}},
+    }[kind]  # type: ignore[return-value]
+
+
+@pytest.mark.parametrize(
+    ("kind", "names"),
+    [
+        ("within", ["time", "p", "x"]),
+        ("beside", ["time", "p", "x"]),
+        ("a row", ["time", "p", "x"]),
+        ("cells", ["time", "p", "x"]),
+        ("alike", ["time", "p.values", "x.values"]),
+    ],
+)
+def test_structures_within_structures(tmp_path: Path, kind: str, names: list[str]) -> None:
+    file = tmp_path / "a.mat"
+    scipy.io.savemat(file, structures(kind))
+    columns = read_table(file).columns
+    assert list(columns) == names
+    for column, values in zip(columns.values(), (TIME, P, X), strict=True):
+        np.testing.assert_array_equal(column.values, values)
+
+
+def test_what_is_within_a_structure_that_is_a_table_is_no_column(tmp_path: Path) -> None:
+    file = tmp_path / "a.mat"
+    scipy.io.savemat(file, {"time": TIME, "p": P, "setup": {"gains": [1.0, 2.0], "p": X}})
+    assert list(read_table(file).columns) == ["time", "p"]
+
+
+def test_a_structure_is_stated_by_its_path(tmp_path: Path) -> None:
+    file = tmp_path / "a.mat"
+    scipy.io.savemat(file, {"log": {"a": {"time": TIME, "p": P}, "b": {"time": TIME, "p": X}}})
+    read = read_table(file, Layout(table="log/b")).columns["p"]
+    np.testing.assert_array_equal(read.values, X)
+    with pytest.raises(InputError, match="no variable 'log/c'; .*log/a, .*log/b"):
+        read_table(file, Layout(table="log/c"))
+
+
+def test_a_file_without_vectors_says_what_it_holds(tmp_path: Path) -> None:
+    file = tmp_path / "a.mat"
+    scipy.io.savemat(file, {"data": MATRIX, "who": "me"})
+    with pytest.raises(InputError, match=r"data \(3 x 3 numbers\), who \(no numbers\); state"):
+        read_table(file)
+    scipy.io.savemat(file, {"log": {"data": MATRIX, "who": "me"}})
+    with pytest.raises(InputError, match=r"the file holds log \(structure of data, who\)"):
+        read_table(file)

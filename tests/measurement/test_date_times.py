@@ -10,6 +10,7 @@ import pytest
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import Layout
+from pam_cosim.measurement.text_table import text_columns
 
 
 def table_of(folder: Path, text: str, layout: Layout | None = None):
@@ -71,3 +72,14 @@ def test_numbers_that_may_be_grouped_by_thousands(tmp_path: Path) -> None:
     assert "decimal =" not in caught.value.message
     with pytest.raises(InputError, match='state decimal = ","'):
         table_of(tmp_path, grouped + '2,"0,5"\n')
+
+
+@pytest.mark.parametrize("day", ["12.03.2024", "12.3.24", "2024.03.12", "12/03/2024", "2024-03-12"])
+def test_a_day_alone_is_text(tmp_path: Path, day: str) -> None:
+    """It was called a number that is grouped by thousands."""
+    text = f"Datum;t;p\n{day};0,5;1\n{day};1,5;2\n"
+    file = tmp_path / "a.csv"
+    file.write_text(text)
+    assert text_columns(file, Layout()) == {"Datum": (day,)}
+    with pytest.raises(InputError, match=r"is a date without a time of day.*ignore = .\"Datum\""):
+        read_table(file)

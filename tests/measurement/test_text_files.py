@@ -182,6 +182,7 @@ FAULTS = [
     ("cells in a row", "a;b\n0,5;1\n1,5;2;3\n", {}, 3, None, ["3 cells", "has 2"]),
     ("first row at fault", "a;b\n0,5;x\n1,5;2\n", {}, 2, "b", ["'x'", "not a number"]),
     ("text", "a;b\n0,5;1\n1,5;x\n", {}, 3, "b", ["'x'", "not a number"]),
+    ("a word", "a;b\n0,5;1\n1,5;OVLD\n", {}, 3, "b", ["'OVLD'", 'missing = ["OVLD"]']),
     ("no header", "0;1\n1;2\n", {}, 1, None, ["names = ["]),
     ("no rows", "just a letter\nof two lines\n", {}, 2, None, ["no rows"]),
     ("unlike units", "a [ms];b\ns;kPa\n0;1\n", {}, 1, "a", ["'ms'", "'s'"]),
@@ -304,3 +305,78 @@ def test_a_time_may_be_a_number_that_means_missing_elsewhere(
     (run,) = pam.read(tmp_path).runs
     np.testing.assert_array_equal(run.time, [0, 1, 2, 3])
     assert np.isnan(run.measurements["p"][1:3]).all()
+
+
+@pytest.mark.parametrize("cut", ["0,3", "0,"])
+def test_a_last_line_that_was_cut_short_is_left_out(tmp_path: Path, cut: str) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(f"t,p,x\n0.1,1,2\n0.2,3,4\n{cut}")
+    table = read_table(file)
+    assert list(table.columns["x"].values) == [2, 4]
+    assert "left out: the last line, 4, which was cut short as the recording stopped" in table.notes
+    file.write_text(f"t,p,x\n0.1,1,2\n0.2,3,4\n{cut}\n")  # whoever wrote it went on
+    with pytest.raises(InputError, match="this row has 2 cells, the header has 3"):
+        read_table(file)
+
+
+@pytest.mark.parametrize(
+    ("above", "lost"),
+    [("31,0.1,2\nBoot v1.2\nReady\n", "the row"), ("5,6,7\n8,9,7\nBoot 1, 2\n", "2 rows")],
+)
+def test_rows_above_a_header_that_was_written_again(tmp_path: Path, above: str, lost: str) -> None:
+    """A logger that restarts first ends what it had begun."""
+    file = tmp_path / "a.csv"
+    file.write_text(f"{above}t,p,x\n0.1,1,2\n0.2,3,4\n")
+    table = read_table(file)
+    assert {name: list(one.values) for name, one in table.columns.items()} == {
+        "t": [0.1, 0.2],
+        "p": [1, 3],
+        "x": [2, 4],
+    }
+    assert f"left out: {lost} above the header, which stands on line {table.header_line}" in (
+        table.notes
+    )
+
+
+@pytest.mark.parametrize("broken", ["0.2,x,4", "OVLD,3,4", "a,b"])
+def test_a_broken_row_is_no_header(tmp_path: Path, broken: str) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(f"0.1,1,2\n{broken}\n0.3,5,6\n")
+    with pytest.raises(InputError, match="the header is missing"):
+        read_table(file)
+
+
+@pytest.mark.parametrize(
+    "head",
+    [
+        "Export;;\nZeit;Druck;Weg\ns;bar;mm\nFloat64;Float64;Float64\n",
+        "type;Trace;\nZeit;Druck;Weg\nunit;bar;mm\ntrace_values;;\n",
+        "Zeit;Druck;Weg\nSecond;Bar;mm\n",
+    ],
+    ids=["types below the units", "a word for units, and a label", "units with capitals"],
+)
+def test_rows_between_names_and_numbers(tmp_path: Path, head: str) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(f"{head}0,0;1,5;2\n0,1;2,5;3\n")
+    columns = read_table(file).columns
+    assert list(columns) == ["Zeit", "Druck", "Weg"]
+    assert [columns[name].unit for name in ("Druck", "Weg")] == ["bar", "mm"]
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("X,CH1,CH2,Start,\nSequence,Volt,Volt,-2.0,\n0,1,2,\n1,2,3,\n", "rename one; or, .* = 1"),
+        ("t,p,x\nRun 4,late\n0,1,2\n", "has 3 cells, the header has 2; .* header_line = 1"),
+    ],
+)
+def test_the_line_of_the_names_is_said_where_it_may_be_another(
+    tmp_path: Path, text: str, words: str
+) -> None:
+    file = tmp_path / "a.csv"
+    file.write_text(text)
+    with pytest.raises(InputError, match=words):
+        read_table(file)
+    assert list(read_table(file, Layout(header_line=1)).columns) == text.split("\n")[0].strip(
+        ","
+    ).split(",")

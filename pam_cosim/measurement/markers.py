@@ -1,0 +1,28 @@
+"""Numbers that are no readings, as loggers write them where a sample is missing: 9999, -999."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+
+
+def marker_of(values: Array) -> float | None:
+    """The one number that is farther from all others than these are apart; None: there is none."""
+    known = values[np.isfinite(values)]
+    if len(known) < CRITERIA.doubts.fewest:
+        return None
+    for value in (known.min(), known.max()):
+        rest = known[known != value]
+        span = float(np.ptp(rest)) if rest.size else 0.0
+        if span and float(np.min(np.abs(rest - value))) > span:
+            return float(value)
+    return None
+
+
+def input_marker_of(values: Array) -> float | None:
+    """The same of an input; None also where it mostly keeps its value: the highest of three steps is no marker."""
+    known = values[np.isfinite(values)]
+    is_read = len(known) > 1 and float(np.median(np.abs(np.diff(known)))) > 0.0
+    return marker_of(known) if is_read else None
