@@ -19,6 +19,8 @@ from pam_cosim.errors import InputError
 _LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
 MOST_BYTES = 2_000_000_000  # of a file that is read whole
 MOST_TEXT = 200_000_000  # of a document, such as JSON
+PACKAGE = "package.mo"  # in every folder that is a Modelica package
+JSON, TABLE, PICTURE, PAGE = (".json",), (".csv",), (".png",), (".html", ".htm")  # endings
 _AT_ONCE = 1 << 20  # bytes
 _MOST_LINKS = 40  # as Linux has it
 _KINDS = {
@@ -122,6 +124,16 @@ def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
         raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
 
 
+def check_model_file(path: Path) -> None:
+    """A model is written as Modelica, in a file whose name is that of the class.
+
+    Raises:
+        InputError: the name ends otherwise.
+    """
+    if path.suffix != ".mo":
+        raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
+
+
 def _processes() -> int | None:
     """The device number of ``/proc``, where open files of processes look like links."""
     try:
@@ -136,7 +148,8 @@ def write_text(path: Path, text: str) -> None:
 
 
 def write_json(path: Path, content: Any) -> None:
-    """As ``write_text``; numbers that do not exist become null."""
+    """As ``write_text``; numbers that do not exist become null. The name ends in ``.json``, or has no ending."""
+    check_ending(path, "this is written as JSON", JSON)
     write_text(path, json_text(content))
 
 
@@ -297,17 +310,25 @@ def identity(path: Path) -> object:
 
 
 def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None:
-    """Refuses a result that would replace a file that is read.
+    """Refuses a result that would replace a file that is read, or one of a Modelica package that is.
 
     Raises:
         InputError: names that result.
     """
     read = {os.path.realpath(source) for source in sources}
+    packages = [Path(one) for one in read if (Path(one) / PACKAGE).is_file()]
     for path in results:
-        if str(_target(path)) in read:
+        target = _target(path)
+        if str(target) in read or any(_is_part(target, package) for package in packages):
             raise InputError(
                 "this file is read by the command; name another one for the result", path
             )
+
+
+def _is_part(target: Path, package: Path) -> bool:
+    """Whether a file is there and belongs to a Modelica package, whose folder is given."""
+    named = target.suffix == ".mo" or target.name == "package.order"
+    return named and target.exists() and target.is_relative_to(package)
 
 
 def make_folder(folder: Path) -> None:

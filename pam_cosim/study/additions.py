@@ -11,7 +11,7 @@ from pam_cosim.catalogue import Composition
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import check_model_file, write_text
 from pam_cosim.fitting import (
     Fit,
 )
@@ -97,6 +97,8 @@ def _added(
     beside: str = "",
 ) -> str:
     """The text of a model with effects and values, with classes that stand ``beside`` it."""
+    if output:
+        check_model_file(Path(output))
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")

@@ -8,6 +8,7 @@ from typing import Any
 
 from pam_cosim.counts import checked_seed, checked_workers
 from pam_cosim.errors import InputError
+from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.fmu import read_interface
 from pam_cosim.model.interface import Interface
@@ -85,6 +86,7 @@ def sweep(
         SimulationFailure: a process that makes runs ended.
     """
     if output is not None:
+        check_table_ending(Path(output))
         check_writable(Path(output))
     foreign, fmu = is_fmu(model), build(model, files=files)
     interface = read_interface(fmu)

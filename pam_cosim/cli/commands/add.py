@@ -12,12 +12,12 @@ from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
     SetOption,
-    check_model_file,
     check_results,
     say_used_with,
     say_written,
 )
 from pam_cosim.errors import InputError
+from pam_cosim.files import check_model_file
 
 
 def add(

@@ -73,8 +73,10 @@ def compare(
             "--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs"
         )
     files, against = files or [], against or []
-    sources = [model, params, *against, *files]
-    check_results(json, report, tables=[table_csv], pictures=[table_plot], sources=sources)
+    sources = [data, model, params, *against, *files]
+    check_results(
+        json=json, report=report, tables=[table_csv], pictures=[table_plot], sources=sources
+    )
     fitted = _values_of(params, model) if params else {}
     chosen = parse_pairs(settings or [])
     earlier = [(path.stem, read_comparison(path)) for path in against]
