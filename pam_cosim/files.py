@@ -21,6 +21,7 @@ MOST_BYTES = 2_000_000_000  # of a file that is read whole
 MOST_TEXT = 200_000_000  # of a document, such as JSON
 PACKAGE = "package.mo"  # in every folder that is a Modelica package
 JSON, TABLE, PICTURE, PAGE = (".json",), (".csv",), (".png",), (".html", ".htm")  # endings
+MOST_VALUES = 50_000_000  # of a table, 0.4 GB; compressed, they take hardly any place in a file
 _AT_ONCE = 1 << 20  # bytes
 _MOST_LINKS = 40  # as Linux has it
 _KINDS = {

@@ -15,7 +15,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
 from pam_cosim.measurement.date_times import date_time, is_date_time
 from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
-from pam_cosim.measurement.table import Column, Layout, Table, split_heading
+from pam_cosim.measurement.table import Column, Layout, Table, check_count, split_heading
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
@@ -51,6 +51,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     body = [
         line for line in lines[layout.start :] if line[1][0] in _PLAIN or not is_comment(line[1])
     ]
+    check_count(len(body) * len(keep), file)
     reader = Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
