@@ -44,6 +44,8 @@ def build(
     made = build_model(
         model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities
     )
+    if is_fmu(model):  # what is no FMU is no better under another name
+        read_interface(made)
     if output is None:
         return made
     target = Path(output)
