@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError
+from pam_cosim.wording import shown
 
 _LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
 MOST_BYTES = 2_000_000_000  # of a file that is read whole
@@ -252,7 +253,9 @@ def read_json(path: Path) -> Any:
         InputError: the file is missing or is not JSON.
     """
     try:
-        return json.loads(read_file(path, MOST_TEXT).decode())
+        return json.loads(read_file(path, MOST_TEXT).decode(), object_pairs_hook=_once)
+    except _Twice as twice:
+        raise InputError(f"the key {shown(twice)} stands twice in one object", path) from None
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
     except UnicodeDecodeError as problem:
@@ -268,6 +271,18 @@ def read_json(path: Path) -> Any:
         raise InputError(
             "not JSON that can be read: nested too deeply, or a number too long", path
         ) from problem
+
+
+class _Twice(Exception):
+    """A key that an object of JSON has twice: one of its values would be passed over."""
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    content = dict(pairs)
+    if len(content) < len(pairs):
+        keys = [key for key, _ in pairs]
+        raise _Twice(next(key for key in keys if keys.count(key) > 1))
+    return content
 
 
 def check_writable(path: Path, *, new_folder: bool = False) -> None:
@@ -317,7 +332,7 @@ def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None
         InputError: names that result.
     """
     read = {os.path.realpath(source) for source in sources}
-    packages = [Path(one) for one in read if (Path(one) / PACKAGE).is_file()]
+    packages = [Path(one) for one in read if os.path.isfile(os.path.join(one, PACKAGE))]
     for path in results:
         target = _target(path)
         if str(target) in read or any(_is_part(target, package) for package in packages):
