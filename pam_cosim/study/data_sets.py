@@ -27,7 +27,7 @@ from pam_cosim.study.fitted_model import (
 from pam_cosim.study.library import benches
 from pam_cosim.study.mapped_model import mapped_model
 from pam_cosim.study.read_limits import check_inputs, inputs_beyond
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import did_you_mean, shown
 
 
 def described_with(files: Paths) -> Callable[[str], Interface]:
@@ -102,6 +102,13 @@ def _read(
     return for_model(data, model, files)
 
 
+def check_is_read(data: object) -> None:
+    """Raises InputError where a function is given something else than a data set, such as its folder."""
+    if not isinstance(data, DataSet):
+        of = shown(data) if isinstance(data, str | Path) else f"a {type(data).__name__}"
+        raise InputError(f"a data set is needed, not {of}: read it by pam.read(FOLDER)")
+
+
 def _check_there(folder: Path | str) -> None:
     """Whatever else keeps a data set from being read is told by whoever reads it."""
     try:
@@ -116,6 +123,7 @@ def _check_there(folder: Path | str) -> None:
 
 def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
+    check_is_read(data)
     if model is None or model in (data.bench, data.unmapped) or is_fmu(model):
         return data
     has_starts = any(free.start is not None for free in data.fit.values())

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
+from pam_cosim.counts import checked_seed
 from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis.planning import Limits, Range, RunPlan, limits_of
 from pam_cosim.diagnosis.planning import plan as _plan
@@ -39,7 +40,9 @@ def plan(
         SimulationFailure: no course could be simulated.
     """
     within = run_limits(diagnosis.data, limits, seconds, files, hold)
-    return _plan(diagnosis, within, runs=runs, files=as_paths(files), seed=seed, say=say)
+    return _plan(
+        diagnosis, within, runs=runs, files=as_paths(files), seed=checked_seed(seed), say=say
+    )
 
 
 def run_limits(

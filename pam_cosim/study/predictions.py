@@ -7,6 +7,7 @@ from contextlib import AbstractContextManager
 
 import numpy as np
 
+from pam_cosim.counts import checked_samples, checked_seed
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -68,8 +69,7 @@ def predict(
         InputError: an unknown run, input or parameter; something that has to be stated; nothing was fitted.
         SimulationFailure: the model breaks down at the optimum or with most of the samples.
     """
-    if samples < 2:
-        raise InputError("a band takes two samples at least")
+    samples, seed = checked_samples(samples), checked_seed(seed)
     fit, data = (
         (product.final, product.data)
         if isinstance(product, Diagnosis)
