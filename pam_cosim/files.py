@@ -332,7 +332,8 @@ def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None
         InputError: names that result.
     """
     read = {os.path.realpath(source) for source in sources}
-    packages = [Path(one) for one in read if os.path.isfile(os.path.join(one, PACKAGE))]
+    folders = {os.path.dirname(one) if os.path.basename(one) == PACKAGE else one for one in read}
+    packages = [Path(one) for one in folders if os.path.isfile(os.path.join(one, PACKAGE))]
     for path in results:
         target = _target(path)
         if str(target) in read or any(_is_part(target, package) for package in packages):

@@ -258,6 +258,16 @@ OVERWRITERS = {
     "a saved comparison": ["diagnose", "saved.npz", "--save", "saved.npz"],
     "an FMU": ["compare", "carries.fmu", "--json", "fmu.json"],
     "a class of a package": ["linearise", "Lib.Sub", "--file", "Lib", "-o", "sub.csv"],
+    "a class of a package that is named by its file": [
+        "add",
+        "LaminarLeak",
+        "--to",
+        "TankFilling",
+        "--file",
+        "Lib/package.mo",
+        "-o",
+        "Lib/Sub.mo",
+    ],
     "another class of a package": [
         "add",
         "LaminarLeak",
