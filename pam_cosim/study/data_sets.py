@@ -104,9 +104,14 @@ def _read(
 
 def check_is_read(data: object) -> None:
     """Raises InputError where a function is given something else than a data set, such as its folder."""
-    if not isinstance(data, DataSet):
-        of = shown(data) if isinstance(data, str | Path) else f"a {type(data).__name__}"
-        raise InputError(f"a data set is needed, not {of}: read it by pam.read(FOLDER)")
+    check_kind(data, DataSet, "a data set is needed", "read it by pam.read(FOLDER)")
+
+
+def check_kind(given: object, kinds: type | tuple[type, ...], needed: str, hint: str) -> None:
+    """Raises InputError where a function is given something else than it takes, such as the name of a file."""
+    if not isinstance(given, kinds):
+        of = shown(given) if isinstance(given, str | Path) else f"a {type(given).__name__}"
+        raise InputError(f"{needed}, not {of}: {hint}")
 
 
 def _check_there(folder: Path | str) -> None:

@@ -20,6 +20,17 @@ def test_a_folder_in_the_place_of_a_data_set(call: Callable[[Any], object], give
         call(given)
 
 
+@pytest.mark.parametrize("call", [pam.plan, pam.predict])
+@pytest.mark.parametrize(
+    "given", ["d.npz", Path("my-rig"), vessel_data()], ids=lambda g: str(g)[:9]
+)
+def test_a_file_in_the_place_of_a_product(call: Callable[[Any], object], given: object) -> None:
+    with pytest.raises(
+        pam.InputError, match=r"a .*diagnosis is needed, not .*pam.load\(FILE.npz\)"
+    ):
+        call(given)
+
+
 def test_models_are_named_by_texts_or_paths(tmp_path: Path) -> None:
     by_path = pam.simulate(Path("TankFilling"), stop_time=1)  # type: ignore[arg-type]
     assert by_path["p"].tolist() == pam.simulate("TankFilling", stop_time=1)["p"].tolist()
