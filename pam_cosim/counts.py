@@ -9,6 +9,7 @@ from pam_cosim.errors import InputError
 MOST_WORKERS = 1000
 MOST_STARTS = 10_000
 MOST_SIMULATIONS = 10**12
+MOST_SAMPLES = 10_000  # each is simulated, and its signals are kept
 LARGEST_SEED = 2**63 - 1
 LONGEST = 1e9  # s, some thirty years; beyond that it is no limit
 
@@ -53,6 +54,15 @@ def checked_simulations(value: int | None) -> int | None:
         InputError: as ``checked``.
     """
     return checked(value, "the limit of simulations", 1, MOST_SIMULATIONS)
+
+
+def checked_samples(value: int) -> int:
+    """A number of samples of parameters.
+
+    Raises:
+        InputError: as ``checked``.
+    """
+    return checked(value, "the number of samples", 2, MOST_SAMPLES) or 0
 
 
 def checked_seed(value: int) -> int:

@@ -9,7 +9,7 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.files import check_ending, write_json, write_text
+from pam_cosim.files import TABLE, check_ending, write_json, write_text
 
 Table = tuple[Sequence[str], Iterable[Sequence[object]]]
 """Headings, and rows of as many cells."""
@@ -45,8 +45,9 @@ def write_table(path: Path, table: Table) -> None:
     """Writes ``table_text``, whole or not at all.
 
     Raises:
-        InputError: the file cannot be written.
+        InputError: the name ends otherwise than in ``.csv``, or the file cannot be written.
     """
+    check_ending(path, "this is written as CSV", TABLE)
     write_text(path, table_text(table))
 
 

@@ -15,10 +15,14 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError
+from pam_cosim.wording import shown
 
 _LONGEST_PREFIX = 50  # of a temporary name, which must not be too long where the name itself is not
 MOST_BYTES = 2_000_000_000  # of a file that is read whole
 MOST_TEXT = 200_000_000  # of a document, such as JSON
+PACKAGE = "package.mo"  # in every folder that is a Modelica package
+JSON, TABLE, PICTURE, PAGE = (".json",), (".csv",), (".png",), (".html", ".htm")  # endings
+MOST_VALUES = 50_000_000  # of a table, 0.4 GB; compressed, they take hardly any place in a file
 _AT_ONCE = 1 << 20  # bytes
 _MOST_LINKS = 40  # as Linux has it
 _KINDS = {
@@ -122,6 +126,16 @@ def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
         raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
 
 
+def check_model_file(path: Path) -> None:
+    """A model is written as Modelica, in a file whose name is that of the class.
+
+    Raises:
+        InputError: the name ends otherwise.
+    """
+    if path.suffix != ".mo":
+        raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
+
+
 def _processes() -> int | None:
     """The device number of ``/proc``, where open files of processes look like links."""
     try:
@@ -136,7 +150,8 @@ def write_text(path: Path, text: str) -> None:
 
 
 def write_json(path: Path, content: Any) -> None:
-    """As ``write_text``; numbers that do not exist become null."""
+    """As ``write_text``; numbers that do not exist become null. The name ends in ``.json``, or has no ending."""
+    check_ending(path, "this is written as JSON", JSON)
     write_text(path, json_text(content))
 
 
@@ -238,7 +253,9 @@ def read_json(path: Path) -> Any:
         InputError: the file is missing or is not JSON.
     """
     try:
-        return json.loads(read_file(path, MOST_TEXT).decode())
+        return json.loads(read_file(path, MOST_TEXT).decode(), object_pairs_hook=_once)
+    except _Twice as twice:
+        raise InputError(f"the key {shown(twice)} stands twice in one object", path) from None
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
     except UnicodeDecodeError as problem:
@@ -254,6 +271,18 @@ def read_json(path: Path) -> Any:
         raise InputError(
             "not JSON that can be read: nested too deeply, or a number too long", path
         ) from problem
+
+
+class _Twice(Exception):
+    """A key that an object of JSON has twice: one of its values would be passed over."""
+
+
+def _once(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    content = dict(pairs)
+    if len(content) < len(pairs):
+        keys = [key for key, _ in pairs]
+        raise _Twice(next(key for key in keys if keys.count(key) > 1))
+    return content
 
 
 def check_writable(path: Path, *, new_folder: bool = False) -> None:
@@ -297,17 +326,26 @@ def identity(path: Path) -> object:
 
 
 def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None:
-    """Refuses a result that would replace a file that is read.
+    """Refuses a result that would replace a file that is read, or one of a Modelica package that is.
 
     Raises:
         InputError: names that result.
     """
     read = {os.path.realpath(source) for source in sources}
+    folders = {os.path.dirname(one) if os.path.basename(one) == PACKAGE else one for one in read}
+    packages = [Path(one) for one in folders if os.path.isfile(os.path.join(one, PACKAGE))]
     for path in results:
-        if str(_target(path)) in read:
+        target = _target(path)
+        if str(target) in read or any(_is_part(target, package) for package in packages):
             raise InputError(
                 "this file is read by the command; name another one for the result", path
             )
+
+
+def _is_part(target: Path, package: Path) -> bool:
+    """Whether a file is there and belongs to a Modelica package, whose folder is given."""
+    named = target.suffix == ".mo" or target.name == "package.order"
+    return named and target.exists() and target.is_relative_to(package)
 
 
 def make_folder(folder: Path) -> None:

@@ -21,12 +21,14 @@ from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.spans import alike
 from pam_cosim.wording import shown
 
+_FILE_ENDING = re.compile(r"\.[A-Za-z]\w*")  # as of files; folders are named with versions
+
 
 def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
     """Each model and the file for its FMU: ``output`` itself if its name ends in ``.fmu``, one in that folder if not.
 
     Raises:
-        InputError: several models for one file.
+        InputError: several models for one file; the name of another kind of file.
     """
     if output.suffix.lower() == ".fmu":
         if len(models) != 1:
@@ -34,6 +36,8 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
                 f"this is one file, for {len(models)} models; name one model, or a folder", output
             )
         return [(models[0], output)]
+    if _FILE_ENDING.fullmatch(output.suffix) and not output.is_dir():
+        raise InputError("FMUs are built: name a folder, or a file that ends in .fmu", output)
     files: dict[Path, str] = {}
     for model in models:
         name = Path(model).stem if is_file(model) else model_identifier(names.last(model))

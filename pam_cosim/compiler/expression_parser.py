@@ -25,6 +25,7 @@ from pam_cosim.compiler.syntax import (
     Unary,
     Whole,
 )
+from pam_cosim.wording import printable
 
 _ESCAPE = re.compile(r"\\(.)", re.DOTALL)
 _ESCAPED = {"n": "\n", "t": "\t", "r": "\r", "a": "\a", "b": "\b", "f": "\f", "v": "\v"}
@@ -104,14 +105,14 @@ class ExpressionParser:
         return unquote(self.advance())
 
     def string_comment(self) -> str:
-        """A description string, possibly joined with ``+``, or nothing."""
+        """A description string, possibly joined with ``+``, or nothing; what commands a terminal is blank in it."""
         if self.kind != "string":
             return ""
         text = self.string()
         while self.kind == "+" and self.peek() == "string":
             self.index += 1
             text += self.string()
-        return text
+        return printable(text)
 
     def subscripts(self) -> tuple[Expression, ...]:
         """``[i, :, end]`` or nothing."""

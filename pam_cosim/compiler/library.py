@@ -13,7 +13,7 @@ from pam_cosim.compiler.parser import parse_source
 from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
-from pam_cosim.files import read_file
+from pam_cosim.files import PACKAGE, read_file
 from pam_cosim.wording import closest
 
 Signature = tuple[tuple[str, int, int], ...]
@@ -146,10 +146,16 @@ def _read(file: Path) -> SourceText:
 
 
 def package_folder(file: Path) -> Path | None:
-    """The folder of a package that is kept in one, named by itself or by its ``package.mo`` (Modelica 3.6, 13.4.1)."""
+    """The folder of a package that is kept in one, named by itself or by its ``package.mo`` (Modelica 3.6, 13.4.1).
+
+    Raises:
+        ModelError: a folder that is none of a package.
+    """
     if file.is_dir():
+        if not (file / PACKAGE).is_file():
+            raise ModelError(f"the folder is no Modelica package: it has no {PACKAGE}", file)
         return file
-    return file.absolute().parent if file.name == "package.mo" and file.is_file() else None
+    return file.absolute().parent if file.name == PACKAGE and file.is_file() else None
 
 
 def modelica_files(folder: Path) -> list[Path]:
@@ -191,8 +197,6 @@ def signature(files: Sequence[Path]) -> Signature:
 @lru_cache(maxsize=8)
 def _package(folder: Path, of: Signature) -> ClassDefinition:
     """The package in a folder; parsed again only when a file has changed."""
-    if not (folder / "package.mo").is_file():
-        raise ModelError("the folder is no Modelica package: it has no package.mo", folder)
     return _read_package(folder, None)
 
 
@@ -201,7 +205,7 @@ def _packages(root: Path, of: Signature) -> dict[str, ClassDefinition]:
     """The packages below ``root``; parsed again only when a file has changed."""
     top = {}
     for entry in sorted(root.iterdir()):
-        if entry.is_dir() and (entry / "package.mo").exists():
+        if entry.is_dir() and (entry / PACKAGE).exists():
             package = _read_package(entry, None)
             top[package.name] = package
         elif entry.suffix == ".mo":
@@ -210,7 +214,7 @@ def _packages(root: Path, of: Signature) -> dict[str, ClassDefinition]:
 
 
 def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefinition:
-    file = directory / "package.mo"
+    file = directory / PACKAGE
     within, classes = parse_source(_read(file))
     if len(classes) != 1 or classes[0].name != directory.name:
         raise ModelError(f"package.mo must hold the one package '{directory.name}'", file, 1, 1)
@@ -218,9 +222,9 @@ def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefin
     _check_within(within, parent, file)
     package.parent = parent
     for entry in sorted(directory.iterdir()):
-        if entry.is_dir() and (entry / "package.mo").exists():
+        if entry.is_dir() and (entry / PACKAGE).exists():
             _put(_read_package(entry, package), package)
-        elif entry.suffix == ".mo" and entry.name != "package.mo":
+        elif entry.suffix == ".mo" and entry.name != PACKAGE:
             within, children = parse_source(_read(entry))
             _check_within(within, package, entry)
             for child in children:

@@ -31,6 +31,7 @@ from pam_cosim.cosimulation.parts import (
 )
 from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.cosimulation.sampling import ControllerError
+from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting, settable, value_of
@@ -74,6 +75,8 @@ class System(Printed):
     scratch: object = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
+        if self.timeout is not None:
+            checked_time(self.timeout)
         if not any(c.seconds is None for c in self.components.values()):
             raise InputError("a system needs an FMU at least that makes every step")
         for name in self.components:

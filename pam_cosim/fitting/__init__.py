@@ -25,6 +25,7 @@ from pam_cosim.fitting.parameter_file import (
     check_parameter_file,
     parameters_in,
     read_parameters,
+    units_in,
     write_parameters,
 )
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior, parameter_posterior
@@ -72,6 +73,7 @@ __all__ = [
     "prior_rows",
     "profile",
     "read_parameters",
+    "units_in",
     "reduction_by",
     "residual_rows",
     "coloured_deviance",

@@ -42,7 +42,7 @@ def check_parameter_file(path: Path) -> None:
 
 
 def write_parameters(path: Path, fit: Fit) -> None:
-    """Writes the estimates [SI]; ``.ssv`` gives System Structure Parameter Values 1.0, anything else JSON.
+    """Writes the estimates [SI]; ``.ssv`` gives System Structure Parameter Values 1.0, else JSON.
 
     A model has no place for what is of one run alone: an ``.ssv`` file holds the shared parameters.
 
@@ -131,9 +131,18 @@ def parameters_in(content: Any, path: Path) -> dict[str, float]:
     """
     holder = content.get("final", content) if isinstance(content, dict) else None
     parameters = holder.get("parameters", holder) if isinstance(holder, dict) else None
-    if not isinstance(parameters, dict):
+    if not isinstance(parameters, dict) or content == {}:
         raise InputError("must hold an object with parameter names and values", path)
     return {name: _number(name, entry, path) for name, entry in parameters.items()}
+
+
+def units_in(content: Any) -> dict[str, str]:
+    """Units of the parameters in a JSON document, those that it names."""
+    holder = content.get("final", content)
+    entries = holder.get("parameters", holder).items()
+    return {
+        name: str(one["unit"]) for name, one in entries if isinstance(one, dict) and "unit" in one
+    }
 
 
 def _number(name: str, entry: Any, path: Path) -> float:

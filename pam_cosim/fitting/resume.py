@@ -19,6 +19,7 @@ from zipfile import ZipFile
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.counts import MOST_SIMULATIONS
 from pam_cosim.errors import InputError
 from pam_cosim.files import read_json, write_text
 from pam_cosim.fitting.free import Free
@@ -31,7 +32,7 @@ _KIND = "pam-cosim fit in progress"
 _VERSION = 1
 _EVERY = 1.0  # [s] between writes of the file
 _ANSWERS = ("squares", "triangle", "cost", "glance", "found_other_starts")
-_DAMAGE = (KeyError, TypeError, ValueError, IndexError)
+_DAMAGE = (KeyError, TypeError, ValueError, IndexError, AttributeError, OverflowError)
 
 
 @dataclass(frozen=True)
@@ -202,16 +203,28 @@ def _plain(answer: Any) -> Any:
 
 def _answer(entry: Any) -> tuple[tuple[str, bytes], tuple[int, Any]]:
     question, z, evaluations, answer = entry
-    if question.partition(" ")[0] not in _ANSWERS:
+    kind, point = str(question).partition(" ")[0], _numbers(z, 1)
+    if (
+        kind not in _ANSWERS
+        or type(evaluations) is not int
+        or not 0 <= evaluations <= MOST_SIMULATIONS
+    ):
         raise ValueError
-    value = (
-        np.array(answer, dtype=float)
-        if isinstance(answer, list)
-        else math.inf
-        if answer is None
-        else float(answer)
-    )
-    return (question, np.array(z, dtype=float).tobytes()), (int(evaluations), value)
+    if kind == "triangle":
+        value = _numbers(answer, 2)
+        if value.shape[1] != len(point) + 1:
+            raise ValueError
+        return (question, point.tobytes()), (evaluations, value)
+    number = math.inf if answer is None else float(_numbers(answer, 0))
+    return (question, point.tobytes()), (evaluations, number)
+
+
+def _numbers(content: Any, dimensions: int) -> Array:
+    """As an array; raises one of ``_DAMAGE`` where it is none, or a number in it is not finite."""
+    numbers = np.array(content, dtype=float)
+    if numbers.ndim != dimensions or not np.isfinite(numbers).all():
+        raise ValueError
+    return numbers
 
 
 class LoggedObjective(Objective):

@@ -8,9 +8,11 @@ import re
 import zipfile
 import zlib
 from collections.abc import Mapping
+from contextlib import ExitStack
 from functools import lru_cache
 from pathlib import Path
 from typing import Any
+from xml.etree.ElementTree import iterparse
 
 import fmpy
 from fmpy.model_description import ModelDescription, ValidationError
@@ -18,7 +20,7 @@ from fmpy.model_description import ModelDescription, ValidationError
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
 from pam_cosim.model.interface import Interface, Variable, is_sensitivity, sensitivity_name
-from pam_cosim.wording import shown
+from pam_cosim.wording import printable, shown
 
 MOST_BYTES = 2_000_000_000  # of all files of an archive, unpacked
 MOST_OF_DOCUMENT = 20_000_000  # bytes of XML; parsed, they take thirty times as many
@@ -37,6 +39,7 @@ _LONGEST_NAME, _LONGEST_PART = (
     200,
 )  # letters; systems have 4096 and 255, of which a folder takes some
 _LARGEST_REFERENCE = 2**32 - 1
+_IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,199}")
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
 
@@ -103,7 +106,9 @@ def _read(path: Path, changed: int, size: int) -> ModelDescription:
     """The description of a file as it was at an instant; nobody writes into it."""
     try:
         _check_names(path)
+        _check_version(path)
         description = fmpy.read_model_description(str(path), validate=False)
+        _check_identifiers(description, path)
         _check_numbers(description, path)
         return description
     except InputError:
@@ -127,6 +132,8 @@ def _check_names(path: Path) -> None:
     with zipfile.ZipFile(path) as archive:
         entries = archive.infolist()
         check_document(archive, _DESCRIPTION, path)
+    if sum(entry.filename == _DESCRIPTION for entry in entries) > 1:
+        raise InputError(f"the archive has two files {shown(_DESCRIPTION)}", path)
     for entry in entries:
         parts = re.split(r"[/\\]", entry.filename)
         if (
@@ -163,6 +170,38 @@ def check_document(archive: zipfile.ZipFile, name: str, path: Path) -> None:
             f"{shown(name)} in it has {size / 1e6:.0f} MB; {MOST_OF_DOCUMENT / 1e6:.0f} MB can be taken",
             path,
         )
+
+
+def _check_version(path: Path) -> None:
+    """Raises InputError where the description is of a version that FMPy reads otherwise, or not at all."""
+    with ExitStack() as opened:
+        folder = (
+            path if path.is_dir() else zipfile.Path(opened.enter_context(zipfile.ZipFile(path)))
+        )
+        file = opened.enter_context((folder / _DESCRIPTION).open("rb"))
+        _, root = next(iter(iterparse(file, ("start",))))
+    version = str(root.get("fmiVersion"))
+    if version[:2] not in ("2.", "3."):
+        raise InputError(f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {shown(version)}", path)
+
+
+def _check_identifiers(description: ModelDescription, path: Path) -> None:
+    """Looks at what becomes a file's name and what settings are named by.
+
+    Raises:
+        InputError: the identifier of a model is none of C, as FMI asks for: it might leave the folder; the name of a
+            variable holds what is not visible.
+    """
+    for kind in (description.coSimulation, description.modelExchange):
+        if kind is not None and not _IDENTIFIER.fullmatch(str(kind.modelIdentifier)):
+            raise InputError(
+                f"the model identifier {shown(kind.modelIdentifier)} is no identifier of C: as a file's name it may "
+                "be one that leaves its folder",
+                path,
+            )
+    for scalar in description.modelVariables:
+        if not str(scalar.name).isprintable():
+            raise InputError(f"the name {shown(scalar.name)} holds what is not visible", path)
 
 
 def _check_numbers(description: ModelDescription, path: Path) -> None:
@@ -247,7 +286,7 @@ def interface_of(description: ModelDescription) -> Interface:
     by = [*parameters, *states]
     slopes = {sensitivity_name(output, one) for output in outputs for one in by} & {*outputs}
     return Interface(
-        description.modelName,
+        printable(description.modelName or ""),
         groups["input"],
         {n: v for n, v in outputs.items() if n not in slopes},
         parameters,
@@ -279,17 +318,23 @@ def _attribute(scalar: Any, name: str) -> Any:
     return value
 
 
+def _text(scalar: Any, name: str) -> str:
+    """A text that is shown to people; it may be of somebody else."""
+    own = getattr(scalar, name) if name == "description" else _attribute(scalar, name)
+    return printable(own or "")
+
+
 def _variable(scalar: Any) -> Variable:
     return Variable(
         name=scalar.name,
-        unit=_attribute(scalar, "unit") or "",
-        description=scalar.description or "",
+        unit=_text(scalar, "unit"),
+        description=_text(scalar, "description"),
         start=_float(scalar.start),
         min=_float(_attribute(scalar, "min")),
         max=_float(_attribute(scalar, "max")),
         nominal=_float(_attribute(scalar, "nominal")),
-        display_unit=_attribute(scalar, "displayUnit") or "",
-        quantity=_attribute(scalar, "quantity") or "",
+        display_unit=_text(scalar, "displayUnit"),
+        quantity=_text(scalar, "quantity"),
     )
 
 

@@ -27,12 +27,19 @@ from pam_cosim.model.references import BRANCH
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import shown
 
+_OVER_TIME = ("start", "before", "lead", "periodic", "gaps")  # of all runs
+_NOT_STATIC = 'is for recordings over time; points of kind = "static" have none: leave it out'
+
 
 def check_runs(document: ExperimentFile) -> None:
     """Every file is there, what is used of it is used once, names differ, and something is left to fit."""
     runs = document.content.runs
     if not any(run.role == "fit" for run in runs):
         raise document.error('no run has role = "fit"; one at least is needed', "runs")
+    if all(_is_static(document, run) for run in runs):
+        for key in _OVER_TIME:
+            if getattr(document.content, key, None) is not None:
+                raise document.error(f"{key} {_NOT_STATIC}", key)
     files = [
         file_inside(document, run.file, "runs", index, "file").resolve()
         for index, run in enumerate(runs)
@@ -209,8 +216,7 @@ def _check_static(document: ExperimentFile, table: RunTable, index: int) -> None
     """
     for key, field in (("from", "begin"), ("to", "end"), ("gaps", "gaps")):
         if field in table.model_fields_set:
-            message = f'{key} is for recordings over time; points of kind = "static" have none: leave it out'
-            raise document.error(message, "runs", index, key)
+            raise document.error(f"{key} {_NOT_STATIC}", "runs", index, key)
 
 
 def _own_values(

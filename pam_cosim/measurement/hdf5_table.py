@@ -3,13 +3,22 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import Column, Layout, Table, check_names, headed, same_length
+from pam_cosim.measurement.table import (
+    Column,
+    Layout,
+    Table,
+    check_count,
+    check_names,
+    headed,
+    same_length,
+)
 from pam_cosim.wording import did_you_mean, shown
 
 _UNITS = ("unit", "units", "Unit", "Units", "unit_string")
@@ -107,20 +116,23 @@ def _is_vector(one: Any) -> bool:
 
 def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
     if _is_group(place):
-        for heading, one in _members(place):
-            if _is_vector(one):
-                unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
-                yield from _column(heading, unit, one, stated, file)
+        vectors = [(heading, one) for heading, one in _members(place) if _is_vector(one)]
+        check_count(sum(_size(one) for _, one in vectors), file)
+        for heading, one in vectors:
+            unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
+            yield from _column(heading, unit, one, stated, file)
     elif place.is_virtual or place.external:
         raise InputError(
             f"{shown(place.name)} is kept in other files; export the recording whole", file
         )
     elif place.dtype.names:
+        check_count(_size(place) * len(place.dtype.names), file)
         for heading in place.dtype.names:
             if place.dtype[heading].kind in "fiu" and not place.dtype[heading].shape:
                 yield from _column(heading, "", place[heading], stated, file)
     elif stated.names is not None and len(place.shape) == 2:
         check_names(stated.names, place.shape[1], file)
+        check_count(_size(place), file)
         for index, heading in enumerate(stated.names):
             yield from _column(heading, "", place[:, index], stated, file)
     else:
@@ -128,6 +140,11 @@ def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
             f"{shown(place.name)} is no group; state names = [...] for the columns of a matrix",
             file,
         )
+
+
+def _size(one: Any) -> int:
+    """How many values are read: of what is kept in chunks, one of them at least."""
+    return int(max(one.size, prod(one.chunks or ())))
 
 
 def _column(heading: str, unit: str, values: Any, stated: Layout, file: Path) -> Iterator[Column]:

@@ -2,18 +2,32 @@
 
 from __future__ import annotations
 
+import struct
+import zlib
 from collections.abc import Iterator, Mapping, Sequence
+from math import prod
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import read_file
 from pam_cosim.measurement.hdf5_table import is_hdf5, read_hdf5
-from pam_cosim.measurement.table import Column, Layout, Table, check_names, headed, same_length
+from pam_cosim.measurement.table import (
+    Column,
+    Layout,
+    Table,
+    check_count,
+    check_names,
+    headed,
+    same_length,
+)
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _LABELS = ("label", "name")
+_COMPRESSED = 15  # the type of an element in version 5
+_BEGINNING, _BYTES = 200, 8  # bytes that unpack to its head; of a number
 
 
 def read_matlab(file: Path, stated: Layout) -> Table:
@@ -27,11 +41,14 @@ def read_matlab(file: Path, stated: Layout) -> Table:
     if file.is_file() and is_hdf5(file):
         return read_hdf5(file, stated)
     try:
+        check_count(_declared(file), file)
         content = scipy.io.loadmat(
             str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True
         )
     except FileNotFoundError:
         raise InputError("the file does not exist", file) from None
+    except InputError:
+        raise
     except Exception as error:  # The reader lets out whatever a broken file makes of it.
         raise InputError(f"this file cannot be read as MATLAB's: {error}", file) from None
     variables = {name: value for name, value in content.items() if not name.startswith("__")}
@@ -39,6 +56,31 @@ def read_matlab(file: Path, stated: Layout) -> Table:
     if not columns and not stated.ignore:
         raise InputError(f"there is no vector of numbers; the file holds {_held(variables)}", file)
     return Table(file, same_length(columns, file))
+
+
+def _declared(file: Path) -> int:
+    """How many values the variables have, or would if all that is compressed were numbers."""
+    import scipy.io
+
+    shapes = [shape for _, shape, _ in scipy.io.whosmat(str(file))]
+    return max(sum(prod(map(int, shape)) for shape in shapes), _unpacked(file) // _BYTES)
+
+
+def _unpacked(file: Path) -> int:
+    """Bytes of all elements of a file of version 5, as each says at its beginning; 0 of an earlier one."""
+    content = read_file(file)
+    order = {b"IM": "<", b"MI": ">"}.get(content[126:128])
+    at, size = 128, 0
+    while order and at + 8 <= len(content):
+        kind, length = struct.unpack(order + "II", content[at : at + 8])
+        begin = content[at + 8 : at + 8 + _BEGINNING]
+        if kind == _COMPRESSED:
+            inner = zlib.decompressobj().decompress(begin, 8)
+            size += struct.unpack(order + "II", inner)[1]
+        else:
+            size += length
+        at += 8 + length
+    return size
 
 
 def _chosen(variables: Mapping[str, Any], name: str | None, file: Path) -> Any:

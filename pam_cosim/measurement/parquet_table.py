@@ -9,7 +9,17 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import Column, Layout, Table, headed, same_length, since_first
+from pam_cosim.measurement.table import (
+    Column,
+    Layout,
+    Table,
+    check_count,
+    headed,
+    same_length,
+    since_first,
+)
+
+_BYTES = 8  # of a number
 
 
 def read_parquet(file: Path, stated: Layout) -> Table:
@@ -22,12 +32,22 @@ def read_parquet(file: Path, stated: Layout) -> Table:
     from pyarrow import parquet
 
     try:
-        table = parquet.ParquetFile(file).read()
+        opened = parquet.ParquetFile(file)
+        check_count(_declared(opened.metadata), file)
+        table = opened.read()
     except FileNotFoundError:
         raise InputError("the file does not exist", file) from None
     except (arrow.ArrowException, OSError) as error:
         raise InputError(f"this file cannot be read as Parquet: {error}", file) from None
     return Table(file, same_length(_columns(table, stated, file), file))
+
+
+def _declared(metadata: Any) -> int:
+    """How many values the file holds, or would if texts and lists in it were numbers."""
+    groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
+    rows = max(metadata.num_rows, sum(group.num_rows for group in groups))
+    unpacked = sum(group.total_byte_size for group in groups)
+    return int(max(rows * metadata.num_columns, unpacked // _BYTES))
 
 
 def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:

@@ -14,7 +14,7 @@ from pam_cosim.measurement.parameters import known_values
 from pam_cosim.measurement.start import Start, StartMode
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import UnitError, parse_quantity
-from pam_cosim.wording import shown
+from pam_cosim.wording import listed, shown
 
 _FOR = "for"
 _KEYS = ("start", "before", "lead", "periodic")
@@ -119,7 +119,7 @@ def _with_before(
     for name in table:
         if name != _FOR and name not in interface.inputs:
             raise document.error(
-                f"{shown(name)} is no input of {interface.model}: {', '.join(interface.inputs)}",
+                f"{shown(name)} is no input of {interface.model}; its inputs: {listed(interface.inputs)}",
                 *place,
             )
     seconds = _seconds(document, table[_FOR], *place, _FOR)

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
+from pam_cosim.files import MOST_VALUES
 from pam_cosim.units import UnitError, convert, pressure_reference
 from pam_cosim.wording import shown
 
@@ -139,6 +140,16 @@ def is_unit(text: str) -> bool:
 def names_unit(text: str) -> bool:
     """Whether a text is a unit; that of an absolute pressure is one too, of which the column is told."""
     return is_unit(text) or pressure_reference(text)[1] == "absolute"
+
+
+def check_count(values: int, file: Path) -> None:
+    """Raises InputError where a file declares more values than can be taken: found out before they are read."""
+    if values > MOST_VALUES:
+        raise InputError(
+            f"it declares {values:.3g} values, and {MOST_VALUES / 1e6:.0f} million can be taken: "
+            "record less often, or leave columns out of the file",
+            file,
+        )
 
 
 def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:

@@ -15,7 +15,14 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
 from pam_cosim.measurement.date_times import date_time, is_date, is_date_time
 from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
-from pam_cosim.measurement.table import LEFT_OUT, Column, Layout, Table, split_heading
+from pam_cosim.measurement.table import (
+    LEFT_OUT,
+    Column,
+    Layout,
+    Table,
+    check_count,
+    split_heading,
+)
 from pam_cosim.measurement.text_cells import Reader
 from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_header import other_line
@@ -56,6 +63,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     ]
     cut = None if is_ended else _cut_short(body, layout)
     body = body[:-1] if cut else body
+    check_count(len(body) * len(keep), file)
     reader = Reader(layout, [name for name, _ in names], keep, file, ".")
     reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing

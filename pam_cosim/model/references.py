@@ -5,6 +5,19 @@ from __future__ import annotations
 from collections.abc import Sequence
 from pathlib import Path
 
+from pam_cosim.errors import InputError
+
+
+def model_name(model: object) -> str:
+    """The text by which a model is named; a file may be a path.
+
+    Raises:
+        InputError: it is neither.
+    """
+    if isinstance(model, str | Path):
+        return str(model)
+    raise InputError(f"a model is named by a text or a path, not by a {type(model).__name__}")
+
 
 def is_fmu(model: str) -> bool:
     """Whether it is an FMU's file."""

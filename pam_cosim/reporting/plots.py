@@ -14,7 +14,7 @@ from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
-from pam_cosim.files import check_writable, write_bytes
+from pam_cosim.files import PICTURE, check_ending, check_writable, write_bytes
 from pam_cosim.fitting import Fit, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.reporting.account.labels import model_labels
@@ -40,6 +40,12 @@ from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps import Sweep
 
 
+def _check(path: Path | str) -> None:
+    """Finds out before the work whether a picture can be written there."""
+    check_ending(Path(path), "pictures are drawn as PNG", PICTURE)
+    check_writable(Path(path))
+
+
 @singledispatch
 def draw(product: Any, path: Path | str) -> None:
     """Draws a product of a study as PNG: its signals over time, or the error coming down.
@@ -59,7 +65,7 @@ def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
     """
     if not trajectory.values or not len(trajectory.time):
         raise InputError("the simulation has no output to draw")
-    check_writable(Path(path))
+    _check(path)
     with drawing():
         write_bytes(Path(path), png(course(trajectory)))
 
@@ -78,7 +84,7 @@ def plot_comparison(
     Raises:
         InputError: the file cannot be written.
     """
-    check_writable(Path(path))
+    _check(path)
     layers = rivals(comparison, against, model_labels([comparison, *against]))
     few = max(len(r.run.time) for r in comparison.runs) <= SPARSE
     with drawing():
@@ -95,7 +101,7 @@ def plot_fit(fit: Fit, path: Path | str) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    check_writable(Path(path))
+    _check(path)
     with drawing():
         write_bytes(Path(path), png(fit_figure(fit)))
 
@@ -111,7 +117,7 @@ def plot_tables(tables: Sequence[ConditionTable], path: Path | str) -> None:
     Raises:
         InputError: the file cannot be written.
     """
-    check_writable(Path(path))
+    _check(path)
     with drawing():
         write_bytes(Path(path), png(condition_maps(tables)))
 
@@ -120,7 +126,7 @@ def _registered(kind: type[Any], figure: Callable[[Any], Figure]) -> None:
     """``draw`` of such a product is this one figure."""
 
     def draw_one(product: Any, path: Path | str) -> None:
-        check_writable(Path(path))
+        _check(path)
         with drawing():
             write_bytes(Path(path), png(figure(product)))
 
@@ -146,7 +152,7 @@ def error_ladder_figure(diagnosis: Diagnosis, path: Path | str) -> None:
     Raises:
         InputError: the data hold no sample, or the file cannot be written.
     """
-    check_writable(Path(path))
+    _check(path)
     layers, rungs = layers_of(diagnosis), rungs_of(diagnosis)
     telling = most_telling(layers, list(diagnosis.data.signals.values()))
     if telling is None:

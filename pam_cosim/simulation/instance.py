@@ -79,8 +79,9 @@ def load_instance(
     else:
         try:
             fmpy.extract(str(path), unzipdir=directory, include=_needed)
-        except DAMAGED as problem:
-            raise InputError(f"the archive is damaged: {problem}", path) from None
+        except (*DAMAGED, OSError) as problem:  # a file and a folder of one name, among others
+            reason = getattr(problem, "strerror", None) or problem
+            raise InputError(f"the archive cannot be unpacked: {reason}", path) from None
     identifier = (
         description.modelExchange if exchange else description.coSimulation
     ).modelIdentifier

@@ -9,7 +9,7 @@ from pam_cosim.counts import checked_time
 from pam_cosim.files import check_writable, make_folder, write_bytes
 from pam_cosim.fmu import build_model, description_of, read_interface
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import is_fmu
+from pam_cosim.model.references import is_fmu, model_name
 from pam_cosim.simulation import IsolatedSimulator, Simulator
 
 Paths = Sequence[Path | str]
@@ -21,7 +21,7 @@ def describe(model: str, files: Paths = ()) -> Interface:
     Raises:
         InputError: there is no such model, or it cannot be compiled.
     """
-    return read_interface(description_of(model, as_paths(files)))
+    return read_interface(description_of(model_name(model), as_paths(files)))
 
 
 def build(
@@ -41,9 +41,12 @@ def build(
     """
     if output is not None:
         check_writable(Path(output), new_folder=True)
+    model = model_name(model)
     made = build_model(
         model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities
     )
+    if is_fmu(model):  # what is no FMU is no better under another name
+        read_interface(made)
     if output is None:
         return made
     target = Path(output)
@@ -67,6 +70,7 @@ def opened(
     (None: the default of ``IsolatedSimulator``). ``brief``: a Modelica model is for a few runs, and made without a
     compiler.
     """
+    model = model_name(model)
     if is_fmu(model):
         return IsolatedSimulator(build(model, files=files), timeout)
     fmu = build_model(

@@ -16,7 +16,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import check_ending, write_text
 from pam_cosim.model.settings import Setting, resolve, value_of
 from pam_cosim.simulation.models import Paths, describe, opened
 from pam_cosim.units import format_quantity
@@ -138,8 +138,9 @@ class Actuator(Printed):
         """Writes ``xml`` to a file; whole or not at all.
 
         Raises:
-            InputError: it cannot be written.
+            InputError: it cannot be written, or its name ends otherwise than in ``.xml``.
         """
+        check_ending(Path(path), "an actuator is written as XML", (".xml",))
         write_text(Path(path), self.xml(time_constant))
         return Path(path)
 

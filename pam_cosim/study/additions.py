@@ -11,15 +11,17 @@ from pam_cosim.catalogue import Composition
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import check_model_file, write_text
 from pam_cosim.fitting import (
     Fit,
 )
+from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation.models import Paths, as_paths, describe
 from pam_cosim.study.fitted_model import (
     FittedModel,
+    check_fitted,
     compose_fitted,
     fitted_model,
     read_fitted_model,
@@ -58,7 +60,8 @@ def add(
             nothing was learned.
     """
     if not learned:
-        return _added(_fitted_model(what), to, output, values or {}, as_paths(files))
+        origin = what if isinstance(what, Path) else None
+        return _added(_fitted_model(what), to, output, values or {}, as_paths(files), origin=origin)
     diagnosis = load(what) if isinstance(what, Path) else what
     if not isinstance(diagnosis, Diagnosis) or diagnosis.learned is None:
         raise InputError(
@@ -95,8 +98,14 @@ def _added(
     values: Mapping[str, Setting],
     files: Sequence[Path],
     beside: str = "",
+    origin: Path | None = None,
 ) -> str:
-    """The text of a model with effects and values, with classes that stand ``beside`` it."""
+    """The text of a model with effects and values, with classes that stand ``beside`` it.
+
+    Values that were read from a file, ``origin``, are looked at as those that are set.
+    """
+    if output:
+        check_model_file(Path(output))
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")
@@ -110,9 +119,12 @@ def _added(
     parameters = describe(base, files).parameters if fitted.values else ()
     tree = read_library(files=extra)
     fitted = replace(fitted, model=base)
-    if values:
+    if values or (origin is not None and fitted.values):
         bare = compose_fitted(tree, replace(fitted, values={}), name, parameters, files=extra)
-        fitted = replace(fitted, values={**fitted.values, **_resolved(values, bare, files)})
+        interface = _interface(bare, files)
+        if origin is not None:
+            check_fitted(fitted, interface, origin)
+        fitted = replace(fitted, values={**fitted.values, **_resolved(values, interface)})
         parameters = (*parameters, *fitted.values)
     composition = compose_fitted(tree, fitted, name, parameters, files=extra, beside=beside)
     if output:
@@ -120,14 +132,16 @@ def _added(
     return composition.text
 
 
-def _resolved(
-    values: Mapping[str, Setting], composition: Composition, files: Paths
-) -> dict[str, float]:
-    """Values of parameters of a composed model [SI]."""
+def _interface(composition: Composition, files: Paths) -> Interface:
+    """Of a composed model, which is no file yet."""
     with TemporaryDirectory() as folder:
         file = Path(folder) / f"{composition.name}.mo"
         write_text(file, composition.text)
-        interface = describe(str(file), files)
+        return describe(str(file), files)
+
+
+def _resolved(values: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
+    """Values of parameters of a model [SI]."""
     stray = next((name for name in values if name not in interface.parameters), None)
     if stray is not None:
         raise InputError(

@@ -36,7 +36,8 @@ def compare(
     ``parameters`` are further values, which take the place of those that the data set states, and ``timeout`` a limit,
     as in ``simulate``.
     """
-    name, data = data.model_for(model), for_model(data, model, files)
+    data = for_model(data, model, files)
+    name = data.model_for(model)
     interface = describe(name, files)
     values = overriding(values_of_runs(parameters or {}, data, interface), data)
     data = data_with_starts(data, name, values, files, timeout)

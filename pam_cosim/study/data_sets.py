@@ -27,7 +27,7 @@ from pam_cosim.study.fitted_model import (
 from pam_cosim.study.library import benches
 from pam_cosim.study.mapped_model import mapped_model
 from pam_cosim.study.read_limits import check_inputs, inputs_beyond
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import did_you_mean, shown
 
 
 def described_with(files: Paths) -> Callable[[str], Interface]:
@@ -102,6 +102,18 @@ def _read(
     return for_model(data, model, files)
 
 
+def check_is_read(data: object) -> None:
+    """Raises InputError where a function is given something else than a data set, such as its folder."""
+    check_kind(data, DataSet, "a data set is needed", "read it by pam.read(FOLDER)")
+
+
+def check_kind(given: object, kinds: type | tuple[type, ...], needed: str, hint: str) -> None:
+    """Raises InputError where a function is given something else than it takes, such as the name of a file."""
+    if not isinstance(given, kinds):
+        of = shown(given) if isinstance(given, str | Path) else f"a {type(given).__name__}"
+        raise InputError(f"{needed}, not {of}: {hint}")
+
+
 def _check_there(folder: Path | str) -> None:
     """Whatever else keeps a data set from being read is told by whoever reads it."""
     try:
@@ -116,6 +128,7 @@ def _check_there(folder: Path | str) -> None:
 
 def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
     """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
+    check_is_read(data)
     if model is None or model in (data.bench, data.unmapped) or is_fmu(model):
         return data
     has_starts = any(free.start is not None for free in data.fit.values())

@@ -14,6 +14,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation.models import Paths, as_paths
+from pam_cosim.study.data_sets import check_is_read
 from pam_cosim.study.fits import _freed
 from pam_cosim.study.products import Product
 from pam_cosim.study.runs import _seconds
@@ -76,6 +77,7 @@ def check(
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
     which of them would not be told apart, and which further signal or run would help most.
     """
+    check_is_read(data)
     return _check(data, model, files=as_paths(files), say=say, workers=checked_workers(workers))
 
 

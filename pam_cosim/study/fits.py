@@ -20,7 +20,7 @@ from pam_cosim.fitting import profile as _profile
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import data_with_starts, for_model, values_of_runs
+from pam_cosim.study.data_sets import check_is_read, data_with_starts, for_model, values_of_runs
 
 
 def fit(
@@ -121,6 +121,7 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
+    check_is_read(data)
     stated = resolve(parameters or {}, describe(data.model_for(model), files))
     fitted, fixed = fit.comparison.data, {**fit.comparison.parameters, **stated}
     with opened(data.model_for(model), files, fitted.differentiated, timeout) as simulator:

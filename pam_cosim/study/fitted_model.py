@@ -14,10 +14,14 @@ from pam_cosim.compiler import ClassTree, names, read_library, read_structure
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_TEXT, read_file, read_json
-from pam_cosim.fitting import Fit, parameters_in, read_parameters
+from pam_cosim.fitting import Fit, parameters_in, read_parameters, units_in
 from pam_cosim.measurement import DataSet
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_fmu, is_modelica, is_ratio, sources_of
+from pam_cosim.model.settings import settable, value_of
 from pam_cosim.study.products import load
+from pam_cosim.units import same_unit
+from pam_cosim.wording import shown
 
 
 @dataclass(frozen=True)
@@ -29,12 +33,14 @@ class FittedModel:
         effects: that were added, in order.
         values: by name [SI]; also those of one run alone ("load.m@run-01") and ratios to what the data set states.
         constants: what else all runs were simulated with [SI], parameters and inputs; see ``DataSet.constants``.
+        units: of values, those that a file names.
     """
 
     model: str
     effects: tuple[str, ...]
     values: Mapping[str, float]
     constants: Mapping[str, float] = field(default_factory=dict)
+    units: Mapping[str, str] = field(default_factory=dict)
 
     @property
     def of_the_model(self) -> dict[str, float]:
@@ -145,7 +151,39 @@ def read_fitted_model(path: Path) -> FittedModel:
     except ValidationError as error:
         wrong = error.errors()[0]
         raise InputError(f"{'.'.join(map(str, wrong['loc']))}: {wrong['msg']}", path) from None
-    return FittedModel(found.model, found.effects, values, found.constants)
+    return FittedModel(found.model, found.effects, values, found.constants, units_in(content))
+
+
+def _check_unit(unit: str, variable: Variable) -> None:
+    """Raises InputError where a value is stated in another unit than the model's: it is read as it is."""
+    if not same_unit(unit, variable.unit):
+        raise InputError(
+            f"{variable.name} is stated in {shown(unit)}; values are read in the model's unit, "
+            f"{shown(variable.unit)}"
+        )
+
+
+def check_fitted(fitted: FittedModel, interface: Interface, file: Path) -> None:
+    """Looks at the values that a file holds, before they are used.
+
+    Args:
+        fitted: what was read.
+        interface: of the model that gets the values.
+        file: that they were read from.
+
+    Raises:
+        InputError: there is no such parameter, a value beyond its range, or in another unit than the model's.
+    """
+    for name, value in fitted.values.items():
+        parameter = name.partition("@")[0]
+        if is_ratio(parameter):
+            continue
+        try:
+            known = settable(parameter, interface)
+            _check_unit(fitted.units.get(name, known.unit), known)
+            value_of(value, known)
+        except InputError as problem:
+            raise InputError(problem.message, file) from None
 
 
 def compose_fitted(

@@ -11,7 +11,7 @@ from pam_cosim.catalogue import rig_parts as _rig_parts
 from pam_cosim.compiler import names, read_library
 from pam_cosim.compiler.names import last
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import check_model_file, write_text
 from pam_cosim.simulation.models import Paths, as_paths
 
 
@@ -61,6 +61,8 @@ def bench(
         InputError: an unknown part or signal, a signal that is imposed, or parts that do not fit together.
         ModelError: a part is not what its interface asks for.
     """
+    if output:
+        check_model_file(Path(output))
     name, tree = Path(output).stem if output else None, read_library(files=as_paths(files))
     if name in names.PREDEFINED:
         raise InputError(f"there is a class {name} already: choose another name")

@@ -8,10 +8,11 @@ from typing import Any
 
 from pam_cosim.counts import checked_seed, checked_workers
 from pam_cosim.errors import InputError
+from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.fmu import read_interface
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import is_fmu
+from pam_cosim.model.references import is_fmu, model_name
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation.models import Paths, build
 from pam_cosim.study.input_sources import Source
@@ -85,7 +86,9 @@ def sweep(
         SimulationFailure: a process that makes runs ended.
     """
     if output is not None:
+        check_table_ending(Path(output))
         check_writable(Path(output))
+    model = model_name(model)
     foreign, fmu = is_fmu(model), build(model, files=files)
     interface = read_interface(fmu)
     patterns = _patterns(interface, vary, stop_time, interval)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
 
+from pam_cosim.counts import checked_seed
 from pam_cosim.diagnosis import Diagnosis, Message
 from pam_cosim.diagnosis.planning import Limits, Range, RunPlan, limits_of
 from pam_cosim.diagnosis.planning import plan as _plan
@@ -11,6 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting, value_of
 from pam_cosim.simulation.models import Paths, as_paths, describe
+from pam_cosim.study.data_sets import check_kind
 from pam_cosim.study.runs import _seconds
 from pam_cosim.wording import did_you_mean
 
@@ -38,8 +40,11 @@ def plan(
         InputError: no other model is known; limits of something unknown or with another unit; nothing to choose.
         SimulationFailure: no course could be simulated.
     """
+    check_kind(diagnosis, Diagnosis, "a diagnosis is needed", "load it by pam.load(FILE.npz)")
     within = run_limits(diagnosis.data, limits, seconds, files, hold)
-    return _plan(diagnosis, within, runs=runs, files=as_paths(files), seed=seed, say=say)
+    return _plan(
+        diagnosis, within, runs=runs, files=as_paths(files), seed=checked_seed(seed), say=say
+    )
 
 
 def run_limits(

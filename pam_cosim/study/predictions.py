@@ -7,6 +7,7 @@ from contextlib import AbstractContextManager
 
 import numpy as np
 
+from pam_cosim.counts import checked_samples, checked_seed
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
@@ -27,6 +28,7 @@ from pam_cosim.model.references import parameter_of
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation import AnySimulator, Simulator
 from pam_cosim.simulation.models import Paths, as_paths, opened
+from pam_cosim.study.data_sets import check_kind
 from pam_cosim.study.input_sources import Source
 from pam_cosim.study.runs import _course
 from pam_cosim.wording import did_you_mean, listed
@@ -68,8 +70,9 @@ def predict(
         InputError: an unknown run, input or parameter; something that has to be stated; nothing was fitted.
         SimulationFailure: the model breaks down at the optimum or with most of the samples.
     """
-    if samples < 2:
-        raise InputError("a band takes two samples at least")
+    needed = "a fit or a diagnosis is needed"
+    check_kind(product, (Fit, Diagnosis), needed, "make one, or load it by pam.load(FILE.npz)")
+    samples, seed = checked_samples(samples), checked_seed(seed)
     fit, data = (
         (product.final, product.data)
         if isinstance(product, Diagnosis)

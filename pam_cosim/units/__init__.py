@@ -1,7 +1,7 @@
 """Units: texts read, numbers converted, quantities written, all on one registry."""
 
 from pam_cosim.units.algebra import product, quotient
-from pam_cosim.units.base import BaseUnit, base_unit
+from pam_cosim.units.base import BaseUnit, base_unit, same_unit
 from pam_cosim.units.conversion import LARGEST, convert, examples, parse_quantity, seconds
 from pam_cosim.units.display import format_quantity, readable_factor, readable_unit
 from pam_cosim.units.grammar import (
@@ -29,6 +29,7 @@ __all__ = [
     "readable_factor",
     "readable_unit",
     "registry_errors",
+    "same_unit",
     "seconds",
     "with_unit",
 ]

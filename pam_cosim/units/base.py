@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 
 from pam_cosim.units.grammar import UnitError, read_unit, registry
@@ -42,6 +42,17 @@ class BaseUnit:
         if self.exponents != unit.exponents:
             raise UnitError(f"display unit '{self.name}' does not fit unit '{unit.name}'")
         return unit.factor / self.factor, (unit.offset - self.offset) / self.factor
+
+
+def same_unit(one: str, other: str) -> bool:
+    """Whether numbers in two units are the same, however these are written."""
+    if one == other:
+        return True
+    try:
+        first, second = base_unit(one), base_unit(other)
+    except UnitError:
+        return False
+    return replace(first, name=second.name) == second
 
 
 @cache

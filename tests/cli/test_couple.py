@@ -190,3 +190,9 @@ def test_example_runs(command: Run, place: Path) -> None:
     done = command("couple", example, "--adaptive", "-o", "out.csv")
     assert done.status == 0, done.err
     assert pam.Trajectory.from_csv(Path("out.csv"))["muscle.x"].max() > 0.015
+
+
+def test_a_limit_of_no_time(command: Callable[..., Outcome], place: Path) -> None:
+    (place / "system.toml").write_text(SYSTEM % "")
+    told = command("couple", "system.toml", "--timeout", "0")
+    assert told.status == 2 and "a time limit must be larger than zero" in told.err

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import pytest
 
+import pam_cosim as pam
 from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
@@ -220,8 +221,8 @@ def test_interrupted_writing_leaves_nothing(place: Path, monkeypatch: pytest.Mon
 
 # the shortest command that reads the file and would write to it
 OVERWRITERS = {
-    "the data set's description": ["compare", "data", "--json", "data/experiment.toml"],
-    "a recording": ["compare", "data", "--report", "data/../data/one.csv"],
+    "the data set's description": ["compare", "data", "--json", "description.json"],
+    "a recording": ["compare", "data", "--report", "recording.html"],
     "a recording, through a link": ["fit", "data", "-o", "link.json"],
     "the parameters": ["compare", "data", "--params", "p.json", "--json", "p.json"],
     "inputs": ["simulate", "TankFilling", "--input", "u.csv", "-o", "u.csv"],
@@ -234,6 +235,48 @@ OVERWRITERS = {
         "u.csv",
         "-o",
         "u.csv",
+    ],
+    "inputs that a sweep varies": [
+        "sweep",
+        "TankFilling",
+        "--stop-time",
+        "1",
+        "--vary",
+        "inputs=u.csv,v.csv",
+        "-o",
+        "v.csv",
+    ],
+    **{
+        f"a saved comparison, by {' '.join(words)}": [
+            words[0],
+            "saved.npz",
+            *words[1:],
+            "link.json",
+        ]
+        for words in (["compare", "--json"], ["fit", "-o"], ["check", "--json"])
+    },
+    "a saved comparison": ["diagnose", "saved.npz", "--save", "saved.npz"],
+    "an FMU": ["compare", "carries.fmu", "--json", "fmu.json"],
+    "a class of a package": ["linearise", "Lib.Sub", "--file", "Lib", "-o", "sub.csv"],
+    "a class of a package that is named by its file": [
+        "add",
+        "LaminarLeak",
+        "--to",
+        "TankFilling",
+        "--file",
+        "Lib/package.mo",
+        "-o",
+        "Lib/Sub.mo",
+    ],
+    "another class of a package": [
+        "add",
+        "LaminarLeak",
+        "--to",
+        "TankFilling",
+        "--file",
+        "Lib",
+        "-o",
+        "Lib/Sub.mo",
     ],
     "the model that is extended": ["add", "LaminarLeak", "--to", "Own.mo", "-o", "Own.mo"],
     "a further file": [
@@ -257,7 +300,21 @@ def test_no_result_replaces_what_the_command_reads(case: str, command: Command, 
     (place / "Own.mo").write_text(
         "model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n"
     )
-    (place / "link.json").symlink_to(data / "one.csv")
+    pam.save(pam.compare(pam.read("data")), "saved.npz")
+    (place / "v.csv").write_text((place / "u.csv").read_text())
+    (place / "carries.fmu").write_text("is not looked at")
+    (place / "Lib").mkdir()
+    (place / "Lib" / "package.mo").write_text("package Lib\nend Lib;\n")
+    (place / "Lib" / "Sub.mo").write_text("within Lib;\nmodel Sub\nend Sub;\n")
+    saved = "saved" in case
+    for link, file in {
+        "link.json": "saved.npz" if saved else "data/one.csv",
+        "description.json": "data/experiment.toml",
+        "recording.html": "data/../data/one.csv",
+        "fmu.json": "carries.fmu",
+        "sub.csv": "Lib/Sub.mo",
+    }.items():
+        (place / link).symlink_to(place / file)
     before = everything(place)
     words = OVERWRITERS[case]
     refused(command(*words), [words[-1], "is read by the command"])
@@ -281,3 +338,40 @@ def test_a_model_made_from_own_files_stands_by_itself_or_says_what_it_needs(
     )
     assert "--file 'My leak.mo'" in outcome.err
     done(command("simulate", "Seeping.mo", "--file", "My leak.mo", "--stop-time", "1"))
+
+
+ENDINGS_OF_OTHERS = (
+    ["compare", "data", "--json", "x.html"],
+    ["compare", "data", "--report", "x.json"],
+    ["fit", "data", "--resume", "x.png"],
+    ["fit", "data", "--json", "x.npz"],
+    ["build", "TankFilling", "-o", "x.zip"],
+    ["bench", "regulator", "spring", "-o", "x.json"],
+)
+
+
+@pytest.mark.parametrize("words", ENDINGS_OF_OTHERS, ids=" ".join)
+def test_the_ending_of_another_format(command: Command, data: Path, words: list[str]) -> None:
+    if words[0] == "bench":
+        words = ["bench", "--pneumatics", "regulator", "--mechanics", "spring", *words[3:]]
+    refused(command(*words), [words[-1], "name a f"])
+    assert [p.name for p in data.parent.iterdir()] == ["data"]
+
+
+def test_the_ending_of_another_format_in_python(place: Path, data: Path) -> None:
+    compared = pam.compare(pam.read("data"))
+    trajectory = pam.simulate("TankFilling", stop_time=1)
+    linear = pam.linearise("TankFilling")
+    for write in (
+        lambda: pam.sweep("TankFilling", {"u_in": [0.1]}, stop_time=1, output="x.json"),
+        lambda: linear.to_csv("x.json"),
+        lambda: linear.to_json("x.csv"),
+        lambda: trajectory.to_csv(Path("x.json")),
+        lambda: pam.draw(compared, "x.csv"),
+        lambda: pam.draw(trajectory, "x.csv"),
+        lambda: pam.add(["LaminarLeak"], "TankFilling", "x.json"),
+        lambda: pam.bench("regulator", "spring", output="x.json"),
+    ):
+        with pytest.raises(InputError, match=r"x\.\w+: .*name a file that ends"):
+            write()
+    assert [p.name for p in place.iterdir()] == ["data"]

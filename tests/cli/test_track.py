@@ -65,3 +65,8 @@ def test_refused(command: Command, sources: Path, words: list[str], message: str
     assert (done.status, done.out) == (2, "") and message in done.err
     assert sorted(p.name for p in sources.iterdir()) == ["Slide.mo", "law.py"]
     assert (sources / "law.py").read_text() == LAW
+
+
+def test_a_limit_of_no_time(command: Command, sources: Path) -> None:
+    told = command("track", "Slide.mo", "--controller", "law.py:law", *TOLD, "--timeout", "0")
+    assert told.status == 2 and "a time limit must be larger than zero" in told.err

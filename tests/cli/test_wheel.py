@@ -16,6 +16,7 @@ import pytest
 from hatchling.builders.wheel import WheelBuilder
 
 from pam_cosim.cli.app import main
+from pam_cosim.study import demonstration
 from rig import measurement
 from rig.named import effect_of
 from rig.plan import default_plan
@@ -179,6 +180,18 @@ def test_demonstration_spares_other_folders(
     assert main(["demo", str(tmp_path)]) == 2
     assert "thesis.tex" in capsys.readouterr().err
     assert [file.name for file in tmp_path.iterdir() if file.is_file()] == ["thesis.tex"]
+
+
+def test_an_interrupted_demonstration_says_that_there_are_recordings(
+    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    def interrupted(*_: object, **__: object) -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(demonstration, "demonstrate", interrupted)
+    for _ in range(2):
+        assert main(["demo", str(tmp_path / "shown")]) == 130
+        assert f"interrupted; written: {tmp_path / 'shown' / 'data'}" in capsys.readouterr().err
 
 
 @pytest.mark.full

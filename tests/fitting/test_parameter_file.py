@@ -30,7 +30,7 @@ FOUND = Fit(
 )
 
 
-@pytest.mark.parametrize("name", ["found.json", "found.ssv", "FOUND.SSV", "found.txt"])
+@pytest.mark.parametrize("name", ["found.json", "found.ssv", "FOUND.SSV", "found"])
 def test_round_trip_to_the_last_bit(tmp_path: Path, name: str) -> None:
     write_parameters(tmp_path / name, FOUND)
     assert read_parameters(tmp_path / name) == VALUES

@@ -82,7 +82,7 @@ def test_bad_questions(fitted: Fit) -> None:
         study.predict(fitted, run="run", stop_time=3)
     with pytest.raises(InputError, match="of its own, and times; leave those out, or the run"):
         study.predict(fitted, run="run", interval=1)
-    with pytest.raises(InputError, match="two samples"):
+    with pytest.raises(InputError, match="the number of samples must be a whole number from 2"):
         study.predict(fitted, samples=1)
     data = fitted.comparison.data
     other = replace(

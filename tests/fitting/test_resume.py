@@ -111,6 +111,45 @@ def test_what_is_no_such_file_is_refused_and_left(text: str, tmp_path: Path) -> 
     assert file.read_text() == text
 
 
+@pytest.mark.parametrize(
+    ("place", "content"),
+    [
+        (0, 3),
+        (0, "square"),
+        (1, 10**400),
+        (1, [float("inf"), 1.0]),
+        (1, [None, 1.0]),
+        (2, -1),
+        (2, 10**400),
+        (2, 1.5),
+        (3, "x"),
+        (3, [[1.0]]),
+        (3, float("nan")),
+    ],
+    ids=lambda one: str(one)[:20],
+)
+def test_a_damaged_answer_is_refused_and_the_file_left(
+    progress: str, tmp_path: Path, place: int, content: object
+) -> None:
+    document, file = json.loads(progress), tmp_path / "fit.progress"
+    for kind in ("squares", "triangle"):
+        entry = next(one for one in document["answers"] if one[0] == kind)
+        entry[place] = content
+        file.write_text(json.dumps(document))
+        with pytest.raises(InputError, match="damaged"):
+            pam.fit(vessel_data(), resume=file)
+        assert file.read_text() == json.dumps(document)
+        document = json.loads(progress)
+
+
+@pytest.fixture(scope="module")
+def progress(tmp_path_factory: pytest.TempPathFactory) -> str:
+    """What a fit keeps."""
+    file = tmp_path_factory.mktemp("fit") / "fit.progress"
+    pam.fit(vessel_data(), resume=file)
+    return file.read_text()
+
+
 def test_standing_reads_as_a_person_would_say_it() -> None:
     """Errors are of all fitted runs, also of signals that the last one does not have."""
     told: list[FitProgress] = []

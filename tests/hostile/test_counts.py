@@ -44,6 +44,7 @@ WORDS = {
     "a run in steps of nothing": ["simulate", "TankFilling", "--interval", "0"],
     "a run in steps of nan": ["simulate", "TankFilling", "--interval", "nan"],
     "a port of a million": ["workbench", "data", "--port", "1000000", "--no-browser"],
+    "1e9 samples": ["predict", "data", "--samples", "1000000000", "--stop-time", "1"],
     "1e12 frequencies": ["bode", "TankFilling", "--by", "u_in", "--amplitude", "20 mA", "--frequencies",
                          "1:2:1000000000000"],
 }  # fmt: skip

@@ -11,6 +11,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
+from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fmu.compile import compile_library, native_platform
 from pam_cosim.fmu.read import read_interface
@@ -49,6 +50,14 @@ NUMBERS = {
     "a value reference beyond 32 bits": (r'valueReference="[0-9]+"', 'valueReference="4294967296"'),
     "a negative value reference": (r'valueReference="[0-9]+"', 'valueReference="-1"'),
     "a value reference of letters": (r'valueReference="[0-9]+"', 'valueReference="abc"'),
+    "an earlier version": (r'fmiVersion="2.0"', 'fmiVersion="1.0"'),
+    "no version": (r'fmiVersion="2.0"', ""),
+    "an identifier that is a path": (
+        r'modelIdentifier="[^"]*"',
+        'modelIdentifier="../../../../../x"',
+    ),
+    "an identifier that is none": (r'modelIdentifier="[^"]*"', 'modelIdentifier="a b"'),
+    "a name that turns letters": (r' name="p"', ' name="p\u202e"'),
     "entities in entities": (
         r"<fmiModelDescription",
         '<!DOCTYPE x [<!ENTITY a "' + "x" * 999 + '">]><fmiModelDescription',
@@ -85,6 +94,47 @@ def test_archives_that_leave_their_folder(fmu: Path, tmp_path: Path, name: str) 
         read_interface(file)
     assert len(caught.value.message) < 200
     assert [p.name for p in tmp_path.iterdir()] == ["evil.fmu"]
+
+
+def test_two_descriptions(fmu: Path, tmp_path: Path) -> None:
+    file = changed(fmu, tmp_path / "evil.fmu")
+    with zipfile.ZipFile(file, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
+        archive.writestr(DESCRIPTION, "<x/>")
+    with pytest.raises(InputError, match="the archive has two files 'modelDescription.xml'"):
+        read_interface(file)
+
+
+def test_a_file_in_the_place_of_a_folder(
+    fmu: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
+) -> None:
+    file = changed(fmu, tmp_path / "first.fmu", extra="resources/dl")
+    file = changed(file, tmp_path / "evil.fmu", extra="resources/dl/x.txt")
+    with (
+        IsolatedSimulator(file) as simulator,
+        pytest.raises(InputError, match="evil.fmu: the archive cannot be unpacked"),
+    ):
+        simulator.run([0.0, 1.0])
+    assert "Traceback" not in capfd.readouterr().err
+
+
+COMMANDS_OF_TERMINALS = "\u009b31m\u0085\u202e\u2066\u200b"
+
+
+def test_texts_that_command_a_terminal(
+    fmu: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """What an FMU says of its model and variables is shown, and those letters are blank in it."""
+    file = fmu
+    for i, attribute in enumerate(("modelName", "description", "unit", "displayUnit")):
+        file = changed(
+            file, tmp_path / f"{i}.fmu", rf'(<.*[^ ]* {attribute}=")', rf"\1{COMMANDS_OF_TERMINALS}"
+        )
+    with zipfile.ZipFile(file) as archive:
+        assert archive.read(DESCRIPTION).decode().count("\u202e") == 4
+    for words in (["describe", str(file), "--all"], ["simulate", str(file), "--stop-time", "1"]):
+        assert main(words) == 0
+        said = "".join(capsys.readouterr())
+        assert all(line.isprintable() for line in said.split("\n")), said
 
 
 BINARIES = {

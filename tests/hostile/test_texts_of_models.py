@@ -17,6 +17,7 @@ from fmpy.validation import validate_fmu
 from lxml import etree
 
 from pam_cosim import study
+from pam_cosim.cli.app import main
 from pam_cosim.compiler import compile_model
 from pam_cosim.compiler.names import identifier, last, parent, parts
 from pam_cosim.errors import ModelError
@@ -279,3 +280,10 @@ def test_names_with_slashes_are_written(ending: str, place: Path) -> None:
             (name,) = data.data_vars
             assert "/" not in str(name) and data[name].attrs["modelica_name"] == "'y a/../b'"
             np.testing.assert_array_equal(data[name], run["'y a/../b'"])
+
+
+def test_comments_that_command_a_terminal(place: Path, capsys: pytest.CaptureFixture[str]) -> None:
+    _write(place, "n", "a\u009b31m\u0085b\u202ec")
+    assert main(["describe", "Hostile.mo", "--all"]) == 0
+    said = capsys.readouterr().out
+    assert "a 31m b c" in said and all(line.isprintable() for line in said.split("\n"))

@@ -249,6 +249,20 @@ NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n !=
                 ("periodic", "false"),
             )
         ),
+        *(
+            (
+                table(ROWS),
+                EXPERIMENT.replace('kind = "static"', f'kind = "static"\n{key} = {value}'),
+                [f"{TOML}:4", f"{key} is for recordings over time"],
+            )
+            for key, value in (
+                ("start", '"rest"'),
+                ("before", '{ p = "1 bar", for = "1 s" }'),
+                ("lead", '"1 s"'),
+                ("periodic", "false"),
+                ("gaps", '"split"'),
+            )
+        ),
         (
             table(ROWS),
             '[[runs.loggers]]\nfile = "loops.csv"\noffset = 0',

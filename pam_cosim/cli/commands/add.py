@@ -12,12 +12,15 @@ from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
     SetOption,
-    check_model_file,
     check_results,
+    console,
     say_used_with,
     say_written,
 )
 from pam_cosim.errors import InputError
+from pam_cosim.files import check_model_file
+from pam_cosim.study.fitted_model import read_fitted_model
+from pam_cosim.wording import listed
 
 
 def add(
@@ -64,5 +67,17 @@ def add(
         origin or effects or [], to, output, values=values, files=files or [], learned=learned
     )
     typer.echo(text, nl=False)
+    if origin is not None:
+        _say_left_out(origin)
     say_written(output)
     say_used_with(files or [])
+
+
+def _say_left_out(origin: Path) -> None:
+    """Says which values of a file are of single runs or of the data set, for which a model has no place."""
+    left = read_fitted_model(origin).of_the_data
+    if left:
+        note = (
+            f"{origin}: {listed(left)}: of the data and not of the model, which is written without"
+        )
+        console.print(note, markup=False, soft_wrap=True)

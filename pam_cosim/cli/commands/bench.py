@@ -16,6 +16,7 @@ from pam_cosim import study
 from pam_cosim.catalogue import BenchPart
 from pam_cosim.cli.commands.common import FilesOption, check_results, console, say_written
 from pam_cosim.errors import InputError
+from pam_cosim.files import check_model_file
 
 
 def bench(
@@ -58,9 +59,8 @@ def bench(
         raise InputError(
             f"a bench needs {missing}; 'pam-cosim bench --list' says what parts there are"
         )
+    check_model_file(output)
     check_results(output, sources=files or [])
-    if output.suffix != ".mo":
-        raise InputError("the model is written as Modelica: name a file that ends in .mo", output)
     typer.echo(
         study.bench(
             pneumatics, mechanics, muscle, measure, output, static=static, files=files or []

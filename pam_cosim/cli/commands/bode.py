@@ -51,7 +51,7 @@ def bode(
     timeout: TimeoutOption = None,
 ) -> None:
     """Frequency response of a model by sines, beside that of its linear model."""
-    check_results(json, tables=[output], pictures=[plot], sources=[model, *(files or [])])
+    check_results(json=json, tables=[output], pictures=[plot], sources=[model, *(files or [])])
     point = parse_point([at])
     if isinstance(point, list):
         raise InputError("a sine swings about a rest, not about a time of a run")

@@ -96,7 +96,7 @@ def _with_data(
             "recordings go into one FMU: name it with -o NAME.fmu, and one model at most"
         )
     check_results(
-        output, sources=[*models, *files, *filter(None, (fit, diagnosis))], new_folder=True
+        output, sources=[data, *models, *files, *filter(None, (fit, diagnosis))], new_folder=True
     )
     made = study.build_with_data(
         data,

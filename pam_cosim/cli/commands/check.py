@@ -28,7 +28,7 @@ def check(
     workers: WorkersOption = None,
 ) -> None:
     """What a measurement can and cannot tell, before any fit, and what to measure next."""
-    check_results(json, sources=[model, *(files or [])])
+    check_results(json=json, sources=[model, *(files or [])])
     read = read_data(data, model, files)
     with console.status("simulating what could be measured") as status:
         checked = study.check(read, model, files=files or [], say=teller(status), workers=workers)

@@ -16,8 +16,17 @@ from rich.console import Console
 from rich.markup import escape
 
 from pam_cosim import renamed
-from pam_cosim.errors import InputError
-from pam_cosim.files import check_distinct, check_ending, check_spared, check_writable, identity
+from pam_cosim.files import (
+    JSON,
+    PAGE,
+    PICTURE,
+    TABLE,
+    check_distinct,
+    check_ending,
+    check_spared,
+    check_writable,
+    identity,
+)
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
@@ -25,7 +34,8 @@ if TYPE_CHECKING:
     from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
 
-PICTURES, PARAMETERS = (".png",), (".json", ".ssv")  # endings of results
+PARAMETERS = (".json", ".ssv")  # endings of results
+PROGRESS = (".progress", ".json")
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
@@ -121,19 +131,25 @@ DataOrFmu = Annotated[
 
 def check_results(
     *outputs: Path | None,
+    json: Path | None = None,
+    report: Path | None = None,
     pictures: Iterable[Path | None] = (),
     tables: Iterable[Path | None] = (),
     sources: Iterable[Path | str | None] = (),
     new_folder: bool = False,
 ) -> None:
     """Finds out before long work that the results can be written, and that nothing else is lost by that."""
-    drawn = [path for path in pictures if path is not None]
-    for path in drawn:
-        check_ending(path, "pictures are drawn as PNG", PICTURES)
-    written = [path for path in tables if path is not None]
-    for path in written:
-        check_ending(path, "this is written as CSV", (".csv",))
-    named = [*(path for path in outputs if path is not None), *written, *drawn]
+    kinds = (
+        ([json], "this is written as JSON", JSON),
+        ([report], "reports are written as HTML", PAGE),
+        (list(tables), "this is written as CSV", TABLE),
+        (list(pictures), "pictures are drawn as PNG", PICTURE),
+    )
+    named = [path for path in outputs if path is not None]
+    for paths, what, endings in kinds:
+        for path in filter(None, paths):
+            check_ending(path, what, endings)
+            named.append(path)
     for path in named:
         check_writable(path, new_folder=new_folder)
         results[path] = identity(path)
@@ -144,12 +160,6 @@ def check_results(
 def say_renamed(option: str) -> None:
     """Answers an option that has another name now with that."""
     print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
-
-
-def check_model_file(path: Path) -> None:
-    """A model is written as Modelica."""
-    if path.suffix != ".mo":
-        raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
 
 
 def say_used_with(files: Iterable[Path]) -> None:
@@ -181,7 +191,7 @@ def read_data(
         cuts=parse_cuts(cuts or []),
         starts=parse_pairs(begins or []),
     )
-    check_spared(results, [read.model, *read.files])
+    check_spared(results, [data, read.model, *read.files])
     return read
 
 

@@ -23,16 +23,18 @@ from pam_cosim.cli.commands.common import (
     SetOption,
     TimeoutOption,
     check_results,
+    console,
     read_data,
     say_written,
 )
 from pam_cosim.comparison import Comparison, ConditionTable, check_conditions, write_tables
+from pam_cosim.compiler import names
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import is_fmu
-from pam_cosim.study.fitted_model import read_fitted_model
+from pam_cosim.study.fitted_model import FittedModel, check_fitted, read_fitted_model
 from pam_cosim.study.tables import against_lines, read_comparison
 from pam_cosim.wording import listed
 
@@ -73,9 +75,11 @@ def compare(
             "--table-csv and --table-plot need --table ROWS COLUMNS, two parameters of the runs"
         )
     files, against = files or [], against or []
-    sources = [model, params, *against, *files]
-    check_results(json, report, tables=[table_csv], pictures=[table_plot], sources=sources)
-    fitted = _values_of(params, model) if params else {}
+    sources = [data, model, params, *against, *files]
+    check_results(
+        json=json, report=report, tables=[table_csv], pictures=[table_plot], sources=sources
+    )
+    fitted = _fitted(params, model) if params else FittedModel("", (), {})
     chosen = parse_pairs(settings or [])
     earlier = [(path.stem, read_comparison(path)) for path in against]
     repeated = True
@@ -87,17 +91,19 @@ def compare(
         comparison = _compared(
             carried.data,
             model or str(data),
-            {**carried.values, **fitted} if model is None else fitted,
+            {**carried.values, **fitted.values} if model is None else fitted.values,
             chosen,
             table,
             files,
             timeout,
         )
-        if model in (None, str(data)) and not fitted and not chosen:
+        if model in (None, str(data)) and not fitted.values and not chosen:
             repeated = _say_repeated(carried.deviation(comparison))
     else:
         read = read_data(data, model, files, roles, cuts, begins)
-        comparison = _compared(read, model, fitted, chosen, table, files, timeout)
+        if params:
+            _check_fitted(fitted, params, read, model, files)
+        comparison = _compared(read, model, fitted.values, chosen, table, files, timeout)
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = _tables(comparison, table) if table else []
@@ -184,8 +190,27 @@ def _say_repeated(deviation: float) -> bool:
     return repeated
 
 
-def _values_of(params: Path, model: str | None) -> dict[str, float]:
-    """The values in a file; those of a model with effects are of no model without them."""
+def _check_fitted(
+    fitted: FittedModel, params: Path, data: DataSet, model: str | None, files: Sequence[Path]
+) -> None:
+    """Values in a file are of the model, in its units and ranges; says which of them give way to those of runs."""
+    interface = study.describe(data.model_for(model), files)
+    own = {"", data.model, data.bench, data.unmapped, names.last(interface.model)}
+    if model is None and not own & {fitted.model, names.last(fitted.model)}:
+        raise InputError(
+            f"these values are of {fitted.model}, and the data set is of {interface.model}: "
+            "name the model that they are for with --model",
+            params,
+        )
+    check_fitted(fitted, interface, params)
+    stated = listed({n: 0 for run in data.runs for n in run.parameters if n in fitted.values})
+    if stated != "none":
+        note = f"{params}: {stated}: the runs state values of their own, which count"
+        console.print(note, markup=False, soft_wrap=True)
+
+
+def _fitted(params: Path, model: str | None) -> FittedModel:
+    """What a file holds; values of a model with effects are of no model without them."""
     fitted = read_fitted_model(params)
     if fitted.effects and model is None:
         made = f"pam-cosim add --from {quote(str(params))} -o Better.mo"
@@ -194,4 +219,4 @@ def _values_of(params: Path, model: str | None) -> dict[str, float]:
             f"'{made}' writes it",
             params,
         )
-    return dict(fitted.values)
+    return fitted

@@ -9,8 +9,15 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim.cli.commands.common import WorkersOption, check_results, console, follower, teller
-from pam_cosim.files import make_folder
+from pam_cosim.cli.commands.common import (
+    WorkersOption,
+    check_results,
+    console,
+    follower,
+    results,
+    teller,
+)
+from pam_cosim.files import identity, make_folder
 from pam_cosim.reporting import diagnosis_text
 from pam_cosim.study import demonstration
 
@@ -25,6 +32,7 @@ def demo(
     workers: WorkersOption = None,
 ) -> None:
     """Diagnose recordings that come along: see the verdict, the page, and the error fall."""
+    results[folder / demonstration.DATA] = identity(folder / demonstration.DATA)
     data = demonstration.unpack(folder)
     make_folder(folder)
     check_results(*demonstration.results_of(folder, "report", "Better"))

@@ -23,7 +23,6 @@ from pam_cosim.cli.commands.common import (
     RoleOption,
     StartOption,
     WorkersOption,
-    check_model_file,
     check_results,
     console,
     follower,
@@ -33,7 +32,7 @@ from pam_cosim.cli.commands.common import (
 )
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import write_json, write_text
+from pam_cosim.files import check_model_file, write_json, write_text
 from pam_cosim.study import products
 from pam_cosim.study.fitted_model import fitted_model
 from pam_cosim.study.tables import write_next_run, write_planned_runs
@@ -98,7 +97,15 @@ def diagnose(
     """Find the physical effect that the model lacks."""
     files = files or []
     _check_endings(output, learned, save)
-    check_results(output, save, json, report, learned, tables=[following], sources=[model, *files])
+    check_results(
+        output,
+        save,
+        learned,
+        json=json,
+        report=report,
+        tables=[following],
+        sources=[model, *files],
+    )
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("refitting the base model") as status:
         say = teller(status)

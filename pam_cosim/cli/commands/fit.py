@@ -11,6 +11,7 @@ from pam_cosim import reporting, study
 from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     PARAMETERS,
+    PROGRESS,
     BeginOption,
     CutOption,
     Data,
@@ -79,8 +80,10 @@ def fit(
     if output:
         check_parameter_file(output)
         check_ending(output, "parameters are written as JSON or SSV", PARAMETERS)
+    if resume:
+        check_ending(resume, "the outcomes of simulations are kept as text", PROGRESS)
     sources = [model, *(files or [])]
-    check_results(output, json, resume, pictures=[plot, profile], sources=sources)
+    check_results(output, resume, json=json, pictures=[plot, profile], sources=sources)
     read = read_data(data, model, files, roles, cuts, begins)
     with console.status("fitting") as status:
         fitted = study.fit(

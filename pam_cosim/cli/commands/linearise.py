@@ -62,7 +62,9 @@ def linearise(
     timeout: TimeoutOption = None,
 ) -> None:
     """A, B, C and D of a model about a state, a rest or times of a run."""
-    check_results(json, tables=[output], pictures=[plot], sources=[model, course, *(files or [])])
+    check_results(
+        json=json, tables=[output], pictures=[plot], sources=[model, course, *(files or [])]
+    )
     parameters = parse_pairs(settings or [])
     inputs = (
         read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None

@@ -66,7 +66,7 @@ def observe(
 ) -> None:
     """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
     check_results(
-        json, tables=[output], pictures=[plot], sources=[model, recording, *(files or [])]
+        json=json, tables=[output], pictures=[plot], sources=[model, recording, *(files or [])]
     )
     point = {} if start is None else parse_point([start])
     if not isinstance(point, dict):

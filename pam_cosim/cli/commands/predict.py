@@ -20,6 +20,7 @@ from pam_cosim.cli.commands.common import (
     read_data,
     tell_and_write,
 )
+from pam_cosim.counts import MOST_SAMPLES
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
@@ -45,7 +46,10 @@ def predict(
         str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")
     ] = None,
     samples: Annotated[
-        int, typer.Option(help="Of the parameters, each of which is simulated.", min=2)
+        int,
+        typer.Option(
+            help="Of the parameters, each of which is simulated.", min=2, max=MOST_SAMPLES
+        ),
     ] = 200,
     seed: Annotated[int, typer.Option(help="Of the samples.", min=0)] = 0,
     discrepancy: Annotated[
@@ -67,7 +71,7 @@ def predict(
 ) -> None:
     """Predict a run that nobody made, with 95 % bands of what the data leave open."""
     check_results(
-        json, tables=[output], pictures=[plot], sources=[source, model, inputs, *(files or [])]
+        json=json, tables=[output], pictures=[plot], sources=[source, model, inputs, *(files or [])]
     )
     product = _fitted(source, model, files)
     with console.status("simulating samples of the parameters"):

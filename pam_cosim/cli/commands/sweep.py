@@ -38,6 +38,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
+from pam_cosim.sweeps.patterns import INPUTS
 
 _MOST_FAILURES = 20  # that are told one by one
 _COLUMNS = (
@@ -109,7 +110,9 @@ def sweep(
 
     A sweep that was stopped goes on with the same command.
     """
-    check_results(*map(Path, output), pictures=[plot], sources=[model, inputs, *(files or [])])
+    varied = parse_varied(vary)
+    sources = [model, inputs, *varied.get(INPUTS, []), *(files or [])]
+    check_results(*map(Path, output), pictures=[plot], sources=sources)
     file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
     if file is None:
         raise InputError("name the file of the result with -o")
@@ -122,7 +125,7 @@ def sweep(
         task = progress.add_task("sweep", total=None)
         made = study.sweep(
             model,
-            parse_varied(vary),
+            varied,
             parameters=parse_pairs(settings or []),
             inputs=inputs,
             outputs=[*(keep or []), *formerly],

@@ -58,7 +58,10 @@ def track(
     if file.endswith(".py"):
         made = partial(controller_from, Path(file), name)
     check_results(
-        json, tables=[output], pictures=[plot], sources=[plant, file or controller, *(files or [])]
+        json=json,
+        tables=[output],
+        pictures=[plot],
+        sources=[plant, file or controller, *(files or [])],
     )
     chosen = parse_frequencies(frequencies)
     columns = (TextColumn("tracking"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())

@@ -74,14 +74,13 @@ class Course:
         return time, {name: values[name] for name in limits.inputs}
 
     def _base(self, segment: NDArray[np.intp], time: Array, limits: Limits) -> Array:
-        """(n, k) levels with their sines, within the ranges."""
+        """(n, k) levels with their sines, within the ranges; k is 0 where nothing moves."""
         share = time / limits.seconds
         levels = self.levels[segment]
         if not self.is_stepped:
-            levels = np.column_stack(
-                [np.interp(share, self.knots, column) for column in self.levels.T]
-            )
-        low, high = (np.array([limits.inputs[name][i] for name in limits.moving]) for i in (0, 1))
+            columns = [np.interp(share, self.knots, column) for column in self.levels.T]
+            levels = np.array(columns).reshape(-1, len(time)).T
+        low, high = np.array([limits.inputs[name] for name in limits.moving]).reshape(-1, 2).T
         size, first, last, phase = self.waves.T
         cycles = share[:, None] * first + 0.5 * share[:, None] ** 2 * (last - first) + phase
         waves = 0.5 * (high - low) * size * np.sin(2 * np.pi * cycles)

@@ -48,6 +48,16 @@ def test_limits_are_what_the_recordings_span(data: DataSet) -> None:
     assert (limits.seconds, limits.interval) == (5.0, pytest.approx(0.1))
 
 
+def test_a_bench_without_inputs_has_parameters_to_plan(data: DataSet) -> None:
+    still = replace(data, runs=tuple(replace(run, inputs={}) for run in data.runs))
+    limits, rng = limits_of(still), np.random.default_rng(0)
+    moves = Moves(limits, still.runs)
+    for course in (*moves.recorded(), *(moves.drawn(rng) for _ in range(20))):
+        time, inputs = course.table(limits)
+        assert len(time) == 51 and not inputs
+        assert 1.0 <= moves.changed(rng, course).parameters["load.m"] <= 4.0
+
+
 def test_stated_limits_come_first(data: DataSet) -> None:
     limits = limits_of(
         data, {"u": (0.1, 0.4), "muscle.L0": (0.1, 0.2), "x": (0.0, 0.005)}, seconds=2.0

@@ -1,0 +1,125 @@
+"""Recordings that declare more values than can be taken, in files of some kilobytes: refused before they are read."""
+
+from __future__ import annotations
+
+import struct
+import tracemalloc
+import zlib
+from collections.abc import Callable
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pyarrow
+import pytest
+import scipy.io
+from nptdms import ChannelObject, TdmsWriter
+from pyarrow import parquet
+
+from pam_cosim import files
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import table
+from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.matlab_table import _unpacked
+from pam_cosim.measurement.table import Layout
+
+MOST = 2_000_000  # bytes of Python's own memory to find out
+NAMES = ("time [s]", "p [kPa]")
+
+
+def sparse_hdf5(file: Path) -> Layout:
+    with h5py.File(file, "w") as out:
+        for name in ("time", "p"):
+            out.create_dataset(name, (10**12,), "f8", chunks=(1000,))
+    return Layout()
+
+
+def sparse_matrix(file: Path) -> Layout:
+    with h5py.File(file, "w") as out:
+        out.create_dataset("run", (10**11, 2), "f8", chunks=(1000, 2))
+    return Layout(table="run", names=NAMES)
+
+
+def fields_hdf5(file: Path) -> Layout:
+    with h5py.File(file, "w") as out:
+        kinds = np.dtype([("time", float), ("p", float)])
+        out.create_dataset("run", (10**9,), kinds, chunks=(1000,))
+    return Layout()
+
+
+def one_large_chunk(file: Path) -> Layout:
+    with h5py.File(file, "w") as out:
+        for name in ("time", "p"):
+            out.create_dataset(name, (10,), "f8", maxshape=(None,), chunks=(10**8,))
+    return Layout()
+
+
+def repeated_parquet(file: Path) -> Layout:
+    with parquet.ParquetWriter(file, pyarrow.schema([(n, "f4") for n in NAMES])) as writer:
+        part = pyarrow.table({n: np.zeros(3_000_000, np.float32) for n in NAMES})
+        for _ in range(9):
+            writer.write_table(part)
+    return Layout()
+
+
+def compressed_structure(file: Path) -> Layout:
+    """A structure with one vector, whose element only says that it is long."""
+    scipy.io.savemat(file, {"run": {"time": np.arange(3.0)}}, do_compression=True)
+    element = zlib.compress(struct.pack("<II", 14, 2 * 10**9) + bytes(1000))
+    with file.open("ab") as out:
+        out.write(struct.pack("<II", 15, len(element)) + element)
+    return Layout()
+
+
+WRITERS = [
+    ("run.h5", sparse_hdf5),
+    ("run.mat", sparse_hdf5),
+    ("run.h5", sparse_matrix),
+    ("run.h5", fields_hdf5),
+    ("run.h5", one_large_chunk),
+    ("run.parquet", repeated_parquet),
+]
+
+
+@pytest.mark.parametrize(("name", "write"), WRITERS, ids=[f"{w.__name__} {n}" for n, w in WRITERS])
+def test_more_values_than_can_be_taken(
+    tmp_path: Path, name: str, write: Callable[[Path], Layout]
+) -> None:
+    stated, file = write(tmp_path / name), tmp_path / name
+    assert file.stat().st_size < 1_000_000
+    tracemalloc.start()
+    with pytest.raises(InputError, match="values, and 50 million can be taken") as caught:
+        read_table(file, stated)
+    assert caught.value.file == file and tracemalloc.get_traced_memory()[1] < MOST
+    tracemalloc.stop()
+
+
+def few(file: Path) -> Layout:
+    values = np.arange(8.0)
+    match file.suffix:
+        case ".mat":
+            scipy.io.savemat(file, {"time": values, "p": values})
+        case ".tdms":
+            with TdmsWriter(file) as out:
+                out.write_segment([ChannelObject("run", n, values) for n in NAMES])
+        case ".csv":
+            file.write_text("time [s],p [kPa]\n" + "".join(f"{v},{v}\n" for v in values))
+    return Layout()
+
+
+@pytest.mark.parametrize("name", ["run.mat", "run.tdms", "run.csv"])
+def test_one_limit_for_all_kinds(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
+) -> None:
+    stated = few(tmp_path / name)
+    assert len(read_table(tmp_path / name, stated).columns) == 2
+    monkeypatch.setattr(table, "MOST_VALUES", 15)
+    with pytest.raises(InputError, match="it declares (16|28) values"):
+        read_table(tmp_path / name, stated)
+
+
+def test_a_compressed_structure_says_how_long_it_is(tmp_path: Path) -> None:
+    stated = compressed_structure(tmp_path / "run.mat")
+    with pytest.raises(InputError, match="can be taken|cannot be read"):
+        read_table(tmp_path / "run.mat", stated)
+    assert _unpacked(tmp_path / "run.mat") > 8 * files.MOST_VALUES
