@@ -20,7 +20,7 @@ from pam_cosim.wording import did_you_mean, shown
 
 MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "---")
 """Words that stand where a sample is missing, in small letters."""
-_STATED = re.compile(r'(\w+) = \[?("?)([^"\]]+)\2')
+_STATED = re.compile(r'\b(?!names)(\w+) = (?:\[?"([^"]+)"|(\d+))')
 _MOST_WORDS = 3  # up, down, and neither
 
 
@@ -163,6 +163,6 @@ def _with_hint(error: InputError) -> InputError:
         here = " (here: --recording 'names=time [s],p [kPa]', a name for each column)"
     elif "[recording]" in error.message:
         key = _STATED.search(error.message)
-        said = shown(f"{key[1]}={key[3]}") if key else "KEY=VALUE"
+        said = shown(f"{key[1]}={key[2] or key[3]}") if key else "KEY=VALUE"
         here = f" (here: --recording {said})"
     return InputError(f"{error.message}{here}", error.file, error.line, error.column)
