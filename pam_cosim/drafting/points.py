@@ -123,12 +123,13 @@ def _held_out(
 def _levels(values: Array) -> list[float]:
     """The levels that readings repeat, each as it was read; none where the readings do not cluster."""
     exact = np.unique(values)
-    if CRITERIA.static.shared * len(exact) <= len(values):
+    near = CRITERIA.static.near * span(values)
+    is_apart = float(np.diff(exact).min(initial=np.inf)) > near
+    if is_apart and CRITERIA.static.shared * len(exact) <= len(values):
         return [float(value) for value in exact]
     number = levels(values)
     if number is None:
         return []
-    near = CRITERIA.static.near * span(values)
     groups = [values[number == k] for k in range(int(number.max(initial=0)) + 1)]
     middle = [float(np.median(group)) for group in groups]
     clear = all(float(np.max(np.abs(g - m))) <= near for g, m in zip(groups, middle, strict=True))

@@ -37,6 +37,7 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
                 if made.why_model
                 else []
             ),
+            *_rows_at_rest(made),
             *_guessed_clock(made, mapped),
             *_markers(made, choice),
             *_freely_moving(made, choice),
@@ -87,6 +88,14 @@ def _absolute_supply(made: Draft) -> Iterator[str]:
                 f"{listed(absolute)} is of an absolute gauge: if {name} is too, take the ambient pressure off under "
                 f'[columns], as in {name} = {{ column = {shown(column)}, offset = "-1.013 bar" }}'
             )
+
+
+def _rows_at_rest(made: Draft) -> Iterator[str]:
+    if made.points is not None:
+        yield (
+            "no column is the time, so that each row is taken for a point at rest: where rows are samples of a "
+            "recording, say how far they are apart, --recording interval='1 ms'"
+        )
 
 
 def _guessed_clock(made: Draft, mapped: Mapped) -> Iterator[str]:

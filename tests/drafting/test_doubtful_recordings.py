@@ -42,6 +42,16 @@ def steps(count: int = 400) -> list[list[object]]:
     ]
 
 
+def test_rows_without_a_time_are_asked_about(tmp_path: Path) -> None:
+    rows = [[k, *row] for k, row in enumerate(steps())]
+    file = write(tmp_path / "a.csv", ",".join(["sample", *SET]), rows)
+    made = pam.new(tmp_path / "rig", [file])
+    assert written(made)["kind"] == "static"
+    assert len(said(made, "each row is taken for a point at rest")) == 1
+    made = pam.new(tmp_path / "over-time", [file], recording={"interval": "10 ms"})
+    assert "kind" not in written(made) and not said(made, "point at rest")
+
+
 def test_dates_are_the_time_where_no_number_is(tmp_path: Path) -> None:
     begin = datetime(2024, 3, 12, 14, 5)
     dates = [str(begin + timedelta(milliseconds=10 * k + 1)) for k in range(400)]
