@@ -9,7 +9,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.hdf5_table import read_hdf5
 from pam_cosim.measurement.matlab_table import read_matlab
 from pam_cosim.measurement.parquet_table import read_parquet
-from pam_cosim.measurement.table import Layout, Table
+from pam_cosim.measurement.table import Layout, Table, without_empty_end
 from pam_cosim.measurement.tdms_table import read_tdms
 from pam_cosim.measurement.text_table import read_text_table
 
@@ -26,7 +26,7 @@ _OF_SEVERAL_TABLES = (".mat", ".h5", ".hdf5", ".hdf", ".tdms")
 
 
 def read_table(file: Path, stated: Layout | None = None) -> Table:
-    """Reads a file of any format; what has no ending of a binary one is a text.
+    """Reads a file of any format, up to the last row with a value; what has no ending of a binary one is a text.
 
     Raises:
         InputError: see the reader of the format; no column is read.
@@ -35,7 +35,7 @@ def read_table(file: Path, stated: Layout | None = None) -> Table:
     if not table.columns:
         message = "no column is read: none is of numbers, or [recording] ignore leaves them out"
         raise InputError(message, file)
-    return table
+    return without_empty_end(table)
 
 
 def may_hold_tables(file: Path) -> bool:

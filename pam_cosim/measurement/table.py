@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
 
@@ -140,6 +140,19 @@ def is_unit(text: str) -> bool:
 def names_unit(text: str) -> bool:
     """Whether a text is a unit; that of an absolute pressure is one too, of which the column is told."""
     return is_unit(text) or pressure_reference(text)[1] == "absolute"
+
+
+def without_empty_end(table: Table) -> Table:
+    """The table less its last rows without a value, as of a spreadsheet, or where columns that are not read go on."""
+    filled = [np.flatnonzero(~np.isnan(column.values)) for column in table.columns.values()]
+    end = max((int(rows[-1]) + 1 for rows in filled if rows.size), default=0)
+    if not end or all(end == len(column.values) for column in table.columns.values()):
+        return table
+    kept = {
+        name: replace(column, values=column.values[:end]) for name, column in table.columns.items()
+    }
+    lines = None if table.lines is None else table.lines[:end]
+    return replace(table, columns=kept, lines=lines)
 
 
 def check_count(values: int, file: Path) -> None:

@@ -134,3 +134,25 @@ def test_a_step_of_both_files_has_two_rows() -> None:
     one, other = Recording(steps, {"u": levels}, {}), Recording(steps, {"v": -levels}, {})
     both = merged(one, other, 0.0, "linear")
     assert at_rows(both, "u", "v") == [steps.tolist(), levels.tolist(), (-levels).tolist()]
+
+
+@pytest.mark.parametrize("slow", ["first", "second"])
+def test_two_clocks_in_one_file_are_two_loggers(tmp_path, slow):
+    """The columns of the clock that ends before the other one have empty cells below; inputs end at 0.87 s or 0.89 s."""
+    fast = [f"{0.01 * k:.2f},{k % 7}" for k in range(90)]
+    rare = [f"{0.03 * k:.2f},{k % 5}" for k in range(30)] + [","] * 60
+    u, x = (rare, fast) if slow == "first" else (fast, rare)
+    rows = [f"{a},{b}\n" for a, b in zip(u, x, strict=True)]
+    (tmp_path / "both.csv").write_text("t 1 [s],I [A],t 2 [s],Weg [mm]\n" + "".join(rows))
+    (tmp_path / "experiment.toml").write_text(
+        f'model = "{MODEL}"\n[recording]\nignore = ["t 2", "Weg"]\n'
+        '[columns]\ntime = { column = "t 1" }\nu_in = { column = "I" }\n'
+        '[[runs]]\nfile = "both.csv"\n[[runs.loggers]]\nfile = "both.csv"\noffset = "0 s"\n'
+        '[runs.loggers.recording]\nignore = ["t 1", "I"]\n'
+        '[runs.loggers.columns]\ntime = { column = "t 2" }\nx = { column = "Weg" }\n'
+    )
+    (run,) = read_data_set(tmp_path, describe).runs
+    read = np.isfinite(run.measurements["x"])
+    count, step, turn = (88, 0.01, 7) if slow == "first" else (30, 0.03, 5)
+    np.testing.assert_allclose(run.time[read], step * np.arange(count))
+    np.testing.assert_allclose(1e3 * run.measurements["x"][read], np.arange(count) % turn)

@@ -380,3 +380,14 @@ def test_the_line_of_the_names_is_said_where_it_may_be_another(
     assert list(read_table(file, Layout(header_line=1)).columns) == text.split("\n")[0].strip(
         ","
     ).split(",")
+
+
+def test_rows_without_a_value_at_the_end_are_none(tmp_path: Path) -> None:
+    """As a spreadsheet writes them; one among the others is told."""
+    head, rows = "time [s],p [kPa]\n", ["0,1\n", "1,2\n", "2,3\n"]
+    assert written(tmp_path, head + "".join(rows) + ",\n,\n") == written(
+        tmp_path, head + "".join(rows)
+    )
+    file = tmp_path / "gap.csv"
+    file.write_text(head + rows[0] + ",\n" + "".join(rows[1:]))
+    assert len(read_table(file).columns["p"].values) == 4
