@@ -138,7 +138,7 @@ def test_a_step_of_both_files_has_two_rows() -> None:
 
 @pytest.mark.parametrize("slow", ["first", "second"])
 def test_two_clocks_in_one_file_are_two_loggers(tmp_path, slow):
-    """The columns of the clock that ends before the other one have empty cells below; inputs end at 0.87 s or 0.89 s."""
+    """The columns of the clock that ends before the other one have empty cells below."""
     fast = [f"{0.01 * k:.2f},{k % 7}" for k in range(90)]
     rare = [f"{0.03 * k:.2f},{k % 5}" for k in range(30)] + [","] * 60
     u, x = (rare, fast) if slow == "first" else (fast, rare)
