@@ -6,6 +6,8 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from textwrap import wrap
 
+from pam_cosim.drafting.columns import names_in
+from pam_cosim.drafting.further_clocks import FurtherClock, clock_of
 from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.noise import Sigma
 from pam_cosim.drafting.points import PointsDraft
@@ -37,6 +39,8 @@ class Draft:
         follows: of what is stated, what is zero because it follows from the rest.
         having: which recordings have the column of a signal, if only empty.
         parts: of each recording, which part of its file it is; None: all of it.
+        clocks: further ones in the files.
+        columns: names of all columns, but for these clocks.
     """
 
     title: str
@@ -63,6 +67,8 @@ class Draft:
     points: PointsDraft | None = None
     follows: Sequence[str] = ()
     parts: Sequence[Part | None] = ()
+    clocks: Sequence[FurtherClock] = ()
+    columns: Sequence[str] = ()
 
     @property
     def recordings(self) -> list[str]:
@@ -111,9 +117,12 @@ def _head(draft: Draft) -> Iterator[str]:
 
 
 def _recording(draft: Draft) -> Iterator[str]:
-    stated = draft.recording.model_dump(exclude_none=True, exclude_unset=True)
-    stated.pop("ignore", None)
-    if not stated and not draft.ignored and not draft.resample:
+    stated = _stated_of_files(draft)
+    ignored = dict(draft.ignored)
+    for clock in draft.clocks:
+        why = f"of the clock {clock.name}, by which the file stands once more below each run"
+        ignored |= dict.fromkeys((clock.name, *clock.columns), why)
+    if not stated and not ignored and not draft.resample:
         return
     yield "[recording]"
     if draft.resample:
@@ -123,10 +132,17 @@ def _recording(draft: Draft) -> Iterator[str]:
         yield f"# resample = {_value(draft.resample)}"
     for name, value in stated.items():
         yield f"{name} = {_setting(name, value)}"
-    for name, why in draft.ignored.items():
+    for name, why in ignored.items():
         yield from remark(f"not read: {name}, {why}")
-    if draft.ignored:
-        yield f"ignore = {_texts(draft.ignored)}"
+    if ignored:
+        yield f"ignore = {_texts(ignored)}"
+
+
+def _stated_of_files(draft: Draft) -> dict[str, object]:
+    """What is said of how the files are written, but for columns that are not read."""
+    stated = draft.recording.model_dump(exclude_none=True, exclude_unset=True)
+    stated.pop("ignore", None)
+    return stated
 
 
 def _setting(key: str, value: object) -> str:
@@ -141,11 +157,22 @@ def _texts(values: Iterable[str]) -> str:
 
 
 def _columns(draft: Draft) -> Iterator[str]:
-    shared = [entry for entry in draft.entries.values() if not _own(draft, entry) and _told(entry)]
+    entries = _entries_of(draft, None)
+    shared = [entry for entry in entries if not _own(draft, entry) and _told(entry)]
     if shared:
         yield "[columns]"
     for entry in shared:
         yield from _entry(entry, next(iter(entry.zero.values()), None))
+
+
+def _entries_of(draft: Draft, clock: FurtherClock | None) -> list[ColumnEntry]:
+    """The entries of columns by one of the clocks, None: the first."""
+    every = draft.entries.values()
+    return [e for e in every if clock_of(_columns_of(e), draft.clocks) is clock]
+
+
+def _columns_of(entry: ColumnEntry) -> set[str]:
+    return names_in(entry.formula) if entry.formula else {entry.column or entry.name}
 
 
 def _own(draft: Draft, entry: ColumnEntry) -> bool:
@@ -304,11 +331,37 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         if one.why:
             yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
-    having = [e for e in draft.entries.values() if i in draft.having.get(e.name, ())]
+    having = [e for e in _entries_of(draft, None) if i in draft.having.get(e.name, ())]
     own = [entry for entry in having if _own(draft, entry) and _told(entry)]
     if own:
         yield "[runs.columns]"
     for entry in own:
+        yield from _entry(entry, entry.zero.get(i))
+    for clock in draft.clocks:
+        yield from _logger(draft, i, clock)
+
+
+def _logger(draft: Draft, i: int, clock: FurtherClock) -> Iterator[str]:
+    """The file once more, with what belongs to a further clock in it."""
+    entries = [e for e in _entries_of(draft, clock) if i in draft.having.get(e.name, ())]
+    if not entries:
+        return
+    yield from _guessed(
+        f"{clock.name} is the clock of the columns behind it",
+        f"it runs otherwise than {draft.entries['time'].column}",
+    )
+    yield "[[runs.loggers]]"
+    yield f"file = {toml_string(draft.files[i])}"
+    yield 'offset = "0 s"'
+    yield "[runs.loggers.recording]"
+    for name, value in _stated_of_files(draft).items():
+        yield f"{name} = {_setting(name, value)}"
+    every = dict.fromkeys((*draft.columns, *draft.ignored, *(c.name for c in draft.clocks)))
+    read = {clock.name}.union(*map(_columns_of, entries))
+    yield f"ignore = {_texts(name for name in every if name not in read)}"
+    yield "[runs.loggers.columns]"
+    yield from _entry(ColumnEntry("time", clock.name, clock.unit), None)
+    for entry in entries:
         yield from _entry(entry, entry.zero.get(i))
 
 

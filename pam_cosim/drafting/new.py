@@ -168,6 +168,8 @@ def _content(
             _interpolation(_set_columns(bench, recorded, i), i) for i in range(len(mapped.courses))
         ],
         resample=_means(mapped.courses),
+        clocks=recorded.clocks,
+        columns=tuple(dict.fromkeys(c.name for c in recorded.columns if not c.in_names)),
         having={name: sorted(column.places) for name, column in columns.items()},
         usual_muscle=bench.usual and _no_size(recorded, interface),
         parts=[source.part for source in recorded.sources],

@@ -19,6 +19,7 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns, with_known_units
 from pam_cosim.drafting.direction import with_directions
 from pam_cosim.drafting.file_names import quantities
+from pam_cosim.drafting.further_clocks import FurtherClock, SeveralClocks, with_one_clock
 from pam_cosim.drafting.parts import in_parts
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.sources import RecordingSource, places_of, read_sources
@@ -57,6 +58,7 @@ class ReadRecordings:
         stated: parameters as texts.
         own: likewise, those that the user states of one recording, by its number.
         points: the recordings are tables of points at rest.
+        clocks: further ones in the files, whose samples are here in the rows next to them.
     """
 
     sources: tuple[RecordingSource, ...]
@@ -68,6 +70,7 @@ class ReadRecordings:
     stated: dict[str, str]
     own: tuple[dict[str, str], ...] = ()
     points: bool = False
+    clocks: tuple[FurtherClock, ...] = ()
 
     @property
     def ambient_pressure(self) -> RecordedColumn | None:
@@ -102,13 +105,13 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     asked = {name: column for name, column in wanted.items() if column in names}
     formulas = {name: text for name, text in wanted.items() if text not in names}
     _check_asked(formulas, names)
-    columns, time = _recognised(sources, asked, formulas, recording)
-    parts = sources if time is None else in_parts(sources, time)
+    sources, columns, time, clocks = _on_one_clock(sources, asked, formulas, recording)
+    parts = sources if time is None or clocks else in_parts(sources, time)
     if len(parts) > len(sources):
         sources = parts
         columns, time = _recognised(sources, asked, formulas, recording)
     # rows of several experiments are not evenly apart
-    is_whole = all(source.part is None for source in sources)
+    is_whole = all(source.part is None for source in sources) and not clocks
     interval = even_interval(_seconds(time)) if time is not None and is_whole else None
     if time is not None and interval is not None:
         columns = [_coarse(c, interval) if c is time else c for c in columns]
@@ -119,8 +122,41 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     stated, own = _stated(wishes.parameters or {}, sources)
     recording = _with_missing(recording, sources)
     return ReadRecordings(
-        tuple(sources), tuple(columns), time, recording, asked, formulas, stated, own, points
+        tuple(sources),
+        tuple(columns),
+        time,
+        recording,
+        asked,
+        formulas,
+        stated,
+        own,
+        points,
+        tuple(clocks),
     )
+
+
+def _on_one_clock(
+    sources: Sequence[RecordingSource],
+    asked: Mapping[str, str],
+    formulas: Mapping[str, str],
+    recording: RecordingTable,
+) -> tuple[list[RecordingSource], list[RecordedColumn], RecordedColumn | None, list[FurtherClock]]:
+    """The recordings with one clock, what their columns are, the one of time, and the further clocks.
+
+    Raises:
+        InputError: as ``_recognised``; several clocks that a formula takes columns of.
+    """
+    clocks: list[FurtherClock] = []
+    while True:
+        try:
+            return list(sources), *_recognised(sources, asked, formulas, recording), clocks
+        except SeveralClocks as found:
+            if formulas:
+                raise
+            sources, clock = with_one_clock(sources, found)
+            if clock in clocks:
+                raise
+            clocks.append(clock)
 
 
 def _recognised(

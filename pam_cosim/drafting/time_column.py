@@ -12,6 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.clock_columns import difference
 from pam_cosim.drafting.column_statistics import span
+from pam_cosim.drafting.further_clocks import SeveralClocks
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
 from pam_cosim.drafting.vocabulary import Meaning, fits, read_heading
@@ -46,8 +47,13 @@ def with_time(
         return columns
     unit, more = _known_unit_of_time(wanted)
     made = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
+    clocks = [c.name for c in columns if c.name == wanted.name or (_is_clock(c) and _rises(c))]
     return [
-        made if c.name == wanted.name else _beside(made, c, sources) if _is_clock(c) else c
+        made
+        if c.name == wanted.name
+        else _beside(made, c, sources, columns, clocks)
+        if _is_clock(c)
+        else c
         for c in columns
     ]
 
@@ -65,22 +71,31 @@ def _known_unit_of_time(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
 
 
 def _beside(
-    time: RecordedColumn, column: RecordedColumn, sources: Sequence[RecordingSource]
+    time: RecordedColumn,
+    column: RecordedColumn,
+    sources: Sequence[RecordingSource],
+    columns: Sequence[RecordedColumn],
+    clocks: Sequence[str],
 ) -> RecordedColumn:
     """A clock beside the one that is the time.
 
     Raises:
-        InputError: it runs differently, so that columns may belong to either.
+        SeveralClocks: it runs differently, so that columns may belong to either.
     """
     if not _rises(column) or time.values.keys().isdisjoint(column.values):
         return _no_time(column)
-    late = difference(time.values, time.unit, column.values, _known_unit_of_time(column)[0])
+    unit = _known_unit_of_time(column)[0]
+    late = difference(time.values, time.unit, column.values, unit)
     if late is None:
         source = sources[min(column.values)]
         keep = f"leave it out, --recording 'ignore={column.name}', where all columns belong to the first"
-        apart = f"write what belongs to it into a file of its own, which [[runs.loggers]] joins; or {keep}"
+        apart = (
+            f"name the file once more under [[runs.loggers]], with what belongs to it; or {keep}"
+        )
         message = f"it runs otherwise than {shown(time.name)}: two clocks in one file; {apart}"
-        raise InputError(message, source.file, source.table.header_line, column.name)
+        other = replace(column, unit=unit)
+        line = source.table.header_line
+        raise SeveralClocks(message, source.file, line, time, other, columns, clocks)
     away = ""
     if late and not (column.since or time.since):
         away = f", {abs(late):.4g} s {'later' if late > 0.0 else 'earlier'}"

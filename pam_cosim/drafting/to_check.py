@@ -39,6 +39,7 @@ def to_check(made: Draft, mapped: Mapped, choice: BenchChoice) -> tuple[str, ...
             ),
             *_rows_at_rest(made),
             *_guessed_clock(made, mapped),
+            *_further_clocks(made),
             *_markers(made, choice),
             *_freely_moving(made, choice),
             *_never_at_rest(made, mapped),
@@ -95,6 +96,14 @@ def _rows_at_rest(made: Draft) -> Iterator[str]:
         yield (
             "no column is the time, so that each row is taken for a point at rest: where rows are samples of a "
             "recording, say how far they are apart, --recording interval='1 ms'"
+        )
+
+
+def _further_clocks(made: Draft) -> Iterator[str]:
+    for clock in made.clocks:
+        yield (
+            f"{clock.name} is taken for the clock of {listed(clock.columns)}, and to have the zero of "
+            f"{made.entries['time'].column}: if it has another one, write the offset under [[runs.loggers]]"
         )
 
 

@@ -103,12 +103,48 @@ def test_a_second_clock_that_ends_before_the_rows_do(tmp_path: Path, share: floa
     """Each clock heads the columns beside it; the shorter one leaves cells empty."""
     slow = np.where(np.arange(400) < 200, 2.0 * TIME, np.nan)
     first, second = (TIME, slow) if share < 1.0 else (slow, TIME)
+    p = np.where(np.isfinite(first), P / 1e5, np.nan)
     columns = {
-        "Zeit 1 [s]": first, "p_set [bar]": P / 1e5, "p [bar]": P / 1e5,
-        "Zeit 2 [s]": second, "x [mm]": 1e3 * X,
+        "Zeit 1 [s]": first, "p_set [bar]": p, "p [bar]": p,
+        "Zeit 2 [s]": second, "x [mm]": np.where(np.isfinite(second), 1e3 * X, np.nan),
     }  # fmt: skip
-    with pytest.raises(pam.InputError, match="two clocks in one file"):
-        pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    (run,) = made.data.runs
+    known = np.isfinite(second)
+    read = np.isfinite(run.measurements["x"]) & (run.time <= np.nanmax(second))
+    rows = np.searchsorted(second[known], run.time[read])
+    np.testing.assert_allclose(run.time[read], second[known][rows], atol=1e-9)
+    np.testing.assert_allclose(run.measurements["x"][read], X[known][rows], atol=1e-8)
+    assert read.sum() == known.sum() - (share == 1.0)  # the set point ends a sample before
+
+
+def test_a_file_may_lack_the_second_clock(tmp_path: Path) -> None:
+    one = {"t [s]": TIME, "p_set [bar]": P / 1e5, "p [bar]": P / 1e5}
+    two = {**one, "t x [s]": 0.5 * TIME, "x [mm]": np.interp(0.5 * TIME, TIME, 1e3 * X)}
+    files = [record(tmp_path / "a.csv", two), record(tmp_path / "b.csv", one)]
+    made = pam.new(tmp_path / "rig", files)
+    assert [len(run.get("loggers", ())) for run in written(made)["runs"]] == [1, 0]
+    assert [sorted(run.measurements) for run in made.data.runs] == [["p", "x"], ["p"]]
+
+
+def test_three_clocks_in_one_file(tmp_path: Path) -> None:
+    """The set point is of the last one; each other one is a logger of its own."""
+    slow, fast = 4.0 * TIME[:100], 0.25 * TIME
+    empty = np.full(300, np.nan)
+    columns = {
+        "Time p [s]": np.append(slow, empty), "p [bar]": np.append(P[::4] / 1e5, empty),
+        "Time x [ms]": 1e3 * fast, "x [mm]": np.interp(fast, TIME, 1e3 * X),
+        "Time [s]": TIME, "p_set [bar]": P / 1e5,
+    }  # fmt: skip
+    made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    (run,) = made.data.runs
+    for name, time, values in (("p", slow, P[::4]), ("x", fast, np.interp(fast, TIME, X))):
+        read = np.isfinite(run.measurements[name])
+        np.testing.assert_allclose(run.time[read], time, atol=1e-8)
+        np.testing.assert_allclose(
+            run.measurements[name][read], values, atol=1.0 if name == "p" else 1e-8
+        )
+    assert [one["file"] for one in written(made)["runs"][0]["loggers"]] == ["a.csv", "a.csv"]
 
 
 def columns_over(time: Array) -> dict[str, Array]:
