@@ -63,6 +63,11 @@ def is_switch(values: Array) -> bool:
     return len(np.unique(some)) <= 2
 
 
+def is_repeated(values: Array) -> bool:
+    """Whether most numbers are those before them, without any noise."""
+    return float(np.mean(np.diff(values[np.isfinite(values)]) == 0.0)) >= _C.stepwise
+
+
 def is_held(values: Array) -> bool:
     """Whether a column keeps its value between steps, and takes some, each within one sample."""
     if span(values) == 0.0:

@@ -12,7 +12,7 @@ from pam_cosim.compiler import ClassTree
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters, values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.column_statistics import is_held, is_switch, span
+from pam_cosim.drafting.column_statistics import is_held, is_repeated, is_switch, span
 from pam_cosim.drafting.columns import names_in
 from pam_cosim.drafting.contraction import length_parameter
 from pam_cosim.drafting.document import Draft, document
@@ -38,6 +38,7 @@ from pam_cosim.drafting.summary import NewDataSet, guesses, losses, next_command
 from pam_cosim.drafting.to_check import to_check
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
+from pam_cosim.drafting.words import MEASURED_IN_COUNTS
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.model.interface import Interface, Variable
@@ -278,9 +279,15 @@ def _interpolation(columns: Sequence[RecordedColumn], run: int) -> str:
     """``previous`` where what is imposed keeps its value between steps."""
     for column in columns:
         values = column.values[run]
-        if column.logged_on_change or is_held(values) or is_switch(values):
+        keeps = is_held(values) and (is_repeated(values) or not _is_read(column))
+        if column.logged_on_change or keeps or is_switch(values):
             return "previous"
     return "linear"
+
+
+def _is_read(column: RecordedColumn) -> bool:
+    """Whether a column is what an instrument read, and no command or set point: between samples it goes on."""
+    return column.meaning is not None and column.meaning in map(Meaning, MEASURED_IN_COUNTS)
 
 
 def _means(courses: Sequence[MappedRecording]) -> str:

@@ -183,3 +183,15 @@ def test_the_pressure_outside_that_was_recorded_is_subtracted(tmp_path: Path) ->
     assert made.data.runs[0].parameters["ambient.p"] == pytest.approx(94e3)
     assert float(course(made, "p")[0]) == pytest.approx(0.5e5)
     assert "94 kPa" in written(made)["columns"]["p"]["formula"]
+
+
+@pytest.mark.parametrize(("noise", "between"), [(0.0, "previous"), (0.004, "linear")])
+def test_what_is_read_goes_on_between_samples(tmp_path: Path, noise: float, between: str) -> None:
+    """An imposed pressure that steps is held if its numbers repeat, and not if an instrument read it."""
+    p = np.repeat([0.0, 2.0, 3.0, 1.0], 100)
+    columns = {
+        "t [s]": TIME, "p [bar]": noisy(p, noise, 1), "s [mm]": 1e3 * X,
+        "F [N]": noisy(np.asarray(force(1e5 * p, X)), 0.3, 2),
+    }  # fmt: skip
+    made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
+    assert made.data.runs[0].interpolation == between
