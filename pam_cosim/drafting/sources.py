@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
-from pam_cosim.drafting.vocabulary import direction_word, read_heading
+from pam_cosim.drafting.vocabulary import direction_word, read_heading, says_time
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.date_times import says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
@@ -144,16 +144,11 @@ def _source(
     clocks = tuple(
         heading
         for heading in kept
-        if all(map(says_time_of_day, texts[heading])) or _is_called_time(heading)
+        if all(map(says_time_of_day, texts[heading]))
+        or says_time(*(split_heading(heading) or (heading, "")))
     )
     table = with_clocks_going_on(table)
     return RecordingSource(file, table, left_out, own, labels, clocks)
-
-
-def _is_called_time(heading: str) -> bool:
-    """Whether the name of a column of text says time."""
-    meaning = read_heading(*(split_heading(heading) or (heading, ""))).meaning
-    return meaning is not None and meaning.kind == "time"
 
 
 def _with_hint(error: InputError) -> InputError:

@@ -15,7 +15,7 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.further_clocks import SeveralClocks
 from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
 from pam_cosim.drafting.sources import RecordingSource
-from pam_cosim.drafting.vocabulary import Meaning, fits, read_heading
+from pam_cosim.drafting.vocabulary import Meaning, fits, says_time
 from pam_cosim.drafting.words import (
     DAYS,
     SHORTEST_RECORDING,
@@ -272,9 +272,7 @@ def _otherwise(name: str) -> str:
 
 def _is_called_time(name: str) -> bool:
     """Whether a heading can only be that of the time; a T may be a temperature."""
-    meaning = read_heading(name, "").meaning
-    called = name != "T" and meaning is not None and meaning.kind == "time"
-    return called or bool(_LABVIEW.fullmatch(name))
+    return (name != "T" and says_time(name)) or bool(_LABVIEW.fullmatch(name))
 
 
 def _no_time_among(source: RecordingSource) -> str:

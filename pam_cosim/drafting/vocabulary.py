@@ -107,6 +107,12 @@ def read_heading(name: str, unit: str) -> Heading:
     return Heading(meaning, stated, written, unknown, absolute, share)
 
 
+def says_time(name: str, unit: str = "") -> bool:
+    """Whether a heading is that of a time."""
+    meaning = read_heading(name, unit).meaning
+    return meaning is not None and meaning.kind == "time"
+
+
 def scaled_unit(name: str) -> str:
     """A unit with a factor that a name ends with, ``Pressure (10^5 Pa)``, ``x in mm/10``, ``Time_10ms``; "" for none.
 

@@ -12,7 +12,6 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.files import read_file
 from pam_cosim.measurement.hdf5_table import is_hdf5, read_hdf5
 from pam_cosim.measurement.table import (
     Column,
@@ -27,7 +26,7 @@ from pam_cosim.wording import did_you_mean, listed, shown
 
 _LABELS = ("label", "name")
 _COMPRESSED = 15  # the type of an element in version 5
-_BEGINNING, _BYTES = 200, 8  # bytes that unpack to its head; of a number
+_BEGINNING = 200  # bytes that unpack to its head
 
 
 def read_matlab(file: Path, stated: Layout) -> Table:
@@ -41,7 +40,7 @@ def read_matlab(file: Path, stated: Layout) -> Table:
     if file.is_file() and is_hdf5(file):
         return read_hdf5(file, stated)
     try:
-        check_count(_declared(file), file)
+        check_count(_declared(file), file, _unpacked(file))
         content = scipy.io.loadmat(
             str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True
         )
@@ -59,27 +58,26 @@ def read_matlab(file: Path, stated: Layout) -> Table:
 
 
 def _declared(file: Path) -> int:
-    """How many values the variables have, or would if all that is compressed were numbers."""
+    """How many values the variables have."""
     import scipy.io
 
-    shapes = [shape for _, shape, _ in scipy.io.whosmat(str(file))]
-    return max(sum(prod(map(int, shape)) for shape in shapes), _unpacked(file) // _BYTES)
+    return sum(prod(map(int, shape)) for _, shape, _ in scipy.io.whosmat(str(file)))
 
 
 def _unpacked(file: Path) -> int:
     """Bytes of all elements of a file of version 5, as each says at its beginning; 0 of an earlier one."""
-    content = read_file(file)
-    order = {b"IM": "<", b"MI": ">"}.get(content[126:128])
     at, size = 128, 0
-    while order and at + 8 <= len(content):
-        kind, length = struct.unpack(order + "II", content[at : at + 8])
-        begin = content[at + 8 : at + 8 + _BEGINNING]
-        if kind == _COMPRESSED:
-            inner = zlib.decompressobj().decompress(begin, 8)
-            size += struct.unpack(order + "II", inner)[1]
-        else:
-            size += length
-        at += 8 + length
+    with file.open("rb") as content:
+        order = {b"IM": "<", b"MI": ">"}.get(content.read(at)[126:])
+        while order and len(tag := content.read(8)) == 8:
+            kind, length = struct.unpack(order + "II", tag)
+            if kind == _COMPRESSED:
+                inner = zlib.decompressobj().decompress(content.read(_BEGINNING), 8)
+                size += struct.unpack(order + "II", inner)[1]
+            else:
+                size += length
+            at += 8 + length
+            content.seek(at)
     return size
 
 

@@ -19,8 +19,6 @@ from pam_cosim.measurement.table import (
     since_first,
 )
 
-_BYTES = 8  # of a number
-
 
 def read_parquet(file: Path, stated: Layout) -> Table:
     """Columns of numbers; those of times are seconds since the first. Units stand in names or as ``unit`` of a field.
@@ -33,7 +31,7 @@ def read_parquet(file: Path, stated: Layout) -> Table:
 
     try:
         opened = parquet.ParquetFile(file)
-        check_count(_declared(opened.metadata), file)
+        _check_declared(opened.metadata, file)
         table = opened.read()
     except FileNotFoundError:
         raise InputError("the file does not exist", file) from None
@@ -42,12 +40,11 @@ def read_parquet(file: Path, stated: Layout) -> Table:
     return Table(file, same_length(_columns(table, stated, file), file))
 
 
-def _declared(metadata: Any) -> int:
-    """How many values the file holds, or would if texts and lists in it were numbers."""
+def _check_declared(metadata: Any, file: Path) -> None:
     groups = [metadata.row_group(i) for i in range(metadata.num_row_groups)]
     rows = max(metadata.num_rows, sum(group.num_rows for group in groups))
     unpacked = sum(group.total_byte_size for group in groups)
-    return int(max(rows * metadata.num_columns, unpacked // _BYTES))
+    check_count(rows * metadata.num_columns, file, unpacked)
 
 
 def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:

@@ -19,6 +19,7 @@ from pam_cosim.wording import shown
 TIME = "time"
 LEFT_OUT = "left out:"
 """How a note on rows that are not read begins."""
+_BYTES = 8  # of a number
 LONGEST_HEADING = 500  # letters; what is longer is no name
 _BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 _ROUND = re.compile(r"(.+?)\s*\(((?:[^()]|\([^()]*\))+)\)")
@@ -155,8 +156,15 @@ def without_empty_end(table: Table) -> Table:
     return replace(table, columns=kept, lines=lines)
 
 
-def check_count(values: int, file: Path) -> None:
-    """Raises InputError where a file declares more values than can be taken: found out before they are read."""
+def check_count(values: int, file: Path, unpacked: int = 0) -> None:
+    """Raises InputError where a file declares more values than can be taken: found out before they are read.
+
+    Args:
+        values: that it declares.
+        file: where they are.
+        unpacked: bytes that it says it unpacks to; they count as numbers, be they texts or lists.
+    """
+    values = max(values, unpacked // _BYTES)
     if values > MOST_VALUES:
         raise InputError(
             f"it declares {values:.3g} values, and {MOST_VALUES / 1e6:.0f} million can be taken: "
