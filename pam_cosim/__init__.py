@@ -27,6 +27,7 @@ if TYPE_CHECKING:
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.diagnosis import Check, Diagnosis
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
+    from pam_cosim.problem import Problem
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
         actuator,
@@ -53,6 +54,7 @@ if TYPE_CHECKING:
         observe,
         plan,
         predict,
+        problem,
         profile,
         read,
         read_system,
@@ -79,6 +81,7 @@ __all__ = [
     "ModelError",
     "Observation",
     "OperatingPoint",
+    "Problem",
     "Rig",
     "SimulationFailure",
     "Sweep",
@@ -111,6 +114,7 @@ __all__ = [
     "observe",
     "plan",
     "predict",
+    "problem",
     "profile",
     "read",
     "read_system",
@@ -124,7 +128,16 @@ __all__ = [
 ]
 
 # Where a name is looked for; the functions of a study load what they need when they are asked for.
-_ROOMS = ("study", "errors", "simulation", "sweeps", "analysis", "cosimulation", "diagnosis")
+_ROOMS = (
+    "study",
+    "errors",
+    "simulation",
+    "sweeps",
+    "analysis",
+    "cosimulation",
+    "problem",
+    "diagnosis",
+)
 
 if not TYPE_CHECKING:
 

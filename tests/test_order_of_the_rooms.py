@@ -23,6 +23,7 @@ FLOORS = (
     ("measurement", "analysis", "sweeps"),
     ("cosimulation", "comparison", "drafting"),
     ("fitting", "ledger"),
+    ("problem",),
     ("diagnosis",),
     ("reporting",),
     ("study",),

@@ -59,6 +59,7 @@ from pam_cosim.files import plain
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
+from pam_cosim.problem import corrections_of
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
@@ -184,11 +185,14 @@ class Diagnosis(Printed):
 
     def _final(self) -> dict[str, object]:
         """The model that the verdict is about: what it is made of, its values and its scores."""
+        values = {**self.final.values, **self.final.start_values}
+        corrections = [str(one) for one in corrections_of(self.data, values)]
         return {
             "model": self.model,
             "effects": [c.effect for c in self.path],
             "parameters": self.final.parameters,
             "constants": self.data.constants,
+            **({"corrections": corrections} if corrections else {}),
             **{role: role_summary(self.final, role) for role in ROLES},
         }
 

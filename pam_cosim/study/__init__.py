@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from pam_cosim.study.observing import observe
     from pam_cosim.study.plans import plan
     from pam_cosim.study.predictions import predict
+    from pam_cosim.study.problems import problem
     from pam_cosim.study.products import load, save
     from pam_cosim.study.runs import simulate
     from pam_cosim.study.tracking import track
@@ -51,6 +52,7 @@ __all__ = [
     "observe",
     "plan",
     "predict",
+    "problem",
     "profile",
     "read",
     "read_system",
@@ -80,6 +82,7 @@ _MODULES = {
     "pam_cosim.study.many_runs": ("sweep",),
     "pam_cosim.study.plans": ("plan",),
     "pam_cosim.study.predictions": ("predict",),
+    "pam_cosim.study.problems": ("problem",),
     "pam_cosim.study.products": ("load", "save"),
     "pam_cosim.study.runs": ("simulate",),
     "pam_cosim.study.tracking": ("track",),
