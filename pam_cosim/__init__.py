@@ -27,7 +27,7 @@ if TYPE_CHECKING:
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.diagnosis import Check, Diagnosis
     from pam_cosim.errors import InputError, ModelError, SimulationFailure
-    from pam_cosim.problem import Problem
+    from pam_cosim.problems import Problem
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
         actuator,

@@ -35,10 +35,21 @@ def runs_in_words(count: int) -> str:
 
 
 def closest(name: str, known: Iterable[str], most: int = 1) -> list[str]:
-    """The names among ``known`` that ``name`` may have been meant for, best first; case does not matter."""
+    """The names among ``known`` that ``name`` may have been meant for, best first; case does not matter.
+
+    A name with all parts of ``name`` in their order comes first: "muscle.sleeve.L0" for "muscle.L0".
+    """
     folded = {one.casefold(): one for one in known}
-    close = get_close_matches(name[:_LONGEST].casefold(), list(folded), n=most, cutoff=_ALIKE)
-    return [folded[one] for one in close]
+    wanted = name[:_LONGEST].casefold()
+    longer = sorted((one for one in folded if _has_parts(wanted, one)), key=len)
+    alike = get_close_matches(wanted, list(folded), n=most, cutoff=_ALIKE)
+    return [folded[one] for one in dict.fromkeys([*longer, *alike])][:most]
+
+
+def _has_parts(name: str, longer: str) -> bool:
+    """Whether the parts of a name, between dots, are among those of a longer one in their order."""
+    parts = iter(longer.split("."))
+    return all(part in parts for part in name.split("."))
 
 
 def did_you_mean(name: str, known: Iterable[str]) -> str:

@@ -23,7 +23,7 @@ FLOORS = (
     ("measurement", "analysis", "sweeps"),
     ("cosimulation", "comparison", "drafting"),
     ("fitting", "ledger"),
-    ("problem",),
+    ("problems",),
     ("diagnosis",),
     ("reporting",),
     ("study",),

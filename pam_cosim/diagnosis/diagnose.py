@@ -59,7 +59,7 @@ from pam_cosim.files import plain
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
-from pam_cosim.problem import corrections_of
+from pam_cosim.problems import corrections_of
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed

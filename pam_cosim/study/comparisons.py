@@ -10,7 +10,7 @@ from pam_cosim.fitting import estimated_starts, runs_without_start
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.model.settings import Setting
-from pam_cosim.problem import Problem
+from pam_cosim.problems import Problem
 from pam_cosim.simulation.models import Paths, opened
 from pam_cosim.study.problems import as_problem, data_with_starts, few_rows
 

@@ -13,7 +13,7 @@ from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting
-from pam_cosim.problem import Problem
+from pam_cosim.problems import Problem
 from pam_cosim.simulation.models import Paths
 from pam_cosim.study.problems import as_problem
 from pam_cosim.study.products import Product

@@ -12,7 +12,7 @@ from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting
-from pam_cosim.problem import Problem
+from pam_cosim.problems import Problem
 from pam_cosim.simulation.models import Paths, opened
 from pam_cosim.study.problems import as_problem, data_with_starts
 

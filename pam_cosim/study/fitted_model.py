@@ -20,7 +20,7 @@ from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_modelica, is_ratio
 from pam_cosim.model.settings import settable, value_of
-from pam_cosim.problem import Correction, annotation_of, corrections_of, parsed_correction
+from pam_cosim.problems import Correction, annotation_of, corrections_of, parsed_correction
 from pam_cosim.simulation.models import describe
 from pam_cosim.study.products import load
 from pam_cosim.units import same_unit
@@ -85,7 +85,8 @@ def fitted_model(product: Diagnosis | Fit | Comparison) -> FittedModel:
     else:
         effects, fit, data = (), product, product.comparison.data
     corrections = corrections_of(data, {**fit.values, **fit.start_values})
-    return FittedModel(product.model, effects, fit.values, data.constants, corrections=corrections)
+    model = data.model if is_modelica(data.model) else product.model
+    return FittedModel(model, effects, fit.values, data.constants, corrections=corrections)
 
 
 def judged_data(path: Path) -> DataSet:

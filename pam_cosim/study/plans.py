@@ -12,7 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import sources_of
 from pam_cosim.model.settings import Setting, value_of
-from pam_cosim.problem import Problem
+from pam_cosim.problems import Problem
 from pam_cosim.simulation.models import Paths, as_paths, describe
 from pam_cosim.study.diagnoses import diagnose
 from pam_cosim.study.problems import check_kind

@@ -26,7 +26,7 @@ from pam_cosim.measurement import DataSet, Run, further_run, rows_of
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import parameter_of, sources_of
 from pam_cosim.model.settings import Setting, resolve
-from pam_cosim.problem import Problem
+from pam_cosim.problems import Problem
 from pam_cosim.simulation import AnySimulator, Simulator
 from pam_cosim.simulation.models import Paths, as_paths, opened
 from pam_cosim.study.fits import fit

@@ -14,9 +14,9 @@ from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_file, is_fmu, sources_of
 from pam_cosim.model.settings import Setting
-from pam_cosim.problem import ModelValues, Problem, corrections_in
-from pam_cosim.problem import problem as _problem
-from pam_cosim.problem.corrections import KEY
+from pam_cosim.problems import ModelValues, Problem, corrections_in
+from pam_cosim.problems import problem as _problem
+from pam_cosim.problems.corrections import KEY
 from pam_cosim.simulation.models import Paths, as_paths, describe, opened
 from pam_cosim.wording import shown
 

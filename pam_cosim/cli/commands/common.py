@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from pam_cosim.diagnosis import Event, Message
     from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
-    from pam_cosim.problem import Problem
+    from pam_cosim.problems import Problem
 
 PARAMETERS = (".json", ".ssv")  # endings of results
 PROGRESS = (".progress", ".json")

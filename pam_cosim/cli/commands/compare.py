@@ -34,7 +34,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
 from pam_cosim.measurement import Run
 from pam_cosim.model.references import is_fmu
-from pam_cosim.problem import Problem
+from pam_cosim.problems import Problem
 from pam_cosim.study.tables import against_lines, read_comparison
 from pam_cosim.wording import listed
 

@@ -11,10 +11,10 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, base_parameters, free_parameter
 from pam_cosim.measurement import DataSet, FreeParameter, Run, StartMode
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import START_VALUES, is_ratio, ratio_to_stated
+from pam_cosim.model.references import START_VALUES, ratio_to_stated
 from pam_cosim.model.settings import Setting
-from pam_cosim.problem.corrections import Correction
-from pam_cosim.problem.names import Target, resolved_values, target
+from pam_cosim.problems.corrections import Correction
+from pam_cosim.problems.names import Target, resolved_values, target
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed, shown
 
@@ -151,8 +151,8 @@ class Problem(Printed):
         return {name for run, name in self.sources if not run and name}
 
     def _for_runs(self, source: str, names: Sequence[str]) -> str:
-        whole = len(names) == len(self.data.runs) and source != DATA_SET
-        return "" if whole or " of " in source else f" for {listed(names)}"
+        is_whole = len(names) == len(self.data.runs) or " of " in source
+        return "" if is_whole else f" for {listed(names)}"
 
     def _source(self, run: Run, name: str) -> str:
         source = self.sources.get((run.name, name), DATA_SET)
@@ -259,8 +259,8 @@ class _Resolution:
         chosen = self._guesses(begin, free)
         if free is not None:
             self._free(free, chosen)
-        self._check_free()
-        data = replace(self.data, fit=self.fit, runs=tuple(self.runs.values()))
+        runs = tuple(self.runs.values())
+        data = replace(self.data, model=self.model, fit=self.fit, runs=runs)
         return Problem(
             self.model,
             tuple(self.files),
@@ -303,8 +303,10 @@ class _Resolution:
             if run is None or one.name not in self.interface.settable:
                 continue
             if one.name in self.interface.states:
-                if run.start.mode in (None, "estimated"):
-                    self._begin(run, one.name, one.value, source, "estimated")
+                mode: StartMode = (
+                    "estimated" if run.start.mode in (None, "estimated") else "measured"
+                )
+                self._begin(run, one.name, one.value, source, mode)
                 continue
             stated = run.replaced.get(one.name, run.parameters.get(one.name))
             if one.applies_to(stated):
@@ -371,10 +373,9 @@ class _Resolution:
     ) -> None:
         """A run whose simulation, or the estimate of its start, begins at a value of a state."""
         self.initial_states[f"{state}@{run.name}"] = value
-        self.sources[run.name, state] = source
-        known = {**self.runs[run.name].parameters, state: value}
+        self._put(run.name, state, value, source)
         start = replace(run.start, mode=mode)
-        self.runs[run.name] = replace(self.runs[run.name], parameters=known, start=start)
+        self.runs[run.name] = replace(self.runs[run.name], start=start)
 
     def _guesses(
         self, guesses: Mapping[str, Setting], free: Sequence[str] | None
@@ -450,18 +451,6 @@ class _Resolution:
                 replaced={**run.replaced, one.name: stated},
             )
         return next(iter(found), None)
-
-    def _check_free(self) -> None:
-        """Raises InputError where a parameter is free and every fitted run states its value."""
-        fitted = [run for run in self.runs.values() if run.role == "fit"]
-        for name, entry in self.fit.items():
-            stated = all(entry.parameter in run.parameters for run in fitted)
-            if not is_ratio(name) and not entry.run and stated:
-                raise InputError(
-                    f"'{name}' is free under [fit], and every fitted run states its value: remove one of the two, or "
-                    f"fit it in place of what is stated by --free '{name}'",
-                    self.data.folder,
-                )
 
 
 def _name_of(one: Target) -> str:

@@ -1,13 +1,13 @@
 """Data set, model and stated values -> a problem: every value with its source, resolved once."""
 
-from pam_cosim.problem.corrections import (
+from pam_cosim.problems.corrections import (
     Correction,
     annotation_of,
     corrections_in,
     corrections_of,
     parsed_correction,
 )
-from pam_cosim.problem.problem import ModelValues, ParameterValue, Problem, problem
+from pam_cosim.problems.problem import ModelValues, ParameterValue, Problem, problem
 
 __all__ = [
     "Correction",
