@@ -34,10 +34,14 @@ class Correction:
     stated: float | None = None
     run: str = ""
 
+    @property
+    def target(self) -> str:
+        """The name, of one run with that after it."""
+        return f"{self.name}@{self.run}" if self.run else self.name
+
     def __str__(self) -> str:
-        target = f"{self.name}@{self.run}" if self.run else self.name
         replaced = "" if self.stated is None else f" in place of {self.stated!r}"
-        return f"{target} = {self.value!r}{replaced}"
+        return f"{self.target} = {self.value!r}{replaced}"
 
     def applies_to(self, stated: float | None) -> bool:
         """Whether the data set still states what it stated when the value was found."""

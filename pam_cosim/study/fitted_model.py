@@ -18,7 +18,7 @@ from pam_cosim.files import MOST_TEXT, read_file, read_json
 from pam_cosim.fitting import Fit, parameters_in, read_parameters, units_in
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.model.references import is_modelica, is_ratio
+from pam_cosim.model.references import is_modelica, is_ratio, parameter_of
 from pam_cosim.model.settings import settable, value_of
 from pam_cosim.problems import Correction, annotation_of, corrections_of, parsed_correction
 from pam_cosim.simulation.models import describe
@@ -57,9 +57,12 @@ class FittedModel:
         return {n: v for n, v in self.constants.items() if n in parameters} | self.of_the_model
 
     @property
-    def of_the_data(self) -> dict[str, float]:
-        """The others: of one run alone, and ratios to what the data set states of a parameter."""
-        return {name: value for name, value in self.values.items() if _of_the_data(name)}
+    def left_out(self) -> list[str]:
+        """The values that neither the model's text nor its corrections can hold."""
+        kept = {one.target for one in self.corrections} | {one.name for one in self.corrections}
+        return [
+            name for name in self.values if _of_the_data(name) and parameter_of(name) not in kept
+        ]
 
 
 def _of_the_data(name: str) -> bool:
@@ -127,6 +130,9 @@ def read_fitted_model(path: Path) -> FittedModel:
         wrong = error.errors()[0]
         raise InputError(f"{'.'.join(map(str, wrong['loc']))}: {wrong['msg']}", path) from None
     corrections = tuple(filter(None, map(parsed_correction, found.corrections)))
+    if not corrections:
+        targets = [(*name.rpartition("@")[::2], value) for name, value in values.items()]
+        corrections = tuple(Correction(n, value, run=run) for n, run, value in targets if n)
     return FittedModel(
         found.model, found.effects, values, found.constants, units_in(content), corrections
     )
