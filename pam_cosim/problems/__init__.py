@@ -7,7 +7,8 @@ from pam_cosim.problems.corrections import (
     corrections_of,
     parsed_correction,
 )
-from pam_cosim.problems.problem import ModelValues, ParameterValue, Problem, problem
+from pam_cosim.problems.problem import ModelValues, ParameterValue, Problem
+from pam_cosim.problems.resolution import problem
 
 __all__ = [
     "Correction",
