@@ -13,13 +13,14 @@ from pam_cosim.compiler import read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import starts_are_open, with_starts
+from pam_cosim.fitting import with_starts
 from pam_cosim.measurement import DataSet, Moment, Overrides, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
 from pam_cosim.model.settings import Setting, resolve, value_of
 from pam_cosim.simulation.models import Paths, as_paths, describe, opened
+from pam_cosim.starts import starts_are_open
 from pam_cosim.study.fitted_model import (
     judged_data,
     with_own_values,
