@@ -21,6 +21,7 @@ FLOORS = (
     ("fmu",),
     ("simulation",),
     ("measurement", "analysis", "sweeps"),
+    ("starts",),
     ("cosimulation", "comparison", "drafting"),
     ("fitting", "ledger"),
     ("problems",),

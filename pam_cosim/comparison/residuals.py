@@ -6,10 +6,9 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.initial_state import initial_state
-from pam_cosim.comparison.run_start import inputs_of_run, start_time
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts import initial_state
 
 
 @dataclass(frozen=True)
@@ -53,22 +52,11 @@ def simulate_run(
         SimulationFailure: the run did not reach its end.
         InputError: a parameter that the model does not have.
     """
-    if run.is_static:
-        points = simulator.equilibria(
-            run.inputs,
-            parameters=data.parameters_of(run, parameters),
-            outputs=list(simulator.interface.outputs) if signals is None else signals,
-        )
-        return RunComparison(run, dict(points.values))
     own = data.parameters_of(run, parameters)
+    outputs = list(simulator.interface.outputs) if signals is None else signals
+    if run.is_static:
+        points = simulator.equilibria(run.inputs, parameters=own, outputs=outputs)
+        return RunComparison(run, dict(points.values))
     start = initial_state(simulator, data, run, own)
-    trajectory = simulator.run(
-        run.time,
-        parameters={**own, **start.values},
-        inputs=inputs_of_run(run),
-        outputs=list(simulator.interface.outputs) if signals is None else signals,
-        start_time=start_time(run),
-        tolerance=tolerance,
-        settle=start.settle,
-    )
+    trajectory = start.trajectory(simulator, run, own, run.time, outputs, tolerance)
     return RunComparison(run, dict(trajectory.values), trajectory.solver)

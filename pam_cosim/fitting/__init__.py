@@ -1,7 +1,7 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
-from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
+from pam_cosim.fitting.chosen_starts import with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.discrepancy import Discrepancy, discrepancies
 from pam_cosim.fitting.estimate import Estimate, estimates
@@ -81,7 +81,6 @@ __all__ = [
     "runs_without_start",
     "simulated",
     "spread_starts",
-    "starts_are_open",
     "summary",
     "with_starts",
     "without_priors",

@@ -284,7 +284,7 @@ def _holdout_uncertainty(
         return HoldoutUncertainty()
     known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
     holdout = Objective(fitted.simulator, fitted.data, runs, known, values, options.tolerance)
-    holdout.state_ranges = fitted.state_ranges
+    holdout.starts.state_ranges = fitted.starts.state_ranges
     return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,20 +27,11 @@ from pam_cosim.fitting.sensitivities import (
     outputs_of,
     sensitivities_of_run,
 )
-from pam_cosim.fitting.start_values import (
-    RestCourse,
-    StartValues,
-    eliminate,
-    eliminate_to_first_order,
-    horizons,
-    rest_course,
-    start_values,
-)
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.measurement.pieces import first_rows
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts import EliminatedStarts
 
 DIFFERENCE_TOLERANCE = 1e-7  # of the solver, where slopes are differences, which magnify its error
 _DIFFERENCE_STEP = 1e-3  # in search coordinates: far above the solver's error
@@ -58,15 +50,14 @@ class Objective:
         tracker: gets a report of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
-        starts: start values that are parameters of their runs, by number of the run.
+        starts: start values that are parameters of their runs, which are eliminated.
         tolerance: relative, of the solver.
 
     Args:
         simulator, data, runs, free: as above, and the measurement.
         fixed: further parameters; start values among them are where estimates of these begin [SI].
         tracker, tolerance: as above.
-        starts_to_first_order: start values are eliminated by one linear step from where they begin, and stay there;
-            those that ``fixed`` has take the place of the first samples.
+        starts_to_first_order: start values are eliminated as ``EliminatedStarts.to_first_order`` has it.
     """
 
     def __init__(
@@ -81,8 +72,6 @@ class Objective:
         *,
         starts_to_first_order: bool = False,
     ) -> None:
-        self._to_first_order = starts_to_first_order
-        self._eliminate = eliminate_to_first_order if starts_to_first_order else eliminate
         self.tracker = tracker or Tracker()
         self._priors = [(i, f.prior) for i, f in enumerate(free) if f.prior is not None]
         self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
@@ -92,16 +81,7 @@ class Objective:
         self._latest: tuple[bytes, Array, Array | None] | None = (
             None  # where, residuals, exact Jacobian there
         )
-        self.starts: dict[int, StartValues] | None = (
-            None  # by number of the run; None: nothing was simulated yet
-        )
-        self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
         self._squares_at: dict[bytes, float] = {}
-        self.state_ranges: Mapping[str, float] = {}  # how far runs take each state [SI]
-        # where they were as the descent was last linearised, and (start values, parameters) how they move from there
-        self._starts_begin: dict[int, Array] = {}
-        self._starts_follow: dict[int, Array] = {}
-        self._linearised_at: Array | None = None
         self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
         self._sensitivities = [
@@ -118,6 +98,9 @@ class Objective:
         counts = [sum(map(run.sample_count, names)) for run, names in runs_and_signals]
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
+        self.starts = EliminatedStarts(
+            simulator, data, self.runs, self.ends, to_first_order=starts_to_first_order
+        )
         squares = [run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series]
         self.samples = sum(squares)
         self._latest_runs: Sequence[RunComparison] = ()
@@ -134,139 +117,37 @@ class Objective:
             f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)
         }
 
-    @property
-    def start_values(self) -> dict[str, float]:
-        """Those that are estimated, as they are now, by name and run [SI]."""
-        return {n: v for one in (self.starts or {}).values() for n, v in one.settings().items()}
-
-    def _start_values_at(self, z: Array) -> dict[int, StartValues]:
-        """The start values that are parameters, about where the first samples put them at the first ``z``."""
-        if self.starts is None:
-            found = self._first_starts(self.values(z))
-            self.starts = {i: one for i, one in found.items() if one.names}
-            self._starts_begin = self._starts_now()
-        return self.starts
-
-    def _first_starts(self, values: Mapping[str, float]) -> dict[int, StartValues]:
-        """The start values of the runs by their number."""
-        courses = {
-            i: self._rest_course(run, values, about_given=self._to_first_order)
-            for i, run in enumerate(self.runs)
-            if run.start.mode == "estimated"
-        }
-        interface = self.simulator.interface
-        every = [self.state_ranges, *(course.ranges for course in courses.values())]
-        self.state_ranges = {
-            name: max(ranges.get(name, 0.0) for ranges in every) for name in interface.states
-        }
-        return {
-            i: start_values(course, self.state_ranges, interface) for i, course in courses.items()
-        }
-
-    def _rest_course(
-        self, run: Run, values: Mapping[str, float], about_given: bool = False
-    ) -> RestCourse:
-        return rest_course(self.simulator, self.data, run, values, about_given=about_given)
-
-    def _starts_now(self) -> dict[int, Array]:
-        return {i: one.values for i, one in (self.starts or {}).items()}
-
-    def _set_starts(self, z: Array) -> None:
-        """The start values where ``z`` left them, or where new points look for them.
-
-        What a trial elsewhere made of them must not be where the next one begins: they may have gone astray there.
-        """
-        known = self._starts_at.get(z.tobytes())
-        for i, one in self._start_values_at(z).items():
-            one.values = known[i] if known else self._expected_starts(z, i, one)
-
-    def _expected_starts(self, z: Array, i: int, one: StartValues) -> Array:
-        """Where the start values of a run are looked for first: where the slopes of the descent lead them.
-
-        No farther than the slopes by start values are trusted (``eliminate``).
-        """
-        begin = self._starts_begin.get(i, one.values)
-        if self._linearised_at is None or i not in self._starts_follow:
-            return begin
-        step = one.within_reach(self._starts_follow[i] @ (z - self._linearised_at), 1.0)
-        return np.clip(begin + step, one.low, one.high)
-
     def start_afresh(self, z: Array) -> None:
         """From ``z`` on start values are looked for where the first samples and the model's rest at ``z`` put them."""
-        if self.starts is None or self._to_first_order or z.tobytes() in self._starts_at:
-            return
-        for i, one in self.starts.items():
-            fresh = self._fresh_starts(z, i)
-            self._starts_begin[i] = self._starts_begin[i] if fresh is None else _put(one, fresh)
-        self._linearised_at = None
-        self._squares_at.clear()
-
-    def _fresh_starts(self, z: Array, i: int) -> dict[str, float] | None:
-        """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
-        try:
-            return self._rest_course(self.runs[i], self.values(z)).begin
-        except SimulationFailure:
-            return None
+        if self.starts.begin_afresh(z, self.values(z)):
+            self._squares_at.clear()
 
     def found_other_starts(self, z: Array) -> bool:
-        """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
-
-        The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
-        runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
-        """
-        starts = {} if self._to_first_order else self._starts_if_it_runs(z)
-        if not starts:
+        """Whether start values were found that leave less; a descent that goes on from ``z`` has them."""
+        if self.starts.to_first_order or not self._has_starts(z):
             return False
-        before, here = self._squares_by_run(self.residuals(z)), self._starts_now()
-        noise = CRITERIA.fit.at_noise * np.diff(self.ends)
-        for i, one in starts.items():
-            fresh = self._fresh_starts(z, i) if before[i] > noise[i] else None
-            self._starts_begin[i] = (
-                here[i] if fresh is None else _put(one, self._led_by_first_samples(z, i, fresh))
-            )
-        self._forget(z)
-        after, there = self._squares_by_run(self.residuals(z)), self._starts_now()
-        better = {i for i in starts if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
-        self._starts_begin = {i: there[i] if i in better else here[i] for i in starts}
-        self._forget(z)
-        if better:
+        found = self.starts.found_others(self, z)
+        if found:
             self._squares_at.clear()
-        return bool(better)
+        return found
 
-    def _forget(self, z: Array) -> None:
-        """What ``z`` left: it is asked again, from where start values begin now."""
-        self._latest = self._linearised_at = None
-        self._starts_at.pop(z.tobytes(), None)
+    def forget(self) -> None:
+        """Lets the point that was asked last be simulated again."""
+        self._latest = None
 
-    def _led_by_first_samples(self, z: Array, i: int, known: dict[str, float]) -> dict[str, float]:
-        """Where a growing part of its run leads start values."""
-        run = self.runs[i]
-        for rows in horizons(run, self._signals[i], len(known)):
-            begin = {f"{name}@{run.name}": value for name, value in known.items()}
-            values, part = {**self.values(z), **begin}, first_rows(run, rows)
-            few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
-            few.state_ranges = self.state_ranges
-            if np.isfinite(few.squares(np.zeros(0))):
-                known = known | {
-                    n: v for one in (few.starts or {}).values() for n, v in one.named().items()
-                }
-        return known
-
-    def _squares_by_run(self, residuals: Array) -> dict[int, float]:
-        """The squares of each run with start values, and of what is known of these beforehand."""
-        squares, row = dict[int, float](), self.size + len(self._priors)
-        for i, one in (self.starts or {}).items():
-            own = residuals[self.ends[i] : self.ends[i + 1]]
-            known = residuals[row : row + len(one.names)]
-            squares[i], row = float(own @ own + known @ known), row + len(one.names)
-        return squares
+    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
+        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+        few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
+        few.starts.state_ranges = self.starts.state_ranges
+        if not np.isfinite(few.squares(np.zeros(0))):
+            return {}
+        return {n: v for one in few.starts.by_run.values() for n, v in one.named().items()}
 
     def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
         """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
-        starts = self._start_values_at(z)
-        values = self.values(z) | {
-            n: v for i in chosen if i in starts for n, v in starts[i].every().items()
-        }
+        values = self.values(z)
+        self.starts.place(values)
+        values |= self.starts.of_runs(chosen)
         return [
             simulate_run(
                 self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]
@@ -297,9 +178,7 @@ class Objective:
         ``z``: so do the start values.
         """
         residuals = self.residuals(z)
-        self._starts_begin = self._starts_now()
-        jacobian, self._starts_follow = self._with_starts_following(self._slopes(z, residuals))
-        self._linearised_at = z.copy()
+        jacobian = self.starts.descend(z, self._slopes(z, residuals))
         return np.asarray(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
 
     def residuals(self, z: Array) -> Array:
@@ -326,24 +205,23 @@ class Objective:
 
     def _with_starts_eliminated(self, z: Array) -> tuple[list[RunComparison], Array]:
         """All runs, and their residuals without what start values can take away of them."""
-        self._set_starts(z)
-        starts, runs, parts = self._start_values_at(z), list[RunComparison](), []
+        self.starts.set_out(z, self.values(z))
+        runs, parts = list[RunComparison](), []
         for i in range(len(self.runs)):
-            if i not in starts:
-                runs += self._simulate(z, self._outputs, [i])
-                parts.append(self._weighted(runs[-1:], [i]))
-                continue
-            run, left = self._eliminate(starts[i], lambda i=i: self._run_with_start_slopes(z, i))  # type: ignore[misc]
+            if i in self.starts.by_run:
+                run, left = self.starts.eliminated(i, partial(self._run_with_start_slopes, z, i))
+            else:
+                (run,) = self._simulate(z, self._outputs, [i])
+                left = self._weighted([run], [i])
             runs.append(run)
             parts.append(left)
-        if starts:
-            self._starts_at[z.tobytes()] = self._starts_now()
+        self.starts.keep(z)
         self._latest_runs = runs
         return runs, np.concatenate(parts) if parts else np.zeros(0)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
         """A run, its residuals and their slopes by its start values."""
-        one = self._start_values_at(z)[i]
+        one = self.starts.by_run[i]
         names = {s: [sensitivity_name(s, state) for state in one.names] for s in self._signals[i]}
         every = [name for of_signal in names.values() for name in of_signal]
         is_exact = self.simulator.interface.sensitivities.keys() >= {*every}
@@ -361,7 +239,7 @@ class Objective:
 
     def _start_slopes_by_differences(self, z: Array, i: int, at: Array) -> Array:
         """The slopes of the residuals of a run by its start values, by differences."""
-        one = self._start_values_at(z)[i]
+        one = self.starts.by_run[i]
         here, columns = one.values, []
         for k, sd in enumerate(one.sd):
             one.values = here.copy()
@@ -377,17 +255,13 @@ class Objective:
     @property
     def _rows(self) -> int:
         """Samples, priors, and what is known of start values beforehand."""
-        return (
-            self.size
-            + len(self._priors)
-            + sum(len(one.names) for one in (self.starts or {}).values())
-        )
+        return self.size + len(self._priors) + self.starts.count
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
         prior_rows = [
             -prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors
         ]
-        starts = [one.prior_rows(one.values) for one in (self.starts or {}).values()]
+        starts = self.starts.prior_rows()
         return (
             np.concatenate([residuals, prior_rows, *starts]) if prior_rows or starts else residuals
         )
@@ -416,25 +290,23 @@ class Objective:
 
         To first order the slopes by start values are those of the point that was simulated first.
         """
-        starts = self._starts_if_it_runs(z)
-        if starts and not (
-            self._to_first_order and all(one.slopes.size for one in starts.values())
+        if self._has_starts(z) and not (
+            self.starts.to_first_order
+            and all(one.slopes.size for one in self.starts.by_run.values())
         ):
             return self.residuals(z)
         self.evaluations += 1
         left = self._without_slopes(z, range(len(self.runs)))
         if np.all(np.isfinite(left)):
-            for i, one in starts.items():
-                rows = slice(self.ends[i], self.ends[i + 1])
-                left[rows] = one.taken_away(left[rows])
+            self.starts.take_away(left)
         return self._with_priors(z, left)
 
-    def _starts_if_it_runs(self, z: Array) -> dict[int, StartValues]:
-        """The start values that are parameters; none where the model breaks down."""
+    def _has_starts(self, z: Array) -> bool:
+        """Whether start values are parameters; not where the model breaks down."""
         try:
-            return self._start_values_at(z)
+            return bool(self.starts.place(self.values(z)))
         except SimulationFailure:
-            return {}
+            return False
 
     def glance(self, z: Array) -> float:
         """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.
@@ -508,7 +380,7 @@ class Objective:
             z: (parameters,) search coordinates.
             at: (size + priors,) the residuals there.
         """
-        return self._with_starts_following(self._slopes(z, at))[0]
+        return self.starts.followed(self._slopes(z, at))[0]
 
     def _slopes(self, z: Array, at: Array) -> Array:
         """As ``jacobian``, with the start values where they are."""
@@ -528,24 +400,9 @@ class Objective:
 
         To first order the start values stay where they are, and ``at`` lacks what they can take away.
         """
-        if not (self._to_first_order and self.starts):
+        if not (self.starts.to_first_order and self.starts.by_run):
             return at
         return np.concatenate([self._without_slopes(z, range(len(self.runs))), at[self.size :]])
-
-    def _with_starts_following(self, jacobian: Array) -> tuple[Array, dict[int, Array]]:
-        """The slopes with the start values moving along, so that least is left; and how those of each run move."""
-        if not jacobian.shape[1]:
-            return jacobian, {}
-        moves = dict[int, Array]()
-        followed, row = jacobian.copy(), self.size + len(self._priors)
-        for i, one in (self.starts or {}).items():
-            rows = slice(self.ends[i], self.ends[i + 1])
-            moved = moves[i] = one.following(jacobian[rows])
-            count = len(one.names)
-            followed[rows] += one.slopes[:-count] @ moved
-            followed[row : row + count] = one.slopes[-count:] @ moved
-            row += count
-        return followed, moves
 
     def _exact_at(self, z: Array) -> Array | None:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""
@@ -582,8 +439,3 @@ class Objective:
                 column: Array = (shifted - at) / (moved[i] - z[i])
                 return column
         return np.zeros(len(at))
-
-
-def _put(of: StartValues, named: Mapping[str, float]) -> Array:
-    """Start values by name in their order, within what the model says that they can be."""
-    return np.clip([named[name] for name in of.names], of.low, of.high)

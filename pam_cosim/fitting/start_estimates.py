@@ -22,7 +22,7 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
     """By "state@run": where the runs of an objective begin, with 95 % intervals beside the other parameters."""
     known = objective.simulator.interface.start_values
     estimates = {}
-    for one in (objective.starts or {}).values():
+    for one in objective.starts.by_run.values():
         if not len(one.slopes):  # its run could not be simulated
             continue
         for name, value in one.still.items():
@@ -62,7 +62,7 @@ def estimated_starts(
     if not chosen:
         return {}
     objective = Objective(simulator, data, chosen, (), values, tolerance)
-    objective.state_ranges = state_ranges
+    objective.starts.state_ranges = state_ranges
     try:
         nothing = np.zeros(0)
         if second_look and not objective.is_at_noise(objective.squares(nothing)):
@@ -117,5 +117,5 @@ def held_out_starts(fitted: Objective, z: Array, second_look: bool = True) -> di
         fitted.values(z),
         fitted.tolerance,
         second_look,
-        fitted.state_ranges,
+        fitted.starts.state_ranges,
     )

@@ -10,7 +10,7 @@ from pam_cosim.compiler import ClassTree, names, read_library, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_TEXT, read_file
-from pam_cosim.fitting import starts_are_open, with_starts
+from pam_cosim.fitting import with_starts
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_file, is_fmu, sources_of
 from pam_cosim.model.settings import Setting
@@ -18,6 +18,7 @@ from pam_cosim.problems import ModelValues, Problem, corrections_in
 from pam_cosim.problems import problem as _problem
 from pam_cosim.problems.corrections import KEY
 from pam_cosim.simulation.models import Paths, as_paths, describe, opened
+from pam_cosim.starts import starts_are_open
 from pam_cosim.wording import shown
 
 

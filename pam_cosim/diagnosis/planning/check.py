@@ -266,7 +266,7 @@ def check(
     search = Search(
         subject.tree, name, available_effects, possible.data, subject.sources, say, workers
     )
-    probes = search.probe_stated(base, objective.start_values, count)
+    probes = search.probe_stated(base, objective.starts.settings, count)
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]
     samples: Counter[Option] = Counter()
     for option, (run, signal) in zip(belongs, objective.series, strict=True):

@@ -9,7 +9,7 @@ blocks, and a search over the parameters has no more of them than before.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from typing import Generic, TypeVar
 
@@ -17,13 +17,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import initial_state_about, measured_initial_state, start_time
-from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts.initial_state import measured_initial_state
+from pam_cosim.starts.probe import StartProbe
+from pam_cosim.starts.run_start import start_time
 
 Result = TypeVar("Result")
 
@@ -41,7 +42,6 @@ class StartValues:
         names: of the k states.
         mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the model's rest beside them
             say that it begins, and how far the runs take them.
-        shown: the signal that shows a state, by its name.
         values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
         still: states that no run moves, where they are [SI].
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
@@ -52,7 +52,6 @@ class StartValues:
     names: tuple[str, ...]
     mean: Array
     sd: Array
-    shown: dict[str, str]
     values: Array
     low: Array
     high: Array
@@ -72,6 +71,10 @@ class StartValues:
     def every(self) -> dict[str, float]:
         """The present values of all states by name, each with that of the run."""
         return {f"{n}@{self.run.name}": v for n, v in self.named().items()}
+
+    def clipped(self, named: Mapping[str, float]) -> Array:
+        """(k,) values by name in their order, within the bounds of the model."""
+        return np.clip([named[name] for name in self.names], self.low, self.high)
 
     def prior_rows(self, values: Array) -> Array:
         """(k,) how far values are from what is known beforehand, in standard deviations."""
@@ -103,10 +106,7 @@ class StartValues:
         return np.asarray(-np.linalg.lstsq(self.slopes, np.vstack([columns, below]), rcond=None)[0])
 
     def deviations(self) -> Array:
-        """(k,) standard deviations [SI] of the start values beside given parameters; what is known beforehand where
-        no samples could be asked."""
-        if self.slopes.shape[1] != len(self.names):
-            return np.array(self.sd, dtype=float)
+        """(k,) standard deviations [SI] of the start values beside given parameters."""
         # no singular value is below one, of the rows of what is known; their squares would be lost beside large ones
         _, sizes, directions = np.linalg.svd(self.slopes * self.sd, full_matrices=False)
         return np.asarray(self.sd * np.linalg.norm(directions.T / sizes, axis=1))
@@ -125,19 +125,34 @@ class RestCourse:
         first: where each state begins then [SI].
         ranges: how far the run takes each state from there [SI]; zero where it rests.
         given: start values among the parameters, from which an estimate goes on [SI].
-        shown: the signal that shows a state, by its name.
     """
 
     run: Run
     first: dict[str, float]
     ranges: dict[str, float]
     given: dict[str, float]
-    shown: dict[str, str]
 
     @property
     def begin(self) -> dict[str, float]:
         """Where an estimate begins [SI]."""
         return self.first | self.given
+
+    def start_values(self, ranges: Mapping[str, float], interface: Interface) -> StartValues:
+        """What is to be estimated of the start of the run, about where the first samples and the model's rest put it.
+
+        Args:
+            ranges: how far the runs take each state [SI]: one that rests in this run may be on its way as it begins.
+            interface: of the model.
+        """
+        moving = tuple(n for n in self.first if ranges[n])
+        limits = [interface.start_values[n] for n in moving]
+        low = np.array([-np.inf if one.min is None else one.min for one in limits])
+        high = np.array([np.inf if one.max is None else one.max for one in limits])
+        mean = np.array([self.first[n] for n in moving])
+        sd = CRITERIA.starts.range * np.array([ranges[n] for n in moving])
+        values = np.clip(np.array([self.begin[n] for n in moving]), low, high)
+        still = {n: v for n, v in self.first.items() if n not in moving}
+        return StartValues(self.run, moving, mean, sd, values, low, high, still)
 
 
 def rest_course(
@@ -159,77 +174,24 @@ def rest_course(
             and this one has a state more.
 
     Raises:
-        SimulationFailure: the model breaks down.
+        SimulationFailure: the run does not reach its end.
     """
+    states = simulator.interface.states
     own = data.parameters_of(run, parameters)
-    names = simulator.interface.states
-    bare = {n: v for n, v in own.items() if n not in names}
-    given = {n: own[n] for n in names if n in own}
-    begins = (
-        initial_state_about(simulator, data, run, bare, given)
-        if given and about_given
-        else measured_initial_state(simulator, data, run, bare)
-    )
+    bare = {n: v for n, v in own.items() if n not in states}
+    given = {n: own[n] for n in states if n in own}
+    probe = StartProbe(simulator, data, run, bare)
+    start = measured_initial_state(probe, given if about_given else {})
     times = np.unique(np.append(start_time(run), run.time))
-    course = simulator.run(
-        times,
-        parameters={**bare, **begins.values},
-        inputs=inputs_of_run(run),
-        outputs=names,
-        start_time=start_time(run),
-        settle=begins.settle,
-    )
-    first = {n: float(course[n][0]) for n in names}
-    ranges = {n: _range(course[n]) for n in names}
-    return RestCourse(run, first, ranges, given, begins.shown)
+    course = start.trajectory(simulator, run, bare, times, states)
+    first = {n: float(course[n][0]) for n in states}
+    return RestCourse(run, first, {n: _range(course[n]) for n in states}, given)
 
 
 def _range(course: Array) -> float:
     """How far a state moves; nothing where that is rounding."""
     moved = float(np.ptp(course))
     return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
-
-
-def start_values(
-    course: RestCourse, ranges: Mapping[str, float], interface: Interface
-) -> StartValues:
-    """What is to be estimated of the start of a run, about where the first samples and the model's rest put it.
-
-    Args:
-        course: the run from there.
-        ranges: how far the runs take each state [SI]: one that rests in this run may be on its way as it begins.
-        interface: of the model.
-    """
-    moving = tuple(n for n in course.first if ranges[n])
-    mean = np.array([course.first[n] for n in moving])
-    sd = CRITERIA.starts.range * np.array([ranges[n] for n in moving])
-    values = np.array([course.begin[n] for n in moving])
-    low, high = _limits([interface.start_values[n] for n in moving])
-    still = {n: v for n, v in course.first.items() if n not in moving}
-    return StartValues(
-        course.run, moving, mean, sd, course.shown, np.clip(values, low, high), low, high, still
-    )
-
-
-def _limits(variables: Sequence[Variable]) -> tuple[Array, Array]:
-    """What the model says that start values can be; infinite where it says nothing."""
-    low = [-np.inf if one.min is None else one.min for one in variables]
-    high = [np.inf if one.max is None else one.max for one in variables]
-    return np.array(low), np.array(high)
-
-
-def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:
-    """How many of the first rows of a run are asked, twice as many each time, before all are.
-
-    The first ones have two samples for each unknown start value.
-    """
-    samples = np.cumsum(sum(np.isfinite(run.measurements[name]).astype(int) for name in signals))
-    rows = int(np.searchsorted(samples, 2 * unknowns)) + 1
-    several = []
-    while rows < len(run.time):
-        several.append(rows)
-        rows *= 2
-    return several
 
 
 def eliminate(
@@ -322,14 +284,3 @@ class _Point(Generic[Result]):
     def is_little(self, gain: float) -> bool:
         """Whether it is not worth a further run to make the squares that much smaller."""
         return gain <= max(_SETTLED, CRITERIA.starts.linear * self.cost)
-
-
-__all__ = [
-    "RestCourse",
-    "StartValues",
-    "eliminate",
-    "eliminate_to_first_order",
-    "horizons",
-    "rest_course",
-    "start_values",
-]

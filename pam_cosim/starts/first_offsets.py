@@ -2,29 +2,27 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
-from pam_cosim.comparison.run_start import first_of_run
-from pam_cosim.comparison.start_probe import StartProbe
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement import DataSet, FirstSamples, Run
-from pam_cosim.simulation import AnySimulator
+from pam_cosim.measurement import Run
+from pam_cosim.starts.probe import StartProbe
+from pam_cosim.starts.run_start import FirstSamples, first_of_run
 from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
 class FirstOffset:
-    """A signal at its first sample, beside the model that begins by itself.
+    """A signal at its first sample, compared with the model that begins by itself.
 
     Attributes:
         name: of the signal.
         unit: of all numbers.
         sample: the first sample, with its noise.
-        others: what the samples after it say of the first instant; None: there are none.
-        model: what the model gives there.
+        others: the first instant by the samples after it; None: there are none.
+        model: the model's value there.
         noise: the largest offset that noise makes.
         span: range of the signal over all runs and the model's first value.
     """
@@ -68,30 +66,21 @@ class FirstOffset:
         return format_quantity(self.model, self.unit, 3)
 
 
-def first_offsets(
-    simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
-) -> list[FirstOffset]:
+def first_offsets(probe: StartProbe) -> list[FirstOffset]:
     """Of the signals that show a state, or of all that are fitted where none does.
-
-    Args:
-        simulator: the model.
-        data: the measurement with its noise.
-        run: one of its runs.
-        parameters: what the run is simulated with [SI].
 
     Raises:
         SimulationFailure: the run cannot be simulated.
     """
-    probe = StartProbe(simulator, data, run, parameters)
-    when = {name: _first_time(run, name) for name in probe.signals}
-    times = np.unique(list(when.values()))
-    if not times.size:
+    if not probe.signals:
         return []
-    course = probe.course(times, probe.signals)
-    model = {
-        name: float(course[name][np.searchsorted(times, when[name])]) for name in probe.signals
-    }
-    offsets = [_offset(data, run, name, value) for name, value in model.items()]
+    when = {name: _first_time(probe.run, name) for name in probe.signals}
+    times = np.unique(list(when.values()))
+    course = probe.course(times)
+    offsets = [
+        _offset(probe, name, float(course[name][np.searchsorted(times, time)]))
+        for name, time in when.items()
+    ]
     showing = probe.signals_of_one_state()
     return [one for one in offsets if one.name in showing] or offsets
 
@@ -102,15 +91,16 @@ def _first_time(run: Run, name: str) -> float:
     return float(np.append(times, run.time)[np.isfinite(both)][0])
 
 
-def _offset(data: DataSet, run: Run, name: str, model: float) -> FirstOffset:
-    signal = data.signals[name]
-    sample = first_of_run(run, name, signal.sigma)
-    assert sample is not None
-    values = np.concatenate(
-        [[model], *(r.measurements[name] for r in data.runs if name in r.measurements)]
-    )
-    span = float(np.nanmax(values) - np.nanmin(values))
-    others = first_of_run(run, name, signal.sigma, skipped=1)
+def _offset(probe: StartProbe, name: str, model: float) -> FirstOffset:
+    signal = probe.data.signals[name]
+    runs = (r.measurements[name] for r in probe.data.runs if name in r.measurements)
+    values = np.concatenate([[model], *runs])
     return FirstOffset(
-        name, signal.unit, sample, others, model, CRITERIA.starts.away * signal.sigma, span
+        name,
+        signal.unit,
+        probe.first[name],
+        first_of_run(probe.run, name, signal.sigma, skipped=1),
+        model,
+        CRITERIA.starts.away * signal.sigma,
+        float(np.nanmax(values) - np.nanmin(values)),
     )

@@ -9,45 +9,41 @@ known.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Collection
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.start_probe import Dependences, ObservedState
-from pam_cosim.measurement import FirstSamples
+from pam_cosim.starts.probe import ObservedState, StartProbe
 
 
 def observed_states(
-    dependences: Dependences,
-    first: Mapping[str, FirstSamples],
-    signals: Sequence[str],
-    states: Sequence[str],
+    probe: StartProbe, dependences: Array, ignored: Collection[str] = ()
 ) -> dict[str, ObservedState]:
-    """By name of the state. Of two signals that show the same state, the one that shows it better.
+    """The observed states by name. Of two signals that show the same state, the one that shows it better.
 
     Args:
-        dependences: of signals and rates on states.
-        first: the first samples of signals.
-        signals, states: their names, in the order of the dependences.
+        probe: of the run, with the first samples of its signals.
+        dependences: of signals and rates on states, as ``StartProbe.dependences`` has them.
+        ignored: signals that show nothing.
     """
-    shown = _observed_by_signals(dependences.matrix, first, signals)
-    _add_observed_by_rates(shown, dependences.matrix, len(signals))
-    return {states[i]: one for i, one in shown.items()}
+    shown = _observed_by_signals(probe, dependences, ignored)
+    _add_observed_by_rates(shown, dependences, len(probe.signals))
+    return {probe.states[i]: one for i, one in shown.items()}
 
 
 def _observed_by_signals(
-    matrix: Array, first: Mapping[str, FirstSamples], signals: Sequence[str]
+    probe: StartProbe, matrix: Array, ignored: Collection[str]
 ) -> dict[int, ObservedState]:
     """By number of the state: what signals read, and the states of instruments, which are at rest beside that."""
-    rates, shown = matrix[len(signals) :], dict[int, ObservedState]()
+    rates, shown = matrix[len(probe.signals) :], dict[int, ObservedState]()
     better: dict[int, float] = {}
-    for row, signal in enumerate(signals):
+    for row, (signal, sample) in enumerate(probe.first.items()):
         read = _source_of_reading({int(j) for j in np.flatnonzero(matrix[row])}, rates)
-        if read is None or signal not in first:
+        if read is None or signal in ignored:
             continue
         source, instrument = read
-        sample, slope = first[signal], _slope_at_rest(matrix[row], rates, source, instrument)
+        slope = _slope_at_rest(matrix[row], rates, source, instrument)
         if not slope:
             continue
         spread = sample.sd / abs(slope)
@@ -56,7 +52,7 @@ def _observed_by_signals(
             rate = sample.slope / slope if sample.moves else 0.0
             shown[source] = ObservedState(row, sample.value, sample.sd, signal, rate)
         for i in instrument:
-            shown.setdefault(i, ObservedState(len(signals) + i, 0.0, 0.0, signal, 0.0))
+            shown.setdefault(i, ObservedState(len(probe.signals) + i, 0.0, 0.0, signal, 0.0))
     return shown
 
 

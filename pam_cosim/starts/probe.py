@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.run_start import first_of_run, inputs_of_run, start_time
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.measurement import DataSet, FirstSamples, Run
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator, Settle, Trajectory
+from pam_cosim.starts.run_start import FirstSamples, InitialState, first_of_run, start_time
 
 STEP = 1e-5  # of its size, by which a state is moved to see on which readings and rates it acts
 _ELSEWHERE = 0.1  # of its size, by which states are moved off the own start to see the same
@@ -21,8 +22,7 @@ _CORRECTIONS = (
 )
 
 
-@dataclass(frozen=True)
-class ObservedState:
+class ObservedState(NamedTuple):
     """A state that a signal or a rate determines.
 
     Attributes:
@@ -40,43 +40,29 @@ class ObservedState:
     rate: float
 
 
-@dataclass(frozen=True)
-class Dependences:
-    """(signals + states, states): slopes of signals and rates by states, one after the other; 0: none at all."""
-
-    matrix: Array
-
-    def joined(self, other: Dependences) -> Dependences:
-        """The later slopes, and the earlier ones where those have vanished."""
-        return Dependences(np.where(other.matrix != 0.0, other.matrix, self.matrix))
-
-
 class StartProbe:
-    """Signals, rates and states of the model at the very start of a run, by start values of its states."""
+    """Signals, rates and states of the model at the very start of a run, by start values of its states.
+
+    Args:
+        simulator: the model.
+        data: the data set the run belongs to.
+        run: the run.
+        parameters: of the run [SI]; start values of states among them are ignored.
+    """
 
     def __init__(
         self, simulator: AnySimulator, data: DataSet, run: Run, parameters: Mapping[str, float]
     ) -> None:
-        self.simulator, self.data, self.run = simulator, data, run
+        self.simulator, self.data, self.run, self.parameters = simulator, data, run, parameters
         self.states, self.rates = simulator.interface.states, simulator.interface.rates
-        fitted = [n for n, s in data.signals.items() if s.fitted and run.sample_count(n)]
-        self.signals = [
-            n for n in fitted if first_of_run(run, n, data.signals[n].sigma) is not None
-        ]
-        self._parameters = {n: v for n, v in parameters.items() if n not in self.states}
-        self._start, self._inputs = start_time(run), inputs_of_run(run)
+        fitted = [n for n in data.fitted_signals if run.sample_count(n)]
+        found = {n: first_of_run(run, n, data.signals[n].sigma) for n in fitted}
+        self.first: dict[str, FirstSamples] = {n: one for n, one in found.items() if one}
+        self.signals = list(self.first)
 
     def changed(self, parameters: Mapping[str, float]) -> StartProbe:
         """The same with other values of some parameters [SI]."""
-        return StartProbe(self.simulator, self.data, self.run, {**self._parameters, **parameters})
-
-    def first_samples(self) -> dict[str, FirstSamples]:
-        """Of the signals that are fitted."""
-        known = {
-            name: first_of_run(self.run, name, self.data.signals[name].sigma)
-            for name in self.signals
-        }
-        return {name: one for name, one in known.items() if one is not None}
+        return StartProbe(self.simulator, self.data, self.run, {**self.parameters, **parameters})
 
     def at(self, values: Mapping[str, float], settle: Settle = "none") -> tuple[Array, Array]:
         """Signals and rates, and the states, right at the start.
@@ -85,39 +71,33 @@ class StartProbe:
         """
         names = [*self.signals, *self.rates, *self.states]
         in_time = dict.fromkeys(self.simulator.interface.record_delays, 0.0)
-        trajectory = self.simulator.run(
-            np.array([self._start]),
-            parameters={**self._parameters, **values, **in_time},
-            inputs=self._inputs,
-            outputs=names,
-            start_time=self._start,
-            settle=settle,
-        )
+        start = InitialState({**values, **in_time}, settle)
+        trajectory = self._simulated(start, [start_time(self.run)], names)
         row = np.array([trajectory[name][0] for name in names])
         count = len(names) - len(self.states)
         return row[:count], row[count:]
 
-    def course(self, times: Array, names: Sequence[str]) -> Trajectory:
-        """The run at some times as the model begins by itself."""
-        return self.simulator.run(
-            times,
-            parameters=self._parameters,
-            inputs=self._inputs,
-            outputs=names,
-            start_time=self._start,
-        )
+    def course(self, times: ArrayLike) -> Trajectory:
+        """The signals at some times as the model begins by itself."""
+        return self._simulated(InitialState(), times, self.signals)
+
+    def _simulated(self, start: InitialState, times: ArrayLike, names: Sequence[str]) -> Trajectory:
+        own = {n: v for n, v in self.parameters.items() if n not in self.states}
+        return start.trajectory(self.simulator, self.run, own, times, names)
 
     def signals_of_one_state(self) -> list[str]:
         """The signals that depend on one state alone."""
         if not self.states:
             return []
-        count = np.count_nonzero(self.dependences({}).matrix[: len(self.signals)], axis=1)
+        count = np.count_nonzero(self.dependences({})[: len(self.signals)], axis=1)
         return [name for name, n in zip(self.signals, count, strict=True) if n == 1]
 
-    def dependences(self, values: Mapping[str, float]) -> Dependences:
-        """About a state; by central differences, which are exactly zero where there is no dependence."""
-        _, state = self.at(values)
-        here = dict(zip(self.states, state.tolist(), strict=True))
+    def dependences(self, values: Mapping[str, float]) -> Array:
+        """(signals + states, states): slopes of signals and rates by states, about a state.
+
+        By central differences, which are exactly zero where there is no dependence.
+        """
+        here = self.state(values)
         columns = []
         for name in self.states:
             step = STEP * self._size(name, here[name])
@@ -125,11 +105,15 @@ class StartProbe:
                 self.at({**here, name: here[name] + sign * step})[0] for sign in (1.0, -1.0)
             )
             columns.append((above - below) / (2.0 * step))
-        return Dependences(np.column_stack(columns))
+        return np.column_stack(columns)
+
+    def state(self, values: Mapping[str, float]) -> dict[str, float]:
+        """Where each state begins, with some start values given [SI]."""
+        return dict(zip(self.states, self.at(values)[1].tolist(), strict=True))
 
     def nearby_state(self) -> dict[str, float]:
         """A state near the model's own start at which nothing vanishes by chance, as a force does without pressure."""
-        state = dict(zip(self.states, self.at({})[1].tolist(), strict=True))
+        state = self.state({})
         shifted = {n: v + _ELSEWHERE * self._size(n, v) for n, v in state.items()}
         try:
             self.at(shifted)
@@ -142,17 +126,14 @@ class StartProbe:
         return max(abs(variable.nominal or 0.0), abs(value)) or 1.0
 
     def corrected(
-        self,
-        shown: Mapping[str, ObservedState],
-        dependences: Dependences,
-        values: Mapping[str, float],
+        self, shown: Mapping[str, ObservedState], dependences: Array, values: Mapping[str, float]
     ) -> dict[str, float]:
         """Start values of the observed states at which the signals that determine them are as measured."""
-        _, state = self.at({})
-        starts = {name: values.get(name, state[self.states.index(name)]) for name in shown}
+        begin = self.state({})
+        starts = {name: values.get(name, begin[name]) for name in shown}
         rows = [one.row for one in shown.values()]
         aims = np.array([one.aim for one in shown.values()])
-        slopes = dependences.matrix[np.ix_(rows, [self.states.index(name) for name in shown])]
+        slopes = dependences[np.ix_(rows, [self.states.index(name) for name in shown])]
         for _ in range(_CORRECTIONS if starts else 0):
             miss = aims - self.at(starts)[0][rows]
             step = np.linalg.lstsq(slopes, miss, rcond=None)[0]
@@ -167,19 +148,18 @@ class StartProbe:
     ) -> set[str]:
         """The signals that are not as they were measured, wherever the states that they show begin."""
         outputs, _ = self.at(values)
-        known = [one for one in shown.values() if one.spread]
         return {
             one.signal
-            for one in known
-            if abs(outputs[one.row] - one.aim) > CRITERIA.starts.away * one.spread
+            for one in shown.values()
+            if one.spread and abs(outputs[one.row] - one.aim) > CRITERIA.starts.away * one.spread
         }
 
-    def finds_rest(self, values: Mapping[str, float]) -> bool:
-        """Whether the other states find a rest beside these."""
-        if not self.simulator.settles:
-            return False
+    def settle_beside(self, values: Mapping[str, float]) -> Settle:
+        """Whether the other states come to rest beside these: "others"; "none" where they find no rest."""
         try:
-            self.at(values, "others")
+            if self.simulator.settles:
+                self.at(values, "others")
+                return "others"
         except SimulationFailure:
-            return False
-        return True
+            pass
+        return "none"
