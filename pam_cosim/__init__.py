@@ -135,7 +135,7 @@ _ROOMS = (
     "sweeps",
     "analysis",
     "cosimulation",
-    "problem",
+    "problems",
     "diagnosis",
 )
 
