@@ -58,7 +58,7 @@ class StartChoice:
         parameters: Mapping[str, float],
         estimate_pays: Callable[[Sequence[Run]], bool],
     ) -> None:
-        self._simulator, self._data, self._estimate_pays = simulator, data, estimate_pays
+        self._data, self._estimate_pays = data, estimate_pays
         self._probes = {
             run.name: StartProbe(simulator, data, run, data.parameters_of(run, parameters))
             for run in data.runs
@@ -121,7 +121,7 @@ class StartChoice:
         begins = f"{_first_samples_text(run, first)}, {'moving' if moving else 'at rest'}"
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
-        where = ", ".join(f"{one.name} = {one.model_text()}" for one in differing)
+        where = ", ".join(f"{one.name} = {one.text(one.model)}" for one in differing)
         reason = f"{begins}: the model begins at {where}, and cannot begin elsewhere"
         return _begun(run, "rest", reason)
 
@@ -161,7 +161,7 @@ def _explains(probe: StartProbe, start: InitialState) -> bool:
 
 
 def _first_samples_text(run: Run, first: Sequence[FirstOffset]) -> str:
-    return f"{run.name} begins at {', '.join(one.sample_text() for one in first)}"
+    return f"{run.name} begins at {', '.join(one.text(one.sample.value) for one in first)}"
 
 
 def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
