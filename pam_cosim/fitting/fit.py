@@ -32,7 +32,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
 from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
 from pam_cosim.fitting.solve import FitProblem
-from pam_cosim.fitting.start_estimates import held_out_starts, start_estimates
+from pam_cosim.fitting.start_estimates import estimated_starts, start_estimates
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
@@ -246,10 +246,18 @@ def fit(
         objective.residuals(
             end.z
         )  # a descent may have ended with a look elsewhere, or answers come from a file
-    starts_estimated = start_estimates(objective) | held_out_starts(
-        objective, end.z, options.second_look
+    values = objective.values(end.z)
+    # samples of held-out runs say nothing of any other parameter
+    starts_estimated = start_estimates(objective) | estimated_starts(
+        simulator,
+        data,
+        data.holdout_runs,
+        values,
+        objective.tolerance,
+        options.second_look,
+        objective.starts.state_ranges,
     )
-    values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
+    values |= {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = spread_of(by_role["fit"])

@@ -9,7 +9,6 @@ import numpy as np
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.experiment import ExperimentFile
 from pam_cosim.measurement.experiment_errors import KeyPath
-from pam_cosim.measurement.experiment_tables import Experiment, RunTable
 from pam_cosim.measurement.parameters import known_values
 from pam_cosim.measurement.start import Start, StartMode
 from pam_cosim.model.interface import Interface
@@ -49,6 +48,7 @@ def with_start(
     places: dict[str, KeyPath] = {
         key: (key,) for key in _KEYS if getattr(content, key) is not None
     } | own
+    stated = {key: getattr(table if key in own else content, key) for key in places}
     if run.is_static:
         if own:
             key = next(iter(own))
@@ -56,21 +56,19 @@ def with_start(
                 f"{key} is for recordings over time; points at rest have no start", *own[key]
             )
         return run
-    if mode is not None or anew:
-        return _with_mode(document, index, replace(run, start=Start(mode=mode)), lead=not anew)
-    start = Start(
-        mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic"))
-    )
-    if start.periodic:
-        _check_periodic(document, own, places)
-    lead = _stated(content, table, "lead")
-    if lead is not None:
-        start = replace(start, lead=_seconds(document, lead, *places["lead"]))
-    if "before" in places and not start.periodic:
-        start = _with_before(
-            document, interface, start, _stated(content, table, "before"), places["before"]
-        )
-    return _without_lead(document, replace(run, start=start), places.get("lead", ()))
+    if anew:
+        return replace(run, start=Start(mode=mode))
+    start = Start(mode=mode)
+    if mode is None:
+        start = Start(mode=stated.get("start"), periodic=stated.get("periodic", False))
+        if start.periodic:
+            _check_periodic(document, own, places)
+        elif "before" in places:
+            start = _with_before(document, interface, start, stated["before"], places["before"])
+    if "lead" in places:
+        lead = _seconds(document, stated["lead"], *places["lead"])
+        return _without_lead(document, run, replace(start, lead=lead), places["lead"])
+    return replace(run, start=start)
 
 
 def _check_periodic(
@@ -84,22 +82,6 @@ def _check_periodic(
                 f"{key} says where the run begins, and so does periodic = true; keep one of them"
             )
             raise document.error(message, *places[key])
-
-
-def _with_mode(document: ExperimentFile, index: int, run: Run, lead: bool) -> Run:
-    """A run whose start was chosen by whoever reads the data, with the lead that is stated."""
-    table = document.content.runs[index]
-    place: KeyPath = ("lead",) if table.lead is None else ("runs", index, "lead")
-    stated = _stated(document.content, table, "lead")
-    if stated is None or not lead:
-        return run
-    start = replace(run.start, lead=_seconds(document, stated, *place))
-    return _without_lead(document, replace(run, start=start), place)
-
-
-def _stated(content: Experiment, table: RunTable, key: str):  # type: ignore[no-untyped-def]
-    own = getattr(table, key)
-    return getattr(content, key) if own is None else own
 
 
 def _with_before(
@@ -138,15 +120,13 @@ def _seconds(document: ExperimentFile, value: str | float, *place: str | int) ->
     return seconds
 
 
-def _without_lead(document: ExperimentFile, run: Run, place: KeyPath) -> Run:
-    """The run whose first samples are set aside, where it has a lead."""
-    if not run.start.lead:
-        return run
-    early = run.time < run.time[0] + run.start.lead
+def _without_lead(document: ExperimentFile, run: Run, start: Start, place: KeyPath) -> Run:
+    """The run with a start whose first samples are set aside."""
+    early = run.time < run.time[0] + start.lead
     if early.all():
         raise document.error(
             f"{run.name} is not longer than its lead: nothing would be scored", *place
         )
     leading = {name: (run.time[early], values[early]) for name, values in run.measurements.items()}
     scored = {name: np.where(early, np.nan, values) for name, values in run.measurements.items()}
-    return replace(run, measurements=scored, start=replace(run.start, leading=leading))
+    return replace(run, measurements=scored, start=replace(start, leading=leading))
