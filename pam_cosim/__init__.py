@@ -11,7 +11,6 @@ pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
 ```
 """
 
-import warnings
 from importlib import import_module
 from typing import TYPE_CHECKING
 
@@ -135,8 +134,4 @@ if not TYPE_CHECKING:
                 module = import_module(f"pam_cosim.{room}")
                 if hasattr(module, name):
                     return getattr(module, name)
-        renaming = import_module("pam_cosim.renamed").PYTHON.get(name)
-        if renaming is not None:
-            warnings.warn(renaming.message(f"pam_cosim.{name}"), DeprecationWarning, stacklevel=2)
-            return __getattr__(renaming.new)
         raise AttributeError(f"module 'pam_cosim' has no attribute '{name}'")

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
@@ -126,6 +127,16 @@ def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
         file.unlink()
     with pytest.raises(pam.InputError, match="product.npz"):
         pam.load(file)
+
+
+def test_a_file_of_a_later_version_is_said_to_be_one(tmp_path: Path) -> None:
+    with np.load(pam.save(PRODUCTS["fit"], tmp_path / "fit.npz")) as saved:
+        arrays = dict(saved)
+    document = json.loads(bytes(arrays.pop("product")))
+    text = json.dumps(document | {"version": 99}).encode()
+    np.savez(tmp_path / "later.npz", product=np.frombuffer(text, dtype=np.uint8), **arrays)
+    with pytest.raises(pam.InputError, match="saved by a later pam-cosim .form 99"):
+        pam.load(tmp_path / "later.npz")
 
 
 def test_a_name_that_says_another_format_is_refused(tmp_path: Path) -> None:
