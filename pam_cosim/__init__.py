@@ -11,7 +11,7 @@ pam.add(diagnosis, output="Better.mo")
 ```
 """
 
-# ruff: noqa: F401: `__all__` has the functions from that of the study
+# ruff: noqa: F401
 from typing import TYPE_CHECKING
 
 from pam_cosim import study as _study

@@ -130,7 +130,7 @@ def _tell(run: CoupledRun) -> None:
             format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1])
         )
         typer.echo(f"{name}: from {low} to {high}, at the end {last}")
-    typer.echo(repr(run))
+    typer.echo(str(run))
 
 
 def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:

@@ -68,7 +68,7 @@ def simulate(
         trajectory.save(output)
     if plot:
         reporting.plot_trajectory(trajectory, plot)
-    for line in repr(trajectory).splitlines()[1:]:
+    for line in str(trajectory).splitlines()[1:]:
         typer.echo(line.strip())
     say_written(output)
     say_written(plot)
