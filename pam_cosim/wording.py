@@ -7,6 +7,7 @@ from difflib import get_close_matches
 from html import escape
 
 _LONGEST = 60
+_LONGEST_LINE = 200
 _MOST_NAMES = 20
 _ALIKE = 0.55  # of the letters, from which on a name may have been meant
 
@@ -61,7 +62,24 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 class Printed:
-    """What prints itself is shown in a notebook as it prints."""
+    """A product: ``str`` is its text, ``repr`` is one line of it, and a notebook shows the text."""
+
+    def __init_subclass__(cls, **options: object) -> None:
+        """Keeps the line where a dataclass would list every field."""
+        super().__init_subclass__(**options)
+        cls.__repr__ = cls.__repr__  # type: ignore[method-assign]
+
+    def __str__(self) -> str:
+        return ""
+
+    def __repr__(self) -> str:
+        line = f"{type(self).__name__}{self._headline()}"
+        return line if len(line) <= _LONGEST_LINE else f"{line[: _LONGEST_LINE - 3]}..."
+
+    def _headline(self) -> str:
+        """What follows the name of the class in ``repr``: the first line of the text."""
+        text = str(self).strip()
+        return f": {text.splitlines()[0]}" if text else ""
 
     def _repr_html_(self) -> str:
         return f"<pre>{escape(str(self))}</pre>"

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from html import escape
 from typing import Any
 
 import numpy as np
@@ -15,7 +14,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table, headed
 from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 LEVEL = 0.95
 DEVIATIONS = float(ndtri((1 + LEVEL) / 2))  # half the width of a band of that probability
@@ -39,7 +38,7 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Observation(Exported):
+class Observation(Printed, Exported):
     """Estimates from measurements by an extended Kalman filter, each after the sample of its time was taken in.
 
     Attributes:
@@ -205,9 +204,6 @@ class Observation(Exported):
         return "\n".join(
             [f"{self.model}, from {', '.join(self.measured)}: {span}", *begins, *self._lines()]
         )
-
-    def _repr_html_(self) -> str:
-        return "".join(f"<p>{escape(line)}</p>" for line in str(self).splitlines())
 
 
 def _neighbours(values: Array) -> float:

@@ -126,6 +126,13 @@ class Comparison(Printed):
             "signals": score([one], self.data.signals),
         }
 
+    def _headline(self) -> str:
+        errors = [
+            f"{name} {format_quantity(score.rmse, self.data.signals[name].unit)}"
+            for name, score in self.scores["all"].items()
+        ]
+        return f" of {self.model} with '{self.data.title}': {', '.join(errors)}"
+
     def __str__(self) -> str:
         lines = [f"{self.model} against {self.data.title}"]
         lines += [f"  {sentence}" for sentence in self.data.starts]

@@ -84,7 +84,7 @@ class System(Printed):
         given = {f"{c}.{n}": "a value" for c, values in self.values.items() for n in values}
         check_once(self.connections, given)
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         lines = [self.title] * bool(self.title)
         for name, component in self.components.items():
             samples = f", every {component.seconds:.6g} s" if component.seconds is not None else ""

@@ -203,14 +203,13 @@ class Diagnosis(Printed):
             {"learned": self.learned.as_dict()} if self.learned else {}
         )
 
+    def _headline(self) -> str:
+        return f": {self.verdict.summary}"
+
     def __str__(self) -> str:
-        v = self.verdict
-        what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
-        sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
-        lines = [f"Verdict: {v.kind}{what}{sure}"]
+        lines = [f"Verdict: {self.verdict.summary}"]
         lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
-        lines += [f"  {sentence}" for sentence in (v.reason, *v.implausible)]
-        lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
+        lines += [f"  {sentence}" for sentence in self.verdict.sentences]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:

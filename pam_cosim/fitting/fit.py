@@ -183,6 +183,10 @@ class Fit(Printed):
                 )
         return tuple(sentences)
 
+    def _headline(self) -> str:
+        chi2 = [f"{role} {one.chi2_reduced:.4g}" for role, one in self.residuals.items()]
+        return f" of {self.model} to '{self.comparison.data.title}': reduced chi-square {', '.join(chi2)}"
+
     def __str__(self) -> str:
         lines = [str(self.comparison)]
         if self.search:

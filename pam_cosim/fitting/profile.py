@@ -17,6 +17,7 @@ from pam_cosim.files import plain
 from pam_cosim.fitting.estimate import standard_deviations
 from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
@@ -103,7 +104,7 @@ class Profile:
 
 
 @dataclass(frozen=True)
-class Profiles:
+class Profiles(Printed):
     """The profiles of all parameters of a fit, by name."""
 
     model: str

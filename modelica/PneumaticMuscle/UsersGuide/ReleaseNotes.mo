@@ -18,8 +18,7 @@ what they were.</li>
 <a href=\"modelica://PneumaticMuscle.Mechanics.Components\">Mechanics.Components</a>; transducers in
 <a href=\"modelica://PneumaticMuscle.Instruments.Sensors\">Instruments.Sensors</a>, tables of muscles in
 <a href=\"modelica://PneumaticMuscle.Muscles.Data\">Muscles.Data</a>, models of what papers found in
-<a href=\"modelica://PneumaticMuscle.Examples.Validation\">Examples.Validation</a>. Former names mean the same classes:
-<a href=\"modelica://PneumaticMuscle.UsersGuide.FormerNames\">FormerNames</a>.</li>
+<a href=\"modelica://PneumaticMuscle.Examples.Validation\">Examples.Validation</a>.</li>
 <li>Every connection is drawn and every component has its place, also in muscles, valves, vessels and the parts of a
 rig. Names of classes and the first mention of a work are links. New pages
 <a href=\"modelica://PneumaticMuscle.UsersGuide.Conventions\">Conventions</a> and ReleaseNotes.</li>

@@ -17,7 +17,6 @@ from rich.progress import (
 
 from pam_cosim import study
 from pam_cosim.cli.arguments import (
-    file_and_variables,
     parse_named,
     parse_pairs,
     parse_varied,
@@ -31,10 +30,8 @@ from pam_cosim.cli.commands.common import (
     check_results,
     console,
     remarks,
-    say_renamed,
     say_written,
 )
-from pam_cosim.errors import InputError
 from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
@@ -61,7 +58,7 @@ def sweep(
         ),
     ],
     output: Annotated[
-        list[str],
+        Path,
         typer.Option(
             "--output", "-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet."
         ),
@@ -112,15 +109,10 @@ def sweep(
     """
     varied = parse_varied(vary)
     sources = [model, inputs, *varied.get(INPUTS, []), *(files or [])]
-    check_results(*map(Path, output), pictures=[plot], sources=sources)
-    file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
-    if file is None:
-        raise InputError("name the file of the result with -o")
-    check_table_ending(file)
-    if formerly:
-        say_renamed("sweep --output VARIABLE")
-    check_writable(partial_of(file))
-    remarks.append(lambda: _kept(file))
+    check_results(output, pictures=[plot], sources=sources)
+    check_table_ending(output)
+    check_writable(partial_of(output))
+    remarks.append(lambda: _kept(output))
     with Progress(*_COLUMNS, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("sweep", total=None)
         made = study.sweep(
@@ -128,7 +120,7 @@ def sweep(
             varied,
             parameters=parse_pairs(settings or []),
             inputs=inputs,
-            outputs=[*(keep or []), *formerly],
+            outputs=keep or [],
             scalars=parse_named(scalars or []),
             trajectories=trajectories,
             design=design,
@@ -136,7 +128,7 @@ def sweep(
             seed=seed,
             stop_time=stop_time,
             interval=interval,
-            output=file,
+            output=output,
             executor=dask,
             workers=workers,
             files=files or [],
@@ -146,7 +138,7 @@ def sweep(
     if plot:
         study.draw(made, plot)
     _tell(made)
-    say_written(file)
+    say_written(output)
     say_written(plot)
     if len(made.failed) == len(made):
         raise typer.Exit(1)
