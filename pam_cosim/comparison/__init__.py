@@ -30,7 +30,7 @@ from pam_cosim.comparison.residual_statistics import (
     residual_statistics,
     series_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run
+from pam_cosim.comparison.residuals import RunComparison, simulate_run, warnings_of
 from pam_cosim.comparison.rounding import (
     expected_squares,
     slope,
@@ -77,6 +77,7 @@ __all__ = [
     "start_time",
     "state_course",
     "usual_square",
+    "warnings_of",
     "standardized_residuals",
     "where",
     "without_outliers",

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.comparison.residuals import RunComparison, warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Run, Signal
 from pam_cosim.measurement.markers import input_marker_of, marker_of
@@ -45,11 +45,11 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "copy": two runs have the same samples; "marker": a value that is no reading, as for missing samples;
-            "still": a signal never moves, where the model does; "impossible": no such reading exists; "far_off":
-            the model explains little of it; "one_sided": the measurement never passes zero where the model does;
-            "contradiction": runs differ the other way than in the model.
-        signal: which it is seen in.
+        kind: "warning": the model itself warns; "copy": two runs have the same samples; "marker": a value that is no
+            reading, as for missing samples; "still": a signal never moves, where the model does; "impossible": no such
+            reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
+            where the model does; "contradiction": runs differ the other way than in the model.
+        signal: which it is seen in; "": none.
         text: a sentence.
     """
 
@@ -85,7 +85,8 @@ def doubts(
                 *_one_sided(signal, measured, modelled),
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
-    return (*_copies(runs), *_markers_of_inputs(runs, units), *every)
+    warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
+    return (*warnings, *_copies(runs), *_markers_of_inputs(runs, units), *every)
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:

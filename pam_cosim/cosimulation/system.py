@@ -16,7 +16,6 @@ from pam_cosim.cosimulation.network import (
     Loops,
     Method,
     Network,
-    RunCost,
 )
 from pam_cosim.cosimulation.parts import (
     Component,
@@ -43,7 +42,7 @@ from pam_cosim.simulation import (
     Simulator,
 )
 from pam_cosim.units import UnitError, seconds
-from pam_cosim.wording import Printed, did_you_mean, shown
+from pam_cosim.wording import Printed, did_you_mean, distinct_warnings, shown
 
 METHODS = ("jacobi", "gauss-seidel")
 EXTRAPOLATIONS = ("constant", "linear")
@@ -231,9 +230,9 @@ class System(Printed):
                     progress,
                 )
             except (CouplingFailure, ControllerError) as error:
-                error.run = _run(recorder, method, plan, network.work)
+                error.run = _run(recorder, method, plan, network)
                 raise
-            return _run(recorder, method, plan, network.work)
+            return _run(recorder, method, plan, network)
 
     def _plan(
         self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float
@@ -357,10 +356,11 @@ def _choice(what: str, value: str, known: Sequence[str]) -> None:
         raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), known)}")
 
 
-def _run(recorder: Recorder, method: str, plan: StepControl, work: RunCost) -> CoupledRun:
-    sizes = plan.lengths or [0.0]
+def _run(recorder: Recorder, method: str, plan: StepControl, network: Network) -> CoupledRun:
+    sizes, work = plan.lengths or [0.0], network.work
+    messages = {name: stepper.take_messages() for name, stepper in network.steppers.items()}
     return CoupledRun(
-        recorder.trajectory(),
+        recorder.trajectory(distinct_warnings(messages)),
         method,
         len(plan.lengths),
         plan.rejected,

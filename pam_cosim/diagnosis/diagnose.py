@@ -61,7 +61,7 @@ from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -204,7 +204,7 @@ class Diagnosis(Printed):
         what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
         sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
         lines = [f"Verdict: {v.kind}{what}{sure}"]
-        lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
+        lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
         lines += [f"  {sentence}" for sentence in (v.reason, *v.implausible)]
         lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
         lines += self._errors()

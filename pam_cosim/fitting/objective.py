@@ -60,6 +60,7 @@ class Objective:
         failures: the first message of each kind of breakdown.
         starts: start values that are parameters of their runs, by number of the run.
         tolerance: relative, of the solver.
+        latest_runs: as they were simulated last.
 
     Args:
         simulator, data, runs, free: as above, and the measurement.
@@ -120,7 +121,7 @@ class Objective:
         self.size = int(self.ends[-1])
         squares = [run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series]
         self.samples = sum(squares)
-        self._latest_runs: Sequence[RunComparison] = ()
+        self.latest_runs: Sequence[RunComparison] = ()
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -338,7 +339,7 @@ class Objective:
             parts.append(left)
         if starts:
             self._starts_at[z.tobytes()] = self._starts_now()
-        self._latest_runs = runs
+        self.latest_runs = runs
         return runs, np.concatenate(parts) if parts else np.zeros(0)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
@@ -399,7 +400,7 @@ class Objective:
     def _rms_errors(self) -> dict[str, float]:
         """Of each fitted signal [SI], over all runs as they were simulated last."""
         squares = defaultdict[str, list[Array]](list)
-        for run, names in zip(self._latest_runs, self._signals, strict=False):
+        for run, names in zip(self.latest_runs, self._signals, strict=False):
             for name in names:
                 error = run.residual(name)[np.isfinite(run.run.measurements[name])]
                 squares[name].append(error**2)
@@ -448,8 +449,8 @@ class Objective:
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
         """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            self._latest_runs = self._simulate(z, self._signals, chosen)
-            return self._weighted(self._latest_runs, chosen)
+            self.latest_runs = self._simulate(z, self._signals, chosen)
+            return self._weighted(self.latest_runs, chosen)
         except SimulationFailure as failure:
             self._note_failure(failure)
             return np.full(sum(self.ends[i + 1] - self.ends[i] for i in chosen), np.inf)
