@@ -34,8 +34,10 @@ _ZEROS = {
     "Pa": (101325.0, "absolute and gauge pressure mixed up"),
     "K": (273.15, "degrees Celsius and kelvin mixed up"),
 }
-_SIZES = "a size of the muscle or a load that is not the rig's"
-_UNIT = "a wrong unit or factor of the instrument"
+_CAUSES = (
+    "a size of the muscle or a load that is not the rig's does this, "
+    "and so does a wrong unit or factor of the instrument"
+)
 _LEAST = {"Pa": (-101325.0, "a vacuum, gauge"), "K": (0.0, "absolute zero")}
 """What no reading of an instrument is below, by its unit."""
 
@@ -272,16 +274,12 @@ def _of_another_size(
     if product <= 0.0:
         return ""
     gain, inverse = product / float(modelled @ modelled), product / float(measured @ measured)
-    if _rms(measured - gain * modelled) < enough:
-        units = _as_units(signal.unit, gain)
-        if units:
-            return f"It would fit if it were divided by {gain:.4g}{units}"
-        causes = f"{_SIZES} does this, and so does {_UNIT}{inputs()}"
-        return f"Its course is the model's, {gain:.3g} times as large: {causes}"
-    if _rms(inverse * measured - modelled) < enough:
-        causes = f"{_UNIT} does this{inputs()}; so does {_SIZES}"
-        return f"It is some {1 / inverse:.3g} times as large as in the model: {causes}"
-    return ""
+    if min(_rms(measured - gain * modelled), _rms(inverse * measured - modelled)) >= enough:
+        return ""
+    units = _as_units(signal.unit, gain)
+    if units:
+        return f"It would fit if it were divided by {gain:.4g}{units}"
+    return f"Relative to the model it is {gain:.3g} times as large: {_CAUSES}{inputs()}"
 
 
 def _reach(runs: Sequence[RunComparison], units: Mapping[str, str]) -> str:
