@@ -16,6 +16,7 @@ from pam_cosim.cosimulation.network import (
     Loops,
     Method,
     Network,
+    RunCost,
 )
 from pam_cosim.cosimulation.parts import (
     Component,
@@ -42,7 +43,7 @@ from pam_cosim.simulation import (
     Simulator,
 )
 from pam_cosim.units import UnitError, seconds
-from pam_cosim.wording import Printed, did_you_mean, distinct_warnings, shown
+from pam_cosim.wording import Printed, did_you_mean, shown
 
 METHODS = ("jacobi", "gauss-seidel")
 EXTRAPOLATIONS = ("constant", "linear")
@@ -230,9 +231,14 @@ class System(Printed):
                     progress,
                 )
             except (CouplingFailure, ControllerError) as error:
-                error.run = _run(recorder, method, plan, network)
+                error.run = _run(recorder, method, plan, network.work)
                 raise
-            return _run(recorder, method, plan, network)
+            warnings = [
+                f"{name}: {text}"
+                for name, stepper in steppers.items()
+                for text in dict.fromkeys(stepper.take_messages())
+            ]
+            return _run(recorder, method, plan, network.work, warnings)
 
     def _plan(
         self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float
@@ -356,11 +362,16 @@ def _choice(what: str, value: str, known: Sequence[str]) -> None:
         raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), known)}")
 
 
-def _run(recorder: Recorder, method: str, plan: StepControl, network: Network) -> CoupledRun:
-    sizes, work = plan.lengths or [0.0], network.work
-    messages = {name: stepper.take_messages() for name, stepper in network.steppers.items()}
+def _run(
+    recorder: Recorder,
+    method: str,
+    plan: StepControl,
+    work: RunCost,
+    warnings: Sequence[str] = (),
+) -> CoupledRun:
+    sizes = plan.lengths or [0.0]
     return CoupledRun(
-        recorder.trajectory(distinct_warnings(messages)),
+        recorder.trajectory(warnings),
         method,
         len(plan.lengths),
         plan.rejected,
