@@ -31,9 +31,9 @@ def listed(names: Iterable[str]) -> str:
     return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
 
 
-def look_first(texts: Iterable[str], indent: str = "  ") -> list[str]:
+def look_first(texts: Iterable[str]) -> list[str]:
     """A line for each text that a person reads before the result."""
-    return [f"{indent}LOOK FIRST: {text}" for text in texts]
+    return [f"  LOOK FIRST: {text}" for text in texts]
 
 
 def distinct_warnings(warnings: Mapping[str, Sequence[str]]) -> tuple[str, ...]:

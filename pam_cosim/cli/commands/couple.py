@@ -129,8 +129,8 @@ def couple(
 
 def _tell(run: CoupledRun) -> None:
     """A line for each variable: between which values it lies, and where it ends."""
-    for line in look_first(run.trajectory.warnings, ""):
-        typer.echo(line)
+    for line in look_first(run.trajectory.warnings):
+        typer.echo(line.strip())
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
         low, high, last = (
