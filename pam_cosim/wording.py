@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from html import escape
 
 _LONGEST = 60
 _LONGEST_LINE = 200
 _MOST_NAMES = 20
+_NUMBER = re.compile(r"[-+]?\d[\d.]*(?:e[-+]?\d+)?")
 _ALIKE = 0.55  # of the letters, from which on a name may have been meant
 
 
@@ -28,6 +30,30 @@ def listed(names: Iterable[str]) -> str:
     names = list(names)
     rest = len(names) - _MOST_NAMES
     return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
+
+
+def look_first(texts: Iterable[str]) -> list[str]:
+    """A line for each text that a person reads before the result."""
+    return [f"  LOOK FIRST: {text}" for text in texts]
+
+
+def distinct_warnings(warnings: Mapping[str, Sequence[str]]) -> tuple[str, ...]:
+    """Each warning of a model once, whatever its numbers, after the names of its runs.
+
+    Args:
+        warnings: of every run, by its name.
+    """
+    found: dict[str, dict[str, str]] = {}
+    for run, texts in warnings.items():
+        for text in texts:
+            found.setdefault(_NUMBER.sub("", text), {}).setdefault(run, text)
+    return tuple(_warning(by_run, len(warnings)) for by_run in found.values())
+
+
+def _warning(by_run: Mapping[str, str], count: int) -> str:
+    (first, text), *_ = by_run.items()
+    runs = "every run" if len(by_run) == count > 1 else listed(by_run)
+    return f"{runs}: {text}" + (f" (in {first})" if len({*by_run.values()}) > 1 else "")
 
 
 def runs_in_words(count: int) -> str:

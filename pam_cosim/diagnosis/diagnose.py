@@ -62,7 +62,7 @@ from pam_cosim.measurement import ROLES, DataSet, error_in
 from pam_cosim.problems import corrections_of
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -208,7 +208,7 @@ class Diagnosis(Printed):
 
     def __str__(self) -> str:
         lines = [f"Verdict: {self.verdict.summary}"]
-        lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
+        lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
         lines += [f"  {sentence}" for sentence in self.verdict.sentences]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]

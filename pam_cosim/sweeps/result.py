@@ -17,7 +17,7 @@ from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import SweepRuns
 from pam_cosim.sweeps.scalars import Scalar
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed
+from pam_cosim.wording import Printed, distinct_warnings, look_first
 
 if TYPE_CHECKING:
     import pandas
@@ -119,6 +119,13 @@ class Sweep(Printed):
         """Why runs failed, by their numbers, from 0."""
         return {i: text for i, text in enumerate(self.table.failures()) if text}
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The distinct warnings of the model, each with its runs by their numbers, from 0."""
+        return distinct_warnings(
+            {f"run {i}": texts for i, texts in enumerate(self.table.warnings())}
+        )
+
     def column(self, scalar: str) -> Array:
         """(runs,) one number of every run [its unit]."""
         return self.table.scalars()[:, [s.name for s in self.scalars].index(scalar)]
@@ -156,6 +163,7 @@ class Sweep(Printed):
         names = [f"{name} {self._span(i)}" for i, name in enumerate(self.design.names)]
         varied = ", ".join(names)
         lines = [f"{len(self)} runs of {self.interface.model} ({self.design.kind}): {varied}"]
+        lines += look_first(self.warnings)
         lines += [f"  {line}" for line in self.summary_lines()]
         if self.failed:
             lines.append(

@@ -52,7 +52,8 @@ before the inlet, <a href=\"modelica://PneumaticMuscle.Interfaces.Feed\">Interfa
 their films and that of <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a> are meant
 at ambient pressure and temperature, also in a vessel that starts elsewhere.
 <a href=\"modelica://PneumaticMuscle.Muscles.AirMuscle\">Muscles.AirMuscle</a> has no friction, and
-<a href=\"modelica://PneumaticMuscle.Muscles.AnyGeometry\">AnyGeometry</a> warns of fibres that do not fit on it.</li>
+<a href=\"modelica://PneumaticMuscle.Muscles.AnyGeometry\">AnyGeometry</a> has as many fibres as its sleeve takes,
+unless they are stated. All muscles of DP warn of fibres that do not fit on them.</li>
 </ul>
 <p><b>0.1.0</b></p>
 <ul>

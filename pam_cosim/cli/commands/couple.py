@@ -26,6 +26,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.study import coupling
 from pam_cosim.study.input_sources import read_inputs
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import look_first
 
 Value = TypeVar("Value")
 _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
@@ -124,6 +125,8 @@ def couple(
 
 def _tell(run: CoupledRun) -> None:
     """A line for each variable: between which values it lies, and where it ends."""
+    for line in look_first(run.trajectory.warnings):
+        typer.echo(line.strip())
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
         low, high, last = (

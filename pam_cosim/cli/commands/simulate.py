@@ -19,6 +19,7 @@ from pam_cosim.cli.commands.common import (
     say_written,
 )
 from pam_cosim.exports import check_table_ending
+from pam_cosim.wording import look_first
 
 
 def simulate(
@@ -62,13 +63,13 @@ def simulate(
         files=files or [],
         timeout=timeout,
     )
-    for warning in filter(None, (trajectory.solver, *trajectory.warnings)):
-        typer.echo(f"pam-cosim: {warning}", err=True)
+    if trajectory.solver:
+        typer.echo(f"pam-cosim: {trajectory.solver}", err=True)
     if output:
         trajectory.save(output)
     if plot:
         reporting.plot_trajectory(trajectory, plot)
-    for line in str(trajectory).splitlines()[1:]:
+    for line in [*look_first(trajectory.warnings), *str(trajectory).splitlines()[1:]]:
         typer.echo(line.strip())
     say_written(output)
     say_written(plot)

@@ -36,6 +36,7 @@ from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
 from pam_cosim.sweeps.patterns import INPUTS
+from pam_cosim.wording import look_first
 
 _MOST_FAILURES = 20  # that are told one by one
 _COLUMNS = (
@@ -164,5 +165,5 @@ def _tell(made: Sweep) -> None:
             f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each"
         )
     typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
-    for line in made.summary_lines():
+    for line in [*look_first(made.warnings), *made.summary_lines()]:
         typer.echo(line)

@@ -62,7 +62,7 @@ class DoubtRaised(Event):
     doubt: Doubt
 
     def __str__(self) -> str:
-        return f"look first: {self.doubt.text}"
+        return f"LOOK FIRST: {self.doubt.text}"
 
 
 @dataclass(frozen=True)

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.comparison import warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark, listened
@@ -25,7 +26,7 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,7 @@ class Check(Printed):
         no_place: families whose effects find no place in the model.
         helps: further measurements, the most useful first; none that would bring nothing.
         failed: effects that could not be simulated.
+        warnings: of the model at its start values.
     """
 
     data: DataSet
@@ -76,6 +78,7 @@ class Check(Printed):
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
+    warnings: tuple[str, ...] = ()
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
@@ -95,12 +98,13 @@ class Check(Printed):
             "helps": self.helps,
             "failed": self.failed,
         }
-        return dict(plain(content))
+        return dict(plain(content | ({"warnings": self.warnings} if self.warnings else {})))
 
     def __str__(self) -> str:
         lines = [
             f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"
         ]
+        lines += look_first(self.warnings)
         lines += (
             [*self.data.starts, *self._about_parameters()]
             + self._about_families()
@@ -255,7 +259,10 @@ def check(
             simulator, possible.data, possible.data.fit_runs, free, None, tolerance
         )
         count = _row_count(objective, data)
-        base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
+        start = np.array([f.to_z(f.start) for f in free])
+        objective.residuals(start)
+        warnings = warnings_of(objective.latest_runs)
+        base = linearised(objective, start, count)
     if base is None:
         raise SimulationFailure(objective.first_failure)
     say(
@@ -284,6 +291,7 @@ def check(
         ),
         helps=tuple(_helps(rows, identifiability)),
         failed=tuple(search.failed),
+        warnings=warnings,
     )
 
 

@@ -11,7 +11,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 NO_EFFECT = "no effect"
 """Name of the model without effects among rivals."""
@@ -98,6 +98,7 @@ class RunPlan(Printed):
         units: by name of an input, a parameter or a signal.
         sigma: noise of each signal [SI].
         tried: courses that were simulated.
+        warnings: of the model that the verdict is about, in the recorded runs.
     """
 
     title: str
@@ -110,6 +111,7 @@ class RunPlan(Printed):
     units: dict[str, str]
     sigma: dict[str, float]
     tried: int
+    warnings: tuple[str, ...] = ()
 
     @property
     def separations(self) -> tuple[Separation, ...]:
@@ -192,11 +194,12 @@ class RunPlan(Printed):
             "units": self.units,
             "runs": [_run(one) for one in self.runs],
         }
-        return dict(plain(content))
+        return dict(plain(content | ({"warnings": self.warnings} if self.warnings else {})))
 
     def __str__(self) -> str:
         lines = [
             f"{self.title}: the verdict is {self.verdict}; {self._left}",
+            *look_first(self.warnings),
             self.expectation,
         ]
         lines += [
