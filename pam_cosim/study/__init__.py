@@ -16,7 +16,6 @@ if TYPE_CHECKING:
     from pam_cosim.study.diagnoses import check, diagnose, draw, live
     from pam_cosim.study.dynamics import frequency_response, linearise, linearise_along
     from pam_cosim.study.fits import fit, profile
-    from pam_cosim.study.judged_fmu import build_with_data, evidence
     from pam_cosim.study.library import bench, benches, effects, rig_parts
     from pam_cosim.study.many_runs import sweep
     from pam_cosim.study.observing import observe
@@ -32,7 +31,6 @@ __all__ = [
     "bench",
     "benches",
     "build",
-    "build_with_data",
     "check",
     "compare",
     "couple",
@@ -40,7 +38,6 @@ __all__ = [
     "diagnose",
     "draw",
     "effects",
-    "evidence",
     "fit",
     "frequency_response",
     "linearise",
@@ -74,7 +71,6 @@ _MODULES = {
     "pam_cosim.study.diagnoses": ("check", "diagnose", "draw", "live"),
     "pam_cosim.study.dynamics": ("frequency_response", "linearise", "linearise_along"),
     "pam_cosim.study.observing": ("observe",),
-    "pam_cosim.study.judged_fmu": ("build_with_data", "evidence"),
     "pam_cosim.study.fits": ("fit", "profile"),
     "pam_cosim.study.library": ("bench", "benches", "effects", "rig_parts"),
     "pam_cosim.study.many_runs": ("sweep",),

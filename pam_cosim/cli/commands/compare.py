@@ -14,7 +14,7 @@ from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
     CutOption,
-    DataOrFmu,
+    Data,
     FilesOption,
     JsonOption,
     ModelOption,
@@ -29,18 +29,16 @@ from pam_cosim.cli.commands.common import (
 )
 from pam_cosim.comparison import Comparison, ConditionTable, check_conditions, write_tables
 from pam_cosim.compiler import names
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.model.references import is_fmu
 from pam_cosim.study.fitted_model import FittedModel, check_fitted, read_fitted_model
 from pam_cosim.study.tables import against_lines, read_comparison
 from pam_cosim.wording import listed
 
 
 def compare(
-    data: DataOrFmu,
+    data: Data,
     model: ModelOption = None,
     params: Annotated[
         Path | None,
@@ -82,35 +80,15 @@ def compare(
     fitted = _fitted(params, model) if params else FittedModel("", (), {})
     chosen = parse_pairs(settings or [])
     earlier = [(path.stem, read_comparison(path)) for path in against]
-    repeated = True
-    if is_fmu(str(data)):
-        if roles or cuts or begins:
-            raise InputError("recordings in an FMU are compared as they were judged", data)
-        carried = study.evidence(data)
-        typer.echo(f"{carried}\n")
-        comparison = _compared(
-            carried.data,
-            model or str(data),
-            {**carried.values, **fitted.values} if model is None else fitted.values,
-            chosen,
-            table,
-            files,
-            timeout,
-        )
-        if model in (None, str(data)) and not fitted.values and not chosen:
-            repeated = _say_repeated(carried.deviation(comparison))
-    else:
-        read = read_data(data, model, files, roles, cuts, begins)
-        if params:
-            _check_fitted(fitted, params, read, model, files)
-        comparison = _compared(read, model, fitted.values, chosen, table, files, timeout)
+    read = read_data(data, model, files, roles, cuts, begins)
+    if params:
+        _check_fitted(fitted, params, read, model, files)
+    comparison = _compared(read, model, fitted.values, chosen, table, files, timeout)
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = _tables(comparison, table) if table else []
     _write(comparison, tables, json, report)
     _write_tables(tables, table_csv, table_plot)
-    if not repeated:
-        raise typer.Exit(1)
 
 
 def _tables(comparison: Comparison, parameters: tuple[str, str]) -> list[ConditionTable]:
@@ -177,17 +155,6 @@ def _together(
     """Values of a file, but for what a run states, and those that are set."""
     stated = {name for run in data.runs for name in run.parameters}
     return {**{name: value for name, value in fitted.items() if name not in stated}, **chosen}
-
-
-def _say_repeated(deviation: float) -> bool:
-    """Says whether the errors are those that the FMU states."""
-    repeated = deviation <= CRITERIA.run.repeated
-    if repeated:
-        typer.echo("The judgement is repeated: these are the errors that the FMU states.")
-    else:
-        differs = f"an error differs by {100 * deviation:.2g} % from what the FMU states"
-        typer.echo(f"The judgement is NOT repeated: {differs}.")
-    return repeated
 
 
 def _check_fitted(
