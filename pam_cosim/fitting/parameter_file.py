@@ -52,8 +52,7 @@ def write_parameters(path: Path, fit: Fit) -> None:
     if path.suffix.lower() == ".ssv":
         write_text(path, _ssv(fit))
     else:
-        parameters = {n: e.as_dict() for n, e in fit.parameters.items()}
-        write_json(path, {"model": fit.model, "parameters": parameters})
+        write_json(path, {"model": fit.model, "parameters": fit.parameters})
 
 
 def _ssv(fit: Fit) -> str:
