@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.arrays import Array
 from pam_cosim.exports import Exported, Table
-from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
 
@@ -32,6 +30,8 @@ class FrequencyResponse(Printed, Exported):
         settled: (k,) whether the last two periods were alike to a thousandth.
         linear: the linear model from the same input to the same outputs, about the same rest; None: not known.
     """
+
+    json_keys = "model input amplitude units frequencies periods settled outputs=_rows linear"
 
     model: str
     input: str
@@ -67,10 +67,11 @@ class FrequencyResponse(Printed, Exported):
         static = gain[0] if self.linear is None else abs(float(self.linear.static_gain[i, 0]))
         return _crossing(self.frequencies, gain, static if np.isfinite(static) else float(gain[0]))
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units, phases in degrees."""
+    @property
+    def _rows(self) -> dict[str, object]:
+        """Phases in degrees."""
         linear = None if self.linear is None else self.linear_gain
-        rows = {
+        return {
             name: {
                 "gain": np.abs(self.gain[:, i]),
                 "phase": phase(self.gain[:, i]),
@@ -82,18 +83,6 @@ class FrequencyResponse(Printed, Exported):
             }
             for i, name in enumerate(self.outputs)
         }
-        content = {
-            "model": self.model,
-            "input": self.input,
-            "amplitude": self.amplitude,
-            "units": self.units,
-            "frequencies": self.frequencies,
-            "periods": self.periods,
-            "settled": self.settled,
-            "outputs": rows,
-            "linear": None if self.linear is None else self.linear.as_dict(),
-        }
-        return dict(plain(content))
 
     def table(self) -> Table:
         """A row for each frequency."""

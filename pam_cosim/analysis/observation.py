@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 import numpy as np
 from scipy.special import chdtri, ndtri
@@ -12,7 +11,6 @@ from scipy.special import chdtri, ndtri
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table, headed
-from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, did_you_mean
 
@@ -55,6 +53,8 @@ class Observation(Printed, Exported):
         truth: by name (N,): what was true, where that is known.
         begins: where the recording begins, as far as that is elsewhere than the model does by itself.
     """
+
+    json_keys = "model units outputs time values deviations consistency=_consistency errors"
 
     model: str
     time: Array
@@ -135,27 +135,17 @@ class Observation(Printed, Exported):
             float(np.mean(np.abs(off) <= DEVIATIONS * size)),
         )
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units."""
+    @property
+    def _consistency(self) -> dict[str, object]:
         low, high = self.nis_range
-        content = {
-            "model": self.model,
-            "units": self.units,
-            "outputs": self.outputs,
-            "time": self.time,
-            "values": self.values,
-            "deviations": self.deviations,
-            "consistency": {
-                "nis": self.nis,
-                "low": low,
-                "high": high,
-                "consistent": self.is_consistent,
-                "log_likelihood": self.log_likelihood,
-                "whiteness": self.whiteness,
-            },
-            "errors": self.errors(),
+        return {
+            "nis": self.nis,
+            "low": low,
+            "high": high,
+            "consistent": self.is_consistent,
+            "log_likelihood": self.log_likelihood,
+            "whiteness": self.whiteness,
         }
-        return dict(plain(content))
 
     def table(self) -> Table:
         """Each estimate and its standard deviation, a row for each sample."""

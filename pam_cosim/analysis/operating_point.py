@@ -34,6 +34,8 @@ class OperatingPoint(Printed):
         how: how it was found, in words.
     """
 
+    json_keys = "kind how time states inputs outputs rates parameters"
+
     kind: str
     time: float
     states: dict[str, float]

@@ -13,7 +13,7 @@ from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.errors import InputError
-from pam_cosim.files import plain
+from pam_cosim.files import Plain
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
@@ -22,7 +22,7 @@ from pam_cosim.wording import Printed, did_you_mean, listed, look_first
 
 
 @dataclass(frozen=True)
-class Comparison(Printed):
+class Comparison(Printed, Plain):
     """Residuals and scores of a model on a data set.
 
     Attributes:
@@ -34,6 +34,8 @@ class Comparison(Printed):
         where: rules that hold most of the error, over all runs.
         units: SI units of the parameters and inputs of the runs, by name.
     """
+
+    json_keys = "model parameters signals=scores.all roles=_roles runs=_runs where doubts"
 
     model: str
     data: DataSet
@@ -102,18 +104,13 @@ class Comparison(Printed):
         count = "" if len(said) == len(self.runs) else f" (in {len(said)} of {len(self.runs)} runs)"
         return [f"{said[0]}{count}"] if said else []
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "model": self.model,
-            "parameters": self.parameters,
-            "signals": self.scores["all"],
-            "roles": {role: {"signals": scores} for role, scores in self.scores.items() if scores},
-            "runs": [self._run_as_dict(run) for run in self.runs],
-            "where": self.where,
-            "doubts": self.doubts,
-        }
-        return dict(plain(content))
+    @property
+    def _roles(self) -> dict[str, object]:
+        return {role: {"signals": scores} for role, scores in self.scores.items() if scores}
+
+    @property
+    def _runs(self) -> list[dict[str, object]]:
+        return [self._run_as_dict(run) for run in self.runs]
 
     def _run_as_dict(self, one: RunComparison) -> dict[str, object]:
         solver = {"solver": one.solver} if one.solver else {}

@@ -14,7 +14,6 @@ from pam_cosim.comparison import simulate_run, warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.exports import Exported, Table, headed
-from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting.discrepancy import Discrepancy
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
@@ -39,6 +38,11 @@ class Band:
         mean_low, mean_high: between which the mean of the readings lies with 95 % [unit].
     """
 
+    json_keys = (
+        "unit coverage value low high reading_low reading_high measured discrepancy mean mean_low "
+        "mean_high"
+    )
+
     unit: str
     value: Array
     low: Array
@@ -60,11 +64,6 @@ class Band:
         inside = (self.measured >= self.reading_low) & (self.measured <= self.reading_high)
         return float(np.mean(inside[at]))
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        columns = plain_fields(self)
-        return {"unit": columns.pop("unit"), "coverage": plain(self.coverage), **columns}
-
 
 @dataclass(frozen=True)
 class PredictiveBands(Printed, Exported):
@@ -81,6 +80,8 @@ class PredictiveBands(Printed, Exported):
         warnings: of the model at the optimum.
     """
 
+    json_keys = "model run time inputs signals=bands parameters=posterior failed warnings?"
+
     model: str
     run: str
     time: Array
@@ -89,19 +90,6 @@ class PredictiveBands(Printed, Exported):
     posterior: ParameterPosterior
     failed: int = 0
     warnings: tuple[str, ...] = ()
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "model": self.model,
-            "run": self.run,
-            "time": self.time,
-            "inputs": self.inputs,
-            "signals": self.bands,
-            "parameters": self.posterior,
-            "failed": self.failed,
-        }
-        return dict(plain(content | ({"warnings": self.warnings} if self.warnings else {})))
 
     def table(self) -> Table:
         """Time, and of each signal its value and the ends of both bands; SI units."""

@@ -40,10 +40,6 @@ if TYPE_CHECKING:
         fit,  # fits the free parameters to a data set
         profile,  # the profile likelihood of each fitted parameter
     )
-    from pam_cosim.study.judged_fmu import (
-        build_with_data,  # makes an FMU with its recordings and its verdict
-        evidence,  # reads the recordings and the verdict of an FMU
-    )
     from pam_cosim.study.library import (
         bench,  # composes a bench from parts
         benches,  # the names of the benches
@@ -68,7 +64,6 @@ __all__ = [
     "bench",
     "benches",
     "build",
-    "build_with_data",
     "check",
     "compare",
     "couple",
@@ -76,7 +71,6 @@ __all__ = [
     "diagnose",
     "draw",
     "effects",
-    "evidence",
     "fit",
     "frequency_response",
     "linearise",

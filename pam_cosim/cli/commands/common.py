@@ -132,12 +132,6 @@ KeepOption = Annotated[
 Data = Annotated[
     Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")
 ]
-DataOrFmu = Annotated[
-    Path,
-    typer.Argument(
-        help="Folder of a data set, what 'diagnose --save' wrote, or an .fmu of 'build --with-data'."
-    ),
-]
 
 
 def check_results(

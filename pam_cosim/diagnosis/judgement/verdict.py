@@ -25,7 +25,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
 from pam_cosim.diagnosis.judgement.implausible import implausible
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
-from pam_cosim.files import plain_fields
+from pam_cosim.files import Plain
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
@@ -34,7 +34,7 @@ Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
 
 
 @dataclass(frozen=True)
-class Verdict(Printed):
+class Verdict(Printed, Plain):
     """The answer to "which effect is missing?".
 
     Attributes:
@@ -108,10 +108,6 @@ class Verdict(Printed):
             else "something else"
         )
         return ", ".join([*texts, f"{other} {100 * self.posterior.something_else:.0f} %"])
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return plain_fields(self)
 
 
 _MOST_LISTED = 3  # sets of families
