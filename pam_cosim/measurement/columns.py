@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.compiler.elementwise import evaluate, with_place
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.experiment_errors import KeyPath
 from pam_cosim.measurement.experiment_tables import ColumnTable
+from pam_cosim.measurement.place import Stated
 from pam_cosim.measurement.table import TIME, Column, Table
 from pam_cosim.units import (
     UnitError,
@@ -33,11 +32,9 @@ _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
 @dataclass(frozen=True)
 class ColumnMapping:
-    """``[columns]``, with the place of each entry in the document."""
+    """``[columns]`` of a file."""
 
-    document: ExperimentFile
     tables: Mapping[str, ColumnTable]
-    places: Mapping[str, KeyPath]
 
     @property
     def sources(self) -> frozenset[str]:
@@ -63,9 +60,9 @@ class ColumnMapping:
         formulas = [table.formula for table in self.tables.values() if table.formula]
         return frozenset(name for one in formulas for name in _names_in(one))
 
-    def error(self, message: str, name: str, *key: str) -> InputError:
-        """An error about the entry of a column."""
-        return self.document.error(f"column {shown(name)}: {message}", *self.places[name], *key)
+    def error(self, message: str, name: str, key: str) -> InputError:
+        """An error about a key of the entry of a column."""
+        return self.tables[name].error(f"column {shown(name)}: {message}", key)
 
 
 def _names_in(formula: str) -> list[str]:
@@ -114,7 +111,7 @@ def with_zeros(table: Table, renaming: ColumnMapping) -> Table:
     """The table with the zero of each column that has a rest interval taken off.
 
     Raises:
-        InputError: a rest interval without samples; with the place in the document.
+        InputError: a rest interval without samples, with the place.
     """
     for name, one in renaming.tables.items():
         if one.zero is not None:
@@ -152,7 +149,9 @@ def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:
         return column
     key = "gain"
     try:
-        result = quantity(column.values, column.unit) * _stated(one.gain, 1.0)
+        result = quantity(column.values, column.unit) * quantity(
+            one.gain.value if one.gain else 1.0
+        )
         if one.offset is not None:
             key = "offset"
             result = result + _shift(one.offset, column.unit)
@@ -162,19 +161,11 @@ def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:
     return replace(column, unit=unit, values=np.array(values))
 
 
-def _shift(offset: str | float, unit: str) -> Any:
+def _shift(offset: Stated, unit: str) -> Any:
     """The offset of a column in ``unit``: of temperatures a difference; of what a gain makes one, a temperature."""
-    if isinstance(offset, str) and quantity(0.0, unit).check("[temperature]"):
-        return quantity(parse_quantity(offset, "K", difference=True), "K")
-    return _stated(offset, 0.0)
-
-
-def _stated(value: str | float | None, otherwise: float) -> Any:
-    return (
-        quantity(value)
-        if isinstance(value, str)
-        else quantity(otherwise if value is None else value)
-    )
+    if isinstance(offset.value, str) and quantity(0.0, unit).check("[temperature]"):
+        return quantity(parse_quantity(offset.value, "K", difference=True), "K")
+    return quantity(offset.value)
 
 
 def _derived(
@@ -256,7 +247,7 @@ def _zeroed(table: Table, renaming: ColumnMapping, name: str) -> Table:
     if TIME not in table.columns:
         raise renaming.error("a rest interval needs a column 'time'", name, "zero")
     try:
-        start, stop = parse_quantity(one.start, "s"), parse_quantity(one.to, "s")
+        start, stop = (parse_quantity(end.value, "s") for end in (one.start, one.to))
         time = convert(table.columns[TIME].values, table.columns[TIME].unit, "s")
         if float(quantity(0.0, column.unit).magnitude):
             raise UnitError(f"the zero of {shown(column.unit)} is no reading at rest")

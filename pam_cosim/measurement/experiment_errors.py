@@ -19,9 +19,8 @@ from pam_cosim.measurement.experiment_tables import (
     RunTable,
     SignalTable,
 )
+from pam_cosim.measurement.place import KeyPath
 from pam_cosim.wording import did_you_mean, shown
-
-KeyPath = tuple[str | int, ...]
 
 _LISTS_OF_TEXTS = {
     ("recording", "names"): '["time [s]", "p [kPa]"]',
