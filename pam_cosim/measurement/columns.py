@@ -38,14 +38,14 @@ class ColumnMapping:
 
     @property
     def sources(self) -> frozenset[str]:
-        """Names of columns of the file that are read for others, as far as they stand there by themselves."""
-        named = {t.column for t in self.tables.values() if isinstance(t.column, str)}
-        own = {
-            name
-            for name, table in self.tables.items()
-            if table.column is None and table.formula is None
-        }
-        return frozenset(named | own)
+        """Names of columns of the file that are read for others; further names in formulas do no harm."""
+        names = set[str]()
+        for name, table in self.tables.items():
+            if table.formula is not None:
+                names.update(_names_in(table.formula))
+            elif not isinstance(table.column, int):
+                names.add(table.column or name)
+        return frozenset(names)
 
     @property
     def clock(self) -> frozenset[str | int]:
@@ -54,11 +54,6 @@ class ColumnMapping:
         if time is not None and time.formula is not None:
             return frozenset(_names_in(time.formula))
         return frozenset([TIME if time is None or time.column is None else time.column])
-
-    def names_in_formulas(self) -> frozenset[str]:
-        """Names that formulas hold; those that are no columns do no harm."""
-        formulas = [table.formula for table in self.tables.values() if table.formula]
-        return frozenset(name for one in formulas for name in _names_in(one))
 
     def error(self, message: str, name: str, key: str) -> InputError:
         """An error about a key of the entry of a column."""

@@ -20,7 +20,7 @@ from pam_cosim.measurement.points import Points
 from pam_cosim.measurement.read_run import read_points, read_run
 from pam_cosim.measurement.read_start import with_start
 from pam_cosim.measurement.recording import Recording
-from pam_cosim.measurement.resampling import resampled_run
+from pam_cosim.measurement.resampling import resampled
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
 from pam_cosim.wording import shown
@@ -216,13 +216,14 @@ def _begun(interface: Interface, table: RunTable, whole: Run, run: Run, instead:
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
     """
-    mode, cut = instead.start(run), instead.cut(run)
+    mode, cut, resample = instead.start(run), instead.cut(run), table.recording.resample
+    interval = None if resample is None else resample.above_zero("s")
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
     made = run if cut is None else cut_run(whole if run.name == whole.name else run, cut)
     ends = [(one.time[0], one.time[-1] if table.periodic else 0.0) for one in (run, made)]
-    if table.recording.resample is not None:
-        made = resampled_run(made, table.recording.resample.above_zero("s"))
+    if interval is not None:
+        made = resampled(made, interval, made.interpolation)
     return with_start(table, interface, made, mode, anew=ends[0] != ends[1])
 
 

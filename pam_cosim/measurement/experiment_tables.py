@@ -18,6 +18,7 @@ from pydantic import (
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.place import Place, Stated
 from pam_cosim.measurement.start import StartMode
+from pam_cosim.measurement.table import Layout
 
 
 def _value(value: object) -> Stated:
@@ -140,6 +141,17 @@ class RecordingTable(CheckedTable):
     ignore: list[Name] | None = None
     missing: list[Name] | None = None
     resample: Value | None = None
+
+    def layout(self, **more: Any) -> Layout:
+        """How files are written, as far as that is stated; ``more``: what else is known of their columns."""
+        alike = ("encoding", "separator", "decimal", "header_line", "units_line", "table")
+        return Layout(
+            **{key: getattr(self, key) for key in alike},
+            names=None if self.names is None else tuple(self.names),
+            ignore=tuple(self.ignore or ()),
+            missing=frozenset(map(str.casefold, self.missing or ())),
+            **more,
+        )
 
 
 class IntervalTable(CheckedTable):

@@ -17,6 +17,7 @@ from pam_cosim.measurement.table import (
     check_count,
     check_names,
     headed,
+    reading,
     same_length,
 )
 from pam_cosim.wording import did_you_mean, shown
@@ -32,14 +33,9 @@ def read_hdf5(file: Path, stated: Layout) -> Table:
     """
     import h5py
 
-    try:
-        with h5py.File(file, "r") as opened:
-            place = _place(opened, stated.table, file)
-            columns = list(_columns(place, stated, file))
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except (OSError, RuntimeError, KeyError, ValueError, TypeError) as error:
-        raise InputError(f"this file cannot be read as HDF5: {error}", file) from None
+    errors = OSError, RuntimeError, KeyError, ValueError, TypeError
+    with reading(file, "HDF5", *errors), h5py.File(file, "r") as opened:
+        columns = list(_columns(_place(opened, stated.table, file), stated, file))
     return Table(file, same_length(columns, file))
 
 

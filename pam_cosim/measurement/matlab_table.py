@@ -20,6 +20,7 @@ from pam_cosim.measurement.table import (
     check_count,
     check_names,
     headed,
+    reading,
     same_length,
 )
 from pam_cosim.wording import did_you_mean, listed, shown
@@ -39,17 +40,12 @@ def read_matlab(file: Path, stated: Layout) -> Table:
 
     if file.is_file() and is_hdf5(file):
         return read_hdf5(file, stated)
-    try:
+    # The reader lets out whatever a broken file makes of it.
+    with reading(file, "MATLAB's", Exception):
         check_count(_declared(file), file, _unpacked(file))
         content = scipy.io.loadmat(
             str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True
         )
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except InputError:
-        raise
-    except Exception as error:  # The reader lets out whatever a broken file makes of it.
-        raise InputError(f"this file cannot be read as MATLAB's: {error}", file) from None
     variables = {name: value for name, value in content.items() if not name.startswith("__")}
     columns = list(_columns(_chosen(variables, stated.table, file), stated, file))
     if not columns and not stated.ignore:

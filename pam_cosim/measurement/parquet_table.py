@@ -15,6 +15,7 @@ from pam_cosim.measurement.table import (
     Table,
     check_count,
     headed,
+    reading,
     same_length,
     since_first,
 )
@@ -29,14 +30,10 @@ def read_parquet(file: Path, stated: Layout) -> Table:
     import pyarrow as arrow
     from pyarrow import parquet
 
-    try:
+    with reading(file, "Parquet", arrow.ArrowException, OSError):
         opened = parquet.ParquetFile(file)
         _check_declared(opened.metadata, file)
         table = opened.read()
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except (arrow.ArrowException, OSError) as error:
-        raise InputError(f"this file cannot be read as Parquet: {error}", file) from None
     return Table(file, same_length(_columns(table, stated, file), file))
 
 

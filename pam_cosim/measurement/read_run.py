@@ -115,27 +115,8 @@ def _offset(run: RunTable, logger: LoggerTable, one: Recording, other: Recording
 
 
 def _layout(stated: RecordingTable, renaming: ColumnMapping, interface: Interface) -> Layout:
-    names = None if stated.names is None else tuple(stated.names)
-    asked = {
-        TIME,
-        *interface.inputs,
-        *interface.outputs,
-        *renaming.sources,
-        *renaming.names_in_formulas(),
-    }
-    return Layout(
-        encoding=stated.encoding,
-        separator=stated.separator,
-        decimal=stated.decimal,
-        names=names,
-        header_line=stated.header_line,
-        units_line=stated.units_line,
-        table=stated.table,
-        ignore=tuple(stated.ignore or ()),
-        missing=frozenset(word.casefold() for word in stated.missing or ()),
-        asked=frozenset(asked),
-        clock=renaming.clock,
-    )
+    asked = frozenset((TIME, *interface.inputs, *interface.outputs, *renaming.sources))
+    return stated.layout(asked=asked, clock=renaming.clock)
 
 
 def _with_time(table: Table, interval: float) -> Table:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
@@ -61,6 +62,12 @@ class Table:
     lines: NDArray[np.int64] | None = None
     notes: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+
+    def rows(self, kept: slice | NDArray[np.bool_]) -> Table:
+        """The table with some of its rows."""
+        columns = {n: replace(one, values=one.values[kept]) for n, one in self.columns.items()}
+        lines = None if self.lines is None else self.lines[kept]
+        return replace(self, columns=columns, lines=lines)
 
     def error(self, message: str, column: str, row: int | None = None) -> InputError:
         """An error about a column: its header, or one of its rows."""
@@ -149,11 +156,20 @@ def without_empty_end(table: Table) -> Table:
     end = max((int(rows[-1]) + 1 for rows in filled if rows.size), default=0)
     if not end or all(end == len(column.values) for column in table.columns.values()):
         return table
-    kept = {
-        name: replace(column, values=column.values[:end]) for name, column in table.columns.items()
-    }
-    lines = None if table.lines is None else table.lines[:end]
-    return replace(table, columns=kept, lines=lines)
+    return table.rows(slice(end))
+
+
+@contextmanager
+def reading(file: Path, kind: str, *errors: type[Exception]) -> Iterator[None]:
+    """Turns errors of the reader of a format into InputError."""
+    try:
+        yield
+    except InputError:
+        raise
+    except FileNotFoundError:
+        raise InputError("the file does not exist", file) from None
+    except errors as error:
+        raise InputError(f"this file cannot be read as {kind}: {error}", file) from None
 
 
 def check_count(values: int, file: Path, unpacked: int = 0) -> None:

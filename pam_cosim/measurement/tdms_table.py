@@ -16,6 +16,7 @@ from pam_cosim.measurement.table import (
     Table,
     check_count,
     headed,
+    reading,
     same_length,
     since_first,
 )
@@ -33,16 +34,11 @@ def read_tdms(file: Path, stated: Layout) -> Table:
     except ImportError:
         message = "reading TDMS needs npTDMS: pip install 'pam-cosim[tdms]', or export the recording as CSV"
         raise InputError(message, file) from None
-    try:
+    # The reader lets out whatever a broken file makes of it.
+    with reading(file, "TDMS", Exception):
         declared = TdmsFile.read_metadata(file).groups()
         check_count(sum(len(one) for group in declared for one in group.channels()), file)
         groups = {group.name: group for group in TdmsFile.read(file).groups() if group.channels()}
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except InputError:
-        raise
-    except Exception as error:  # The reader lets out whatever a broken file makes of it.
-        raise InputError(f"this file cannot be read as TDMS: {error}", file) from None
     wanted = [stated.table] if stated.table is not None else list(groups)
     if len(wanted) != 1 or wanted[0] not in groups:
         said = "" if stated.table is None else f"there is no group {shown(stated.table)}; "
