@@ -6,8 +6,6 @@ from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
-
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
 from pam_cosim.measurement.columns import ColumnMapping, with_columns, with_zeros
@@ -16,7 +14,7 @@ from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
 from pam_cosim.measurement.recording import Recording, recording_of, with_held_values
-from pam_cosim.measurement.table import TIME, Column, Layout, Table
+from pam_cosim.measurement.table import TIME, Layout
 from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
@@ -86,7 +84,11 @@ def _recording(
     table = read_table(file, _layout(stated, renaming, interface))
     table = with_clocks_going_on(table, renaming.clock)
     if stated.interval is not None:
-        table = _with_time(table, stated.interval.above_zero("s"))
+        interval = stated.interval.above_zero("s")
+        if TIME in table.columns:
+            message = "an interval is stated, and the file has a column 'time'; keep one of them"
+            raise InputError(message, file)
+        table = table.with_time(interval)
     table = with_columns(table, renaming, [TIME, *interface.inputs])
     table = with_zeros(with_time_going_on(table, run.gaps), renaming)
     if run.interpolation == "previous":
@@ -117,14 +119,3 @@ def _offset(run: RunTable, logger: LoggerTable, one: Recording, other: Recording
 def _layout(stated: RecordingTable, renaming: ColumnMapping, interface: Interface) -> Layout:
     asked = frozenset((TIME, *interface.inputs, *interface.outputs, *renaming.sources))
     return stated.layout(asked=asked, clock=renaming.clock)
-
-
-def _with_time(table: Table, interval: float) -> Table:
-    """The table with time from zero in equal steps."""
-    if TIME in table.columns:
-        raise InputError(
-            "an interval is stated, and the file has a column 'time'; keep one of them", table.file
-        )
-    count = len(next(iter(table.columns.values())).values)
-    time = Column(TIME, "s", interval * np.arange(count, dtype=np.float64))
-    return replace(table, columns={TIME: time, **table.columns})

@@ -8,6 +8,7 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -68,6 +69,12 @@ class Table:
         columns = {n: replace(one, values=one.values[kept]) for n, one in self.columns.items()}
         lines = None if self.lines is None else self.lines[kept]
         return replace(self, columns=columns, lines=lines)
+
+    def with_time(self, interval: float) -> Table:
+        """The table with time from zero in equal steps [s]."""
+        count = len(next(iter(self.columns.values())).values)
+        time = Column(TIME, "s", interval * np.arange(count, dtype=np.float64), TIME)
+        return replace(self, columns={TIME: time, **self.columns})
 
     def error(self, message: str, column: str, row: int | None = None) -> InputError:
         """An error about a column: its header, or one of its rows."""
@@ -189,17 +196,33 @@ def check_count(values: int, file: Path, unpacked: int = 0) -> None:
         )
 
 
-def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:
-    """Columns by name, of a file in which each stands by itself.
+def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path) -> Table:
+    """The table of a file in which each column stands by itself; times of day are seconds since the first.
+
+    Args:
+        vectors: heading, unit beside it ("": none) and values of each column; a text says what it holds instead of
+            numbers.
+        stated: how the file is written.
+        file: path of the file.
 
     Raises:
-        InputError: there are none, two of a name, or of unlike length.
+        InputError: a heading that cannot be read, no numbers, two columns of a name, or of unlike length.
     """
     named: dict[str, Column] = {}
-    for column in columns:
-        if column.name in named:
-            raise InputError("there are two columns of this name", file, None, column.name)
-        named[column.name] = column
+    for heading, beside, vector in vectors:
+        name, unit = _headed(heading, beside, file)
+        if not stated.keeps(heading, name):
+            continue
+        if name in named:
+            raise InputError("there are two columns of this name", file, None, name)
+        values = np.asarray(vector)
+        if values.dtype.kind in "mM":
+            unit, values = "s", since_first(values)
+        elif values.dtype.kind not in "fiu":
+            held = f"{vector} and no numbers" if isinstance(vector, str) else "no numbers"
+            message = f"it holds {held}; leave it out: [recording] ignore = [...]"
+            raise InputError(message, file, None, name)
+        named[name] = Column(name, unit, np.array(values, dtype=float).ravel(), heading)
     if not named:
         raise InputError("there is no column of numbers", file)
     first = next(iter(named.values()))
@@ -211,15 +234,11 @@ def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:
             raise InputError(
                 f"{message}; state which to leave out: ignore = [...]", file, None, column.name
             )
-    return named
+    return Table(file, named)
 
 
-def headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
-    """Name and unit of a column of a file that may state units beside names.
-
-    Raises:
-        InputError: the heading cannot be read, or states another unit.
-    """
+def _headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
+    """Name and unit of a column of a file that may state units beside names."""
     parts = split_heading(heading)
     if parts is None:
         raise InputError(
