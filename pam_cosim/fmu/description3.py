@@ -52,8 +52,10 @@ def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, to
     for entry in entries:
         real, scalar = shared.real_attributes(entry), shared.scalar_attributes(entry)
         if entry.alias:
-            both = {key: scalar[key] for key in ("name", "description") if key in scalar}
-            both |= {key: real[key] for key in ("displayUnit",) if key in real}
+            described = scalar | {key: real[key] for key in real if key == "displayUnit"}
+            both = {
+                k: described[k] for k in described if k in ("name", "description", "displayUnit")
+            }
             Xml.SubElement(elements[entry.reference], "Alias", both)
             continue
         if entry.derivative_of is not None:

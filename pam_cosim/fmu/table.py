@@ -198,7 +198,7 @@ def _keys(ode: Ode, entries: Sequence[VariableEntry], fmi: str) -> list[Hashable
 def _numbered(entries: Sequence[VariableEntry], keys: Sequence[Hashable]) -> list[VariableEntry]:
     """With references: a local or an output takes that of an equal variable before it."""
     numbers: dict[Hashable, int] = {}
-    found = []
+    found: list[VariableEntry] = []
     for entry, key in zip(entries, keys, strict=True):
         alias = key in numbers and entry.kind in (Kind.LOCAL, Kind.OUTPUT)
         number = numbers[key] if alias else 1 + sum(not e.alias for e in found)
