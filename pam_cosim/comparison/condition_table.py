@@ -18,7 +18,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
-from pam_cosim.exports import write_table
+from pam_cosim.exports import Columns, Tabular, write_table
 from pam_cosim.files import plain
 from pam_cosim.measurement import Run, Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
@@ -49,7 +49,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class ConditionTable(Printed):
+class ConditionTable(Printed, Tabular):
     """Scores of one signal by two parameters of the runs; NaN in a cell without samples.
 
     Attributes:
@@ -84,6 +84,17 @@ class ConditionTable(Printed):
     def by_column(self, statistic: Statistic) -> tuple[Array, Array]:
         """Mean and standard deviation of each column, (n,) both, over the cells that have samples."""
         return _moments(self.values(statistic).T)
+
+    def frame_columns(self) -> Columns:
+        """A row for each cell."""
+        rows, columns = self.rows, self.columns
+        units: dict[Statistic, str] = {"correlation": "", "rmse": self.unit, "chi2_reduced": ""}
+        return {
+            rows.name: (np.repeat(rows.values, len(columns.values)), rows.unit),
+            columns.name: (np.tile(columns.values, len(rows.values)), columns.unit),
+            **{name: (self.values(name).ravel(), unit) for name, unit in units.items()},
+            "samples": (self.samples.ravel(), ""),
+        }
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units; None where there is no sample."""

@@ -20,6 +20,7 @@ from pam_cosim.comparison import (
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.files import plain
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
@@ -40,7 +41,7 @@ from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Fit(Printed):
+class Fit(Printed, Tabular):
     """A model with its free parameters fitted to the fit runs of a data set.
 
     Attributes:
@@ -145,6 +146,18 @@ class Fit(Printed):
         return replace(
             self, comparison=comparison, residuals=statistics_by_role(comparison), linear=linear
         )
+
+    def frame_columns(self) -> Columns:
+        """A row for each parameter: its value and 95 % interval in the SI unit of the column "unit"."""
+        estimates = self.parameters.values()
+        return {
+            "parameter": (list(self.parameters), None),
+            "unit": ([one.unit for one in estimates], None),
+            "value": ([one.value for one in estimates], None),
+            "low": ([one.low for one in estimates], None),
+            "high": ([one.high for one in estimates], None),
+            "determined": ([one.determined for one in estimates], None),
+        }
 
     def as_dict(self) -> dict[str, object]:
         """Plain data for JSON, SI units."""
