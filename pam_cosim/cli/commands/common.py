@@ -73,19 +73,21 @@ SetOption = Annotated[
 RoleOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."
+        "--role", help="RUN=fit or RUN=holdout, other than the data set says; 'test*': these runs."
     ),
 ]
 CutOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "*": of all runs.'
+        "--cut",
+        help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "test*": of these runs.',
     ),
 ]
 BeginOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--begin", help="RUN=rest, steady, measured or estimated: how it begins; '*': all runs."
+        "--begin",
+        help="RUN=rest, steady, measured or estimated: how it begins; 'test*': these runs.",
     ),
 ]
 FreeOption = Annotated[
