@@ -739,11 +739,6 @@ class RunCriteria:
         (30.0, 1e-2), "s", "of processor time, and more for each row: a thousand times what a run needs; the model "
         "chatters there, or its values make it stiff beyond use",
     )  # fmt: skip
-    repeated: float = decides(
-        5e-4,
-        "of an error",
-        "by which the same judgement may come out otherwise elsewhere: half of the third digit",
-    )
     steady_part: float = decides(
         0.1,
         "of a run",

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from html import escape
-from typing import Any
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.exports import Exported, Table, headed
-from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Tracking(Exported):
+class Tracking(Printed, Exported):
     """An output that shall follow mean + amplitude sin(2 pi f t).
 
     Attributes:
@@ -33,6 +31,11 @@ class Tracking(Exported):
         courses: (k, s) of the output in it.
         actuation: by input of the plant, (k, s) in it.
     """
+
+    json_keys = (
+        "plant controller output unit mean amplitude rate frequencies gain=_gain phase=_phase "
+        "error relative_error peak settled"
+    )
 
     plant: str
     controller: str
@@ -60,25 +63,13 @@ class Tracking(Exported):
         """(s,) over the last period [unit]."""
         return np.asarray(self.mean + self.amplitude * np.sin(2 * np.pi * self.phase))
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units, phases in degrees."""
-        content = {
-            "plant": self.plant,
-            "controller": self.controller,
-            "output": self.output,
-            "unit": self.unit,
-            "mean": self.mean,
-            "amplitude": self.amplitude,
-            "rate": self.rate,
-            "frequencies": self.frequencies,
-            "gain": np.abs(self.gain),
-            "phase": np.degrees(np.angle(self.gain)),
-            "error": self.error,
-            "relative_error": self.relative_error,
-            "peak": self.peak,
-            "settled": self.settled,
-        }
-        return dict(plain(content))
+    @property
+    def _gain(self) -> Array:
+        return np.abs(self.gain)
+
+    @property
+    def _phase(self) -> Array:
+        return np.degrees(np.angle(self.gain))
 
     def table(self) -> Table:
         """A row for each frequency."""
@@ -125,8 +116,3 @@ class Tracking(Exported):
             for row in rows
         ]
         return "\n".join([self._title(), "", *lines])
-
-    def _repr_html_(self) -> str:
-        head, *body = ["".join(f"<td>{escape(cell)}</td>" for cell in row) for row in self._rows()]
-        rows = "".join(f"<tr>{row}</tr>" for row in (head, *body))
-        return f"<p>{escape(self._title())}</p><table>{rows}</table>"

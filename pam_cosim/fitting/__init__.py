@@ -6,8 +6,7 @@ from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.discrepancy import Discrepancy, discrepancies
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
-from pam_cosim.fitting.free import Free, base_parameters, model_parameter
-from pam_cosim.fitting.free_selection import with_free
+from pam_cosim.fitting.free import Free, base_parameters, free_parameter, model_parameter
 from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty
 from pam_cosim.fitting.linear import (
     Linear,
@@ -65,6 +64,7 @@ __all__ = [
     "estimated_starts",
     "estimates",
     "fit",
+    "free_parameter",
     "linearised",
     "model_parameter",
     "parameter_posterior",
@@ -82,7 +82,6 @@ __all__ = [
     "simulated",
     "spread_starts",
     "summary",
-    "with_free",
     "with_starts",
     "without_priors",
     "write_parameters",

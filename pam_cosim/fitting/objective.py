@@ -48,6 +48,7 @@ class Objective:
         failures: the first message of each kind of breakdown.
         starts: start values that are parameters of their runs, which are eliminated.
         tolerance: relative, of the solver.
+        latest_runs: as they were simulated last.
 
     Args:
         simulator, data, runs, free: as above, and the measurement.
@@ -103,7 +104,7 @@ class Objective:
         self.samples = sum(
             r.sample_count(s) * usual_square(data.signals[s]) for r, s in self.series
         )
-        self._latest_runs: Sequence[RunComparison] = ()
+        self.latest_runs: Sequence[RunComparison] = ()
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -211,7 +212,7 @@ class Objective:
             runs.append(run)
             parts.append(left)
         self.starts.keep(z)
-        self._latest_runs = runs
+        self.latest_runs = runs
         return np.concatenate(parts)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
@@ -250,7 +251,7 @@ class Objective:
     def _rms_errors(self) -> dict[str, float]:
         """Of each fitted signal [SI], over all runs as they were simulated last."""
         squares = defaultdict[str, list[Array]](list)
-        for run, names in zip(self._latest_runs, self._signals, strict=False):
+        for run, names in zip(self.latest_runs, self._signals, strict=False):
             for name in names:
                 squares[name].append(run.at_samples(name)[1] ** 2)
         return {name: float(np.sqrt(np.mean(np.concatenate(e)))) for name, e in squares.items()}
@@ -295,7 +296,7 @@ class Objective:
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
         """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            runs = self._latest_runs = [self._run(z, i, [*self._signals[i]]) for i in chosen]
+            runs = self.latest_runs = [self._run(z, i, [*self._signals[i]]) for i in chosen]
             parts = [self._weighted(run, i) for run, i in zip(runs, chosen, strict=True)]
             return np.concatenate([np.zeros(0), *parts])
         except SimulationFailure as failure:
@@ -332,7 +333,7 @@ class Objective:
         jacobian = np.zeros((self._rows, len(self.free)))
         by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
-        for run, sensitivities in zip(self._latest_runs, self._signals, strict=True):
+        for run, sensitivities in zip(self.latest_runs, self._signals, strict=True):
             for name, acting in sensitivities.items():
                 rows = slice(row, row := row + run.run.sample_count(name))
                 columns = self._exact_slopes(run, name, [sensitivity for _, sensitivity in acting])

@@ -210,11 +210,9 @@ def _check_dynamic(document: ExperimentFile, table: RunTable, index: int) -> Non
 
 
 def _check_static(document: ExperimentFile, table: RunTable, index: int) -> None:
-    """What is stated of one run alone would have no effect; what is stated of all may be meant for the others.
-
-    ``interpolation`` may stand there: drafts of version 0.1.0 state it.
-    """
-    for key, field in (("from", "begin"), ("to", "end"), ("gaps", "gaps")):
+    """What is stated of one run alone would have no effect; what is stated of all may be meant for the others."""
+    fields = {"from": "begin", "to": "end", "gaps": "gaps", "interpolation": "interpolation"}
+    for key, field in fields.items():
         if field in table.model_fields_set:
             raise document.error(f"{key} {_NOT_STATIC}", "runs", index, key)
 

@@ -296,7 +296,7 @@ def test_names_do_not_steer_a_terminal(tmp_path: Path) -> None:
     hidden = "by\u202ehand&#10;x"
     file = archive(tmp_path / "h.ssp", system(component("a")).replace("by hand", hidden))
     read = pam.read_system(file)
-    assert read.title.isprintable() and "hand" in repr(read)
+    assert read.title.isprintable() and "hand" in str(read)
 
 
 def test_python_controllers_are_not_written(tmp_path: Path) -> None:

@@ -18,7 +18,6 @@ from pam_cosim.cli.commands.common import (
     TimeoutOption,
     check_results,
     console,
-    say_renamed,
     say_written,
 )
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
@@ -27,6 +26,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.study import coupling
 from pam_cosim.study.input_sources import read_inputs
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import look_first
 
 Value = TypeVar("Value")
 _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
@@ -71,7 +71,6 @@ def couple(
         ),
     ] = None,
     keep: KeepOption = None,
-    formerly: Annotated[list[str] | None, typer.Option("--observe", hidden=True)] = None,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")
     ] = None,
@@ -85,8 +84,6 @@ def couple(
     timeout: TimeoutOption = None,
 ) -> None:
     """Several FMUs, coupled."""
-    if formerly:
-        say_renamed("couple --observe VARIABLE")
     if ssp_version is not None and ssp is None:
         raise InputError("--ssp-version is of the archive that --ssp FILE writes; name one")
     files, controllers = files or [], controllers or []
@@ -114,7 +111,7 @@ def couple(
                 step=step,
                 tolerance=_ADAPTIVE if adaptive and tolerance is None else tolerance,
                 inputs=course,
-                outputs=[*(keep or []), *(formerly or [])],
+                outputs=keep or [],
                 progress=lambda time, stop: progress.update(task, completed=time, total=stop),
                 **options,
             )
@@ -128,13 +125,15 @@ def couple(
 
 def _tell(run: CoupledRun) -> None:
     """A line for each variable: between which values it lies, and where it ends."""
+    for line in look_first(run.trajectory.warnings):
+        typer.echo(line.strip())
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
         low, high, last = (
             format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1])
         )
         typer.echo(f"{name}: from {low} to {high}, at the end {last}")
-    typer.echo(repr(run))
+    typer.echo(str(run))
 
 
 def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
