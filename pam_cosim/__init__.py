@@ -22,7 +22,6 @@ if TYPE_CHECKING:
         LinearModel,
         Observation,
         OperatingPoint,
-        Tracking,
     )
     from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
     from pam_cosim.diagnosis import Check, Diagnosis
@@ -30,7 +29,6 @@ if TYPE_CHECKING:
     from pam_cosim.problems import Problem
     from pam_cosim.simulation import Inputs, Trajectory
     from pam_cosim.study import (
-        actuator,
         add,
         bench,
         benches,
@@ -63,7 +61,6 @@ if TYPE_CHECKING:
         simulate,
         start,
         sweep,
-        track,
         write_system,
     )
     from pam_cosim.sweeps import Sweep, SweepPoint
@@ -87,9 +84,7 @@ __all__ = [
     "Sweep",
     "SweepPoint",
     "System",
-    "Tracking",
     "Trajectory",
-    "actuator",
     "add",
     "bench",
     "benches",
@@ -124,7 +119,6 @@ __all__ = [
     "start",
     "sweep",
     "write_system",
-    "track",
 ]
 
 # Where a name is looked for; the functions of a study load what they need when they are asked for.

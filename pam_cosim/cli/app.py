@@ -27,8 +27,6 @@ _RUN = (
     "linearise",
     "bode",
     "observe",
-    "track",
-    "actuator",
 )
 _STUDY = (
     "new",

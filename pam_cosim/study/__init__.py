@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from pam_cosim.simulation.models import build, describe
-    from pam_cosim.study.actuators import actuator
     from pam_cosim.study.additions import add
     from pam_cosim.study.comparisons import compare
     from pam_cosim.study.coupling import couple, read_system, start, write_system
@@ -25,10 +24,8 @@ if TYPE_CHECKING:
     from pam_cosim.study.problems import problem
     from pam_cosim.study.products import load, save
     from pam_cosim.study.runs import simulate
-    from pam_cosim.study.tracking import track
 
 __all__ = [
-    "actuator",
     "add",
     "bench",
     "benches",
@@ -61,14 +58,12 @@ __all__ = [
     "simulate",
     "start",
     "sweep",
-    "track",
     "write_system",
 ]
 
 # The homes of the functions, by module.
 _MODULES = {
     "pam_cosim.simulation.models": ("build", "describe"),
-    "pam_cosim.study.actuators": ("actuator",),
     "pam_cosim.study.additions": ("add",),
     "pam_cosim.study.comparisons": ("compare",),
     "pam_cosim.study.coupling": ("couple", "read_system", "start", "write_system"),
@@ -85,7 +80,6 @@ _MODULES = {
     "pam_cosim.study.problems": ("problem",),
     "pam_cosim.study.products": ("load", "save"),
     "pam_cosim.study.runs": ("simulate",),
-    "pam_cosim.study.tracking": ("track",),
 }
 _HOMES = {name: module for module, names in _MODULES.items() for name in names}
 

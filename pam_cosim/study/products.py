@@ -19,7 +19,7 @@ import numpy as np
 from cattrs import Converter
 from cattrs.gen import make_dict_structure_fn, make_dict_unstructure_fn, override
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
@@ -45,7 +45,6 @@ Product = (
     | LinearCourse
     | FrequencyResponse
     | Observation
-    | Tracking
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
