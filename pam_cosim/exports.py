@@ -7,9 +7,8 @@ import io
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Sequence
 from pathlib import Path
-from typing import Any
 
-from pam_cosim.files import TABLE, check_ending, write_json, write_text
+from pam_cosim.files import TABLE, Plain, check_ending, write_json, write_text
 
 Table = tuple[Sequence[str], Iterable[Sequence[object]]]
 """Headings, and rows of as many cells."""
@@ -60,12 +59,8 @@ def _cell(value: object) -> str:
     return repr(int(plain) if isinstance(plain, bool) else plain)
 
 
-class Exported(ABC):
+class Exported(Plain, ABC):
     """A product that is written as JSON and as a table."""
-
-    @abstractmethod
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units."""
 
     @abstractmethod
     def table(self) -> Table:

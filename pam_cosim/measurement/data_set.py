@@ -85,6 +85,15 @@ class Run:
         values = self.measurements.get(signal)
         return 0 if values is None else int(np.isfinite(values).sum())
 
+    def rows(self, kept: slice) -> Run:
+        """The run with some of its rows."""
+        return replace(
+            self,
+            time=self.time[kept],
+            inputs={name: values[kept] for name, values in self.inputs.items()},
+            measurements={name: values[kept] for name, values in self.measurements.items()},
+        )
+
     def describe(self) -> str:
         """One line: name, role, duration, inputs, samples."""
         measured = ", ".join(f"{name} ({self.sample_count(name)})" for name in self.measurements)

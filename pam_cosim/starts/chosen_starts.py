@@ -19,6 +19,7 @@ from pam_cosim.starts.run_start import InitialState, start_time
 from pam_cosim.units import format_quantity
 
 _SAME_SLOPE = 1e-6  # difference of slopes, up to which a state is what a parameter sets
+_SHARE_OF_RANGE = 1e-3  # by which a free parameter is moved to see what depends on it
 
 
 def starts_are_open(data: DataSet) -> bool:
@@ -57,7 +58,7 @@ class StartChoice:
         parameters: Mapping[str, float],
         estimate_pays: Callable[[Sequence[Run]], bool],
     ) -> None:
-        self._simulator, self._data, self._estimate_pays = simulator, data, estimate_pays
+        self._data, self._estimate_pays = data, estimate_pays
         self._probes = {
             run.name: StartProbe(simulator, data, run, data.parameters_of(run, parameters))
             for run in data.runs
@@ -120,7 +121,7 @@ class StartChoice:
         begins = f"{_first_samples_text(run, first)}, {'moving' if moving else 'at rest'}"
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
-        where = ", ".join(f"{one.name} = {one.model_text()}" for one in differing)
+        where = ", ".join(f"{one.name} = {one.text(one.model)}" for one in differing)
         reason = f"{begins}: the model begins at {where}, and cannot begin elsewhere"
         return _begun(run, "rest", reason)
 
@@ -160,7 +161,7 @@ def _explains(probe: StartProbe, start: InitialState) -> bool:
 
 
 def _first_samples_text(run: Run, first: Sequence[FirstOffset]) -> str:
-    return f"{run.name} begins at {', '.join(one.sample_text() for one in first)}"
+    return f"{run.name} begins at {', '.join(one.text(one.sample.value) for one in first)}"
 
 
 def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
@@ -184,20 +185,34 @@ def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
 
 
 def _start_is_fitted(probe: StartProbe) -> bool:
-    """Whether one of the free parameters of the data set determines where the run begins.
+    """Whether one of the free parameters of the data set is where the run begins.
 
     Raises:
         SimulationFailure: the model breaks down at the start.
     """
     free = [one for one in probe.data.fit.values() if one.run in ("", probe.run.name)]
-    return any(_moves_start(probe, one) for one in free)
+    return any(_sets_start(probe, one) for one in free)
 
 
-def _moves_start(probe: StartProbe, free: FreeParameter) -> bool:
-    low, high = (probe.changed({free.parameter: v}).at({})[1] for v in (free.min, free.max))
-    size = np.maximum(np.maximum(np.abs(low), np.abs(high)), 1.0)
-    largest = float(np.max(np.abs(high - low) / size, initial=0.0))
-    return largest > CRITERIA.starts.own_parameter
+def _sets_start(probe: StartProbe, free: FreeParameter) -> bool:
+    """Whether a parameter moves the start, and is a start value: by its name, or since nothing else depends on it.
+
+    A load moves the start too, of a model that begins at rest under it, but a recording begins where it does.
+    Without states that could be set, whatever moves the first values does so in place of a start.
+    """
+    name, step = free.parameter, _SHARE_OF_RANGE * (free.max - free.min)
+    declared = probe.simulator.interface.parameters.get(name)
+    if declared is None:  # as whoever fits reports
+        return False
+    value = probe.parameters.get(name, declared.start or 0.0)
+    moved = probe.changed({name: value + step if value + step <= free.max else value - step})
+    has_states = bool(probe.states)
+    if np.array_equal(probe.at({})[has_states], moved.at({})[has_states]):
+        return False
+    if not has_states or name.endswith((".start", "_start")):
+        return True
+    here = probe.nearby_state()
+    return np.array_equal(probe.at(here)[0], moved.at(here)[0])
 
 
 def _with_periods(probe: StartProbe) -> Run:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Protocol, TypeVar
 
 import numpy as np
@@ -73,10 +73,7 @@ class EliminatedStarts:
         self.state_ranges: Mapping[str, float] = {}
         self._is_placed = False
         self._at: dict[bytes, dict[int, Array]] = {}  # where each point left them
-        # where they were as the descent was last linearised, and (start values, parameters) how they move from there
-        self._begin: dict[int, Array] = {}
-        self._follow: dict[int, Array] = {}
-        self._linearised_at: Array | None = None
+        self._linearised_at: Array | None = None  # where the descent was last linearised
 
     @property
     def count(self) -> int:
@@ -88,10 +85,9 @@ class EliminatedStarts:
         """The start values that are estimated, as they are now, by "state@run" [SI]."""
         return {n: v for one in self.by_run.values() for n, v in one.settings().items()}
 
-    def of_runs(self, chosen: Sequence[int]) -> dict[str, float]:
-        """Where the chosen runs begin, by "state@run" [SI]."""
-        starts = [self.by_run[i] for i in chosen if i in self.by_run]
-        return {n: v for one in starts for n, v in one.every().items()}
+    def of_run(self, i: int) -> dict[str, float]:
+        """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
+        return self.by_run[i].every() if i in self.by_run else {}
 
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
@@ -108,7 +104,7 @@ class EliminatedStarts:
             }
             found = {i: c.start_values(self.state_ranges, interface) for i, c in courses.items()}
             self.by_run = {i: one for i, one in found.items() if one.names}
-            self._begin, self._is_placed = self._present(), True
+            self._is_placed = True
         return self.by_run
 
     def _rest_course(
@@ -117,9 +113,6 @@ class EliminatedStarts:
         run = self._runs[i]
         return rest_course(self._simulator, self._data, run, values, about_given=about_given)
 
-    def _present(self) -> dict[int, Array]:
-        return {i: one.values for i, one in self.by_run.items()}
-
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
         """Puts start values where ``z`` left them, or where new points look for them.
 
@@ -127,19 +120,17 @@ class EliminatedStarts:
         """
         before = self._at.get(z.tobytes())
         for i, one in self.place(values).items():
-            one.values = before[i] if before else self.expected(z, i)
+            one.values = before[i] if before else self.expected(z, one)
 
-    def expected(self, z: Array, i: int) -> Array:
+    def expected(self, z: Array, one: StartValues) -> Array:
         """Where the start values of a run are looked for first: where the slopes of the descent lead them.
 
         No farther than the slopes by start values are trusted (``eliminate``).
         """
-        one = self.by_run[i]
-        begin = self._begin.get(i, one.values)
-        if self._linearised_at is None or i not in self._follow:
-            return begin
-        step = one.within_reach(self._follow[i] @ (z - self._linearised_at), 1.0)
-        return np.clip(begin + step, one.low, one.high)
+        if self._linearised_at is None or one.follow is None:
+            return one.begin
+        step = one.within_reach(one.follow @ (z - self._linearised_at), 1.0)
+        return np.clip(one.begin + step, one.low, one.high)
 
     def eliminated(
         self, i: int, simulate: Callable[[], tuple[Result, Array, Array]]
@@ -151,36 +142,40 @@ class EliminatedStarts:
     def keep(self, z: Array) -> None:
         """Keeps where ``z`` left the start values."""
         if self.by_run:
-            self._at[z.tobytes()] = self._present()
+            self._at[z.tobytes()] = {i: one.values for i, one in self.by_run.items()}
 
     def take_away(self, residuals: Array) -> None:
         """Takes from the residuals what the start values take away, by the slopes that are known of them."""
+        for one, rows, _ in self._blocks(residuals):
+            residuals[rows] = one.taken_away(residuals[rows])
+
+    def _blocks(self, residuals: Array) -> Iterator[tuple[StartValues, slice, slice]]:
+        """The start values of each run, the rows of its residuals, and of what is known of them beforehand."""
+        row = len(residuals) - self.count
         for i, one in self.by_run.items():
-            residuals[self._rows[i]] = one.taken_away(residuals[self._rows[i]])
+            yield one, self._rows[i], slice(row, row := row + len(one.names))
 
     def prior_rows(self) -> list[Array]:
         """The rows of what is known of start values beforehand, which are the last ones of the residuals."""
-        return [one.prior_rows(one.values) for one in self.by_run.values()]
+        return [one.prior_rows() for one in self.by_run.values()]
 
-    def followed(self, jacobian: Array) -> tuple[Array, dict[int, Array]]:
-        """The slopes with the start values moving along, so that least is left; and how those of each run move."""
-        if not jacobian.shape[1]:
-            return jacobian, {}
-        moves = dict[int, Array]()
-        followed, row = jacobian.copy(), len(jacobian) - self.count
-        for i, one in self.by_run.items():
-            moved = moves[i] = one.following(jacobian[self._rows[i]])
-            count = len(one.names)
-            followed[self._rows[i]] += one.slopes[:-count] @ moved
-            followed[row : row + count] = one.slopes[-count:] @ moved
-            row += count
-        return followed, moves
+    def followed(self, jacobian: Array, z: Array | None = None) -> Array:
+        """The slopes with the start values moving along, so that least is left.
 
-    def descend(self, z: Array, jacobian: Array) -> Array:
-        """As ``followed``; from here on start values are looked for along these slopes from where they are at ``z``."""
-        self._begin = self._present()
-        followed, self._follow = self.followed(jacobian)
-        self._linearised_at = z.copy()
+        Args:
+            jacobian: (rows, parameters) of the residuals with the start values where they are.
+            z: where a descent goes on, along these slopes; None: nowhere.
+        """
+        followed = jacobian.copy()
+        for one, rows, known in self._blocks(jacobian):
+            moves = one.following(jacobian[rows]) if jacobian.shape[1] else None
+            if moves is not None:
+                count = len(one.names)
+                followed[rows] += one.slopes[:-count] @ moves
+                followed[known] = one.slopes[-count:] @ moves
+            if z is not None:
+                one.begin, one.follow = one.values, moves
+        self._linearised_at = self._linearised_at if z is None else z.copy()
         return followed
 
     def begin_afresh(self, z: Array, values: Mapping[str, float]) -> bool:
@@ -189,7 +184,7 @@ class EliminatedStarts:
             return False
         for i, one in self.by_run.items():
             if (fresh := self._fresh(i, values)) is not None:
-                self._begin[i] = one.clipped(fresh)
+                one.begin = one.clipped(fresh)
         self._linearised_at = None
         return True
 
@@ -206,19 +201,19 @@ class EliminatedStarts:
         The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
         runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
         """
-        before, here = self._squares(of.residuals(z)), self._present()
+        before = self._squares(of.residuals(z))
+        here = {i: one.values for i, one in self.by_run.items()}
         for i, one in self.by_run.items():
-            rows = self._rows[i]
-            is_noise = before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start)
-            fresh = None if is_noise else self._fresh(i, of.values(z))
-            if fresh is None:
-                self._begin[i] = here[i]
-            else:
-                self._begin[i] = one.clipped(self._led_by_first_samples(of, z, i, fresh))
+            rows, one.begin = self._rows[i], one.values
+            if before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start):
+                continue
+            if (fresh := self._fresh(i, of.values(z))) is not None:
+                one.begin = one.clipped(self._led_by_first_samples(of, z, i, fresh))
         self._forget(of, z)
-        after, there = self._squares(of.residuals(z)), self._present()
+        after = self._squares(of.residuals(z))
         better = {i for i in after if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
-        self._begin = {i: there[i] if i in better else here[i] for i in after}
+        for i, one in self.by_run.items():
+            one.begin = one.values if i in better else here[i]
         self._forget(of, z)
         return bool(better)
 
@@ -241,12 +236,11 @@ class EliminatedStarts:
 
     def _squares(self, residuals: Array) -> dict[int, float]:
         """The squares of each run with start values, and of what is known of these beforehand."""
-        squares, row = dict[int, float](), len(residuals) - self.count
-        for i, one in self.by_run.items():
-            own = residuals[self._rows[i]]
-            known = residuals[row : row + len(one.names)]
-            squares[i], row = float(own @ own + known @ known), row + len(one.names)
-        return squares
+        squares = [
+            float(residuals[rows] @ residuals[rows] + residuals[known] @ residuals[known])
+            for _, rows, known in self._blocks(residuals)
+        ]
+        return dict(zip(self.by_run, squares, strict=True))
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:

@@ -57,13 +57,9 @@ class FirstOffset:
         is_large = abs(self.offset) > CRITERIA.recognition.offset * self.span
         return is_large or (common is not None and abs(self.offset - common) > self.noise)
 
-    def sample_text(self) -> str:
-        """The first sample with its unit."""
-        return format_quantity(self.sample.value, self.unit, 3)
-
-    def model_text(self) -> str:
-        """The model's value with its unit."""
-        return format_quantity(self.model, self.unit, 3)
+    def text(self, value: float) -> str:
+        """A value of the signal with its unit."""
+        return format_quantity(value, self.unit, 3)
 
 
 def first_offsets(probe: StartProbe) -> list[FirstOffset]:

@@ -66,8 +66,6 @@ def _source_of_reading(dependent: set[int], rates: Array) -> tuple[int, set[int]
         dependent: the states.
         rates: (states, states) slopes of the rates by the states.
     """
-    if len(dependent) == 1:
-        return next(iter(dependent)), set()
     found = []
     for source in dependent:
         own = dependent - {source}

@@ -46,6 +46,8 @@ class StartValues:
         still: states that no run moves, where they are [SI].
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
             known beforehand come last.
+        begin: (k,) where they are looked for first [SI], or were as a descent was last linearised; ``follow``:
+            (k, parameters) how they move from there with the search coordinates.
     """
 
     run: Run
@@ -57,6 +59,10 @@ class StartValues:
     high: Array
     still: dict[str, float] = field(default_factory=dict)
     slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    follow: Array | None = None
+
+    def __post_init__(self) -> None:
+        self.begin = self.values
 
     def named(self) -> dict[str, float]:
         """The present values of all states by name."""
@@ -64,9 +70,8 @@ class StartValues:
 
     def settings(self) -> dict[str, float]:
         """The present values by name, each with that of the run."""
-        return {
-            f"{n}@{self.run.name}": float(v) for n, v in zip(self.names, self.values, strict=True)
-        }
+        values = zip(self.names, self.values.tolist(), strict=True)
+        return {f"{n}@{self.run.name}": v for n, v in values}
 
     def every(self) -> dict[str, float]:
         """The present values of all states by name, each with that of the run."""
@@ -76,9 +81,9 @@ class StartValues:
         """(k,) values by name in their order, within the bounds of the model."""
         return np.clip([named[name] for name in self.names], self.low, self.high)
 
-    def prior_rows(self, values: Array) -> Array:
-        """(k,) how far values are from what is known beforehand, in standard deviations."""
-        return np.asarray((self.mean - values) / self.sd)
+    def prior_rows(self) -> Array:
+        """(k,) how far the present values are from what is known beforehand, in standard deviations."""
+        return np.asarray((self.mean - self.values) / self.sd)
 
     def with_prior_slopes(self, slopes: Array) -> Array:
         """(n + k, k) slopes of the residuals by the start values, and below them those of ``prior_rows``."""
@@ -95,7 +100,7 @@ class StartValues:
 
     def taken_away(self, residuals: Array) -> Array:
         """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
-        rows = np.append(residuals, self.prior_rows(self.values))
+        rows = np.append(residuals, self.prior_rows())
         step = self.step(self.slopes, rows)
         moved = np.clip(self.values + step, self.low, self.high) - self.values
         return np.asarray(residuals + self.slopes[: len(residuals)] @ moved)
@@ -268,7 +273,7 @@ class _Point(Generic[Result]):
 
     def __init__(self, of: StartValues, result: Result, residuals: Array, slopes: Array) -> None:
         self.result, self.residuals, self.values = result, residuals, of.values
-        rows = np.append(residuals, of.prior_rows(of.values))
+        rows = np.append(residuals, of.prior_rows())
         self.slopes = of.with_prior_slopes(slopes)
         self.cost = float(rows @ rows)
         self.step = of.step(self.slopes, rows)

@@ -385,7 +385,7 @@ def test_a_trial_looks_for_starts_where_the_descent_is(
             name: value
             for i, one in objective.starts.by_run.items()
             for name, value in replace(
-                one, values=objective.starts.expected(z + 0.01, i)
+                one, values=objective.starts.expected(z + 0.01, one)
             ).settings().items()
         }  # fmt: skip
 
@@ -415,7 +415,7 @@ def test_another_start_of_a_fit_has_starts_of_its_own(data: Callable[..., DataSe
             objective.simulator, objective.data, objective.runs, objective.free, tolerance=1e-9
         )
         for i, one in own.starts.place(own.values(other)).items():
-            assert objective.starts._begin[i] == pytest.approx(one.values, rel=1e-6)
+            assert objective.starts.by_run[i].begin == pytest.approx(one.values, rel=1e-6)
 
 
 def test_a_trial_looks_for_its_starts_where_the_slopes_of_the_descent_lead(
@@ -426,15 +426,15 @@ def test_a_trial_looks_for_its_starts_where_the_slopes_of_the_descent_lead(
         objective.triangle(z)
         near = z + 0.005
         expected = {
-            i: objective.starts.expected(near, i) for i, one in objective.starts.by_run.items()
+            i: objective.starts.expected(near, one) for i, one in objective.starts.by_run.items()
         }
-        begin = dict(objective.starts._begin)
+        begin = {i: one.begin for i, one in objective.starts.by_run.items()}
         objective.residuals(near)
         for i, one in objective.starts.by_run.items():
             moved = np.abs(one.values - begin[i]) / one.sd
             assert np.max(moved) > 1e-3
             assert np.max(np.abs(one.values - expected[i]) / one.sd) < 0.1 * np.max(moved)
-            far = objective.starts.expected(z + 100.0, i)
+            far = objective.starts.expected(z + 100.0, one)
             assert np.max(np.abs(far - begin[i]) / one.sd) < 1.0 + 1e-9
 
 

@@ -15,7 +15,6 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from pam_cosim import renamed
 from pam_cosim.files import (
     JSON,
     PAGE,
@@ -133,12 +132,6 @@ KeepOption = Annotated[
 Data = Annotated[
     Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")
 ]
-DataOrFmu = Annotated[
-    Path,
-    typer.Argument(
-        help="Folder of a data set, what 'diagnose --save' wrote, or an .fmu of 'build --with-data'."
-    ),
-]
 
 
 def check_results(
@@ -167,11 +160,6 @@ def check_results(
         results[path] = identity(path)
     check_distinct(named)
     check_spared(named, [source for source in sources if source is not None])
-
-
-def say_renamed(option: str) -> None:
-    """Answers an option that has another name now with that."""
-    print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
 
 
 def say_used_with(files: Iterable[Path]) -> None:
