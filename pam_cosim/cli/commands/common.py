@@ -28,7 +28,7 @@ from pam_cosim.files import (
 )
 
 if TYPE_CHECKING:
-    from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
+    from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation
     from pam_cosim.diagnosis import Event, Message
     from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
@@ -249,7 +249,7 @@ def say_written(path: Path | None) -> None:
 
 
 def tell_and_write(
-    product: LinearModel | FrequencyResponse | Observation | PredictiveBands | Tracking,
+    product: LinearModel | FrequencyResponse | Observation | PredictiveBands,
     output: Path | None,
     json: Path | None,
     plot: Path | None,
