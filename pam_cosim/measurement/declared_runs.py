@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import inf
@@ -37,17 +38,19 @@ def check_runs(runs: Sequence[RunTable], experiment: Experiment) -> None:
         for key in filter(experiment.states, _OVER_TIME):
             raise experiment.error(f"{key} {_NOT_STATIC}", key)
     files = [run.at("file").file_inside(run.file).resolve() for run in runs]
-    for index, run in enumerate(runs):
-        for other in range(index):
-            if files[other] == files[index]:
-                _check_apart(runs[other], run)
-    names = [run.name for run in runs]
+    listed = defaultdict[Path, list[RunTable]](list)
+    for file, run in zip(files, runs, strict=True):
+        for other in listed[file]:
+            _check_apart(other, run)
+        listed[file].append(run)
     may_choose = any(may_hold_tables(Path(run.file)) for run in runs)
-    for index, run in enumerate(runs):
+    names = set[str]()
+    for run in runs:
         _check_keys(run, experiment, may_choose)
-        if run.name in names[:index]:
+        if run.name in names:
             message = f"two runs would be called {shown(run.name)}; rename one of the files"
             raise run.error(message, "file")
+        names.add(run.name)
 
 
 def _check_apart(one: RunTable, other: RunTable) -> None:
