@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from pam_cosim.measurement.cell_kinds import NUMBER
 from pam_cosim.measurement.table import is_unit
-from pam_cosim.measurement.text_rows import NUMBER, Line, Row
+from pam_cosim.measurement.text_rows import Line, Row
 
 TIME = "x_value"
 """How LabVIEW heads its times, in small letters, again before each channel that has times of its own."""

@@ -7,11 +7,10 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pam_cosim.measurement.date_times import is_date_time
+from pam_cosim.measurement.cell_kinds import NUMBER, is_number
 
 LOOKED_AT = 400  # Rows that are looked at; all are checked when they are read.
 _DEEPEST = 400  # Lines above the first row, below what is stated.
-NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 COMMENT = re.compile(r"\s*(#|//|%(?!\s*[;,\t]))\s*")
 Line = tuple[int, str]
 
@@ -74,11 +73,6 @@ def rows_of(
         if len(rows) - start > LOOKED_AT if start is not None else number > after + _DEEPEST:
             break
     return rows, start
-
-
-def is_number(cell: str) -> bool:
-    """Whether a cell can be read as a number: it is one, or a date with a time of day."""
-    return bool(NUMBER.fullmatch(cell)) or is_date_time(cell)
 
 
 def is_row(cells: list[str], missing: frozenset[str] = frozenset()) -> bool:

@@ -12,8 +12,14 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.date_times import date_time, is_date, is_date_time
-from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
+from pam_cosim.measurement.cell_kinds import (
+    SWITCH_WORDS,
+    are_switch_words,
+    date_time,
+    is_date,
+    is_date_time,
+    unit_of,
+)
 from pam_cosim.measurement.table import (
     LEFT_OUT,
     Column,
@@ -27,7 +33,6 @@ from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
-from pam_cosim.measurement.text_units import unit_of
 from pam_cosim.wording import shown
 
 _TALLEST = 8  # Lines of one quoted cell.
