@@ -97,6 +97,9 @@ def are_switch_words(cells: Iterable[str]) -> bool:
     return bool(small) and all(cell in SWITCH_WORDS for cell in small)
 
 
+_is_known = lru_cache(maxsize=256)(is_unit)
+
+
 def unit_behind(cell: str) -> str:
     """The unit behind the number in a cell; "" where it is no number with a unit."""
     match = _MEASURED.fullmatch(cell)
@@ -118,8 +121,3 @@ def is_measured_row(cells: list[str]) -> bool:
     """A row that begins with a number and its unit, and holds nothing else than such and numbers."""
     filled = [cell for cell in cells if cell]
     return len(cells) > 1 and bool(unit_behind(cells[0])) and all(map(is_measured, filled))
-
-
-@lru_cache(maxsize=256)
-def _is_known(unit: str) -> bool:
-    return is_unit(unit)

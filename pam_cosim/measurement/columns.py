@@ -8,7 +8,6 @@ from dataclasses import replace
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.compiler.elementwise import evaluate, with_place
@@ -82,13 +81,9 @@ def with_columns(table: Table, columns: Columns, needed: Collection[str] = ()) -
     staying = {time.heading} if time is not None and TIME in needed else set()
     for name, one in columns.items():
         if one.formula is not None:
-            made[name], sources = _derived(table, made, name, one, one.formula)
-            undefined = _undefined(made[name], sources)
-            if undefined.any():
-                if name in needed:
-                    raise _no_number(table, name, one.formula, undefined)
-                made[name] = _without(made[name], undefined)
-                notes.append(_missing_rows(one, made[name], undefined))
+            derived, sources = _derived(table, made, name, one, one.formula)
+            made[name], remarks = _without_undefined(table, derived, one, sources, needed)
+            notes += remarks
             used |= sources.keys() - staying
         else:
             made[name] = _mapped(_renamed(table, name, one), one)
@@ -186,31 +181,28 @@ def _derived(
     return Column(name, unit, np.array(np.broadcast_to(values, count))), known.used
 
 
-def _undefined(column: Column, sources: Mapping[str, Array]) -> NDArray[np.bool_]:
-    """(n,) the rows in which a formula gives no finite number, though every column that it reads has one."""
-    wrong = ~np.isfinite(column.values)
+def _without_undefined(
+    table: Table,
+    column: Column,
+    one: ColumnTable,
+    sources: Mapping[str, Array],
+    needed: Collection[str],
+) -> tuple[Column, list[str]]:
+    """The column without the rows in which its formula gives no finite number of finite ones, and a note on them."""
+    name, undefined = column.name, ~np.isfinite(column.values)
     for values in sources.values():
-        wrong &= np.isfinite(values)
-    return wrong
-
-
-def _no_number(table: Table, name: str, formula: str, undefined: NDArray[np.bool_]) -> InputError:
-    """The error about the first row in which a column that may not lack samples lacks one by its formula."""
-    message = f"the formula {shown(formula)} gives no finite number here; only measured outputs may lack samples"
-    return table.error(message, name, int(np.flatnonzero(undefined)[0]))
-
-
-def _without(column: Column, rows: NDArray[np.bool_]) -> Column:
-    """The column without the samples of some rows."""
-    return replace(column, values=np.where(rows, np.nan, column.values))
-
-
-def _missing_rows(one: ColumnTable, column: Column, undefined: NDArray[np.bool_]) -> str:
-    """What a reader should know of the rows that a formula leaves without a sample."""
+        undefined &= np.isfinite(values)
+    if not undefined.any():
+        return column, []
+    if name in needed:
+        message = f"the formula {shown(one.formula)} gives no finite number here"
+        message = f"{message}; only measured outputs may lack samples"
+        raise table.error(message, name, int(np.flatnonzero(undefined)[0]))
+    column = replace(column, values=np.where(undefined, np.nan, column.values))
     if np.isnan(column.values).all():
-        raise _error(column.name, one, "the formula gives a finite number in no row", "formula")
+        raise _error(name, one, "the formula gives a finite number in no row", "formula")
     rows = f"{int(undefined.sum())} of {len(undefined)} rows"
-    return f"the formula of {column.name} is no finite number in {rows}, which count as missing"
+    return column, [f"the formula of {name} is no finite number in {rows}, which count as missing"]
 
 
 class _Quantities(dict[str, Any]):

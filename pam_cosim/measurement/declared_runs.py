@@ -163,7 +163,11 @@ def runs_of_table(
         every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
         parts = f"holds {len(every)} curves"
     else:
-        part = _cut_as_stated(table, run)
+        ends = _stated_ends(table)
+        try:
+            part = cut_run(run, Cut(ends.get("from"), ends.get("to")))
+        except InputError as error:
+            raise table.error(error.message, next(iter(ends), "file")) from None
         every = pieces_of(part, table.gaps)
         if table.is_part:
             run = part  # what others cut it to lies within: the rest is of another run
@@ -197,15 +201,6 @@ def _whole_run(
         averaged=recording.averaged,
         default_inputs=tuple(name for name in interface.inputs if name not in stated),
     )
-
-
-def _cut_as_stated(table: RunTable, run: Run) -> Run:
-    """The rows of a recording that ``from`` and ``to`` leave."""
-    ends = _stated_ends(table)
-    try:
-        return cut_run(run, Cut(ends.get("from"), ends.get("to")))
-    except InputError as error:
-        raise table.error(error.message, next(iter(ends), "file")) from None
 
 
 def _stated_ends(table: RunTable) -> dict[str, float]:

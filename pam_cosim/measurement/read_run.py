@@ -65,15 +65,12 @@ def read_points(
     file = run.at("file").file_inside(run.file)
     branch = columns.get(BRANCH)
     source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
-    words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
+    words = WORDS
+    if branch is not None and branch.words is not None:
+        words = {cell.casefold(): WORDS[word] for cell, word in branch.words.items()}
     layout = replace(_layout(stated, columns, interface), words={source: words})
     table = with_columns(read_table(file, layout), columns, interface.inputs)
     return points_of(with_zeros(table, columns), interface, run, held), (file,)
-
-
-def _own_words(stated: Mapping[str, str]) -> dict[str, float]:
-    """Directions by the cells of a file that stand for them."""
-    return {cell.casefold(): WORDS[word] for cell, word in stated.items()}
 
 
 def _recording(

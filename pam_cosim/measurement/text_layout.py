@@ -77,15 +77,11 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
     read = [layout for layout in layouts if layout is not None]
     if not read:
         raise _no_rows(lines, file)
-    best = _only_consistent(read, file) or max(read, key=_completeness)
+    best = _only_consistent(read, file)
+    best = best or max(read, key=lambda one: (one.complaint is None, len(one.headings)))
     if best.complaint:
         raise InputError(best.complaint[1], file, best.complaint[0])
     return best
-
-
-def _completeness(layout: TextLayout) -> tuple[bool, int]:
-    """Of layouts that are not consistent, the best has no complaint, and most columns."""
-    return layout.complaint is None, len(layout.headings)
 
 
 def _only_consistent(layouts: list[TextLayout], file: Path) -> TextLayout | None:

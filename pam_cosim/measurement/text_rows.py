@@ -47,9 +47,9 @@ def split_cells(line: str, separator: str) -> list[str]:
 def first_row(rows: list[Row], start: int) -> int:
     """The first row of numbers: a faulty one is no header, a number is among its cells, and a header stands above."""
     count = len(rows[start].cells)
-    while (
-        start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count
-    ):
+    while start > 1 and count == len(rows[start - 1].cells) == len(rows[start - 2].cells):
+        if not any(map(is_number, rows[start - 1].cells)):
+            break
         start -= 1
     return start
 
@@ -88,7 +88,3 @@ def is_row(cells: list[str], missing: frozenset[str] = frozenset()) -> bool:
 def is_dated_row(cells: list[str]) -> bool:
     """A row that begins with a text, such as a date, has more numbers than texts."""
     return len(cells) > 2 and 2 * sum(map(is_number, cells)) > len(cells)
-
-
-def _holds_number(row: Row, count: int) -> bool:
-    return len(row.cells) == count and any(map(is_number, row.cells))

@@ -97,7 +97,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
         unit = "s" if since else reader.units.get(i, names[i][1])
         columns[name] = Column(name, unit, values, heading, i + 1, since)
     numbers = np.array([number for number, _ in body], dtype=np.int64)
-    notes = (*_notes(layout, encoding, reader.decimal), *_lost(layout, cut))
+    notes = tuple(_notes(layout, encoding, reader.decimal, cut))
     return Table(file, columns, layout.header_line or None, numbers, notes, tuple(reader.met))
 
 
@@ -121,15 +121,6 @@ def _cut_short(body: Sequence[Line], layout: TextLayout) -> int | None:
     last = _rows(body[-1:], layout.separator)
     cut = len(body) > 1 and last and len(last[0]) < len(layout.headings)
     return body[-1][0] if cut else None
-
-
-def _lost(layout: TextLayout, cut: int | None) -> Iterator[str]:
-    """Notes on rows that are not read."""
-    if layout.passed_over:
-        rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
-        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
-    if cut is not None:
-        yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"
 
 
 def _filled_lines(text: str) -> list[Line]:
@@ -240,7 +231,8 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
     return named
 
 
-def _notes(layout: TextLayout, encoding: str, decimal: str) -> tuple[str, ...]:
+def _notes(layout: TextLayout, encoding: str, decimal: str, cut: int | None) -> Iterator[str]:
+    """How the text was read, and which rows are not."""
     said = []
     if layout.separator != ",":
         said.append(f"columns separated by {WORDS[layout.separator]}")
@@ -248,4 +240,10 @@ def _notes(layout: TextLayout, encoding: str, decimal: str) -> tuple[str, ...]:
         said.append("decimal commas")
     if encoding == WESTERN:
         said.append("Western European letters")
-    return (f"read with {', '.join(said)}",) if said else ()
+    if said:
+        yield f"read with {', '.join(said)}"
+    if layout.passed_over:
+        rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
+        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
+    if cut is not None:
+        yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"
