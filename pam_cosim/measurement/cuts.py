@@ -33,19 +33,6 @@ class Cut:
     end: float | None = None
 
 
-def cut_of(run: str, begin: Moment, end: Moment) -> Cut:
-    """A cut from times as a person states them.
-
-    Args:
-        run: its name, for what is complained of.
-        begin: of the cut; ``end`` likewise.
-
-    Raises:
-        InputError: no time.
-    """
-    return Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
-
-
 def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
     """Cuts by run, from a first and a last time each.
 
@@ -58,7 +45,8 @@ def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
             raise InputError(
                 f"{shown(run)}: a run is cut to a first and a last time, not {shown(pair)}"
             )
-        made[run] = cut_of(run, *pair)
+        begin, end = pair
+        made[run] = Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
     return made
 
 
@@ -94,16 +82,13 @@ def cut_run(run: Run, cut: Cut) -> Run:
         )
     made = replace(run.rows(slice(first, last)), recorded=(float(run.time[0]), float(run.time[-1])))
     if last - first < 2 or made.time[0] == made.time[-1]:
+        span = f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
         raise InputError(
-            f"{run.name} {_span(run)}: nothing would be left between {_ends(run, cut)}", run.file
+            f"{run.name} {span}: nothing would be left between {_ends(run, cut)}", run.file
         )
     if not any(np.isfinite(values).any() for values in made.measurements.values()):
         raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
     return made
-
-
-def _span(run: Run) -> str:
-    return f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
 
 
 def _ends(run: Run, cut: Cut) -> str:
