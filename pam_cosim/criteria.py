@@ -245,11 +245,6 @@ class StartCriteria:
     informed: float = decides(
         0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it"
     )
-    own_parameter: float = decides(
-        1e-3,
-        "of a state",
-        "by which a free parameter must move where the model begins, to be what says it",
-    )
     worth: float = decides(
         1.5, "1", "sum of squares with the model's own start over that with an estimated one, from which on it is "
         "estimated; over the first samples, or over whole runs where a constant offset of an instrument could be why",

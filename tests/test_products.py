@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import json
 import pickle
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
@@ -11,8 +12,11 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.diagnosis import BaseFitted, CandidateTried
 from pam_cosim.diagnosis.description.learning_library import Form, FormConstant, Quantity
 from pam_cosim.fitting import HoldoutUncertainty
+from pam_cosim.study.products import _KINDS
+from pam_cosim.wording import Printed
 from tests.fitting.models import vessel_data
 from tests.pictures import drawn
 from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
@@ -84,6 +88,51 @@ def test_every_product_draws_and_prints_itself(name: str, tmp_path: Path) -> Non
     assert len(str(PRODUCTS[name])) > 40
 
 
+def test_every_kind_of_product_prints_itself() -> None:
+    public = [getattr(pam, name) for name in pam.__all__]
+    kinds = [one for one in public if isinstance(one, type) and not issubclass(one, Exception)]
+    assert len(kinds) > 12
+    for kind in (*kinds, *_KINDS.values()):
+        assert issubclass(kind, Printed) and kind.__str__ is not Printed.__str__, kind
+        assert kind.__repr__ is Printed.__repr__, kind
+
+
+def test_every_product_is_one_short_line_in_a_record() -> None:
+    vessel, diagnosis = "VesselOrifice", PRODUCTS["ambiguous"]
+    linear = pam.linearise(vessel, at=1.0)
+    with pam.start(vessel) as rig:
+        shown = [rig, rig.step(0.1), rig.save()]
+    products = [
+        *(
+            *PRODUCTS.values(),
+            *shown,
+            linear,
+            linear.point,
+            pam.linearise_along(vessel, times=[0.5]),
+        ),
+        *(pam.describe(vessel), *pam.effects()[:3], *pam.rig_parts()[:3], diagnosis.data),
+        *(diagnosis.verdict, diagnosis.base, *diagnosis.candidates, pam.check(DATA, "Isotonic")),
+        pam.Inputs(np.linspace(0.0, 1.0, 3), {"u": np.zeros(3)}),
+        BaseFitted(diagnosis.base),
+        CandidateTried(diagnosis.candidates[0]),
+    ]
+    for product in products:
+        assert repr(product).startswith(type(product).__name__)
+        assert len(repr(product)) <= 200 and "\n" not in repr(product)
+        assert str(product).strip() and product._repr_html_().startswith("<pre>")
+
+
+def test_the_line_of_a_product_has_its_result() -> None:
+    diagnosis = PRODUCTS["ambiguous"]
+    assert repr(diagnosis) == f"Diagnosis: {diagnosis.verdict.summary}"
+    assert str(diagnosis.verdict).splitlines()[0] == diagnosis.verdict.summary
+    assert diagnosis.verdict.reason in str(diagnosis.verdict)
+    assert repr(PRODUCTS["comparison"]).startswith(
+        "Comparison of PneumaticMuscle.Benches.Isotonic with 'a rig': p "
+    )
+    assert repr(PRODUCTS["fit"]).startswith("Fit of M to 'a rig': reduced chi-square fit ")
+
+
 def test_a_formula_with_a_shape(tmp_path: Path) -> None:
     """The parts of a learned term that the synthetic one lacks."""
     from pam_cosim.diagnosis.description.learning import FittedAddend, LearnedTerm
@@ -126,6 +175,16 @@ def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
         file.unlink()
     with pytest.raises(pam.InputError, match="product.npz"):
         pam.load(file)
+
+
+def test_a_file_of_a_later_version_is_said_to_be_one(tmp_path: Path) -> None:
+    with np.load(pam.save(PRODUCTS["fit"], tmp_path / "fit.npz")) as saved:
+        arrays = dict(saved)
+    document = json.loads(bytes(arrays.pop("product")))
+    text = json.dumps(document | {"version": 99}).encode()
+    np.savez(tmp_path / "later.npz", product=np.frombuffer(text, dtype=np.uint8), **arrays)
+    with pytest.raises(pam.InputError, match="saved by a later pam-cosim .form 99"):
+        pam.load(tmp_path / "later.npz")
 
 
 def test_a_name_that_says_another_format_is_refused(tmp_path: Path) -> None:

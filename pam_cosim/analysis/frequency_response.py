@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from html import escape
 
 import numpy as np
 
@@ -11,10 +10,11 @@ from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.arrays import Array
 from pam_cosim.exports import Exported, Table
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class FrequencyResponse(Exported):
+class FrequencyResponse(Printed, Exported):
     """How outputs answer to a sine of an input.
 
     Attributes:
@@ -135,12 +135,6 @@ class FrequencyResponse(Exported):
             f"{n}: 3 dB less at {f:.3g} Hz" for n, f in self.bandwidth.items() if np.isfinite(f)
         ]
         return "\n".join([self._title(), *where, "", *lines, *bands])
-
-    def _repr_html_(self) -> str:
-        heads, rows = self._lines()
-        head = "".join(f"<th>{escape(h)}</th>" for h in heads)
-        body = "".join(f"<tr>{''.join(f'<td>{escape(c)}</td>' for c in row)}</tr>" for row in rows)
-        return f"<p>{escape(self._title())}</p><table><tr>{head}</tr>{body}</table>"
 
 
 def phase(gain: Array) -> Array:

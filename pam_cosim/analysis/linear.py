@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from html import escape
 from typing import Any
 
 import numpy as np
@@ -16,7 +15,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table
 from pam_cosim.units import is_dimensionless, quotient
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 # A pole closer to zero than this part of the largest is an integrator: rounding alone parts it from zero.
 _INTEGRATOR = 1e-12
@@ -43,7 +42,7 @@ class Mode:
 
 
 @dataclass(frozen=True)
-class LinearModel(Exported):
+class LinearModel(Printed, Exported):
     """d(dx)/dt = A dx + B du, dy = C dx + D du about an operating point; all in the units of the model (SI).
 
     Attributes:
@@ -308,21 +307,6 @@ class LinearModel(Exported):
                 parts.append(" ".join(filter(None, words)))
             lines.append(f"static gain of {output}: {', '.join(parts)}")
         return lines
-
-    def _repr_html_(self) -> str:
-        head = "".join(
-            f"<th>{escape(self._headed(name))}</th>" for name in (*self.states, *self.inputs)
-        )
-        body = "".join(
-            f"<tr><th>{escape(title)}</th>{''.join(f'<td>{v:.5g}</td>' for v in row)}</tr>"
-            for title, row in zip(self._rows(), self._table().tolist(), strict=True)
-        )
-        text = "".join(
-            f"<p>{escape(line)}</p>"
-            for line in (*self.modes_text(), *self.gain_text(), *self.notes)
-        )
-        point = escape(str(self.point)).replace("\n", "<br>")
-        return f"<p><b>{escape(self.model)}</b> {point}</p><table><tr><th></th>{head}</tr>{body}</table>{text}"
 
 
 def _is_integrator(sizes: Array) -> NDArray[np.bool_]:

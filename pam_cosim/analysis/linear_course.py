@@ -9,10 +9,11 @@ import numpy as np
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.arrays import Array
 from pam_cosim.files import Plain
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class LinearCourse(Plain):
+class LinearCourse(Printed, Plain):
     """Linear models along a run, in the order of its times.
 
     Attributes:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from html import escape
 
 import numpy as np
 from scipy.special import chdtri, ndtri
@@ -13,7 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table, headed
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 LEVEL = 0.95
 DEVIATIONS = float(ndtri((1 + LEVEL) / 2))  # half the width of a band of that probability
@@ -37,7 +36,7 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Observation(Exported):
+class Observation(Printed, Exported):
     """Estimates from measurements by an extended Kalman filter, each after the sample of its time was taken in.
 
     Attributes:
@@ -195,9 +194,6 @@ class Observation(Exported):
         return "\n".join(
             [f"{self.model}, from {', '.join(self.measured)}: {span}", *begins, *self._lines()]
         )
-
-    def _repr_html_(self) -> str:
-        return "".join(f"<p>{escape(line)}</p>" for line in str(self).splitlines())
 
 
 def _neighbours(values: Array) -> float:

@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from html import escape
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.exports import Exported, Table, headed
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Tracking(Exported):
+class Tracking(Printed, Exported):
     """An output that shall follow mean + amplitude sin(2 pi f t).
 
     Attributes:
@@ -116,8 +116,3 @@ class Tracking(Exported):
             for row in rows
         ]
         return "\n".join([self._title(), "", *lines])
-
-    def _repr_html_(self) -> str:
-        head, *body = ["".join(f"<td>{escape(cell)}</td>" for cell in row) for row in self._rows()]
-        rows = "".join(f"<tr>{row}</tr>" for row in (head, *body))
-        return f"<p>{escape(self._title())}</p><table>{rows}</table>"

@@ -190,6 +190,7 @@ def compose(
     *,
     files: Sequence[Path] = (),
     values: Mapping[str, float] = MappingProxyType({}),
+    annotation: str = "",
 ) -> Composition | None:
     """The model with the named effects, in that order; None where one of them finds no place in it.
 
@@ -200,13 +201,14 @@ def compose(
         name: of the new class; default: made from the names.
         files: the user's files.
         values: of parameters of the composed model, by full name [their units].
+        annotation: of the class, as Modelica text.
 
     Raises:
         InputError: an unknown effect.
         ModelError: the model cannot be found or put together.
     """
     return compose_on(
-        tree, read_structure(qualified(tree, model), files=files), effects, name, values
+        tree, read_structure(qualified(tree, model), files=files), effects, name, values, annotation
     )
 
 
@@ -216,6 +218,7 @@ def compose_on(
     effects: Sequence[str],
     name: str | None = None,
     values: Mapping[str, float] = MappingProxyType({}),
+    annotation: str = "",
 ) -> Composition | None:
     """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once.
 
@@ -234,7 +237,7 @@ def compose_on(
     base = names.unquoted(names.last(structure.model))
     made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
     chosen = names.identifier(name or base + (made or "Alone"))
-    text = _text(chosen, structure, draft, classes, ratios)
+    text = _text(chosen, structure, draft, classes, ratios, annotation)
     return Composition(
         chosen, text, draft.parameters, structure.model, _typical(classes, draft.parameters)
     )
@@ -285,6 +288,7 @@ def _text(
     draft: _Draft,
     effects: Sequence[EffectClass],
     ratios: Sequence[str],
+    annotation: str = "",
 ) -> str:
     base = structure.model
     said = [
@@ -302,7 +306,7 @@ def _text(
     if draft.connections:
         lines.append("equation")
         lines += [f"  {connection};" for connection in draft.connections]
-    experiment = draft.tree.classes[base].annotations.get("experiment")
-    if experiment:
-        lines.append(f"  annotation ({experiment});")
+    annotations = [draft.tree.classes[base].annotations.get("experiment", ""), annotation]
+    if any(annotations):
+        lines.append(f"  annotation ({', '.join(filter(None, annotations))});")
     return "\n".join([*lines, f"end {name};", ""])

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
@@ -11,9 +11,8 @@ import numpy as np
 
 from pam_cosim.compiler import names
 from pam_cosim.errors import InputError
-from pam_cosim.exports import TABLES
 from pam_cosim.fmu.description import model_identifier
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import is_file
 from pam_cosim.model.settings import value_of
 from pam_cosim.sweeps import MOST_RUNS
@@ -46,25 +45,6 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
                 f"two models would be written to '{name}.fmu'; build them into two folders", output
             )
     return [(model, file) for file, model in files.items()]
-
-
-def file_and_variables(
-    words: Sequence[str], interface: Callable[[], Interface]
-) -> tuple[Path | None, list[str]]:
-    """The file that ``--output`` names, and the variables of the model, which it named before version 0.2.0.
-
-    Raises:
-        InputError: several files.
-    """
-    unsure = [word for word in words if Path(word).suffix.lower() not in TABLES]
-    known = interface().variables if unsure else {}
-    variables = [word for word in unsure if word in known]
-    files = [Path(word) for word in words if word not in variables]
-    if len(files) > 1:
-        raise InputError(
-            f"-o names {len(files)} files, {' and '.join(map(str, files))}; a variable is kept by --keep"
-        )
-    return (files[0] if files else None), variables
 
 
 def parse_named(words: Sequence[str]) -> dict[str, str]:

@@ -14,12 +14,6 @@ from pam_cosim.comparison.condition_table import (
     write_tables,
 )
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
-from pam_cosim.comparison.initial_state import (
-    InitialState,
-    initial_state,
-    initial_state_about,
-    measured_initial_state,
-)
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt, place_in
 from pam_cosim.comparison.residual_statistics import (
@@ -30,20 +24,17 @@ from pam_cosim.comparison.residual_statistics import (
     residual_statistics,
     series_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run
+from pam_cosim.comparison.residuals import RunComparison, simulate_run, warnings_of
 from pam_cosim.comparison.rounding import (
     expected_squares,
     slope,
     standardized_residuals,
     usual_square,
 )
-from pam_cosim.comparison.run_start import start_time
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
-from pam_cosim.comparison.state_course import state_course
 
 __all__ = [
     "STATISTICS",
-    "InitialState",
     "Comparison",
     "Condition",
     "ConditionTable",
@@ -54,7 +45,6 @@ __all__ = [
     "Series",
     "SignalScore",
     "Statistic",
-    "initial_state",
     "check_conditions",
     "chi2_reduced",
     "noise_log_likelihood",
@@ -62,8 +52,6 @@ __all__ = [
     "compare",
     "expected_squares",
     "lag_one",
-    "initial_state_about",
-    "measured_initial_state",
     "outliers",
     "place_in",
     "autocorrelation",
@@ -74,9 +62,8 @@ __all__ = [
     "simulate_run",
     "samples_in",
     "slope",
-    "start_time",
-    "state_course",
     "usual_square",
+    "warnings_of",
     "standardized_residuals",
     "where",
     "without_outliers",

@@ -18,7 +18,7 @@ from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, did_you_mean, listed
+from pam_cosim.wording import Printed, did_you_mean, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -123,8 +123,16 @@ class Comparison(Printed, Plain):
             "signals": score([one], self.data.signals),
         }
 
+    def _headline(self) -> str:
+        errors = [
+            f"{name} {format_quantity(score.rmse, self.data.signals[name].unit)}"
+            for name, score in self.scores["all"].items()
+        ]
+        return f" of {self.model} with '{self.data.title}': {', '.join(errors)}"
+
     def __str__(self) -> str:
         lines = [f"{self.model} against {self.data.title}"]
+        lines += look_first(doubt.text for doubt in self.doubts)
         lines += [f"  {sentence}" for sentence in self.data.starts]
         lines += [f"  {sentence}" for sentence in self._solvers()]
         for role in ROLES:
@@ -146,7 +154,6 @@ class Comparison(Printed, Plain):
                 f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "
                 f"{100 * rule.time_share:.0f} % of the samples: {rule.rule}"
             )
-        lines += [f"  look first: {doubt.text}" for doubt in self.doubts]
         return "\n".join(lines)
 
 

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.initial_state import initial_state
-from pam_cosim.comparison.run_start import inputs_of_run, start_time
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts import initial_state
+from pam_cosim.wording import distinct_warnings
 
 
 @dataclass(frozen=True)
@@ -20,15 +20,22 @@ class RunComparison:
         run: the measurement.
         model: (n,) each [SI], every output of the model at ``run.time``.
         solver: as ``Trajectory.solver``.
+        warnings: as ``Trajectory.warnings``.
     """
 
     run: Run
     model: dict[str, Array]
     solver: str = ""
+    warnings: tuple[str, ...] = ()
 
     def residual(self, signal: str) -> Array:
         """Measured minus modelled [SI], shape (n,), NaN where a sample is missing."""
         return self.run.measurements[signal] - self.model[signal]
+
+
+def warnings_of(runs: Iterable[RunComparison]) -> tuple[str, ...]:
+    """The distinct warnings of the model, each with its runs."""
+    return distinct_warnings({r.run.name: r.warnings for r in runs})
 
 
 def simulate_run(
@@ -53,22 +60,11 @@ def simulate_run(
         SimulationFailure: the run did not reach its end.
         InputError: a parameter that the model does not have.
     """
-    if run.is_static:
-        points = simulator.equilibria(
-            run.inputs,
-            parameters=data.parameters_of(run, parameters),
-            outputs=list(simulator.interface.outputs) if signals is None else signals,
-        )
-        return RunComparison(run, dict(points.values))
     own = data.parameters_of(run, parameters)
+    outputs = list(simulator.interface.outputs) if signals is None else signals
+    if run.is_static:
+        points = simulator.equilibria(run.inputs, parameters=own, outputs=outputs)
+        return RunComparison(run, dict(points.values), warnings=points.warnings)
     start = initial_state(simulator, data, run, own)
-    trajectory = simulator.run(
-        run.time,
-        parameters={**own, **start.values},
-        inputs=inputs_of_run(run),
-        outputs=list(simulator.interface.outputs) if signals is None else signals,
-        start_time=start_time(run),
-        tolerance=tolerance,
-        settle=start.settle,
-    )
-    return RunComparison(run, dict(trajectory.values), trajectory.solver)
+    trajectory = start.trajectory(simulator, run, own, run.time, outputs, tolerance)
+    return RunComparison(run, dict(trajectory.values), trajectory.solver, trajectory.warnings)

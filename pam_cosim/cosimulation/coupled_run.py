@@ -35,7 +35,7 @@ class CoupledRun(Printed):
     smallest: float
     largest: float
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         low, high = f"{self.smallest:.3g}", f"{self.largest:.3g}"
         spread = f"{low} s" if low == high else f"{low} to {high} s"
         cost = ", ".join(f"{name} {count}" for name, count in self.component_steps.items())

@@ -60,9 +60,10 @@ from pam_cosim.files import Plain, plain_fields
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
+from pam_cosim.problems import corrections_of
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -178,11 +179,14 @@ class Diagnosis(Printed, Plain):
     @property
     def _final(self) -> dict[str, object]:
         """The model that the verdict is about: what it is made of, its values and its scores."""
+        values = {**self.final.values, **self.final.start_values}
+        corrections = [str(one) for one in corrections_of(self.data, values)]
         return {
             "model": self.model,
             "effects": [c.effect for c in self.path],
             "parameters": self.final.parameters,
             "constants": self.data.constants,
+            **({"corrections": corrections} if corrections else {}),
             **{role: role_summary(self.final, role) for role in ROLES},
         }
 
@@ -193,14 +197,13 @@ class Diagnosis(Printed, Plain):
         learned = {"learned": self.learned} if self.learned else {}
         return plain_fields(self.missing_term) | learned
 
+    def _headline(self) -> str:
+        return f": {self.verdict.summary}"
+
     def __str__(self) -> str:
-        v = self.verdict
-        what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
-        sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
-        lines = [f"Verdict: {v.kind}{what}{sure}"]
-        lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
-        lines += [f"  {sentence}" for sentence in (v.reason, *v.implausible)]
-        lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
+        lines = [f"Verdict: {self.verdict.summary}"]
+        lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
+        lines += [f"  {sentence}" for sentence in self.verdict.sentences]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:

@@ -86,17 +86,8 @@ def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Recordin
     Raises:
         InputError: as the readers, with file, line and column.
     """
-    layout = Layout(
-        encoding=stated.encoding,
-        separator=stated.separator,
-        decimal=stated.decimal,
-        names=None if stated.names is None else tuple(stated.names),
-        header_line=stated.header_line,
-        units_line=stated.units_line,
-        table=stated.table,
-        ignore=tuple(stated.ignore or ()),
-        missing=frozenset((*MISSING, *map(str.casefold, stated.missing or ()))),
-    )
+    layout = stated.layout()
+    layout = replace(layout, missing=layout.missing.union(MISSING))
     texts = [_texts(file, layout) for file in files]
     words = _directions(texts)
     return [_source(file, layout, own, words) for file, own in zip(files, texts, strict=True)]

@@ -215,7 +215,7 @@ def check_time(
     """
     time = next((c for c in columns if c.of("time")), None)
     if recording.interval is not None:
-        seconds(recording.interval)
+        seconds(recording.interval.value)
         return None
     if time is None and may_be_points(columns, sources):
         _check_no_clock(sources)

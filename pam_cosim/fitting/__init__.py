@@ -1,13 +1,12 @@
 """Data set and model -> fitted parameters with intervals."""
 
 from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
-from pam_cosim.fitting.chosen_starts import starts_are_open, with_starts
+from pam_cosim.fitting.chosen_starts import with_starts
 from pam_cosim.fitting.combinations import Combination
 from pam_cosim.fitting.discrepancy import Discrepancy, discrepancies
 from pam_cosim.fitting.estimate import Estimate, estimates
 from pam_cosim.fitting.fit import Fit, fit, profile
-from pam_cosim.fitting.free import Free, base_parameters, model_parameter
-from pam_cosim.fitting.free_selection import with_free
+from pam_cosim.fitting.free import Free, base_parameters, free_parameter, model_parameter
 from pam_cosim.fitting.holdout_uncertainty import HoldoutUncertainty
 from pam_cosim.fitting.linear import (
     Linear,
@@ -65,6 +64,7 @@ __all__ = [
     "estimated_starts",
     "estimates",
     "fit",
+    "free_parameter",
     "linearised",
     "model_parameter",
     "parameter_posterior",
@@ -81,9 +81,7 @@ __all__ = [
     "runs_without_start",
     "simulated",
     "spread_starts",
-    "starts_are_open",
     "summary",
-    "with_free",
     "with_starts",
     "without_priors",
     "write_parameters",

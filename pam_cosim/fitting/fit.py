@@ -32,7 +32,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
 from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
 from pam_cosim.fitting.solve import FitProblem
-from pam_cosim.fitting.start_estimates import held_out_starts, start_estimates
+from pam_cosim.fitting.start_estimates import estimated_starts, start_estimates
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
@@ -168,6 +168,10 @@ class Fit(Printed, Plain):
                 )
         return tuple(sentences)
 
+    def _headline(self) -> str:
+        chi2 = [f"{role} {one.chi2_reduced:.4g}" for role, one in self.residuals.items()]
+        return f" of {self.model} to '{self.comparison.data.title}': reduced chi-square {', '.join(chi2)}"
+
     def __str__(self) -> str:
         lines = [str(self.comparison)]
         if self.search:
@@ -231,10 +235,18 @@ def fit(
         objective.residuals(
             end.z
         )  # a descent may have ended with a look elsewhere, or answers come from a file
-    starts_estimated = start_estimates(objective) | held_out_starts(
-        objective, end.z, options.second_look
+    values = objective.values(end.z)
+    # samples of held-out runs say nothing of any other parameter
+    starts_estimated = start_estimates(objective) | estimated_starts(
+        simulator,
+        data,
+        data.holdout_runs,
+        values,
+        objective.tolerance,
+        options.second_look,
+        objective.starts.state_ranges,
     )
-    values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
+    values |= {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = spread_of(by_role["fit"])
@@ -269,7 +281,7 @@ def _holdout_uncertainty(
         return HoldoutUncertainty()
     known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
     holdout = Objective(fitted.simulator, fitted.data, runs, known, values, options.tolerance)
-    holdout.state_ranges = fitted.state_ranges
+    holdout.starts.state_ranges = fitted.starts.state_ranges
     return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
 
 

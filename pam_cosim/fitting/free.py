@@ -7,8 +7,8 @@ from math import exp, log, sqrt
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, Prior, Run, Transform
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.measurement import DataSet, FreeParameter, Prior, Run, Transform
+from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_ratio, parameter_of
 from pam_cosim.wording import did_you_mean
 
@@ -116,31 +116,31 @@ def base_parameters(data: DataSet, interface: Interface) -> tuple[Free, ...]:
     Raises:
         InputError: the model has no such parameter.
     """
-    free = []
-    for p in data.fit.values():
-        variable = interface.parameters.get(p.parameter)
-        if variable is None:
-            raise InputError(
-                f"{interface.model} has no parameter '{p.parameter}' to fit",
-                data.folder / "experiment.toml",
-            )
-        low, high = p.min, p.max
-        start = _start(p.start, variable, low, high)
-        free.append(
-            Free(
-                p.name,
-                low,
-                high,
-                start,
-                variable.unit,
-                transform=p.transform,
-                prior=p.prior,
-                run=p.run,
-            )
+    return tuple(free_parameter(one, data, interface) for one in data.fit.values())
+
+
+def free_parameter(one: FreeParameter, data: DataSet, interface: Interface) -> Free:
+    """One of them; arguments and errors as for ``base_parameters``."""
+    variable = interface.parameters.get(one.parameter)
+    if variable is None:
+        raise InputError(
+            f"{interface.model} has no parameter '{one.parameter}' to fit",
+            data.folder / "experiment.toml",
         )
-    return tuple(free)
+    ratio = is_ratio(one.name)
+    start = _start(one.start, variable.start, one.min, one.max)
+    return Free(
+        one.name,
+        one.min,
+        one.max,
+        start,
+        "1" if ratio else variable.unit,
+        transform=one.transform,
+        prior=one.prior,
+        run=one.run,
+    )
 
 
-def _start(stated: float | None, variable: Variable, low: float, high: float) -> float:
-    start = stated if stated is not None else variable.start
+def _start(stated: float | None, default: float | None, low: float, high: float) -> float:
+    start = stated if stated is not None else default
     return (low + high) / 2 if start is None else min(max(start, low), high)

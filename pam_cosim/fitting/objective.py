@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections import defaultdict
 from collections.abc import Mapping, Sequence
+from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import (
@@ -26,25 +26,14 @@ from pam_cosim.fitting.sensitivities import (
     outputs_of,
     sensitivities_of_run,
 )
-from pam_cosim.fitting.start_values import (
-    RestCourse,
-    StartValues,
-    eliminate,
-    eliminate_to_first_order,
-    horizons,
-    rest_course,
-    start_values,
-)
 from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.measurement.pieces import first_rows
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts import EliminatedStarts
 
 DIFFERENCE_TOLERANCE = 1e-7  # of the solver, where slopes are differences, which magnify its error
 _DIFFERENCE_STEP = 1e-3  # in search coordinates: far above the solver's error
-
-Outputs = Sequence[Sequence[str]] | Mapping[int, Sequence[str]]  # by number of the run
 
 
 class Objective:
@@ -58,15 +47,15 @@ class Objective:
         tracker: gets a report of every point.
         evaluations: simulations of the whole set so far.
         failures: the first message of each kind of breakdown.
-        starts: start values that are parameters of their runs, by number of the run.
+        starts: start values that are parameters of their runs, which are eliminated.
         tolerance: relative, of the solver.
+        latest_runs: as they were simulated last.
 
     Args:
         simulator, data, runs, free: as above, and the measurement.
         fixed: further parameters; start values among them are where estimates of these begin [SI].
         tracker, tolerance: as above.
-        starts_to_first_order: start values are eliminated by one linear step from where they begin, and stay there;
-            those that ``fixed`` has take the place of the first samples.
+        starts_to_first_order: start values are eliminated as ``EliminatedStarts.to_first_order`` has it.
     """
 
     def __init__(
@@ -81,8 +70,6 @@ class Objective:
         *,
         starts_to_first_order: bool = False,
     ) -> None:
-        self._to_first_order = starts_to_first_order
-        self._eliminate = eliminate_to_first_order if starts_to_first_order else eliminate
         self.tracker = tracker or Tracker()
         self._priors = [(i, f.prior) for i, f in enumerate(free) if f.prior is not None]
         self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
@@ -92,16 +79,7 @@ class Objective:
         self._latest: tuple[bytes, Array, Array | None] | None = (
             None  # where, residuals, exact Jacobian there
         )
-        self.starts: dict[int, StartValues] | None = (
-            None  # by number of the run; None: nothing was simulated yet
-        )
-        self._starts_at: dict[bytes, dict[int, Array]] = {}  # where each point left them
         self._squares_at: dict[bytes, float] = {}
-        self.state_ranges: Mapping[str, float] = {}  # how far runs take each state [SI]
-        # where they were as the descent was last linearised, and (start values, parameters) how they move from there
-        self._starts_begin: dict[int, Array] = {}
-        self._starts_follow: dict[int, Array] = {}
-        self._linearised_at: Array | None = None
         self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
         self._sensitivities = [
@@ -112,15 +90,24 @@ class Objective:
         self._exact = has_sensitivities(self._signals, free, known)
         usual = CRITERIA.fit.tolerance if all(self._exact) else DIFFERENCE_TOLERANCE
         self.tolerance = usual if tolerance is None else tolerance
-        runs_and_signals = list(zip(self.runs, self._signals, strict=True))
-        self.series = [(run, name) for run, names in runs_and_signals for name in names]
+        self.series = [
+            (run, name)
+            for run, names in zip(self.runs, self._signals, strict=True)
+            for name in names
+        ]
         self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
-        counts = [sum(map(run.sample_count, names)) for run, names in runs_and_signals]
+        counts = [
+            sum(map(r.sample_count, n)) for r, n in zip(self.runs, self._signals, strict=True)
+        ]
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
-        squares = [run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series]
-        self.samples = sum(squares)
-        self._latest_runs: Sequence[RunComparison] = ()
+        self.starts = EliminatedStarts(
+            simulator, data, self.runs, self.ends, to_first_order=starts_to_first_order
+        )
+        self.samples = sum(
+            r.sample_count(s) * usual_square(data.signals[s]) for r, s in self.series
+        )
+        self.latest_runs: Sequence[RunComparison] = ()
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -134,145 +121,40 @@ class Objective:
             f.name: f.to_value(float(c)) for f, c in zip(self.free, z, strict=True)
         }
 
-    @property
-    def start_values(self) -> dict[str, float]:
-        """Those that are estimated, as they are now, by name and run [SI]."""
-        return {n: v for one in (self.starts or {}).values() for n, v in one.settings().items()}
-
-    def _start_values_at(self, z: Array) -> dict[int, StartValues]:
-        """The start values that are parameters, about where the first samples put them at the first ``z``."""
-        if self.starts is None:
-            found = self._first_starts(self.values(z))
-            self.starts = {i: one for i, one in found.items() if one.names}
-            self._starts_begin = self._starts_now()
-        return self.starts
-
-    def _first_starts(self, values: Mapping[str, float]) -> dict[int, StartValues]:
-        """The start values of the runs by their number."""
-        courses = {
-            i: self._rest_course(run, values, about_given=self._to_first_order)
-            for i, run in enumerate(self.runs)
-            if run.start.mode == "estimated"
-        }
-        interface = self.simulator.interface
-        every = [self.state_ranges, *(course.ranges for course in courses.values())]
-        self.state_ranges = {
-            name: max(ranges.get(name, 0.0) for ranges in every) for name in interface.states
-        }
-        return {
-            i: start_values(course, self.state_ranges, interface) for i, course in courses.items()
-        }
-
-    def _rest_course(
-        self, run: Run, values: Mapping[str, float], about_given: bool = False
-    ) -> RestCourse:
-        return rest_course(self.simulator, self.data, run, values, about_given=about_given)
-
-    def _starts_now(self) -> dict[int, Array]:
-        return {i: one.values for i, one in (self.starts or {}).items()}
-
-    def _set_starts(self, z: Array) -> None:
-        """The start values where ``z`` left them, or where new points look for them.
-
-        What a trial elsewhere made of them must not be where the next one begins: they may have gone astray there.
-        """
-        known = self._starts_at.get(z.tobytes())
-        for i, one in self._start_values_at(z).items():
-            one.values = known[i] if known else self._expected_starts(z, i, one)
-
-    def _expected_starts(self, z: Array, i: int, one: StartValues) -> Array:
-        """Where the start values of a run are looked for first: where the slopes of the descent lead them.
-
-        No farther than the slopes by start values are trusted (``eliminate``).
-        """
-        begin = self._starts_begin.get(i, one.values)
-        if self._linearised_at is None or i not in self._starts_follow:
-            return begin
-        step = one.within_reach(self._starts_follow[i] @ (z - self._linearised_at), 1.0)
-        return np.clip(begin + step, one.low, one.high)
-
     def start_afresh(self, z: Array) -> None:
         """From ``z`` on start values are looked for where the first samples and the model's rest at ``z`` put them."""
-        if self.starts is None or self._to_first_order or z.tobytes() in self._starts_at:
-            return
-        for i, one in self.starts.items():
-            fresh = self._fresh_starts(z, i)
-            self._starts_begin[i] = self._starts_begin[i] if fresh is None else _put(one, fresh)
-        self._linearised_at = None
-        self._squares_at.clear()
-
-    def _fresh_starts(self, z: Array, i: int) -> dict[str, float] | None:
-        """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
-        try:
-            return self._rest_course(self.runs[i], self.values(z)).begin
-        except SimulationFailure:
-            return None
+        if self.starts.begin_afresh(z, self.values(z)):
+            self._squares_at.clear()
 
     def found_other_starts(self, z: Array) -> bool:
-        """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
-
-        The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
-        runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
-        """
-        starts = {} if self._to_first_order else self._starts_if_it_runs(z)
-        if not starts:
+        """Whether start values were found that leave less; a descent that goes on from ``z`` has them."""
+        if self.starts.to_first_order or not self._has_starts(z):
             return False
-        before, here = self._squares_by_run(self.residuals(z)), self._starts_now()
-        noise = CRITERIA.fit.at_noise * np.diff(self.ends)
-        for i, one in starts.items():
-            fresh = self._fresh_starts(z, i) if before[i] > noise[i] else None
-            self._starts_begin[i] = (
-                here[i] if fresh is None else _put(one, self._led_by_first_samples(z, i, fresh))
-            )
-        self._forget(z)
-        after, there = self._squares_by_run(self.residuals(z)), self._starts_now()
-        better = {i for i in starts if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
-        self._starts_begin = {i: there[i] if i in better else here[i] for i in starts}
-        self._forget(z)
-        if better:
+        found = self.starts.found_others(self, z)
+        if found:
             self._squares_at.clear()
-        return bool(better)
+        return found
 
-    def _forget(self, z: Array) -> None:
-        """What ``z`` left: it is asked again, from where start values begin now."""
-        self._latest = self._linearised_at = None
-        self._starts_at.pop(z.tobytes(), None)
+    def forget(self) -> None:
+        """Lets the point that was asked last be simulated again."""
+        self._latest = None
 
-    def _led_by_first_samples(self, z: Array, i: int, known: dict[str, float]) -> dict[str, float]:
-        """Where a growing part of its run leads start values."""
-        run = self.runs[i]
-        for rows in horizons(run, self._signals[i], len(known)):
-            begin = {f"{name}@{run.name}": value for name, value in known.items()}
-            values, part = {**self.values(z), **begin}, first_rows(run, rows)
-            few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
-            few.state_ranges = self.state_ranges
-            if np.isfinite(few.squares(np.zeros(0))):
-                known = known | {
-                    n: v for one in (few.starts or {}).values() for n, v in one.named().items()
-                }
-        return known
+    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
+        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+        few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
+        few.starts.state_ranges = self.starts.state_ranges
+        if not np.isfinite(few.squares(np.zeros(0))):
+            return {}
+        return {n: v for one in few.starts.by_run.values() for n, v in one.named().items()}
 
-    def _squares_by_run(self, residuals: Array) -> dict[int, float]:
-        """The squares of each run with start values, and of what is known of these beforehand."""
-        squares, row = dict[int, float](), self.size + len(self._priors)
-        for i, one in (self.starts or {}).items():
-            own = residuals[self.ends[i] : self.ends[i + 1]]
-            known = residuals[row : row + len(one.names)]
-            squares[i], row = float(own @ own + known @ known), row + len(one.names)
-        return squares
-
-    def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
-        """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
-        starts = self._start_values_at(z)
-        values = self.values(z) | {
-            n: v for i in chosen if i in starts for n, v in starts[i].every().items()
-        }
-        return [
-            simulate_run(
-                self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]
-            )
-            for i in chosen
-        ]
+    def _run(self, z: Array, i: int, outputs: Sequence[str]) -> RunComparison:
+        """A run at ``z``. Raises SimulationFailure where it does not reach its end."""
+        values = self.values(z)
+        self.starts.place(values)
+        values |= self.starts.of_run(i)
+        return simulate_run(
+            self.simulator, self.data, self.runs[i], values, self.tolerance, outputs
+        )
 
     def is_at_noise(self, squares: float) -> bool:
         """Whether a sum of squares is so small that another start could find little."""
@@ -297,9 +179,7 @@ class Objective:
         ``z``: so do the start values.
         """
         residuals = self.residuals(z)
-        self._starts_begin = self._starts_now()
-        jacobian, self._starts_follow = self._with_starts_following(self._slopes(z, residuals))
-        self._linearised_at = z.copy()
+        jacobian = self.starts.followed(self._slopes(z, residuals), z)
         return np.asarray(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
 
     def residuals(self, z: Array) -> Array:
@@ -309,88 +189,60 @@ class Objective:
         self.evaluations += 1
         self._latest = None  # the start values leave its point, also where the model breaks down
         try:
-            runs, left = self._with_starts_eliminated(z)
+            residuals = self._with_priors(z, self._with_starts_eliminated(z))
+            self._report(z, residuals)
+            if np.all(np.isfinite(residuals)):
+                exact = self._exact_jacobian(z) if any(self._exact) else None
+                self._latest = z.tobytes(), residuals, exact
+                return residuals
         except SimulationFailure as failure:
             self._note_failure(failure)
-            return self._infinite()
-        residuals = self._with_priors(z, left)
-        self._report(z, residuals)
-        if np.all(np.isfinite(residuals)):
-            self._latest = (
-                z.tobytes(),
-                residuals,
-                self._exact_jacobian(z, runs) if any(self._exact) else None,
-            )
-            return residuals
-        return self._infinite()
+        return np.full(self._rows, np.inf)
 
-    def _with_starts_eliminated(self, z: Array) -> tuple[list[RunComparison], Array]:
-        """All runs, and their residuals without what start values can take away of them."""
-        self._set_starts(z)
-        starts, runs, parts = self._start_values_at(z), list[RunComparison](), []
-        for i in range(len(self.runs)):
-            if i not in starts:
-                runs += self._simulate(z, self._outputs, [i])
-                parts.append(self._weighted(runs[-1:], [i]))
-                continue
-            run, left = self._eliminate(starts[i], lambda i=i: self._run_with_start_slopes(z, i))  # type: ignore[misc]
+    def _with_starts_eliminated(self, z: Array) -> Array:
+        """The residuals of all runs without what start values can take away of them."""
+        self.starts.set_out(z, self.values(z))
+        runs, parts = list[RunComparison](), [np.zeros(0)]
+        for i, outputs in enumerate(self._outputs):
+            if i in self.starts.by_run:
+                run, left = self.starts.eliminated(i, partial(self._run_with_start_slopes, z, i))
+            else:
+                run = self._run(z, i, outputs)
+                left = self._weighted(run, i)
             runs.append(run)
             parts.append(left)
-        if starts:
-            self._starts_at[z.tobytes()] = self._starts_now()
-        self._latest_runs = runs
-        return runs, np.concatenate(parts) if parts else np.zeros(0)
+        self.starts.keep(z)
+        self.latest_runs = runs
+        return np.concatenate(parts)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
         """A run, its residuals and their slopes by its start values."""
-        one = self._start_values_at(z)[i]
+        one = self.starts.by_run[i]
         names = {s: [sensitivity_name(s, state) for state in one.names] for s in self._signals[i]}
         every = [name for of_signal in names.values() for name in of_signal]
         is_exact = self.simulator.interface.sensitivities.keys() >= {*every}
-        outputs = [*self._outputs[i], *every] if is_exact else self._outputs[i]
-        run = self._simulate(z, {i: outputs}, [i])[0]
-        residuals = self._weighted([run], [i])
-        if not is_exact:
-            return run, residuals, self._start_slopes_by_differences(z, i, residuals)
-        parts = []
-        for signal, slopes in names.items():
-            kept = np.isfinite(run.run.measurements[signal])
-            by_error = self._by_error(run, signal, kept)
-            parts.append(-np.column_stack([run.model[n][kept] * by_error for n in slopes]))
-        return run, residuals, np.vstack(parts)
-
-    def _start_slopes_by_differences(self, z: Array, i: int, at: Array) -> Array:
-        """The slopes of the residuals of a run by its start values, by differences."""
-        one = self._start_values_at(z)[i]
+        run = self._run(z, i, [*self._outputs[i], *every] if is_exact else self._outputs[i])
+        residuals = self._weighted(run, i)
+        if is_exact:
+            columns = [np.column_stack(self._exact_slopes(run, s, n)) for s, n in names.items()]
+            return run, residuals, np.vstack(columns)
         here, columns = one.values, []
         for k, sd in enumerate(one.sd):
             one.values = here.copy()
             one.values[k] += _DIFFERENCE_STEP * sd
-            moved = self._weighted(self._simulate(z, {i: self._signals[i]}, [i]), [i])
-            columns.append((moved - at) / (one.values[k] - here[k]))
+            moved = self._weighted(self._run(z, i, self._signals[i]), i)
+            columns.append((moved - residuals) / (one.values[k] - here[k]))
             one.values = here
-        return np.column_stack(columns)
-
-    def _infinite(self) -> Array:
-        return np.full(self._rows, np.inf)
+        return run, residuals, np.column_stack(columns)
 
     @property
     def _rows(self) -> int:
         """Samples, priors, and what is known of start values beforehand."""
-        return (
-            self.size
-            + len(self._priors)
-            + sum(len(one.names) for one in (self.starts or {}).values())
-        )
+        return self.size + len(self._priors) + self.starts.count
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
-        prior_rows = [
-            -prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors
-        ]
-        starts = [one.prior_rows(one.values) for one in (self.starts or {}).values()]
-        return (
-            np.concatenate([residuals, prior_rows, *starts]) if prior_rows or starts else residuals
-        )
+        rows = [-prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors]
+        return np.concatenate([residuals, rows, *self.starts.prior_rows()])
 
     def _report(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
@@ -399,7 +251,7 @@ class Objective:
     def _rms_errors(self) -> dict[str, float]:
         """Of each fitted signal [SI], over all runs as they were simulated last."""
         squares = defaultdict[str, list[Array]](list)
-        for run, names in zip(self._latest_runs, self._signals, strict=False):
+        for run, names in zip(self.latest_runs, self._signals, strict=False):
             for name in names:
                 error = run.residual(name)[np.isfinite(run.run.measurements[name])]
                 squares[name].append(error**2)
@@ -409,32 +261,30 @@ class Objective:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
         residuals = self.plain_residuals(z)
         self._report(z, residuals)
-        return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+        return _squares(residuals)
 
     def plain_residuals(self, z: Array) -> Array:
         """As ``residuals``, simulated without slopes where no start values need them.
 
         To first order the slopes by start values are those of the point that was simulated first.
         """
-        starts = self._starts_if_it_runs(z)
-        if starts and not (
-            self._to_first_order and all(one.slopes.size for one in starts.values())
+        if self._has_starts(z) and not (
+            self.starts.to_first_order
+            and all(one.slopes.size for one in self.starts.by_run.values())
         ):
             return self.residuals(z)
         self.evaluations += 1
         left = self._without_slopes(z, range(len(self.runs)))
         if np.all(np.isfinite(left)):
-            for i, one in starts.items():
-                rows = slice(self.ends[i], self.ends[i + 1])
-                left[rows] = one.taken_away(left[rows])
+            self.starts.take_away(left)
         return self._with_priors(z, left)
 
-    def _starts_if_it_runs(self, z: Array) -> dict[int, StartValues]:
-        """The start values that are parameters; none where the model breaks down."""
+    def _has_starts(self, z: Array) -> bool:
+        """Whether start values are parameters; not where the model breaks down."""
         try:
-            return self._start_values_at(z)
+            return bool(self.starts.place(self.values(z)))
         except SimulationFailure:
-            return {}
+            return False
 
     def glance(self, z: Array) -> float:
         """The squared residuals of the first and the last run, which cost little and tell a good start from a bad one.
@@ -442,14 +292,14 @@ class Objective:
         Infinite where a simulation breaks down.
         """
         chosen = sorted({0, len(self.runs) - 1})
-        residuals = self._with_priors(z, self._without_slopes(z, chosen))
-        return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+        return _squares(self._with_priors(z, self._without_slopes(z, chosen)))
 
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
         """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            self._latest_runs = self._simulate(z, self._signals, chosen)
-            return self._weighted(self._latest_runs, chosen)
+            runs = self.latest_runs = [self._run(z, i, self._signals[i]) for i in chosen]
+            parts = [self._weighted(run, i) for run, i in zip(runs, chosen, strict=True)]
+            return np.concatenate([np.zeros(0), *parts])
         except SimulationFailure as failure:
             self._note_failure(failure)
             return np.full(sum(self.ends[i + 1] - self.ends[i] for i in chosen), np.inf)
@@ -463,42 +313,37 @@ class Objective:
         if len(self.failures) < CRITERIA.run.failures_kept:
             self.failures.append(str(failure))
 
-    def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
-        parts = []
-        for run, i in zip(runs, chosen, strict=True):
-            for name in self._signals[i]:
-                kept = np.isfinite(run.run.measurements[name])
-                error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
-                parts.append(standardized_residuals(error, self.data.signals[name], reading))
-        return np.concatenate(parts) if parts else np.zeros(0)
+    def _weighted(self, run: RunComparison, i: int) -> Array:
+        parts = [np.zeros(0)]
+        for name in self._signals[i]:
+            kept = np.isfinite(run.run.measurements[name])
+            error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
+            parts.append(standardized_residuals(error, self.data.signals[name], reading))
+        return np.concatenate(parts)
 
-    def _by_error(self, run: RunComparison, name: str, kept: NDArray[np.bool_]) -> Array:
-        """How the residuals of a signal grow with its errors, at the samples that are there."""
-        return slope(
-            run.residual(name)[kept], self.data.signals[name], run.run.measurements[name][kept]
-        )
+    def _exact_slopes(self, run: RunComparison, name: str, by: Sequence[str]) -> list[Array]:
+        """The slopes of the residuals of a signal, at the samples that are there, by its sensitivities."""
+        kept = np.isfinite(run.run.measurements[name])
+        error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
+        by_error = -slope(error, self.data.signals[name], reading)
+        return [by_error * run.model[sensitivity][kept] for sensitivity in by]
 
-    def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
-        """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
+    def _exact_jacobian(self, z: Array) -> Array:
+        """(size + priors, parameters) at the runs that were simulated last.
+
+        Columns of parameters whose sensitivities the model does not have are zero.
+        """
         jacobian = np.zeros((self._rows, len(self.free)))
         by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
-        for run, sensitivities in zip(runs, self._sensitivities, strict=True):
-            for name, slopes in sensitivities.items():
-                kept = np.isfinite(run.run.measurements[name])
-                count = int(kept.sum())
-                by_error = self._by_error(run, name, kept)
-                for i, sensitivity in slopes:
-                    moved = by_z[i] * self.free[i].size_in(run.run)
-                    jacobian[row : row + count, i] = (
-                        -by_error * run.model[sensitivity][kept] * moved
-                    )
-                row += count
-        for k, (i, prior) in enumerate(self._priors):
-            own = self.free[i]
-            jacobian[self.size + k, i] = -own.slope(float(z[i])) * prior.slope(
-                own.to_value(float(z[i]))
-            )
+        for run, sensitivities in zip(self.latest_runs, self._sensitivities, strict=True):
+            for name, acting in sensitivities.items():
+                rows = slice(row, row := row + run.run.sample_count(name))
+                columns = self._exact_slopes(run, name, [sensitivity for _, sensitivity in acting])
+                for (i, _), column in zip(acting, columns, strict=True):
+                    jacobian[rows, i] = column * (by_z[i] * self.free[i].size_in(run.run))
+        for k, (i, prior) in enumerate(self._priors, self.size):
+            jacobian[k, i] = -by_z[i] * prior.slope(self.free[i].to_value(float(z[i])))
         return jacobian
 
     def jacobian(self, z: Array, at: Array) -> Array:
@@ -508,7 +353,7 @@ class Objective:
             z: (parameters,) search coordinates.
             at: (size + priors,) the residuals there.
         """
-        return self._with_starts_following(self._slopes(z, at))[0]
+        return self.starts.followed(self._slopes(z, at))
 
     def _slopes(self, z: Array, at: Array) -> Array:
         """As ``jacobian``, with the start values where they are."""
@@ -528,33 +373,16 @@ class Objective:
 
         To first order the start values stay where they are, and ``at`` lacks what they can take away.
         """
-        if not (self._to_first_order and self.starts):
+        if not (self.starts.to_first_order and self.starts.by_run):
             return at
         return np.concatenate([self._without_slopes(z, range(len(self.runs))), at[self.size :]])
-
-    def _with_starts_following(self, jacobian: Array) -> tuple[Array, dict[int, Array]]:
-        """The slopes with the start values moving along, so that least is left; and how those of each run move."""
-        if not jacobian.shape[1]:
-            return jacobian, {}
-        moves = dict[int, Array]()
-        followed, row = jacobian.copy(), self.size + len(self._priors)
-        for i, one in (self.starts or {}).items():
-            rows = slice(self.ends[i], self.ends[i + 1])
-            moved = moves[i] = one.following(jacobian[rows])
-            count = len(one.names)
-            followed[rows] += one.slopes[:-count] @ moved
-            followed[row : row + count] = one.slopes[-count:] @ moved
-            row += count
-        return followed, moves
 
     def _exact_at(self, z: Array) -> Array | None:
         """The exact Jacobian at ``z``; None where the model has no sensitivities or breaks down."""
         if not any(self._exact):
             return None
         self.residuals(z)
-        return (
-            self._latest[2] if self._latest is not None and self._latest[0] == z.tobytes() else None
-        )
+        return self._latest and self._latest[2]
 
     def _difference(self, z: Array, at: Array, i: int) -> Array:
         """One column by a difference, stepping inwards from a bound; only the runs are simulated that move.
@@ -566,24 +394,22 @@ class Objective:
         step = _DIFFERENCE_STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
         forward = step if z[i] + step <= high[i] else -step
         chosen = [k for k, run in enumerate(self.runs) if acts_on(self.free[i], run, self.free)]
+        rows = np.concatenate(
+            [np.zeros(0, int), *(np.arange(self.ends[k], self.ends[k + 1]) for k in chosen)]
+        )
         for h in (forward, -forward):
             moved = z.copy()
             moved[i] = min(max(z[i] + h, low[i]), high[i])
             if moved[i] == z[i]:
                 continue
             self.evaluations += 1
-            shifted = at.copy()
-            rows = [np.arange(self.ends[k], self.ends[k + 1]) for k in chosen]
-            shifted[np.concatenate(rows) if rows else np.zeros(0, int)] = self._without_slopes(
-                moved, chosen
-            )
-            shifted = self._with_priors(moved, shifted[: self.size])
+            shifted = at[: self.size].copy()
+            shifted[rows] = self._without_slopes(moved, chosen)
+            shifted = self._with_priors(moved, shifted)
             if np.all(np.isfinite(shifted)):
-                column: Array = (shifted - at) / (moved[i] - z[i])
-                return column
+                return np.asarray((shifted - at) / (moved[i] - z[i]))
         return np.zeros(len(at))
 
 
-def _put(of: StartValues, named: Mapping[str, float]) -> Array:
-    """Start values by name in their order, within what the model says that they can be."""
-    return np.clip([named[name] for name in of.names], of.low, of.high)
+def _squares(residuals: Array) -> float:
+    return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf

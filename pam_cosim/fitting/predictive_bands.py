@@ -10,7 +10,7 @@ from math import sqrt
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import simulate_run
+from pam_cosim.comparison import simulate_run, warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.exports import Exported, Table, headed
@@ -19,7 +19,7 @@ from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed
+from pam_cosim.wording import Printed, look_first
 
 
 @dataclass(frozen=True)
@@ -77,9 +77,10 @@ class PredictiveBands(Printed, Exported):
         bands: by signal.
         posterior: the parameters that it was predicted with.
         failed: how many of them the model broke down with.
+        warnings: of the model at the optimum.
     """
 
-    json_keys = "model run time inputs signals=bands parameters=posterior failed"
+    json_keys = "model run time inputs signals=bands parameters=posterior failed warnings?"
 
     model: str
     run: str
@@ -88,6 +89,7 @@ class PredictiveBands(Printed, Exported):
     bands: dict[str, Band]
     posterior: ParameterPosterior
     failed: int = 0
+    warnings: tuple[str, ...] = ()
 
     def table(self) -> Table:
         """Time, and of each signal its value and the ends of both bands; SI units."""
@@ -103,6 +105,7 @@ class PredictiveBands(Printed, Exported):
         lines = [
             f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"
         ]
+        lines += look_first(self.warnings)
         if effective < CRITERIA.uncertainty.least_effective:
             lines.append(
                 f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
@@ -146,7 +149,7 @@ def predictive_bands(
         SimulationFailure: the model breaks down at the optimum, or with most of the samples.
     """
     names = [name for name in simulator.interface.outputs if name in data.signals]
-    best = simulate_run(simulator, data, run, fitted, None, names).model
+    best = simulate_run(simulator, data, run, fitted, None, names)
     drawn: list[dict[str, Array]] = []
     weights: list[float] = []
     for done, (values, weight) in enumerate(
@@ -165,11 +168,20 @@ def predictive_bands(
     share = np.array(weights) / sum(weights)
     off = off or {}
     bands = {
-        n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share, off.get(n))
+        n: _band(
+            data, run, n, best.model[n], np.array([one[n] for one in drawn]), share, off.get(n)
+        )
         for n in names
     }
     return PredictiveBands(
-        simulator.interface.model, run.name, run.time, dict(run.inputs), bands, posterior, failed
+        simulator.interface.model,
+        run.name,
+        run.time,
+        dict(run.inputs),
+        bands,
+        posterior,
+        failed,
+        warnings_of([best]),
     )
 
 

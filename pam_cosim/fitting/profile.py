@@ -18,6 +18,7 @@ from pam_cosim.files import Plain, plain
 from pam_cosim.fitting.estimate import standard_deviations
 from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
@@ -91,7 +92,7 @@ class Profile:
 
 
 @dataclass(frozen=True)
-class Profiles(Plain):
+class Profiles(Printed, Plain):
     """The profiles of all parameters of a fit, by name."""
 
     model: str

@@ -56,6 +56,11 @@ _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 _TAPE = "pam_tape.c"
 _MODEL = "model.c"
 _DESCRIPTION = "modelDescription.xml"
+_PREFIX = """#ifndef {macro}
+#define {macro} {identifier}_
+#endif
+#define PAM_PREFIX {macro}
+"""
 _NO_GUID = "{00000000-0000-0000-0000-000000000000}"
 _DATE = (1980, 1, 1, 0, 0, 0)
 
@@ -240,7 +245,8 @@ def _packaging_key() -> str:
 
 def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
-    draft, source = _descriptions(ode, _NO_GUID, fmi, lean), model_source(ode, _NO_GUID, lean)
+    draft = _descriptions(ode, _NO_GUID, fmi, lean)
+    source = model_source(ode, _NO_GUID, lean, fmi)
     check_source(source, ode.interface.model, len(ode.states))
     guid = _guid(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     # The first place is the right one: both files begin with it.
@@ -248,7 +254,8 @@ def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> d
     described = {
         name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()
     }
-    shipped = {} if lean else _sources(source, fmi)
+    identifier = model_identifier(ode.interface.model)
+    shipped = {} if lean else _sources(source, identifier, fmi)
     return described | shipped | _binaries(ode, source, names, fmi)
 
 
@@ -258,7 +265,7 @@ def _guid(*parts: str | bytes) -> str:
 
 
 def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]:
-    entries, compiled = table(ode), (_MODEL, *runtime(fmi))
+    entries, compiled = table(ode, fmi, lean=lean), (_MODEL, *runtime(fmi))
     if lean:
         return {
             _DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), (), lean=True)
@@ -271,10 +278,11 @@ def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]
     }
 
 
-def _sources(model: str, fmi: str) -> dict[str, bytes]:
-    """Everything that the binaries are compiled from."""
+def _sources(model: str, identifier: str, fmi: str) -> dict[str, bytes]:
+    """Everything that the binaries are compiled from, and the prefix of the functions in a program."""
     shipped = [*(fmu_runtime() / name for name in runtime(fmi)), *headers(fmi)]
-    return {f"sources/{_MODEL}": model.encode()} | {
+    prefix = _PREFIX.format(macro=f"FMI{fmi[0]}_FUNCTION_PREFIX", identifier=identifier)
+    return {f"sources/{_MODEL}": model.encode(), "sources/model.h": prefix.encode()} | {
         f"sources/{file.name}": file.read_bytes() for file in shipped
     }
 
@@ -282,10 +290,11 @@ def _sources(model: str, fmi: str) -> dict[str, bytes]:
 def _binaries(ode: Ode, model: str, names: Sequence[str], fmi: str) -> dict[str, bytes]:
     slices: dict[str, list[bytes]] = {}
     for name in names:
-        file = model_identifier(ode.interface.model) + PLATFORMS[name].suffix
+        identifier = model_identifier(ode.interface.model)
+        file = identifier + PLATFORMS[name].suffix
         binary = f"binaries/{binary_folder(name, names, fmi)}/{file}"
         slices.setdefault(binary, []).append(
-            compile_library(runtime(fmi), {_MODEL: model}, name).read_bytes()
+            compile_library(runtime(fmi), {_MODEL: model}, name, identifier).read_bytes()
         )
     return {
         name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()

@@ -174,7 +174,8 @@ def model_structure(
     rates = {e.derivative_of: i for i, e in numbered.items() if e.derivative_of is not None}
     derivatives = [rates[state] for state in range(len(ode.states))]
     states = [i for i, e in numbered.items() if e.kind is Kind.STATE]
-    unknowns = sorted({*outputs, *derivatives, *states})
+    made = [i for i, e in numbered.items() if e.causality == "calculatedParameter"]
+    unknowns = sorted({*outputs, *derivatives, *states, *made})
     initial = [i for i in unknowns if numbered[i].initial in _FOLLOWING]
     if not dependencies:
         return ModelStructure(outputs, derivatives, initial, {}, {})

@@ -48,11 +48,19 @@ def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, to
     shared.default_experiment(root, ode)
     variables = Xml.SubElement(root, "ModelVariables")
     references = {e.index: e.reference for e in entries if e.kind is Kind.STATE}
+    elements: dict[int, Xml.Element] = {}
     for entry in entries:
-        real = shared.real_attributes(entry)
+        real, scalar = shared.real_attributes(entry), shared.scalar_attributes(entry)
+        if entry.alias:
+            described = scalar | {key: real[key] for key in real if key == "displayUnit"}
+            both = {
+                k: described[k] for k in described if k in ("name", "description", "displayUnit")
+            }
+            Xml.SubElement(elements[entry.reference], "Alias", both)
+            continue
         if entry.derivative_of is not None:
             real["derivative"] = str(references[entry.derivative_of])
-        Xml.SubElement(variables, "Float64", shared.scalar_attributes(entry) | real)
+        elements[entry.reference] = Xml.SubElement(variables, "Float64", scalar | real)
     _structure(root, ode, entries)
     if ode.libraries:
         annotations = Xml.SubElement(root, "Annotations")
@@ -70,7 +78,8 @@ def _structure(root: Xml.Element, ode: Ode, entries: Sequence[VariableEntry]) ->
         ("InitialUnknown", unknowns.initial, unknowns.starting),
     ):
         for index in indices:
-            shared.unknown(structure, tag, "valueReference", index, dependencies, references)
+            if not entries[index - 1].alias:
+                shared.unknown(structure, tag, "valueReference", index, dependencies, references)
 
 
 def build_description(ode: Ode, sources: Sequence[str]) -> bytes:

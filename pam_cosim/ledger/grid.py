@@ -10,10 +10,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.run_start import start_time
 from pam_cosim.compiler import Ode
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation.inputs import Pieces, pieces
+from pam_cosim.starts import start_time
 
 STAGE = 1 / 3  # where Radau IIA of order 3 looks inside a step
 _LEAST_STEPS = 200  # a run with few samples is stepped through finer than these

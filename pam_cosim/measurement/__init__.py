@@ -4,7 +4,6 @@ from pam_cosim.measurement.condensing import condensed
 from pam_cosim.measurement.cuts import Cut, Moment, Overrides, overrides_of
 from pam_cosim.measurement.data_set import ROLES, DataSet, Role, Run
 from pam_cosim.measurement.experiment import error_in
-from pam_cosim.measurement.first_samples import FirstSamples, first_samples
 from pam_cosim.measurement.free_parameter import FreeParameter, Prior, Transform
 from pam_cosim.measurement.further_run import further_run, rows_of
 from pam_cosim.measurement.noise import complete_noise, record_step
@@ -20,7 +19,6 @@ from pam_cosim.measurement.write import write_data_set
 __all__ = [
     "Cut",
     "DataSet",
-    "FirstSamples",
     "FreeParameter",
     "Moment",
     "Overrides",
@@ -41,7 +39,6 @@ __all__ = [
     "condensed",
     "error_in",
     "estimate_noise",
-    "first_samples",
     "further_run",
     "overrides_of",
     "record_step",

@@ -13,9 +13,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.compiler.elementwise import evaluate, with_place
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.experiment_errors import KeyPath
 from pam_cosim.measurement.experiment_tables import ColumnTable
+from pam_cosim.measurement.place import Stated
 from pam_cosim.measurement.table import TIME, Column, Table
 from pam_cosim.units import (
     UnitError,
@@ -33,22 +32,20 @@ _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
 
 @dataclass(frozen=True)
 class ColumnMapping:
-    """``[columns]``, with the place of each entry in the document."""
+    """``[columns]`` of a file."""
 
-    document: ExperimentFile
     tables: Mapping[str, ColumnTable]
-    places: Mapping[str, KeyPath]
 
     @property
     def sources(self) -> frozenset[str]:
-        """Names of columns of the file that are read for others, as far as they stand there by themselves."""
-        named = {t.column for t in self.tables.values() if isinstance(t.column, str)}
-        own = {
-            name
-            for name, table in self.tables.items()
-            if table.column is None and table.formula is None
-        }
-        return frozenset(named | own)
+        """Names of columns of the file that are read for others; further names in formulas do no harm."""
+        names = set[str]()
+        for name, table in self.tables.items():
+            if table.formula is not None:
+                names.update(_names_in(table.formula))
+            elif not isinstance(table.column, int):
+                names.add(table.column or name)
+        return frozenset(names)
 
     @property
     def clock(self) -> frozenset[str | int]:
@@ -58,14 +55,9 @@ class ColumnMapping:
             return frozenset(_names_in(time.formula))
         return frozenset([TIME if time is None or time.column is None else time.column])
 
-    def names_in_formulas(self) -> frozenset[str]:
-        """Names that formulas hold; those that are no columns do no harm."""
-        formulas = [table.formula for table in self.tables.values() if table.formula]
-        return frozenset(name for one in formulas for name in _names_in(one))
-
-    def error(self, message: str, name: str, *key: str) -> InputError:
-        """An error about the entry of a column."""
-        return self.document.error(f"column {shown(name)}: {message}", *self.places[name], *key)
+    def error(self, message: str, name: str, key: str) -> InputError:
+        """An error about a key of the entry of a column."""
+        return self.tables[name].error(f"column {shown(name)}: {message}", key)
 
 
 def _names_in(formula: str) -> list[str]:
@@ -114,7 +106,7 @@ def with_zeros(table: Table, renaming: ColumnMapping) -> Table:
     """The table with the zero of each column that has a rest interval taken off.
 
     Raises:
-        InputError: a rest interval without samples; with the place in the document.
+        InputError: a rest interval without samples, with the place.
     """
     for name, one in renaming.tables.items():
         if one.zero is not None:
@@ -152,7 +144,9 @@ def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:
         return column
     key = "gain"
     try:
-        result = quantity(column.values, column.unit) * _stated(one.gain, 1.0)
+        result = quantity(column.values, column.unit) * quantity(
+            one.gain.value if one.gain else 1.0
+        )
         if one.offset is not None:
             key = "offset"
             result = result + _shift(one.offset, column.unit)
@@ -162,19 +156,11 @@ def _mapped(column: Column, renaming: ColumnMapping, name: str) -> Column:
     return replace(column, unit=unit, values=np.array(values))
 
 
-def _shift(offset: str | float, unit: str) -> Any:
+def _shift(offset: Stated, unit: str) -> Any:
     """The offset of a column in ``unit``: of temperatures a difference; of what a gain makes one, a temperature."""
-    if isinstance(offset, str) and quantity(0.0, unit).check("[temperature]"):
-        return quantity(parse_quantity(offset, "K", difference=True), "K")
-    return _stated(offset, 0.0)
-
-
-def _stated(value: str | float | None, otherwise: float) -> Any:
-    return (
-        quantity(value)
-        if isinstance(value, str)
-        else quantity(otherwise if value is None else value)
-    )
+    if isinstance(offset.value, str) and quantity(0.0, unit).check("[temperature]"):
+        return quantity(parse_quantity(offset.value, "K", difference=True), "K")
+    return quantity(offset.value)
 
 
 def _derived(
@@ -256,7 +242,7 @@ def _zeroed(table: Table, renaming: ColumnMapping, name: str) -> Table:
     if TIME not in table.columns:
         raise renaming.error("a rest interval needs a column 'time'", name, "zero")
     try:
-        start, stop = parse_quantity(one.start, "s"), parse_quantity(one.to, "s")
+        start, stop = (parse_quantity(end.value, "s") for end in (one.start, one.to))
         time = convert(table.columns[TIME].values, table.columns[TIME].unit, "s")
         if float(quantity(0.0, column.unit).magnitude):
             raise UnitError(f"the zero of {shown(column.unit)} is no reading at rest")

@@ -92,21 +92,14 @@ def cut_run(run: Run, cut: Cut) -> Run:
         raise InputError(
             f"{run.name} holds points at rest, which have no times to be cut at", run.file
         )
-    kept = slice(first, last)
-    measurements = {name: values[kept] for name, values in run.measurements.items()}
-    if last - first < 2 or run.time[kept][0] == run.time[kept][-1]:
+    made = replace(run.rows(slice(first, last)), recorded=(float(run.time[0]), float(run.time[-1])))
+    if last - first < 2 or made.time[0] == made.time[-1]:
         raise InputError(
             f"{run.name} {_span(run)}: nothing would be left between {_ends(run, cut)}", run.file
         )
-    if not any(np.isfinite(values).any() for values in measurements.values()):
+    if not any(np.isfinite(values).any() for values in made.measurements.values()):
         raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
-    return replace(
-        run,
-        time=run.time[kept],
-        inputs={name: values[kept] for name, values in run.inputs.items()},
-        measurements=measurements,
-        recorded=(float(run.time[0]), float(run.time[-1])),
-    )
+    return made
 
 
 def _span(run: Run) -> str:

@@ -55,6 +55,7 @@ class Run:
         along: of a curve of points at rest, what it is drawn over; None: a recording over time.
         start: in which state it begins.
         recorded: first and last time [s] of the recording that it was cut out of; None: it is all of it.
+        replaced: what the data set states [SI] of parameters that have another value, by name; None: nothing.
     """
 
     name: str
@@ -72,6 +73,7 @@ class Run:
     along: Along | None = None
     start: Start = Start()
     recorded: tuple[float, float] | None = None
+    replaced: dict[str, float | None] = field(default_factory=dict)
 
     @property
     def is_static(self) -> bool:
@@ -82,6 +84,15 @@ class Run:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""
         values = self.measurements.get(signal)
         return 0 if values is None else int(np.isfinite(values).sum())
+
+    def rows(self, kept: slice) -> Run:
+        """The run with some of its rows."""
+        return replace(
+            self,
+            time=self.time[kept],
+            inputs={name: values[kept] for name, values in self.inputs.items()},
+            measurements={name: values[kept] for name, values in self.measurements.items()},
+        )
 
     def describe(self) -> str:
         """One line: name, role, duration, inputs, samples."""

@@ -7,6 +7,7 @@ from math import exp, log
 from typing import Literal
 
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.model.references import parameter_of
 
 Transform = Literal["log", "linear"]
 
@@ -77,4 +78,4 @@ class FreeParameter:
     @property
     def parameter(self) -> str:
         """Its name in the model."""
-        return self.name.removesuffix(f"@{self.run}") if self.run else self.name
+        return self.name.removesuffix(f"@{self.run}") if self.run else parameter_of(self.name)

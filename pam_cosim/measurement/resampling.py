@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import sqrt
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -26,7 +27,10 @@ _Places = NDArray[np.int64]
 _SAME = 1e-6  # of the interval: two means at times no farther apart share a row
 
 
-def resampled(recording: Recording, interval: float, interpolation: Interpolation) -> Recording:
+_Rows = TypeVar("_Rows", Recording, Run)
+
+
+def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -> _Rows:
     """Means over about ``interval`` [s]; a recording that is no denser stays as it is.
 
     The rows of the means are at the mean times of their samples; a signal that has fewer samples than others has rows
@@ -54,7 +58,9 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         name: np.flatnonzero(np.abs(mean.time - middle) > _SAME * interval)
         for name, mean in means.items()
     }
-    pairs = [np.column_stack([means[name].time[at], at]) for name, at in elsewhere.items()]
+    pairs: list[Array] = [
+        np.column_stack([means[name].time[at], at]) for name, at in elsewhere.items()
+    ]
     further, row = np.unique(
         np.concatenate([np.empty((0, 2)), *pairs]), axis=0, return_inverse=True
     )
@@ -78,7 +84,8 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         values[elsewhere[name]] = np.nan
         return locked(np.concatenate([values, np.full(len(kept), np.nan), there])[order])
 
-    result = replace(
+    means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
+    return replace(
         recording,
         time=locked(times[order]),
         inputs={name: of_input(name, v) for name, v in inputs.items()},
@@ -87,23 +94,7 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
             name: Averaged(mean.samples, record_step(recording.measurements[name]))
             for name, mean in means.items()
         },
-    )
-    means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
-    note = f"{count} rows are {len(order)}: {means_of}"
-    return replace(result, notes=(*recording.notes, note))
-
-
-def resampled_run(run: Run, interval: float) -> Run:
-    """A run of means over about ``interval`` [s], as ``resampled``."""
-    recording = Recording(run.time, run.inputs, run.measurements, run.notes, run.averaged)
-    means = resampled(recording, interval, run.interpolation)
-    return replace(
-        run,
-        time=means.time,
-        inputs=means.inputs,
-        measurements=means.measurements,
-        notes=means.notes,
-        averaged=means.averaged,
+        notes=(*recording.notes, f"{count} rows are {len(order)}: {means_of}"),
     )
 
 
@@ -150,7 +141,7 @@ def _starts(time: Array, jumps: _Places, interval: float) -> _Places:
 
 
 def _kept_rows(
-    recording: Recording,
+    recording: Recording | Run,
     single: _Places,
     starts: _Places,
     jumps: _Places,
@@ -166,7 +157,7 @@ def _kept_rows(
 
 
 def _own(
-    recording: Recording,
+    recording: Recording | Run,
     name: str,
     rows: _Places,
     starts: _Places,

@@ -35,8 +35,8 @@ def is_file(model: str) -> bool:
 
 
 def sources_of(files: Sequence[Path], *models: str) -> tuple[Path, ...]:
-    """The Modelica files that models need: further ones, and their own where a model is named by its file."""
-    return (*files, *(Path(model) for model in models if is_modelica(model)))
+    """The Modelica files that models need, each once: further ones, and those by which a model is named."""
+    return tuple(dict.fromkeys([*files, *(Path(model) for model in models if is_modelica(model))]))
 
 
 BRANCH = "branch"

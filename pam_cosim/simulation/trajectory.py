@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 _HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
-@dataclass(frozen=True, repr=False)
+@dataclass(frozen=True)
 class Trajectory(Printed):
     """Signals of one run.
 
@@ -67,7 +67,7 @@ class Trajectory(Printed):
         said = {"solver": self.solver} if self.solver else {}
         return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, said)
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         count = len(self.time)
         span = f", {self.time[0]:g} s to {self.time[-1]:g} s" if count else ""
         lines = [f"{len(self.values)} signals at {count} times{span}"]

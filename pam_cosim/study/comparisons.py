@@ -6,25 +6,17 @@ from collections.abc import Mapping
 
 from pam_cosim.comparison import Comparison
 from pam_cosim.comparison import compare as _compare
-from pam_cosim.fitting import (
-    estimated_starts,
-    runs_without_start,
-)
+from pam_cosim.fitting import estimated_starts, runs_without_start
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.model.settings import Setting
-from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import (
-    data_with_starts,
-    few_rows,
-    for_model,
-    overriding,
-    values_of_runs,
-)
+from pam_cosim.problems import Problem
+from pam_cosim.simulation.models import Paths, opened
+from pam_cosim.study.problems import as_problem, data_with_starts, few_rows
 
 
 def compare(
-    data: DataSet,
+    data: DataSet | Problem,
     model: str | None = None,
     parameters: Mapping[str, Setting] | None = None,
     *,
@@ -33,17 +25,22 @@ def compare(
 ) -> Comparison:
     """Simulates every run of ``data`` with ``model`` (default: its bench) and scores the differences.
 
-    ``parameters`` are further values, which take the place of those that the data set states, and ``timeout`` a limit,
-    as in ``simulate``.
+    Args:
+        data: the measurement, or a problem with its model, files and values.
+        model: default: the bench of the data set.
+        parameters: further values, as ``values`` of ``problem``; they count before those that the data set states.
+        files: further Modelica files.
+        timeout: as in ``simulate``.
+
+    Raises:
+        InputError: as ``problem``.
+        SimulationFailure: a run did not reach its end.
     """
-    data = for_model(data, model, files)
-    name = data.model_for(model)
-    interface = describe(name, files)
-    values = overriding(values_of_runs(parameters or {}, data, interface), data)
-    data = data_with_starts(data, name, values, files, timeout)
-    starts = [START_VALUES] * data.estimates_starts
-    with opened(name, files, starts, timeout, brief=few_rows(data)) as simulator:
-        found = estimated_starts(
-            simulator, data, runs_without_start(data, values, interface), values
-        )
-        return _compare(simulator, data, values | {name: e.value for name, e in found.items()})
+    problem = as_problem(data, model, files, values=parameters)
+    started = data_with_starts(problem, timeout)
+    starts, brief = [START_VALUES] * started.estimates_starts, few_rows(started)
+    with opened(problem.model, problem.files, starts, timeout, brief=brief) as simulator:
+        open_runs = runs_without_start(started, problem.settings, problem.interface)
+        found = estimated_starts(simulator, started, open_runs, problem.settings)
+        values = problem.settings | {name: e.value for name, e in found.items()}
+        return _compare(simulator, started, values)

@@ -10,24 +10,19 @@ from pathlib import Path
 
 from pam_cosim.catalogue import known_domain
 from pam_cosim.compiler import read_library
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import starts_are_open, with_starts
 from pam_cosim.measurement import DataSet, Moment, Overrides, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
-from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
-from pam_cosim.model.settings import Setting, resolve, value_of
-from pam_cosim.simulation.models import Paths, as_paths, describe, opened
-from pam_cosim.study.fitted_model import (
-    judged_data,
-    with_own_values,
-)
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import is_fmu, sources_of
+from pam_cosim.model.settings import Setting
+from pam_cosim.simulation.models import Paths, as_paths, describe
+from pam_cosim.study.fitted_model import judged_data
 from pam_cosim.study.library import benches
 from pam_cosim.study.mapped_model import mapped_model
+from pam_cosim.study.problems import data_with_starts, problem
 from pam_cosim.study.read_limits import check_inputs, inputs_beyond
-from pam_cosim.wording import did_you_mean, shown
 
 
 def described_with(files: Paths) -> Callable[[str], Interface]:
@@ -98,20 +93,7 @@ def _read(
             with_maps=lambda base, maps: mapped_model(base, described(base), maps, as_paths(files)),
             overrides=overrides,
         )
-    data = replace(data, domain=_domain(data.model, described(data.model), files))
-    return for_model(data, model, files)
-
-
-def check_is_read(data: object) -> None:
-    """Raises InputError where a function is given something else than a data set, such as its folder."""
-    check_kind(data, DataSet, "a data set is needed", "read it by pam.read(FOLDER)")
-
-
-def check_kind(given: object, kinds: type | tuple[type, ...], needed: str, hint: str) -> None:
-    """Raises InputError where a function is given something else than it takes, such as the name of a file."""
-    if not isinstance(given, kinds):
-        of = shown(given) if isinstance(given, str | Path) else f"a {type(given).__name__}"
-        raise InputError(f"{needed}, not {of}: {hint}")
+    return replace(data, domain=_domain(data.model, described(data.model), files))
 
 
 def _check_there(folder: Path | str) -> None:
@@ -124,15 +106,6 @@ def _check_there(folder: Path | str) -> None:
         ) from None
     except (OSError, ValueError):
         pass
-
-
-def for_model(data: DataSet, model: str | None, files: Paths) -> DataSet:
-    """The data set for a model: values that a Modelica model of another name states stand before starts of a fit."""
-    check_is_read(data)
-    if model is None or model in (data.bench, data.unmapped) or is_fmu(model):
-        return data
-    has_starts = any(free.start is not None for free in data.fit.values())
-    return with_own_values(data, model, as_paths(files)) if data.bench and has_starts else data
 
 
 def _domain(model: str, interface: Interface, files: Paths) -> Domain:
@@ -193,64 +166,5 @@ def new(
     )
     written = _read(made.folder, described, files, Overrides())
     beyond = inputs_beyond(written, described(written.model))
-    begun = data_with_starts(written, written.model, files=files)
+    begun = data_with_starts(problem(written, files=files))
     return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))
-
-
-def few_rows(data: DataSet) -> bool:
-    """Whether simulating all runs once or twice takes less time than a compiler does."""
-    return sum(len(run.time) for run in data.runs) <= CRITERIA.run.rows_without_compiler
-
-
-def data_with_starts(
-    data: DataSet,
-    model: str,
-    values: Mapping[str, float] | None = None,
-    files: Paths = (),
-    timeout: float | None = None,
-) -> DataSet:
-    """The data set where every run says how it begins.
-
-    Args:
-        data: the measurement.
-        model: what it is held against.
-        values: by name [SI].
-        files: further Modelica files.
-        timeout: as in ``simulate``.
-    """
-    if not starts_are_open(data):
-        return data
-    with opened(model, files, timeout=timeout, brief=few_rows(data)) as simulator:
-        return with_starts(simulator, data, values)
-
-
-def overriding(values: Mapping[str, float], data: DataSet) -> dict[str, float]:
-    """Values of all runs [SI], also of those runs of which the data set states another one."""
-    own = {
-        f"{name}@{run.name}": v
-        for run in data.runs
-        for name, v in values.items()
-        if name in run.parameters
-    }
-    return {**own, **values}
-
-
-def values_of_runs(
-    parameters: Mapping[str, Setting], data: DataSet, interface: Interface
-) -> dict[str, float]:
-    """Values by name [SI], of all runs or of one: "load.m", "load.m@run-01"."""
-    values: dict[str, float] = {}
-    for name, value in parameters.items():
-        parameter, at, run = name.rpartition("@")
-        if at and parameter in interface.settable:
-            if run not in [r.name for r in data.runs]:
-                known = [r.name for r in data.runs]
-                raise InputError(
-                    f"{data.title} has no run '{run}', of which '{name}' would be; {did_you_mean(run, known)}"
-                )
-            values[name] = resolve({parameter: value}, interface)[parameter]
-        elif is_ratio(name) and parameter_of(name) in interface.settable:
-            values[name] = value_of(value, Variable(name, "1"))
-        else:
-            values |= resolve({name: value}, interface)
-    return values

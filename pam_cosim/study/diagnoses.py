@@ -13,16 +13,16 @@ from pam_cosim.diagnosis import diagnose as _diagnose
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting
-from pam_cosim.simulation.models import Paths, as_paths
-from pam_cosim.study.data_sets import check_is_read
-from pam_cosim.study.fits import _freed
+from pam_cosim.problems import Problem
+from pam_cosim.simulation.models import Paths
+from pam_cosim.study.problems import as_problem
 from pam_cosim.study.products import Product
 from pam_cosim.study.runs import _seconds
 from pam_cosim.sweeps import Sweep
 
 
 def diagnose(
-    data: DataSet,
+    data: DataSet | Problem,
     model: str | None = None,
     *,
     files: Paths = (),
@@ -36,6 +36,7 @@ def diagnose(
     expect: Sequence[str] = (),
     free: Sequence[str] | None = None,
     start: Mapping[str, Setting] | None = None,
+    parameters: Mapping[str, Setting] | None = None,
 ) -> Diagnosis:
     """Finds the effect that ``model`` (default: the bench of the data set) lacks; see ``diagnosis.diagnose``.
 
@@ -44,15 +45,16 @@ def diagnose(
     ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried;
     so does ``simulation_limit``, a number of simulated runs, with the same verdict however quick the machine is.
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
-    of the data set. ``free`` and ``start`` are as for ``fit``.
+    of the data set. ``data``, ``free``, ``start`` and ``parameters`` are as for ``fit``.
     """
-    limit, files = _seconds(time_limit, "time limit"), as_paths(files)
+    limit = _seconds(time_limit, "time limit")
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be longer than nothing: {time_limit}")
+    problem = as_problem(data, model, files, values=parameters, free=free, start=start)
     return _diagnose(
-        _freed(data, model, free, start, files),
-        model,
-        files=files,
+        problem.data,
+        problem.model,
+        files=problem.files,
         say=say,
         progress=progress,
         workers=checked_workers(workers),
@@ -65,9 +67,11 @@ def diagnose(
 
 
 def check(
-    data: DataSet,
+    data: DataSet | Problem,
     model: str | None = None,
     *,
+    parameters: Mapping[str, Setting] | None = None,
+    free: Sequence[str] | None = None,
     files: Paths = (),
     say: Callable[[Message], None] = lambda message: None,
     workers: int | None = None,
@@ -75,10 +79,13 @@ def check(
     """What ``data`` can and cannot tell about ``model`` (default: its bench) before any fit; see ``diagnosis.check``.
 
     How exactly the free parameters will be known, which families of effects would show and from which strength on,
-    which of them would not be told apart, and which further signal or run would help most.
+    which of them would not be told apart, and which further signal or run would help most. ``parameters`` and ``free``
+    are as for ``fit``.
     """
-    check_is_read(data)
-    return _check(data, model, files=as_paths(files), say=say, workers=checked_workers(workers))
+    problem = as_problem(data, model, files, values=parameters, free=free)
+    return _check(
+        problem.data, problem.model, files=problem.files, say=say, workers=checked_workers(workers)
+    )
 
 
 def draw(product: Product | Sweep, path: Path | str) -> None:

@@ -7,24 +7,18 @@ from pathlib import Path
 
 from pam_cosim.counts import checked_starts
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import (
-    Fit,
-    FitOptions,
-    Profiles,
-    Progress,
-    base_parameters,
-    with_free,
-)
+from pam_cosim.fitting import Fit, FitOptions, Profiles, Progress
 from pam_cosim.fitting import fit as _fit
 from pam_cosim.fitting import profile as _profile
 from pam_cosim.measurement import DataSet
-from pam_cosim.model.settings import Setting, resolve
-from pam_cosim.simulation.models import Paths, describe, opened
-from pam_cosim.study.data_sets import check_is_read, data_with_starts, for_model, values_of_runs
+from pam_cosim.model.settings import Setting
+from pam_cosim.problems import Problem
+from pam_cosim.simulation.models import Paths, opened
+from pam_cosim.study.problems import as_problem, data_with_starts
 
 
 def fit(
-    data: DataSet,
+    data: DataSet | Problem,
     model: str | None = None,
     *,
     method: str = "least-squares",
@@ -40,16 +34,15 @@ def fit(
     """Fits what the data set leaves free.
 
     Args:
-        data: the measurement.
+        data: the measurement, or a problem with its model, files, values and free parameters.
         model: default: the bench of the data set.
         method: "least-squares" from the start values; "multi-start": also from points spread over the bounds;
             "differential-evolution": from the best point of that search; "particle-swarm": from the best particle of a
             swarm over the bounds (Dzahir and Yamamoto 2019). ``Fit.search`` keeps what such a search found by itself.
         starts: points spread over the bounds that "multi-start" follows, each to its end; default: a few of 16.
-        free: names of what is fitted, instead of all that the data set leaves free: some of these, or parameters for
-            which the model itself states bounds, such as those of an effect. The others are held where they start.
-        start: where parameters start, or are held, by name; a number [SI] or a text with a unit.
-        parameters: further values to use, as in ``simulate``.
+        free: names of what is fitted, as for ``problem``.
+        start: initial guesses, as for ``problem``.
+        parameters: further values, as ``values`` of ``problem``; they count before those that the data set states.
         files: further Modelica files.
         progress: called after each simulation with the ``FitProgress``, which prints itself: ``print`` will do.
         timeout: as in ``simulate``.
@@ -63,46 +56,31 @@ def fit(
     if starts and method != "multi-start":
         raise InputError(f"starts are for the method multi-start, not for {method}")
     checked_starts(starts)
-    data = _freed(data, model, free, start, files)
-    fixed = resolve(parameters or {}, describe(data.model_for(model), files))
-    data = data_with_starts(data, data.model_for(model), fixed, files, timeout)
-    with opened(data.model_for(model), files, data.differentiated, timeout) as simulator:
-        chosen = base_parameters(data, simulator.interface)
-        if not chosen:
-            raise InputError(
-                "nothing to fit: name the free parameters under [fit]",
-                data.folder / "experiment.toml",
-            )
-        options, kept = (
-            FitOptions(method, starts=starts),
-            Path(resume) if resume is not None else None,
+    problem = as_problem(data, model, files, values=parameters, free=free, start=start)
+    started = data_with_starts(problem, timeout)
+    if not problem.free:
+        raise InputError(
+            "nothing to fit: name the free parameters under [fit], or by --free",
+            started.folder / "experiment.toml",
         )
+    options = FitOptions(method, starts=starts)
+    names = started.differentiated
+    with opened(problem.model, problem.files, names, timeout) as simulator:
         return _fit(
-            simulator, data, chosen, fixed=fixed, options=options, progress=progress, resume=kept
+            simulator,
+            started,
+            fixed=problem.settings,
+            options=options,
+            progress=progress,
+            resume=Path(resume) if resume is not None else None,
         )
-
-
-def _freed(
-    data: DataSet,
-    model: str | None,
-    free: Sequence[str] | None,
-    start: Mapping[str, Setting] | None,
-    files: Paths,
-) -> DataSet:
-    """The data set with other free parameters, or starts, where they are asked for."""
-    data = for_model(data, model, files)
-    if free is None and not start:
-        return data
-    interface = describe(data.model_for(model), files)
-    return with_free(data, interface, free, values_of_runs(start or {}, data, interface))
 
 
 def profile(
-    data: DataSet,
+    data: DataSet | Problem,
     fit: Fit,
     model: str | None = None,
     *,
-    parameters: Mapping[str, Setting] | None = None,
     files: Paths = (),
     progress: Progress | None = None,
     timeout: float | None = None,
@@ -110,10 +88,9 @@ def profile(
     """How well the data determine each parameter of a fit: its profile likelihood, with a sentence for each.
 
     Args:
-        data: what was fitted to.
-        fit: what ``fit`` returned; what it freed, set and began with counts.
+        data: what was fitted to; what the fit freed, held and began with counts.
+        fit: what ``fit`` returned.
         model: as for ``fit``.
-        parameters: as for ``fit``.
         files: as for ``fit``.
         progress: as for ``fit``.
         timeout: as for ``fit``.
@@ -121,8 +98,8 @@ def profile(
     Raises:
         InputError: as ``fit``.
     """
-    check_is_read(data)
-    stated = resolve(parameters or {}, describe(data.model_for(model), files))
-    fitted, fixed = fit.comparison.data, {**fit.comparison.parameters, **stated}
-    with opened(data.model_for(model), files, fitted.differentiated, timeout) as simulator:
-        return _profile(simulator, fitted, fit, fixed=fixed, progress=progress)
+    problem = as_problem(data, model, files)
+    fitted = fit.comparison.data
+    names = fitted.differentiated
+    with opened(problem.model, problem.files, names, timeout) as simulator:
+        return _profile(simulator, fitted, fit, fixed=fit.comparison.parameters, progress=progress)

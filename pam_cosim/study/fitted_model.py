@@ -5,20 +5,23 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from shlex import quote
 
 from pydantic import BaseModel, FiniteFloat, ValidationError
 
-from pam_cosim.catalogue import Composition, compose, qualified
+from pam_cosim.catalogue import Composition, compose
 from pam_cosim.comparison import Comparison
-from pam_cosim.compiler import ClassTree, names, read_library, read_structure
+from pam_cosim.compiler import ClassTree, names
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_TEXT, read_file, read_json
 from pam_cosim.fitting import Fit, parameters_in, read_parameters, units_in
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.model.references import is_fmu, is_modelica, is_ratio, sources_of
+from pam_cosim.model.references import is_modelica, is_ratio, parameter_of
 from pam_cosim.model.settings import settable, value_of
+from pam_cosim.problems import Correction, annotation_of, corrections_of, parsed_correction
+from pam_cosim.simulation.models import describe
 from pam_cosim.study.products import load
 from pam_cosim.units import same_unit
 from pam_cosim.wording import shown
@@ -34,6 +37,7 @@ class FittedModel:
         values: by name [SI]; also those of one run alone ("load.m@run-01") and ratios to what the data set states.
         constants: what else all runs were simulated with [SI], parameters and inputs; see ``DataSet.constants``.
         units: of values, those that a file names.
+        corrections: values in place of what the data set states, and initial states.
     """
 
     model: str
@@ -41,6 +45,7 @@ class FittedModel:
     values: Mapping[str, float]
     constants: Mapping[str, float] = field(default_factory=dict)
     units: Mapping[str, str] = field(default_factory=dict)
+    corrections: tuple[Correction, ...] = ()
 
     @property
     def of_the_model(self) -> dict[str, float]:
@@ -52,9 +57,12 @@ class FittedModel:
         return {n: v for n, v in self.constants.items() if n in parameters} | self.of_the_model
 
     @property
-    def of_the_data(self) -> dict[str, float]:
-        """The others: of one run alone, and ratios to what the data set states of a parameter."""
-        return {name: value for name, value in self.values.items() if _of_the_data(name)}
+    def left_out(self) -> list[str]:
+        """The values that neither the model's text nor its corrections can hold."""
+        kept = {one.target for one in self.corrections} | {one.name for one in self.corrections}
+        return [
+            name for name in self.values if _of_the_data(name) and parameter_of(name) not in kept
+        ]
 
 
 def _of_the_data(name: str) -> bool:
@@ -67,51 +75,21 @@ class _Final(BaseModel):
     model: str = ""
     effects: tuple[str, ...] = ()
     constants: dict[str, FiniteFloat] = {}
+    corrections: tuple[str, ...] = ()
 
 
 def fitted_model(product: Diagnosis | Fit | Comparison) -> FittedModel:
     """What a diagnosis or a fit came to, or what was compared."""
+    if isinstance(product, Comparison):
+        corrections = corrections_of(product.data, product.parameters)
+        return FittedModel(product.model, (), product.parameters, corrections=corrections)
     if isinstance(product, Diagnosis):
-        effects = tuple(c.effect for c in product.path)
-        return FittedModel(product.model, effects, product.final.values, product.data.constants)
-    if isinstance(product, Fit):
-        return FittedModel(product.model, (), product.values, product.comparison.data.constants)
-    return FittedModel(product.model, (), product.parameters)
-
-
-def with_own_values(data: DataSet, model: str, files: Sequence[Path]) -> DataSet:
-    """The data set for another model than its own: values that this one states stand before where a fit would start.
-
-    Args:
-        data: the measurement.
-        model: the other model.
-        files: further Modelica files.
-    """
-    sources = sources_of(files, data.bench, model)
-    tree = read_library(files=sources)
-    stated = {
-        n
-        for one in _lineage(tree, model, sources) - _lineage(tree, data.bench, sources)
-        for n in _stated(tree, one)
-    }
-    fit = {n: replace(f, start=None) if f.parameter in stated else f for n, f in data.fit.items()}
-    return replace(data, fit=fit)
-
-
-def _lineage(tree: ClassTree, model: str, files: Sequence[Path]) -> set[str]:
-    """A class and all that it inherits from, by full names; nothing for an FMU."""
-    if is_fmu(model):
-        return set()
-    name = read_structure(qualified(tree, model), files=files).model
-    return {name, *tree.bases(name)}
-
-
-def _stated(tree: ClassTree, name: str) -> set[str]:
-    """Full names of all that a class itself gives a value."""
-    info = tree.classes[name]
-    inherited = {name for base in info.extends for name in base.modifications}
-    own = {f"{c.name}.{name}" for c in info.components for name in c.modifications}
-    return inherited | own | {c.name for c in info.components if c.value}
+        effects, fit, data = tuple(c.effect for c in product.path), product.final, product.data
+    else:
+        effects, fit, data = (), product, product.comparison.data
+    corrections = corrections_of(data, {**fit.values, **fit.start_values})
+    model = data.model if is_modelica(data.model) else product.model
+    return FittedModel(model, effects, fit.values, data.constants, corrections=corrections)
 
 
 def judged_data(path: Path) -> DataSet:
@@ -151,7 +129,47 @@ def read_fitted_model(path: Path) -> FittedModel:
     except ValidationError as error:
         wrong = error.errors()[0]
         raise InputError(f"{'.'.join(map(str, wrong['loc']))}: {wrong['msg']}", path) from None
-    return FittedModel(found.model, found.effects, values, found.constants, units_in(content))
+    corrections = tuple(filter(None, map(parsed_correction, found.corrections)))
+    if not corrections:
+        targets = [(*name.rpartition("@")[::2], value) for name, value in values.items()]
+        corrections = tuple(Correction(n, value, run=run) for n, run, value in targets if n)
+    return FittedModel(
+        found.model, found.effects, values, found.constants, units_in(content), corrections
+    )
+
+
+def values_of_file(
+    file: Path, data: DataSet, model: str | None, files: Sequence[Path]
+) -> dict[str, float]:
+    """The values of an earlier fit in a file [SI], looked at before they are used.
+
+    Args:
+        file: as ``read_fitted_model`` takes it.
+        data: the measurement that they are used with.
+        model: as asked for; None: the bench of the data set.
+        files: further Modelica files.
+
+    Raises:
+        InputError: values of a model with effects, or of another model, and none is named; as ``check_fitted``.
+    """
+    fitted = read_fitted_model(file)
+    if fitted.effects and model is None:
+        made = f"pam-cosim add --from {quote(str(file))} -o Better.mo"
+        raise InputError(
+            f"these values are of {fitted.model} with {', '.join(fitted.effects)}: name that model with --model; "
+            f"'{made}' writes it",
+            file,
+        )
+    interface = describe(data.model_for(model), files)
+    same = {"", data.model, data.bench, data.unmapped, names.last(interface.model)}
+    if model is None and not same & {fitted.model, names.last(fitted.model)}:
+        raise InputError(
+            f"these values are of {fitted.model}, and the data set is of {interface.model}: "
+            "name the model that they are for with --model",
+            file,
+        )
+    check_fitted(fitted, interface, file)
+    return dict(fitted.values)
 
 
 def _check_unit(unit: str, variable: Variable) -> None:
@@ -208,7 +226,16 @@ def compose_fitted(
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
     """
     values = fitted.stated(parameters)
-    made = compose(tree, fitted.model, fitted.effects, name, files=files, values=values)
+    kept = [c for c in fitted.corrections if c.run or c.stated is not None or c.name not in values]
+    made = compose(
+        tree,
+        fitted.model,
+        fitted.effects,
+        name,
+        files=files,
+        values=values,
+        annotation=annotation_of(kept),
+    )
     if made is None:
         raise InputError(f"{fitted.model} has no place for {', '.join(fitted.effects)}")
     known = {*parameters, *(n for names in made.parameters.values() for n in names)}

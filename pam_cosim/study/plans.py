@@ -10,15 +10,18 @@ from pam_cosim.diagnosis.planning import Limits, Range, RunPlan, limits_of
 from pam_cosim.diagnosis.planning import plan as _plan
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
+from pam_cosim.model.references import sources_of
 from pam_cosim.model.settings import Setting, value_of
+from pam_cosim.problems import Problem
 from pam_cosim.simulation.models import Paths, as_paths, describe
-from pam_cosim.study.data_sets import check_kind
+from pam_cosim.study.diagnoses import diagnose
+from pam_cosim.study.problems import check_kind
 from pam_cosim.study.runs import _seconds
 from pam_cosim.wording import did_you_mean
 
 
 def plan(
-    diagnosis: Diagnosis,
+    diagnosis: Diagnosis | Problem,
     *,
     limits: Mapping[str, Sequence[Setting]] | None = None,
     seconds: Setting | None = None,
@@ -34,17 +37,21 @@ def plan(
     parameter that is known beforehand (a load), or of a fitted signal, which the models must be expected to keep
     within them. Inputs without limits stay within what the recordings span; one that kept its value through every run
     moves only where limits are stated for it, and those of ``hold`` keep one value through a run. ``seconds`` is the
-    length of a run ([s], or with a unit), ``runs`` how many runs are designed, one after another.
+    length of a run ([s], or with a unit), ``runs`` how many runs are designed, one after another. A problem is
+    diagnosed first.
 
     Raises:
         InputError: no other model is known; limits of something unknown or with another unit; nothing to choose.
         SimulationFailure: no course could be simulated.
     """
+    if isinstance(diagnosis, Problem):
+        files = (*as_paths(files), *diagnosis.files)
+        run_limits(diagnosis.data, limits, seconds, files, hold)
+        diagnosis = diagnose(diagnosis, say=say, explain=False)
     check_kind(diagnosis, Diagnosis, "a diagnosis is needed", "load it by pam.load(FILE.npz)")
     within = run_limits(diagnosis.data, limits, seconds, files, hold)
-    return _plan(
-        diagnosis, within, runs=runs, files=as_paths(files), seed=checked_seed(seed), say=say
-    )
+    sources = sources_of(as_paths(files), diagnosis.model)
+    return _plan(diagnosis, within, runs=runs, files=sources, seed=checked_seed(seed), say=say)
 
 
 def run_limits(

@@ -24,18 +24,20 @@ from pam_cosim.fitting import predictive_bands as _bands
 from pam_cosim.fmu import build_source
 from pam_cosim.measurement import DataSet, Run, further_run, rows_of
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import parameter_of
+from pam_cosim.model.references import parameter_of, sources_of
 from pam_cosim.model.settings import Setting, resolve
+from pam_cosim.problems import Problem
 from pam_cosim.simulation import AnySimulator, Simulator
 from pam_cosim.simulation.models import Paths, as_paths, opened
-from pam_cosim.study.data_sets import check_kind
+from pam_cosim.study.fits import fit
 from pam_cosim.study.input_sources import Source
+from pam_cosim.study.problems import check_kind
 from pam_cosim.study.runs import _course
 from pam_cosim.wording import did_you_mean, listed
 
 
 def predict(
-    product: Fit | Diagnosis,
+    product: Fit | Diagnosis | Problem,
     inputs: Source | None = None,
     parameters: Mapping[str, Setting] | None = None,
     *,
@@ -54,7 +56,7 @@ def predict(
     and by what the model is off in other runs (``fitting.discrepancy``).
 
     Args:
-        product: what was fitted; of a diagnosis, the model with all effects that were added.
+        product: what was fitted; of a diagnosis, the model with all effects that were added. A problem is fitted first.
         inputs: over time, as for ``simulate``.
         parameters: what is set in the run, by name; what differs between the recorded runs has to be stated.
         run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands, at its own times.
@@ -70,19 +72,22 @@ def predict(
         InputError: an unknown run, input or parameter; something that has to be stated; nothing was fitted.
         SimulationFailure: the model breaks down at the optimum or with most of the samples.
     """
-    needed = "a fit or a diagnosis is needed"
+    if isinstance(product, Problem):
+        files = (*as_paths(files), *product.files)
+        product = fit(product)
+    needed = "a fit, a problem or a diagnosis is needed"
     check_kind(product, (Fit, Diagnosis), needed, "make one, or load it by pam.load(FILE.npz)")
     samples, seed = checked_samples(samples), checked_seed(seed)
-    fit, data = (
+    fitted, data = (
         (product.final, product.data)
         if isinstance(product, Diagnosis)
         else (product, product.comparison.data)
     )
-    if not fit.parameters:
+    if not fitted.parameters:
         raise InputError("nothing was fitted: no parameter leaves anything open")
     with _simulator(product, data, files) as simulator:
-        free = _free(fit, data, simulator.interface)
-        posterior = _posterior(simulator, data, fit, free, samples, seed)
+        free = _free(fitted, data, simulator.interface)
+        posterior = _posterior(simulator, data, fitted, free, samples, seed)
         if run is not None:
             stated = (inputs, parameters or None, stop_time, interval)
             if any(one is not None for one in stated):
@@ -93,11 +98,11 @@ def predict(
         else:
             chosen = _run(data, simulator.interface, inputs, parameters or {}, stop_time, interval)
         off = (
-            discrepancies(fit.comparison.runs, data.signals, fit.freedom, run or "")
+            discrepancies(fitted.comparison.runs, data.signals, fitted.freedom, run or "")
             if discrepancy
             else {}
         )
-        values = {**fit.comparison.parameters, **fit.values, **fit.start_values}
+        values = {**fitted.comparison.parameters, **fitted.values, **fitted.start_values}
         return _bands(simulator, data, chosen, posterior, values, off=off)
 
 
@@ -107,8 +112,9 @@ def _simulator(
     if isinstance(product, Diagnosis) and product.path:
         text = product.path[-1].equations
         names = [parameter_of(name) for name in product.final.parameters]
+        sources = sources_of(as_paths(files), product.model)
         return Simulator(
-            build_source(text.split()[1], text, as_paths(files), sensitivities=names, lean=True)
+            build_source(text.split()[1], text, sources, sensitivities=names, lean=True)
         )
     model = product.model if isinstance(product, Diagnosis) else data.model
     return opened(model, files, data.differentiated)

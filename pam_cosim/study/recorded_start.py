@@ -7,12 +7,12 @@ from dataclasses import replace
 from pathlib import Path
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import state_course
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import with_starts
 from pam_cosim.measurement import DataSet, Run, Signal
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.simulation.models import Paths, opened
+from pam_cosim.starts import state_course
 
 
 def recorded_start(

@@ -213,6 +213,7 @@ class ScoresEvent(PageEvent):
         ladder: the steps that were done; the last rung is the standing model, which moves with the sliders.
         failed: runs that could not be simulated, ``{"run", "text"}``; then everything else is as it was.
         values: of the parameters.
+        warnings: of the model, each with its runs.
     """
 
     event: ClassVar[str] = "scores"
@@ -224,6 +225,7 @@ class ScoresEvent(PageEvent):
     ladder: tuple[LadderStep, ...]
     values: dict[str, float]
     failed: tuple[Json, ...] = ()
+    warnings: tuple[str, ...] = ()
 
 
 @dataclass(frozen=True)

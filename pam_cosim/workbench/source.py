@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet
-from pam_cosim.study.data_sets import data_with_starts
+from pam_cosim.study.problems import data_with_starts, problem
 from pam_cosim.workbench.state import Ends
 
 
@@ -40,7 +40,7 @@ class MeasurementSource:
         data = study.read(
             self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts
         )
-        return data_with_starts(data, data.model_for(model), files=self.files)
+        return data_with_starts(problem(data, model, files=self.files))
 
     def whole(self, data: DataSet) -> DataSet:
         """The same with all recorded rows; starts and noise are not completed."""

@@ -8,12 +8,12 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import state_course
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Estimate
 from pam_cosim.measurement import START_MODES, Run
 from pam_cosim.model.interface import Variable
 from pam_cosim.reporting.account import unit_text
+from pam_cosim.starts import state_course
 from pam_cosim.units import format_quantity, readable_factor
 from pam_cosim.workbench.opened_model import Opened
 from pam_cosim.workbench.protocol import ShownStart, StartsEvent, StartValue

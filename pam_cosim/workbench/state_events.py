@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from pathlib import PureWindowsPath
 
-from pam_cosim.comparison import Comparison, SignalScore, chi2_reduced, score
+from pam_cosim.comparison import Comparison, SignalScore, chi2_reduced, score, warnings_of
 from pam_cosim.comparison import Rule as FoundRule
 from pam_cosim.compiler.names import last
 from pam_cosim.fitting import METHODS, Estimate, Free
@@ -188,6 +188,7 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
         values={
             f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()
         },
+        warnings=warnings_of(comparison.runs),
     )
 
 

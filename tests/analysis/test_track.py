@@ -105,7 +105,7 @@ def test_saved_loaded_drawn_and_shown(slide: str, tmp_path: Path) -> None:
     assert (
         tracking.to_csv(tmp_path / "t.csv").read_text().startswith("frequency [Hz],rms error [m],")
     )
-    assert "<table>" in tracking._repr_html_() and "follows 1e+03 mm" in str(tracking)
+    assert "<pre>" in tracking._repr_html_() and "follows 1e+03 mm" in str(tracking)
 
 
 def raising() -> pam.Controller:

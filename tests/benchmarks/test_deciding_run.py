@@ -9,8 +9,8 @@ from benchmarks.deciding_run import muscle, tuning
 from benchmarks.deciding_run.play import played
 from benchmarks.deciding_run.table import table
 from blind_cases import many
-from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.measurement import further_run, rows_of
+from pam_cosim.starts.run_start import inputs_of_run
 from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle
 from rig.named import EFFECTS

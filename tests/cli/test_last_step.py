@@ -127,6 +127,8 @@ def test_a_composed_rig_is_found_where_its_model_is_named(
     folder = written_rig(place / "my-rig")
     check_loop(command, folder, workers)
     done(command("simulate", "Better.mo", "-o", "run.csv"))  # the file stands by itself
+    done(command("predict", "d.npz", "--run", "run-2", "--samples", 4))  # as the diagnosis does
+    done(command("plan", "d.npz", "--seconds", "2 s"))
     check_loop(
         command, folder, workers, "--file", folder / "Rig.mo"
     )  # and beside what it was made from

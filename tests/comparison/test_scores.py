@@ -8,10 +8,11 @@ import math
 import numpy as np
 import pytest
 
-from pam_cosim.comparison import chi2_reduced, compare, score, simulate_run, start_time
+from pam_cosim.comparison import chi2_reduced, compare, score, simulate_run
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
 from pam_cosim.files import plain, write_json
+from pam_cosim.starts import start_time
 from tests.comparison.fake import FakeSimulator, data_set, run
 
 NAN = math.nan

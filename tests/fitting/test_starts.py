@@ -15,18 +15,18 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import compose
-from pam_cosim.comparison import InitialState, measured_initial_state
 from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
 from pam_cosim.fitting.chosen_starts import _offset_slopes
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.fitting.start_values import StartValues, eliminate
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
+from pam_cosim.starts import InitialState, StartProbe, eliminated_starts, measured_initial_state
+from pam_cosim.starts.start_values import StartValues, eliminate
 from rig import short
 from rig.measurement import measure, write_data_set
 from rig.plan import default_plan
@@ -163,7 +163,7 @@ def _measured_starts(
     with Simulator(build_model(str(model))) as simulator:
         for run in data.runs:
             own = data.parameters_of(run, {})
-            yield simulator, run, measured_initial_state(simulator, data, run, own)
+            yield simulator, run, measured_initial_state(StartProbe(simulator, data, run, own))
 
 
 def test_a_reading_at_the_end_of_its_range_shows_no_start(
@@ -225,7 +225,9 @@ def test_a_record_that_is_early_begins_where_its_first_samples_are(
         for run in data_set.runs:
             own = data_set.parameters_of(run, {})
             begins = [
-                measured_initial_state(simulator, data_set, run, {**own, "recorder.shift": shift})
+                measured_initial_state(
+                    StartProbe(simulator, data_set, run, {**own, "recorder.shift": shift})
+                )
                 for shift in (0.0, -0.04)
             ]
             assert begins[0].values and begins[0] == begins[1]
@@ -318,7 +320,7 @@ def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
 ) -> None:
     """From starts that settled: nearly the same there and a little farther, and the starts stay."""
     with _settled(data()) as (whole, z, settled):
-        begins = whole.start_values
+        begins = whole.starts.settings
         first = Objective(
             whole.simulator,
             whole.data,
@@ -340,12 +342,12 @@ def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
         assert np.linalg.norm(by_known_slopes - by_own) < 1e-3 * change
         assert change > 0.1 * np.linalg.norm(settled[samples])
         assert np.linalg.norm(one - other) < 0.1 * change
-        assert first.start_values == begins != whole.start_values
+        assert first.starts.settings == begins != whole.starts.settings
 
 
 def _know_alike(one: Objective, other: Objective, z: Array) -> None:
     """Knows of starts beforehand what another objective knows, not that they are where they are given."""
-    own, known = one._start_values_at(z), other._start_values_at(z)
+    own, known = one.starts.place(one.values(z)), other.starts.by_run
     for i, start in own.items():
         assert start.names == known[i].names
         start.mean, start.sd = known[i].mean, known[i].sd
@@ -358,7 +360,6 @@ def _one_start(bound: float) -> StartValues:
         ("s",),
         np.zeros(1),
         np.ones(1),
-        {},
         np.zeros(1),
         np.array([-bound]),
         np.array([bound]),
@@ -373,16 +374,18 @@ def test_starts_that_samples_tell_together_alone_have_deviations() -> None:
     np.testing.assert_allclose(start.deviations(), sd / np.sqrt(2.0), rtol=1e-6)
 
 
-def test_a_trial_looks_for_starts_where_the_descent_is(data: Callable[..., DataSet]) -> None:
+def test_a_trial_looks_for_starts_where_the_descent_is(
+    data: Callable[..., DataSet], monkeypatch: pytest.MonkeyPatch
+) -> None:
     """And not where a trial before it was led astray; nor does a point that was seen get others."""
     with _settled(data()) as (objective, z, _):
         objective.triangle(z)
-        here, begun = objective.start_values, []
+        here, begun = objective.starts.settings, []
         led = {
             name: value
-            for i, one in objective._start_values_at(z).items()
+            for i, one in objective.starts.by_run.items()
             for name, value in replace(
-                one, values=objective._expected_starts(z + 0.01, i, one)
+                one, values=objective.starts.expected(z + 0.01, one)
             ).settings().items()
         }  # fmt: skip
 
@@ -392,27 +395,27 @@ def test_a_trial_looks_for_starts_where_the_descent_is(data: Callable[..., DataS
             of.values = of.mean + 0.1 * of.sd
             return result
 
-        objective._eliminate = astray  # type: ignore[assignment]
+        monkeypatch.setattr(eliminated_starts, "eliminate", astray)
         for step in (0.02, 0.01):
             objective.squares(z + step)
         began = {n: v for one in begun[-len(begun) // 2 :] for n, v in one.items()}
         assert began == led
-        assert objective.start_values != here
-        objective._eliminate = eliminate
+        assert objective.starts.settings != here
+        monkeypatch.undo()
         objective.squares(z)
-        assert objective.start_values == pytest.approx(here, rel=1e-3)
+        assert objective.starts.settings == pytest.approx(here, rel=1e-3)
 
 
 def test_another_start_of_a_fit_has_starts_of_its_own(data: Callable[..., DataSet]) -> None:
     with _settled(data()) as (objective, z, _):
         other = z - 0.2
-        assert objective.start_values
+        assert objective.starts.settings
         objective.start_afresh(other)
         own = Objective(
             objective.simulator, objective.data, objective.runs, objective.free, tolerance=1e-9
         )
-        for i, one in own._start_values_at(other).items():
-            assert objective._starts_begin[i] == pytest.approx(one.values, rel=1e-6)
+        for i, one in own.starts.place(own.values(other)).items():
+            assert objective.starts.by_run[i].begin == pytest.approx(one.values, rel=1e-6)
 
 
 def test_a_trial_looks_for_its_starts_where_the_slopes_of_the_descent_lead(
@@ -423,16 +426,15 @@ def test_a_trial_looks_for_its_starts_where_the_slopes_of_the_descent_lead(
         objective.triangle(z)
         near = z + 0.005
         expected = {
-            i: objective._expected_starts(near, i, one)
-            for i, one in objective._start_values_at(z).items()
+            i: objective.starts.expected(near, one) for i, one in objective.starts.by_run.items()
         }
-        begin = dict(objective._starts_begin)
+        begin = {i: one.begin for i, one in objective.starts.by_run.items()}
         objective.residuals(near)
-        for i, one in objective._start_values_at(near).items():
+        for i, one in objective.starts.by_run.items():
             moved = np.abs(one.values - begin[i]) / one.sd
             assert np.max(moved) > 1e-3
             assert np.max(np.abs(one.values - expected[i]) / one.sd) < 0.1 * np.max(moved)
-            far = objective._expected_starts(z + 100.0, i, one)
+            far = objective.starts.expected(z + 100.0, one)
             assert np.max(np.abs(far - begin[i]) / one.sd) < 1.0 + 1e-9
 
 

@@ -11,12 +11,12 @@ import pytest
 
 from pam_cosim.fitting import Free, fit
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.fitting.start_values import horizons
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import Run
 from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
+from pam_cosim.starts.eliminated_starts import horizons
 from rig.benches import BENCHES
 from rig.schedule import Course
 from rig.trial import Trial

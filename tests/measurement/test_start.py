@@ -8,11 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.comparison import start_time
-from pam_cosim.comparison.run_start import inputs_of_run
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, first_samples, read_data_set
+from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.starts.run_start import first_samples, inputs_of_run, start_time
 
 BENCH = Interface("Bench", {"u": Variable("u", "A", start=0.0)}, {"p": Variable("p", "Pa")}, {})
 ROWS = "".join(f"{t:g},{t / 10:g},{100 + t:g}\n" for t in np.arange(0.0, 2.0, 0.1))

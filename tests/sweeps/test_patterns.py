@@ -51,7 +51,7 @@ def test_each_run_is_what_simulate_makes_of_its_inputs(step: Path) -> None:
     assert (
         swept.column("highest").reshape(3, 2)[2] > 1.1 * lasts[2]
     ).all()  # what was let out again
-    assert "inputs of 3 patterns" in repr(swept)
+    assert "inputs of 3 patterns" in str(swept)
 
 
 def test_formulas_are_inputs_over_time() -> None:

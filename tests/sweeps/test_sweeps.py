@@ -56,7 +56,7 @@ def test_times_of_runs_that_have_not_settled_are_missing_and_said_to_be() -> Non
     )
     slow, fast = full.column("filling time")
     assert np.isnan(slow) and fast == pytest.approx(21.03, abs=0.01)
-    assert "filling time: 1 run has not settled" in repr(full)
+    assert "filling time: 1 run has not settled" in str(full)
 
 
 @pytest.mark.parametrize("workers", [2, None])
@@ -270,11 +270,11 @@ def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
 
 
 def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
-    first = repr(reference).splitlines()[0]
+    first = str(reference).splitlines()[0]
     assert first.startswith(
         "8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A"
     )
-    assert "last pressure: from" in repr(reference)
+    assert "last pressure: from" in str(reference)
     assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
 
 

@@ -74,8 +74,8 @@ def add(
 
 
 def _say_left_out(origin: Path) -> None:
-    """Says which values of a file are of single runs or of the data set, for which a model has no place."""
-    left = read_fitted_model(origin).of_the_data
+    """Says which values are factors on what a data set states, where the file does not say what that was."""
+    left = read_fitted_model(origin).left_out
     if left:
         note = (
             f"{origin}: {listed(left)}: of the data and not of the model, which is written without"

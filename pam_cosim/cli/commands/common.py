@@ -15,7 +15,6 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from pam_cosim import renamed
 from pam_cosim.files import (
     JSON,
     PAGE,
@@ -33,6 +32,7 @@ if TYPE_CHECKING:
     from pam_cosim.diagnosis import Event, Message
     from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
+    from pam_cosim.problems import Problem
 
 PARAMETERS = (".json", ".ssv")  # endings of results
 PROGRESS = (".progress", ".json")
@@ -67,7 +67,7 @@ SetOption = Annotated[
     list[str] | None,
     typer.Option(
         "--set",
-        help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant.',
+        help='NAME=VALUE, with a unit such as "5 kg": a parameter, or an input held constant; NAME@RUN: of one run.',
     ),
 ]
 RoleOption = Annotated[
@@ -92,15 +92,26 @@ FreeOption = Annotated[
     list[str] | None,
     typer.Option(
         "--free",
-        help="Fit this parameter, and only those named so: of the data set, or with bounds.",
+        help="Fit this parameter, and only those named so: of the data set, with bounds, or stated.",
     ),
 ]
 StartOption = Annotated[
     list[str] | None,
     typer.Option(
         "--start",
-        help="NAME=VALUE: where a parameter starts, or is held; with a unit. STATE@RUN: where a run begins.",
+        help="NAME=VALUE: where the fit of a parameter begins, with a unit. STATE@RUN: where a run begins.",
     ),
+]
+ParamsOption = Annotated[
+    Path | None,
+    typer.Option(
+        "--params",
+        help="Values of an earlier fit: of 'fit -o', 'diagnose --json', or a saved product.",
+    ),
+]
+ValuesOption = Annotated[
+    bool,
+    typer.Option("--values", help="Print the value of every parameter, and where it comes from."),
 ]
 WorkersOption = Annotated[
     int | None,
@@ -151,11 +162,6 @@ def check_results(
     check_spared(named, [source for source in sources if source is not None])
 
 
-def say_renamed(option: str) -> None:
-    """Answers an option that has another name now with that."""
-    print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
-
-
 def say_used_with(files: Iterable[Path]) -> None:
     """Says what a written model is to be used together with."""
     words = " ".join(f"--file {quote(str(file))}" for file in files)
@@ -187,6 +193,51 @@ def read_data(
     )
     check_spared(results, [data, read.model, *read.files])
     return read
+
+
+def problem_of(
+    data: DataSet,
+    model: str | None = None,
+    files: list[Path] | None = None,
+    settings: list[str] | None = None,
+    free: list[str] | None = None,
+    start: list[str] | None = None,
+    params: Path | None = None,
+    values: bool = False,
+) -> Problem:
+    """The problem that the options of a command state; says which stated values do not count, and prints all of them.
+
+    Args:
+        data: the measurement.
+        model: of --model. files: of --file. settings: of --set. free: of --free. start: of --start.
+        params: of --params. values: of --values.
+    """
+    from pam_cosim import study
+    from pam_cosim.cli.arguments import parse_pairs
+
+    earlier, origin = {}, ""
+    if params is not None:
+        from pam_cosim.study.fitted_model import values_of_file
+
+        earlier, origin = values_of_file(params, data, model, files or []), params.name
+    problem = study.problem(
+        data,
+        model,
+        values=parse_pairs(settings or []),
+        free=free,
+        start=parse_pairs(start or []),
+        fitted=earlier,
+        files=files or [],
+        origin=origin,
+    )
+    before = {note for run in data.runs for note in run.notes}
+    notes = dict.fromkeys(note for run in problem.data.runs for note in run.notes)
+    for note in notes:
+        if note not in before:
+            console.print(f"note: {note}", markup=False, soft_wrap=True)
+    if values:
+        typer.echo(f"{problem}\n")
+    return problem
 
 
 def say_written(path: Path | None) -> None:

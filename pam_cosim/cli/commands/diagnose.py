@@ -10,7 +10,6 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
     CutOption,
@@ -19,13 +18,17 @@ from pam_cosim.cli.commands.common import (
     FreeOption,
     JsonOption,
     ModelOption,
+    ParamsOption,
     ReportOption,
     RoleOption,
+    SetOption,
     StartOption,
+    ValuesOption,
     WorkersOption,
     check_results,
     console,
     follower,
+    problem_of,
     read_data,
     say_written,
     teller,
@@ -34,7 +37,6 @@ from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.files import check_model_file, write_json, write_text
 from pam_cosim.study import products
-from pam_cosim.study.fitted_model import fitted_model
 from pam_cosim.study.tables import write_next_run, write_planned_runs
 
 
@@ -69,11 +71,14 @@ def diagnose(
             "--learned", help="Write the formula for what no effect explains as Modelica."
         ),
     ] = None,
+    settings: SetOption = None,
+    params: ParamsOption = None,
     free: FreeOption = None,
     start: StartOption = None,
     roles: RoleOption = None,
     cuts: CutOption = None,
     begins: BeginOption = None,
+    values: ValuesOption = False,
     files: FilesOption = None,
     workers: WorkersOption = None,
     time_limit: Annotated[
@@ -107,12 +112,11 @@ def diagnose(
         sources=[model, *files],
     )
     read = read_data(data, model, files, roles, cuts, begins)
+    problem = problem_of(read, model, files, settings, free, start, params, values)
     with console.status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(
-            read,
-            model,
-            files=files,
+            problem,
             say=say,
             progress=follower(status),
             workers=workers,
@@ -120,8 +124,6 @@ def diagnose(
             simulation_limit=simulation_limit,
             exclude=exclude or [],
             expect=expect or [],
-            free=free,
-            start=parse_pairs(start or []),
         )
     typer.echo(reporting.diagnosis_text(diagnosis))
     if output:
@@ -159,17 +161,12 @@ def _say_model(
     if changes and save is not None:
         data, changes = save, ()
     further = [f"--file {quote(str(file))}" for file in files]
-    values = [
-        f"--set {quote(f'{name}={value!r}')}"
-        for name, value in fitted_model(diagnosis).of_the_data.items()
-    ]
     words = [
         "pam-cosim compare",
         quote(str(data)),
         "--model",
         quote(str(output)),
         *further,
-        *values,
     ]
     typer.echo(f"compare it: {' '.join(words)}")
     for change in changes:

@@ -8,7 +8,6 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     PARAMETERS,
     PROGRESS,
@@ -19,11 +18,15 @@ from pam_cosim.cli.commands.common import (
     FreeOption,
     JsonOption,
     ModelOption,
+    ParamsOption,
     RoleOption,
+    SetOption,
     StartOption,
     TimeoutOption,
+    ValuesOption,
     check_results,
     console,
+    problem_of,
     read_data,
     say_written,
 )
@@ -68,11 +71,14 @@ def fit(
             help="Keep every simulation's outcome here; the same command goes on where it was interrupted."
         ),
     ] = None,
+    settings: SetOption = None,
+    params: ParamsOption = None,
     free: FreeOption = None,
     start: StartOption = None,
     roles: RoleOption = None,
     cuts: CutOption = None,
     begins: BeginOption = None,
+    values: ValuesOption = False,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -85,15 +91,12 @@ def fit(
     sources = [model, *(files or [])]
     check_results(output, resume, json=json, pictures=[plot, profile], sources=sources)
     read = read_data(data, model, files, roles, cuts, begins)
+    problem = problem_of(read, model, files, settings, free, start, params, values)
     with console.status("fitting") as status:
         fitted = study.fit(
-            read,
-            model,
+            problem,
             method=method,
             starts=starts,
-            free=free,
-            start=parse_pairs(start or []),
-            files=files or [],
             timeout=timeout,
             progress=lambda standing: status.update(f"fitting: {standing}"),
             resume=resume,
@@ -101,10 +104,8 @@ def fit(
         made = None
         if profile:
             made = study.profile(
-                read,
+                problem,
                 fitted,
-                model,
-                files=files or [],
                 timeout=timeout,
                 progress=lambda standing: status.update(
                     f"profiles: {standing.evaluations} simulations"

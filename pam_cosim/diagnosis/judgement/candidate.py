@@ -9,10 +9,11 @@ from pam_cosim.comparison import SignalScore
 from pam_cosim.fitting import Estimate, Fit, WithoutPriors, without_priors
 from pam_cosim.measurement import ROLES
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Candidate:
+class Candidate(Printed):
     """The model with one more effect, fitted to the data.
 
     Attributes:
@@ -53,6 +54,9 @@ class Candidate:
     without_priors: WithoutPriors = WithoutPriors()
     parameters_before: tuple[str, ...] = ()
     general_before: bool = False
+
+    def __str__(self) -> str:
+        return f"{' + '.join(self.effects)}: {describe_fit(self.fit)}"
 
     @property
     def parameters(self) -> dict[str, Estimate]:

@@ -10,6 +10,7 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.comparison import warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark, listened
@@ -30,7 +31,7 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -70,12 +71,13 @@ class Check(Printed, Plain):
         no_place: families whose effects find no place in the model.
         helps: further measurements, the most useful first; none that would bring nothing.
         failed: effects that could not be simulated.
+        warnings: of the model at its start values.
     """
 
     json_keys = (
         "title=data.title model parameters=_parameters confused=identifiability.confused "
         "effects=identifiability.effects visible=identifiability.visible "
-        "alike=identifiability.alike hidden=identifiability.hidden no_place helps failed"
+        "alike=identifiability.alike hidden=identifiability.hidden no_place helps failed warnings?"
     )
 
     data: DataSet
@@ -84,6 +86,7 @@ class Check(Printed, Plain):
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
+    warnings: tuple[str, ...] = ()
 
     @property
     def _parameters(self) -> dict[str, ParameterPrecision]:
@@ -93,6 +96,7 @@ class Check(Printed, Plain):
         lines = [
             f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"
         ]
+        lines += look_first(self.warnings)
         lines += (
             [*self.data.starts, *self._about_parameters()]
             + self._about_families()
@@ -247,7 +251,10 @@ def check(
             simulator, possible.data, possible.data.fit_runs, free, None, tolerance
         )
         count = _row_count(objective, data)
-        base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
+        start = np.array([f.to_z(f.start) for f in free])
+        objective.residuals(start)
+        warnings = warnings_of(objective.latest_runs)
+        base = linearised(objective, start, count)
     if base is None:
         raise SimulationFailure(objective.first_failure)
     say(
@@ -258,7 +265,7 @@ def check(
     search = Search(
         subject.tree, name, available_effects, possible.data, subject.sources, say, workers
     )
-    probes = search.probe_stated(base, objective.start_values, count)
+    probes = search.probe_stated(base, objective.starts.settings, count)
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]
     samples: Counter[Option] = Counter()
     for option, (run, signal) in zip(belongs, objective.series, strict=True):
@@ -276,6 +283,7 @@ def check(
         ),
         helps=tuple(_helps(rows, identifiability)),
         failed=tuple(search.failed),
+        warnings=warnings,
     )
 
 

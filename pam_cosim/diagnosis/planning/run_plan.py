@@ -11,7 +11,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.files import Plain
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 NO_EFFECT = "no effect"
 """Name of the model without effects among rivals."""
@@ -100,11 +100,12 @@ class RunPlan(Printed, Plain):
         units: by name of an input, a parameter or a signal.
         sigma: noise of each signal [SI].
         tried: courses that were simulated.
+        warnings: of the model that the verdict is about, in the recorded runs.
     """
 
     json_keys = (
         "title model verdict rivals explanations families chi2 decides expectation separations "
-        "tried units runs"
+        "tried units runs warnings?"
     )
 
     title: str
@@ -117,6 +118,7 @@ class RunPlan(Printed, Plain):
     units: dict[str, str]
     sigma: dict[str, float]
     tried: int
+    warnings: tuple[str, ...] = ()
 
     @property
     def separations(self) -> tuple[Separation, ...]:
@@ -185,6 +187,7 @@ class RunPlan(Printed, Plain):
     def __str__(self) -> str:
         lines = [
             f"{self.title}: the verdict is {self.verdict}; {self._left}",
+            *look_first(self.warnings),
             self.expectation,
         ]
         lines += [

@@ -13,13 +13,14 @@ from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.search.stated_parameters import stated_parameters
 from pam_cosim.diagnosis.search.trial import run_trial
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import starts_are_open, with_starts
+from pam_cosim.fitting import with_starts
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, condensed
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.processes.workers import wake
 from pam_cosim.simulation import Simulator
+from pam_cosim.starts import starts_are_open
 
 
 @dataclass(frozen=True)

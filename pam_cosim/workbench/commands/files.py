@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.model.references import is_file
+from pam_cosim.problems import corrections_of
 from pam_cosim.study.fitted_model import FittedModel
 from pam_cosim.wording import shown
 from pam_cosim.workbench.commands.checks import names_of, text_of
@@ -52,7 +53,9 @@ def add(
             "what is stated of a parameter is no part of a model: correct it in the data set"
         )
     target = _target(session, file, default=session.catalogue.composed(state.model, on).name)
-    fitted = FittedModel(state.model, on, state.values, state.data.constants)
+    corrections = corrections_of(state.data, state.values)
+    constants = state.data.constants
+    fitted = FittedModel(state.model, on, state.values, constants, corrections=corrections)
     parameters = session.opened.simulator.interface.parameters
     text = session.catalogue.written(fitted, target.stem, parameters)
     _write(target, text)

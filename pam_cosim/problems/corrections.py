@@ -1,0 +1,128 @@
+"""Values that take the place of what a data set states, as a model file keeps them."""
+
+from __future__ import annotations
+
+import math
+import re
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+
+from pam_cosim.compiler import ClassTree
+from pam_cosim.compiler.class_tree import VENDOR
+from pam_cosim.compiler.printing import string_text
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.references import is_ratio, parameter_of
+
+_TEXT = re.compile(r"^(?P<name>.+?) = (?P<value>\S+)(?: in place of (?P<stated>\S+))?$")
+KEY = "corrections"
+_EQUAL = 1e-9  # relative: values are converted between units
+
+
+@dataclass(frozen=True)
+class Correction:
+    """A value of a parameter, an input or an initial state in place of what the data set states [SI].
+
+    Attributes:
+        name: of the parameter, or "state@run".
+        value: that counts.
+        stated: by the data set when the value was found; None: nothing.
+        run: the one run that it is of; empty: all.
+    """
+
+    name: str
+    value: float
+    stated: float | None = None
+    run: str = ""
+
+    @property
+    def target(self) -> str:
+        """The name, of one run with that after it."""
+        return f"{self.name}@{self.run}" if self.run else self.name
+
+    def __str__(self) -> str:
+        replaced = "" if self.stated is None else f" in place of {self.stated!r}"
+        return f"{self.target} = {self.value!r}{replaced}"
+
+    def applies_to(self, stated: float | None) -> bool:
+        """Whether the data set still states what it stated when the value was found."""
+        if stated is None or self.stated is None:
+            return stated is None and self.stated is None
+        return math.isclose(stated, self.stated, rel_tol=_EQUAL)
+
+
+def corrections_of(data: DataSet, values: Mapping[str, float]) -> tuple[Correction, ...]:
+    """What a model file has to keep beside parameter values, so that a comparison repeats the numbers.
+
+    Args:
+        data: as it was compared or fitted.
+        values: of parameters [SI], with ratios, values of single runs and initial states ("state@run").
+    """
+    by_run = {run.name: _of_run(data, run, values) for run in data.runs}
+    corrections: list[Correction] = []
+    for name in dict.fromkeys(name for of_run in by_run.values() for name in of_run):
+        pairs = {of_run.get(name) for of_run in by_run.values()}
+        if len(pairs) == 1 and len(by_run) > 1:
+            corrections.append(Correction(name, *by_run[data.runs[0].name][name]))
+        else:
+            corrections += [
+                Correction(name, *of_run[name], run=run)
+                for run, of_run in by_run.items()
+                if name in of_run
+            ]
+    return tuple(corrections)
+
+
+def _of_run(
+    data: DataSet, run: Run, values: Mapping[str, float]
+) -> dict[str, tuple[float, float | None]]:
+    """By name: the value in a run, and what the data set states of it; where the two differ in origin."""
+    own = data.parameters_of(run, values)
+    end = f"@{run.name}"
+    names = [
+        *run.replaced,
+        *(parameter_of(name) for name in values if is_ratio(name)),
+        *(name.removesuffix(end) for name in values if name.endswith(end)),
+    ]
+    return {
+        name: (own[name], run.replaced.get(name, run.parameters.get(name)))
+        for name in dict.fromkeys(names)
+        if name in own
+    }
+
+
+def annotation_of(corrections: Iterable[Correction]) -> str:
+    """The Modelica annotation that keeps corrections; empty without any."""
+    texts = ", ".join(string_text(str(one)) for one in corrections)
+    return f"{VENDOR}({KEY}={{{texts}}})" if texts else ""
+
+
+def corrections_in(tree: ClassTree, classes: Iterable[str]) -> tuple[Correction, ...]:
+    """The corrections that classes keep in their annotations; those of an earlier class count before a later one's.
+
+    Args:
+        tree: the library with the user's files.
+        classes: full names, the most derived one first.
+    """
+    found: dict[tuple[str, str], Correction] = {}
+    for name in classes:
+        annotation = tree.classes[name].annotations.get(VENDOR, "")
+        if KEY not in annotation:
+            continue
+        for literal in re.findall(r'"((?:[^"\\]|\\.)*)"', annotation):
+            one = parsed_correction(re.sub(r"\\(.)", r"\1", literal))
+            if one is not None:
+                found.setdefault((one.name, one.run), one)
+    return tuple(found.values())
+
+
+def parsed_correction(text: str) -> Correction | None:
+    """The correction that a text states, as it prints itself; None: the text is none."""
+    match = _TEXT.match(text)
+    if match is None:
+        return None
+    name, _, run = match["name"].partition("@")
+    try:
+        stated = None if match["stated"] is None else float(match["stated"])
+        return Correction(name, float(match["value"]), stated, run)
+    except ValueError:
+        return None

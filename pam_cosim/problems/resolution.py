@@ -1,0 +1,325 @@
+"""The values of a problem, resolved a source after the other."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import free_parameter
+from pam_cosim.measurement import DataSet, FreeParameter, Run, StartMode
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import ratio_to_stated
+from pam_cosim.model.settings import Setting
+from pam_cosim.problems.corrections import Correction
+from pam_cosim.problems.names import Target, resolved_values, target
+from pam_cosim.problems.problem import ModelValues, Problem
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import listed, shown
+
+_CALLER = "stated by the caller"
+_HELD = "held at its initial guess"
+
+
+def problem(
+    data: DataSet,
+    model: str,
+    interface: Interface,
+    files: Sequence[Path] = (),
+    *,
+    known: ModelValues | None = None,
+    values: Mapping[str, Setting] | None = None,
+    free: Sequence[str] | None = None,
+    guesses: Mapping[str, Setting] | None = None,
+) -> Problem:
+    """Resolves the value of every parameter of every run, once.
+
+    A later source counts before an earlier one: the default of the class, the model or an earlier fit, the data set,
+    the run, what a verdict corrected, the caller.
+
+    Args:
+        data: the measurement, as it was read.
+        model: that is simulated.
+        interface: of the model.
+        files: further Modelica files.
+        known: what the model says of values.
+        values: of the caller, by name: numbers [SI] or texts with a unit; "load.m@run-01" is of one run,
+            "load.m/stated" a factor on what the data set states, "gas.p@run-01" an initial state. A parameter that the
+            data set leaves free is held there, unless ``free`` names it: then its fit begins there.
+        free: names of the parameters that are fitted, instead of those of the data set: any parameter that has bounds,
+            or that the data set states.
+        guesses: where the fit of a parameter begins, by name.
+
+    Raises:
+        InputError: an unknown name or run; a value that cannot be used; a parameter that cannot be fitted.
+    """
+    if isinstance(free, str | Mapping):
+        raise InputError(f"free is a list of names, as free=['valve.C_A'], not {shown(free)}")
+    return _Resolution(data, model, interface, files, known or ModelValues()).resolved(
+        dict(values or {}),
+        None if free is None else tuple(dict.fromkeys(free)),
+        dict(guesses or {}),
+    )
+
+
+class _Resolution:
+    """The values of one problem in the making, a layer after the other."""
+
+    def __init__(
+        self,
+        data: DataSet,
+        model: str,
+        interface: Interface,
+        files: Sequence[Path],
+        known: ModelValues,
+    ) -> None:
+        self.data, self.model, self.interface, self.files = data, model, interface, files
+        self.known = known
+        self.runs = {run.name: run for run in data.runs}
+        self.fit = dict(data.fit)
+        self.stated: dict[str, float] = {}
+        self.initial_states: dict[str, float] = {}
+        self.sources: dict[tuple[str, str], str] = {}
+
+    def resolved(
+        self,
+        values: Mapping[str, Setting],
+        free: Sequence[str] | None,
+        guesses: Mapping[str, Setting],
+    ) -> Problem:
+        begin = {n: v for n, v in values.items() if n in (free or ())} | dict(guesses)
+        self._earlier_fit()
+        for correction in self.known.corrections:
+            self._correct(correction)
+        rest = {n: v for n, v in values.items() if n not in (free or ())}
+        for one, value in resolved_values(rest, self.data, self.interface):
+            self._state(one, value)
+        chosen = self._guesses(begin, free)
+        if free is not None:
+            self._free(free, chosen)
+        runs = tuple(self.runs.values())
+        data = replace(self.data, model=self.model, fit=self.fit, runs=runs)
+        return Problem(
+            self.model,
+            tuple(self.files),
+            data,
+            self.interface,
+            self.stated,
+            self.initial_states,
+            self.sources,
+            self.known,
+        )
+
+    def _earlier_fit(self) -> None:
+        """Values of the model and of an earlier fit, where the data set states none."""
+        found = resolved_values(self.known.fitted, self.data, self.interface)
+        numbers = {_name_of(one): value for one, value in found}
+        for name, entry in self.fit.items():
+            if name in numbers:
+                self.fit[name] = replace(entry, start=numbers[name])
+            elif entry.parameter in self.known.stated:
+                self.fit[name] = replace(entry, start=None)
+        source = f"stated by {self.known.label}"
+        for one, value in found:
+            name = _name_of(one)
+            if one.ratio or one.run:
+                self._state(one, value, source)
+                continue
+            open_runs = [run for run in self.runs.values() if one.name not in run.parameters]
+            for run in self.runs.values():
+                if one.name in run.parameters:
+                    text = f"the data set states {name}, and its value is used instead of that of {self.known.label}"
+                    self._note(run.name, text)
+            if open_runs:
+                self.stated[name] = value
+            for run in open_runs if name not in self.fit else ():
+                self._put(run.name, name, value, source)
+
+    def _correct(self, one: Correction) -> None:
+        """A value that a verdict found, unless the data set states another one by now."""
+        source = f"corrected by the verdict in {self.known.label}"
+        for run in self.runs.values() if not one.run else [self.runs.get(one.run)]:
+            if run is None or one.name not in self.interface.settable:
+                continue
+            if one.name in self.interface.states:
+                self._begin(run, one.name, one.value, source, run.start.mode or "estimated")
+                continue
+            stated = run.replaced.get(one.name, run.parameters.get(one.name))
+            if one.applies_to(stated):
+                self._put(run.name, one.name, one.value, source)
+            elif stated is not None and stated != one.value:
+                self._note(run.name, self._overruled(one, stated))
+
+    def _overruled(self, one: Correction, stated: float) -> str:
+        unit = self.interface.settable[one.name].unit
+        before = "nothing" if one.stated is None else format_quantity(one.stated, unit)
+        return (
+            f"the data set states {one.name} = {format_quantity(stated, unit)}, and it stated {before} when the "
+            f"verdict in {self.known.label} found {format_quantity(one.value, unit)}: the stated value is used"
+        )
+
+    def _note(self, run: str, text: str) -> None:
+        notes = (*self.runs[run].notes, text)
+        self.runs[run] = replace(self.runs[run], notes=notes)
+
+    def _state(self, one: Target, value: float, source: str = _CALLER) -> None:
+        """A value that counts before what the data set states."""
+        runs = [self.runs[one.run]] if one.run else list(self.runs.values())
+        if one.name in self.interface.states:
+            for run in runs:
+                mode: StartMode = "rest" if run.start.mode == "rest" else "measured"
+                self._begin(run, one.name, value, source, mode)
+            return
+        for run in runs:
+            number = value * self._stated_in(run, one.name) if one.ratio else value
+            self._put(run.name, one.name, number, source)
+        if not one.ratio:
+            self.stated[f"{one.name}@{one.run}" if one.run else one.name] = value
+        self.fit = {
+            name: entry
+            for name, entry in self.fit.items()
+            if entry.parameter != one.name or (one.run and entry.run != one.run)
+        }
+
+    def _stated_in(self, run: Run, name: str) -> float:
+        if name not in run.parameters:
+            raise InputError(
+                f"'{ratio_to_stated(name)}' is a factor on the value that {run.name} states, and it states none: "
+                f"state '{name}' itself"
+            )
+        return run.replaced.get(name) or run.parameters[name]
+
+    def _put(self, run_name: str, name: str, value: float, source: str) -> None:
+        run = self.runs[run_name]
+        if run.along is not None and run.along.name == name:
+            raise InputError(
+                f"'{name}' varies along the points of {run_name} and cannot be held constant"
+            )
+        first = run.replaced.get(name, run.parameters.get(name))
+        self.runs[run_name] = replace(
+            run,
+            parameters={**run.parameters, name: value},
+            replaced=run.replaced if source == _HELD else {**run.replaced, name: first},
+            inputs={n: column for n, column in run.inputs.items() if n != name},
+            default_inputs=tuple(n for n in run.default_inputs if n != name),
+        )
+        self.sources[run_name, name] = source
+
+    def _begin(
+        self, run: Run, state: str, value: float, source: str, mode: StartMode | None
+    ) -> None:
+        """A run whose simulation, or the estimate of its start, begins at a value of a state."""
+        self.initial_states[f"{state}@{run.name}"] = value
+        self._put(run.name, state, value, source)
+        start = replace(run.start, mode=mode)
+        self.runs[run.name] = replace(self.runs[run.name], start=start)
+
+    def _guesses(
+        self, guesses: Mapping[str, Setting], free: Sequence[str] | None
+    ) -> dict[str, float]:
+        """Where fits begin [SI]; initial states among them are where runs, or the estimates of these, begin."""
+        chosen: dict[str, float] = {}
+        for one, value in resolved_values(guesses, self.data, self.interface):
+            name = _name_of(one)
+            if one.run and one.name in self.interface.states:
+                run = self.runs[one.run]
+                self._begin(run, one.name, value, "initial guess", run.start.mode)
+            elif name in self.fit:
+                entry = self.fit[name]
+                self.fit[name] = replace(entry, start=min(max(value, entry.min), entry.max))
+            elif name not in (free or ()):
+                raise InputError(
+                    f"'{name}' has an initial guess and is not free; "
+                    f"free are {listed([*self.fit, *(free or ())])}; a value that is to be held is stated by --set"
+                )
+            chosen[name] = value
+        return chosen
+
+    def _free(self, names: Sequence[str], guesses: Mapping[str, float]) -> None:
+        """Just these are free: what the data set leaves free besides is held, and what it states of these gives way."""
+        declared = self.fit
+        self.fit = {name: self._entry(name, declared, guesses) for name in names}
+        for name, entry in declared.items():
+            if name in names:
+                continue
+            start = free_parameter(entry, self.data, self.interface).start
+            for run in list(self.runs.values()):
+                own = entry.run == run.name
+                if own or (not entry.run and entry.parameter not in run.parameters):
+                    self._put(run.name, entry.parameter, start, _HELD)
+
+    def _entry(
+        self, name: str, declared: Mapping[str, FreeParameter], guesses: Mapping[str, float]
+    ) -> FreeParameter:
+        one = target(name, self.data, self.interface)
+        stated = self._release(one)
+        if name in declared:
+            return declared[name]
+        made = _bounded(one, stated, self.interface)
+        guess = guesses.get(name, stated)
+        return made if guess is None else replace(made, start=min(max(guess, made.min), made.max))
+
+    def _release(self, one: Target) -> float | None:
+        """What the data set states of a parameter that is to be fitted, which counts no longer; None: nothing.
+
+        Raises:
+            InputError: runs state different values.
+        """
+        if one.ratio:
+            return None
+        runs = [self.runs[one.run]] if one.run else list(self.runs.values())
+        stating = [run for run in runs if one.name in run.parameters]
+        found = {run.parameters[one.name]: run.name for run in stating}
+        if len(found) > 1:
+            texts = listed(
+                f"{format_quantity(value, one.variable.unit)} in {run}"
+                for value, run in found.items()
+            )
+            raise InputError(
+                f"'{one.name}' has one value for all runs if it is fitted, and the runs state several ({texts}): fit "
+                f"the factor on these, --free '{ratio_to_stated(one.name)}', or the value of one run, "
+                f"--free '{one.name}@{next(iter(found.values()))}'"
+            )
+        for run in stating:
+            stated = run.replaced.get(one.name, run.parameters[one.name])
+            self.runs[run.name] = replace(
+                run,
+                parameters={n: v for n, v in run.parameters.items() if n != one.name},
+                replaced={**run.replaced, one.name: stated},
+            )
+        return next(iter(found), None)
+
+
+def _name_of(one: Target) -> str:
+    name = ratio_to_stated(one.name) if one.ratio else one.name
+    return f"{name}@{one.run}" if one.run else name
+
+
+def _bounded(one: Target, stated: float | None, interface: Interface) -> FreeParameter:
+    """A parameter between the bounds of the model; else within the range that is searched for a wrong stated value.
+
+    Raises:
+        InputError: it has no bounds and no stated value, or is an input or a state.
+    """
+    name = _name_of(one)
+    if one.name not in interface.parameters:
+        raise InputError(f"'{name}' is no parameter of {interface.model} and cannot be fitted")
+    if one.ratio:
+        return FreeParameter(name, *_search_range(1.0), "1")
+    variable = one.variable
+    low, start, high = variable.min, variable.start, variable.max
+    if stated and (low is None or high is None):
+        low, high, start = _search_range(stated)
+    if low is None or high is None or start is None:
+        raise InputError(
+            f"'{name}' of {interface.model} has no bounds: state them under [fit] of the data set"
+        )
+    return FreeParameter(name, low, high, start, one.variable.unit, run=one.run)
+
+
+def _search_range(stated: float) -> tuple[float, float, float]:
+    """Lower bound, upper bound and initial guess of a parameter that is stated and may be wrong."""
+    low, start, high = sorted(stated * ratio for ratio in CRITERIA.search.stated_ratio)
+    return low, high, start

@@ -1,0 +1,257 @@
+"""The start values of the runs of an objective: where they begin at each point of a search, and how they follow it."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Protocol, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.pieces import first_rows
+from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts.start_values import (
+    RestCourse,
+    StartValues,
+    eliminate,
+    eliminate_to_first_order,
+    rest_course,
+)
+
+Result = TypeVar("Result")
+
+
+class RunResiduals(Protocol):
+    """The residuals of some runs as a function of the search coordinates."""
+
+    def values(self, z: Array) -> dict[str, float]:
+        """The parameters by name [SI]."""
+
+    def residuals(self, z: Array) -> Array:
+        """The residuals of the samples, and below them the rows of priors, the last ones those of start values."""
+
+    def forget(self) -> None:
+        """Lets the point that was asked last be simulated again."""
+
+    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
+        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+
+
+class EliminatedStarts:
+    """Start values of runs with an estimated start, eliminated run by run (``start_values``).
+
+    Attributes:
+        by_run: start values by number of the run; empty until the first point is simulated.
+        to_first_order: they are eliminated by one linear step from where they begin, and stay there.
+        state_ranges: how far runs take each state [SI].
+
+    Args:
+        simulator: the model.
+        data: the measurement with its noise.
+        runs: the runs.
+        ends: (runs + 1,) where the rows of the residuals of each run begin, and the last ones end.
+        to_first_order: as above; start values among the parameters take the place of the first samples.
+    """
+
+    def __init__(
+        self,
+        simulator: AnySimulator,
+        data: DataSet,
+        runs: Sequence[Run],
+        ends: NDArray[np.int_],
+        *,
+        to_first_order: bool = False,
+    ) -> None:
+        self._simulator, self._data, self._runs = simulator, data, runs
+        self._rows = [slice(*rows) for rows in zip(ends[:-1], ends[1:], strict=True)]
+        self.to_first_order = to_first_order
+        self.by_run: dict[int, StartValues] = {}
+        self.state_ranges: Mapping[str, float] = {}
+        self._is_placed = False
+        self._at: dict[bytes, dict[int, Array]] = {}  # where each point left them
+        self._linearised_at: Array | None = None  # where the descent was last linearised
+
+    @property
+    def count(self) -> int:
+        """Number of start values, and of the rows of what is known of them beforehand."""
+        return sum(len(one.names) for one in self.by_run.values())
+
+    @property
+    def settings(self) -> dict[str, float]:
+        """The start values that are estimated, as they are now, by "state@run" [SI]."""
+        return {n: v for one in self.by_run.values() for n, v in one.settings().items()}
+
+    def of_run(self, i: int) -> dict[str, float]:
+        """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
+        return self.by_run[i].every() if i in self.by_run else {}
+
+    def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
+        """The start values, about where the first samples put them with the first parameters [SI]."""
+        if not self._is_placed:
+            courses = {
+                i: self._rest_course(i, values, about_given=self.to_first_order)
+                for i, run in enumerate(self._runs)
+                if run.start.mode == "estimated"
+            }
+            interface = self._simulator.interface
+            every = [self.state_ranges, *(course.ranges for course in courses.values())]
+            self.state_ranges = {
+                name: max(ranges.get(name, 0.0) for ranges in every) for name in interface.states
+            }
+            found = {i: c.start_values(self.state_ranges, interface) for i, c in courses.items()}
+            self.by_run = {i: one for i, one in found.items() if one.names}
+            self._is_placed = True
+        return self.by_run
+
+    def _rest_course(
+        self, i: int, values: Mapping[str, float], *, about_given: bool = False
+    ) -> RestCourse:
+        run = self._runs[i]
+        return rest_course(self._simulator, self._data, run, values, about_given=about_given)
+
+    def set_out(self, z: Array, values: Mapping[str, float]) -> None:
+        """Puts start values where ``z`` left them, or where new points look for them.
+
+        What a trial elsewhere made of them must not be where the next one begins: they may have gone astray there.
+        """
+        before = self._at.get(z.tobytes())
+        for i, one in self.place(values).items():
+            one.values = before[i] if before else self.expected(z, one)
+
+    def expected(self, z: Array, one: StartValues) -> Array:
+        """Where the start values of a run are looked for first: where the slopes of the descent lead them.
+
+        No farther than the slopes by start values are trusted (``eliminate``).
+        """
+        if self._linearised_at is None or one.follow is None:
+            return one.begin
+        step = one.within_reach(one.follow @ (z - self._linearised_at), 1.0)
+        return np.clip(one.begin + step, one.low, one.high)
+
+    def eliminated(
+        self, i: int, simulate: Callable[[], tuple[Result, Array, Array]]
+    ) -> tuple[Result, Array]:
+        """The result of a run, and its residuals without what its start values take away; see ``eliminate``."""
+        method = eliminate_to_first_order if self.to_first_order else eliminate
+        return method(self.by_run[i], simulate)
+
+    def keep(self, z: Array) -> None:
+        """Keeps where ``z`` left the start values."""
+        if self.by_run:
+            self._at[z.tobytes()] = {i: one.values for i, one in self.by_run.items()}
+
+    def take_away(self, residuals: Array) -> None:
+        """Takes from the residuals what the start values take away, by the slopes that are known of them."""
+        for one, rows, _ in self._blocks(residuals):
+            residuals[rows] = one.taken_away(residuals[rows])
+
+    def _blocks(self, residuals: Array) -> Iterator[tuple[StartValues, slice, slice]]:
+        """The start values of each run, the rows of its residuals, and of what is known of them beforehand."""
+        row = len(residuals) - self.count
+        for i, one in self.by_run.items():
+            yield one, self._rows[i], slice(row, row := row + len(one.names))
+
+    def prior_rows(self) -> list[Array]:
+        """The rows of what is known of start values beforehand, which are the last ones of the residuals."""
+        return [one.prior_rows() for one in self.by_run.values()]
+
+    def followed(self, jacobian: Array, z: Array | None = None) -> Array:
+        """The slopes with the start values moving along, so that least is left.
+
+        Args:
+            jacobian: (rows, parameters) of the residuals with the start values where they are.
+            z: where a descent goes on, along these slopes; None: nowhere.
+        """
+        followed = jacobian.copy()
+        for one, rows, known in self._blocks(jacobian):
+            moves = one.following(jacobian[rows]) if jacobian.shape[1] else None
+            if moves is not None:
+                count = len(one.names)
+                followed[rows] += one.slopes[:-count] @ moves
+                followed[known] = one.slopes[-count:] @ moves
+            if z is not None:
+                one.begin, one.follow = one.values, moves
+        self._linearised_at = self._linearised_at if z is None else z.copy()
+        return followed
+
+    def begin_afresh(self, z: Array, values: Mapping[str, float]) -> bool:
+        """Whether start values are looked for where the first samples and the model's rest put them from ``z`` on."""
+        if not self._is_placed or self.to_first_order or z.tobytes() in self._at:
+            return False
+        for i, one in self.by_run.items():
+            if (fresh := self._fresh(i, values)) is not None:
+                one.begin = one.clipped(fresh)
+        self._linearised_at = None
+        return True
+
+    def _fresh(self, i: int, values: Mapping[str, float]) -> dict[str, float] | None:
+        """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
+        try:
+            return self._rest_course(i, values).begin
+        except SimulationFailure:
+            return None
+
+    def found_others(self, of: RunResiduals, z: Array) -> bool:
+        """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
+
+        The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
+        runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
+        """
+        before = self._squares(of.residuals(z))
+        here = {i: one.values for i, one in self.by_run.items()}
+        for i, one in self.by_run.items():
+            rows, one.begin = self._rows[i], one.values
+            if before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start):
+                continue
+            if (fresh := self._fresh(i, of.values(z))) is not None:
+                one.begin = one.clipped(self._led_by_first_samples(of, z, i, fresh))
+        self._forget(of, z)
+        after = self._squares(of.residuals(z))
+        better = {i for i in after if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
+        for i, one in self.by_run.items():
+            one.begin = one.values if i in better else here[i]
+        self._forget(of, z)
+        return bool(better)
+
+    def _forget(self, of: RunResiduals, z: Array) -> None:
+        """What ``z`` left: it is asked again, from where start values begin now."""
+        of.forget()
+        self._linearised_at = None
+        self._at.pop(z.tobytes(), None)
+
+    def _led_by_first_samples(
+        self, of: RunResiduals, z: Array, i: int, named: dict[str, float]
+    ) -> dict[str, float]:
+        """Where a growing part of its run leads start values."""
+        run, signals = self._runs[i], self._data.fitted_signals
+        for rows in horizons(run, [n for n in signals if run.sample_count(n)], len(named)):
+            begin = {f"{name}@{run.name}": value for name, value in named.items()}
+            part = first_rows(run, rows)
+            named = named | of.start_values_of_part(part, {**of.values(z), **begin})
+        return named
+
+    def _squares(self, residuals: Array) -> dict[int, float]:
+        """The squares of each run with start values, and of what is known of these beforehand."""
+        squares = [
+            float(residuals[rows] @ residuals[rows] + residuals[known] @ residuals[known])
+            for _, rows, known in self._blocks(residuals)
+        ]
+        return dict(zip(self.by_run, squares, strict=True))
+
+
+def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:
+    """How many of the first rows of a run are asked, twice as many each time, before all are.
+
+    The first ones have two samples for each unknown start value.
+    """
+    samples = np.cumsum(sum(np.isfinite(run.measurements[name]).astype(int) for name in signals))
+    rows = int(np.searchsorted(samples, 2 * unknowns)) + 1
+    several = []
+    while rows < len(run.time):
+        several.append(rows)
+        rows *= 2
+    return several

@@ -1,0 +1,291 @@
+"""Start values of single runs as parameters that a fit does not see: what they can take away is taken away, run by run.
+
+For given parameters the start values of a run are those that leave least of its own residuals: a small linear least
+squares problem of one run, solved again where the model bends. What is left, and its slopes by the parameters with the
+start values following, are then those of a fit of everything together (variable projection: Golub and Pereyra, SIAM J.
+Numer. Anal. 10, 1973; for dynamic systems with local parameters e.g. Schloeder, 1988). Twenty runs cost twenty small
+blocks, and a search over the parameters has no more of them than before.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Generic, TypeVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.model.interface import Interface
+from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts.initial_state import measured_initial_state
+from pam_cosim.starts.probe import StartProbe
+from pam_cosim.starts.run_start import start_time
+
+Result = TypeVar("Result")
+
+_SETTLED = 0.01  # variances of the noise, that a further step must take away to be made
+_FARTHER = 4.0  # times as far as the step before, that a step may go
+_STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
+
+
+@dataclass
+class StartValues:
+    """The start values of one run.
+
+    Attributes:
+        run: the run.
+        names: of the k states.
+        mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the model's rest beside them
+            say that it begins, and how far the runs take them.
+        values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
+        still: states that no run moves, where they are [SI].
+        slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
+            known beforehand come last.
+        begin: (k,) where they are looked for first [SI], or were as a descent was last linearised; ``follow``:
+            (k, parameters) how they move from there with the search coordinates.
+    """
+
+    run: Run
+    names: tuple[str, ...]
+    mean: Array
+    sd: Array
+    values: Array
+    low: Array
+    high: Array
+    still: dict[str, float] = field(default_factory=dict)
+    slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    follow: Array | None = None
+
+    def __post_init__(self) -> None:
+        self.begin = self.values
+
+    def named(self) -> dict[str, float]:
+        """The present values of all states by name."""
+        return dict(zip(self.names, self.values.tolist(), strict=True)) | self.still
+
+    def settings(self) -> dict[str, float]:
+        """The present values by name, each with that of the run."""
+        values = zip(self.names, self.values.tolist(), strict=True)
+        return {f"{n}@{self.run.name}": v for n, v in values}
+
+    def every(self) -> dict[str, float]:
+        """The present values of all states by name, each with that of the run."""
+        return {f"{n}@{self.run.name}": v for n, v in self.named().items()}
+
+    def clipped(self, named: Mapping[str, float]) -> Array:
+        """(k,) values by name in their order, within the bounds of the model."""
+        return np.clip([named[name] for name in self.names], self.low, self.high)
+
+    def prior_rows(self) -> Array:
+        """(k,) how far the present values are from what is known beforehand, in standard deviations."""
+        return np.asarray((self.mean - self.values) / self.sd)
+
+    def with_prior_slopes(self, slopes: Array) -> Array:
+        """(n + k, k) slopes of the residuals by the start values, and below them those of ``prior_rows``."""
+        return np.vstack([slopes, -np.diag(1.0 / self.sd)])
+
+    def step(self, slopes: Array, rows: Array) -> Array:
+        """(k,) by how much the start values move to leave least of rows, by their slopes (``with_prior_slopes``)."""
+        return np.asarray(np.linalg.lstsq(slopes * self.sd, -rows, rcond=None)[0] * self.sd)
+
+    def within_reach(self, step: Array, reach: float) -> Array:
+        """(k,) a step, made so short that none goes farther than so many deviations of what is known beforehand."""
+        farthest = float(np.max(np.abs(step) / self.sd))
+        return step * (reach / max(farthest, reach))
+
+    def taken_away(self, residuals: Array) -> Array:
+        """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
+        rows = np.append(residuals, self.prior_rows())
+        step = self.step(self.slopes, rows)
+        moved = np.clip(self.values + step, self.low, self.high) - self.values
+        return np.asarray(residuals + self.slopes[: len(residuals)] @ moved)
+
+    def following(self, columns: Array) -> Array:
+        """(k, m) by how much the start values move along with what moves the residuals of the run by (n, m) columns."""
+        below = np.zeros((len(self.names), columns.shape[1]))
+        return np.asarray(-np.linalg.lstsq(self.slopes, np.vstack([columns, below]), rcond=None)[0])
+
+    def deviations(self) -> Array:
+        """(k,) standard deviations [SI] of the start values beside given parameters."""
+        # no singular value is below one, of the rows of what is known; their squares would be lost beside large ones
+        _, sizes, directions = np.linalg.svd(self.slopes * self.sd, full_matrices=False)
+        return np.asarray(self.sd * np.linalg.norm(directions.T / sizes, axis=1))
+
+    def determined(self) -> NDArray[np.bool_]:
+        """(k,) which of them the data tell, and not what is known beforehand alone."""
+        return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
+
+
+@dataclass(frozen=True)
+class RestCourse:
+    """A run that begins where its first samples and the model's rest beside them put it.
+
+    Attributes:
+        run: the run.
+        first: where each state begins then [SI].
+        ranges: how far the run takes each state from there [SI]; zero where it rests.
+        given: start values among the parameters, from which an estimate goes on [SI].
+    """
+
+    run: Run
+    first: dict[str, float]
+    ranges: dict[str, float]
+    given: dict[str, float]
+
+    @property
+    def begin(self) -> dict[str, float]:
+        """Where an estimate begins [SI]."""
+        return self.first | self.given
+
+    def start_values(self, ranges: Mapping[str, float], interface: Interface) -> StartValues:
+        """What is to be estimated of the start of the run, about where the first samples and the model's rest put it.
+
+        Args:
+            ranges: how far the runs take each state [SI]: one that rests in this run may be on its way as it begins.
+            interface: of the model.
+        """
+        moving = tuple(n for n in self.first if ranges[n])
+        limits = [interface.start_values[n] for n in moving]
+        low = np.array([-np.inf if one.min is None else one.min for one in limits])
+        high = np.array([np.inf if one.max is None else one.max for one in limits])
+        mean = np.array([self.first[n] for n in moving])
+        sd = CRITERIA.starts.range * np.array([ranges[n] for n in moving])
+        values = np.clip(np.array([self.begin[n] for n in moving]), low, high)
+        still = {n: v for n, v in self.first.items() if n not in moving}
+        return StartValues(self.run, moving, mean, sd, values, low, high, still)
+
+
+def rest_course(
+    simulator: AnySimulator,
+    data: DataSet,
+    run: Run,
+    parameters: Mapping[str, float],
+    *,
+    about_given: bool = False,
+) -> RestCourse:
+    """A run whose start is to be estimated, from where the first samples and the model's rest put it.
+
+    Args:
+        simulator: the model.
+        data: the measurement with its noise.
+        run: whose start is estimated.
+        parameters: fitted values [SI]; start values among them are where the estimate goes on from.
+        about_given: if there are such, they take the place of the first samples: the start of another model is known,
+            and this one has a state more.
+
+    Raises:
+        SimulationFailure: the run does not reach its end.
+    """
+    states = simulator.interface.states
+    own = data.parameters_of(run, parameters)
+    bare = {n: v for n, v in own.items() if n not in states}
+    given = {n: own[n] for n in states if n in own}
+    probe = StartProbe(simulator, data, run, bare)
+    start = measured_initial_state(probe, given if about_given else {})
+    times = np.unique(np.append(start_time(run), run.time))
+    course = start.trajectory(simulator, run, bare, times, states)
+    first = {n: float(course[n][0]) for n in states}
+    return RestCourse(run, first, {n: _range(course[n]) for n in states}, given)
+
+
+def _range(course: Array) -> float:
+    """How far a state moves; nothing where that is rounding."""
+    moved = float(np.ptp(course))
+    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
+
+
+def eliminate(
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
+) -> tuple[Result, Array]:
+    """Moves the start values to where they leave least of the residuals of their run, or hardly more.
+
+    Beside a model that is far off, the last hundredth of what is left is not worth a run: the next point asks again.
+    Returns the result of a simulation there, and (n,) the residuals without what the start values can take away.
+
+    Args:
+        of: the start values, which are changed.
+        simulate: gives a result, the residuals (n,) and their slopes (n, k) for the present values.
+
+    Raises:
+        SimulationFailure: the run does not reach its end wherever it begins.
+    """
+    here = _tried(of, simulate)
+    if here is None:
+        of.values = of.mean
+        here = _Point(of, *simulate())
+    reach = 1.0  # standard deviations of what is known beforehand, that a step may go; farther once that served
+    for _ in range(CRITERIA.starts.steps):
+        if here.is_settled:
+            break
+        before = here
+        step = of.within_reach(here.step, reach)
+        for _ in range(1 if here.is_level else CRITERIA.starts.steps):
+            of.values = np.clip(here.values + step, of.low, of.high)
+            there = _tried(of, simulate)
+            if there is not None and there.cost < here.cost:
+                break
+            step, reach = step / 2.0, reach / 2.0
+        else:
+            break
+        here, reach = there, _FARTHER * reach
+        if before.is_little(before.cost - here.cost):
+            break
+    of.values = (
+        np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
+    )
+    last, of.slopes = of.values - here.values, here.slopes
+    return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
+
+
+def eliminate_to_first_order(
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
+) -> tuple[Result, Array]:
+    """As ``eliminate``, by one linear step: the start values stay where they are, and so does the result.
+
+    Args:
+        of, simulate: as for ``eliminate``.
+
+    Raises:
+        SimulationFailure: the run does not reach its end.
+    """
+    result, residuals, slopes = simulate()
+    of.slopes = of.with_prior_slopes(slopes)
+    return result, of.taken_away(residuals)
+
+
+def _tried(
+    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
+) -> _Point[Result] | None:
+    """The run from the present start values; None where it does not reach its end."""
+    try:
+        return _Point(of, *simulate())
+    except SimulationFailure:
+        return None
+
+
+class _Point(Generic[Result]):
+    """A run about some start values, linearised."""
+
+    def __init__(self, of: StartValues, result: Result, residuals: Array, slopes: Array) -> None:
+        self.result, self.residuals, self.values = result, residuals, of.values
+        rows = np.append(residuals, of.prior_rows())
+        self.slopes = of.with_prior_slopes(slopes)
+        self.cost = float(rows @ rows)
+        self.step = of.step(self.slopes, rows)
+        left = rows + self.slopes @ self.step
+        gain = self.cost - float(left @ left)
+        # little is left to gain; where a step does not gain it, a shorter one will not do so either
+        self.is_level = self.is_little(gain)
+        # ... and that by the slopes alone
+        self.is_settled = self.is_level and bool(
+            np.all(np.abs(self.step) <= CRITERIA.starts.near * of.sd)
+        )
+
+    def is_little(self, gain: float) -> bool:
+        """Whether it is not worth a further run to make the squares that much smaller."""
+        return gain <= max(_SETTLED, CRITERIA.starts.linear * self.cost)
