@@ -11,11 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.free_parameter import FreeParameter
-from pam_cosim.measurement.recording import Averaged
 from pam_cosim.measurement.run_names import check_names, stated_of
-from pam_cosim.measurement.signal import Signal
+from pam_cosim.measurement.signal import Averaged, Signal
 from pam_cosim.measurement.start import Start
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import START_VALUES, is_ratio, parameter_of
@@ -23,6 +21,7 @@ from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, shown
 
+FILE_NAME = "experiment.toml"
 Role = Literal["fit", "holdout"]
 ROLES: tuple[Role, ...] = get_args(Role)
 

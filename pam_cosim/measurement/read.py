@@ -8,14 +8,14 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Overrides
-from pam_cosim.measurement.data_set import DataSet, Run
+from pam_cosim.measurement.data_set import FILE_NAME, DataSet, Run
 from pam_cosim.measurement.declared_runs import (
     check_branches,
     check_runs,
     parameters_of_run,
     runs_of_table,
 )
-from pam_cosim.measurement.experiment import FILE_NAME, read_experiment
+from pam_cosim.measurement.experiment import read_experiment
 from pam_cosim.measurement.experiment_tables import Experiment, SignalTable
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.noise import complete_noise

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.noise import record_step
-from pam_cosim.measurement.recording import Averaged, Recording, locked
-from pam_cosim.measurement.signal import StatedSignal
+from pam_cosim.measurement.recording import Recording, locked
+from pam_cosim.measurement.signal import Averaged, StatedSignal
 from pam_cosim.measurement.steps import jumps as jumps_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity

@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_text
-from pam_cosim.measurement.data_set import DataSet, Run
-from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.data_set import FILE_NAME, DataSet, Run
 from pam_cosim.measurement.free_parameter import FreeParameter
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.start import Start
