@@ -10,7 +10,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.measurement import DataSet, FreeParameter
 from tests.fitting.models import data_set, recording
-from tests.fitting.test_starts import _folder
+from tests.starts.test_starts import _folder
 
 TIME = np.linspace(0.0, 3.0, 61)
 RATE, LEVEL, BEGIN, SIGMA = 2.0, 0.2, 0.7, 0.01
