@@ -37,6 +37,8 @@ _FLAGS = (
     "-ffp-contract=off",
     "-fno-sanitize=undefined",
     "-fno-trigraphs",
+    "-DFMI2_OVERRIDE_FUNCTION_PREFIX",
+    "-DFMI3_OVERRIDE_FUNCTION_PREFIX",
 )
 # Under Linux nothing here needs the compiler's own library of arithmetic, and to build that, once a machine, takes
 # longer than a diagnosis; the driver ``zig cc`` cannot leave it out.
@@ -133,8 +135,13 @@ def _fmi_headers() -> Path:
 
 
 def headers(fmi: str) -> list[Path]:
-    """The header files that the runtime needs beside the C compiler's own, with those of one version of FMI."""
-    return sorted(fmu_runtime().glob("*.h")) + sorted(_fmi_headers().glob(f"fmi{fmi[0]}*.h"))
+    """The header files that the runtime needs beside the C compiler's own, with those of one version of FMI.
+
+    They are those of the releases 2.0.1 and 3.0.1. FMPy changed one of its copies, which has a copy in the runtime.
+    """
+    found = [*_fmi_headers().glob(f"fmi{fmi[0]}*.h"), *fmu_runtime().glob("pam_*.h")]
+    found += fmu_runtime().glob(f"fmi{fmi[0]}*.h")
+    return sorted({file.name: file for file in found}.values(), key=lambda file: file.name)
 
 
 @cache
@@ -155,7 +162,10 @@ def _source_key(shipped: tuple[str, ...]) -> str:
 
 
 def compile_library(
-    shipped: Sequence[str], generated: Mapping[str, str], platform_name: str
+    shipped: Sequence[str],
+    generated: Mapping[str, str],
+    platform_name: str,
+    name: str = "library",
 ) -> Path:
     """A shared library in the cache, compiled from files of ``fmu/`` and generated sources.
 
@@ -163,22 +173,27 @@ def compile_library(
         shipped: names of C files in the runtime's directory.
         generated: further C files, name to text.
         platform_name: key of ``PLATFORMS``.
+        name: that the library has in itself, without the ending.
 
     Raises:
         CompilerError: the compiler refused the sources.
     """
     target = PLATFORMS[platform_name]
     texts = [text for item in sorted(generated.items()) for text in item]
-    key = digest(source_key(shipped), *texts, target.target)
-    return cached("binaries", key, target.suffix, lambda: _compile(shipped, generated, target))
+    key = digest(source_key(shipped), *texts, target.target, name)
+    return cached(
+        "binaries", key, target.suffix, lambda: _compile(shipped, generated, target, name)
+    )
 
 
-def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platform) -> bytes:
+def _compile(
+    shipped: Sequence[str], generated: Mapping[str, str], target: Platform, library: str
+) -> bytes:
     with tempfile.TemporaryDirectory(prefix="pam-cosim-") as directory:
         for name, text in generated.items():
             Path(directory, name).write_text(text, encoding="utf-8")
         sources = [str(fmu_runtime() / name) for name in shipped] + sorted(generated)
-        output = f"library{target.suffix}"
+        output = f"{library}{target.suffix}"
         command = [str(_zig()), *_arguments(target, output, sources)]
         zig = cache_dir() / "zig"
         _clear_stale(zig / "tmp")
@@ -213,7 +228,8 @@ def _arguments(target: Platform, output: str, sources: Sequence[str]) -> list[st
     """Words of the command that makes a shared library."""
     common = ["-target", target.target, f"-I{fmu_runtime()}", f"-I{_fmi_headers()}"]
     if target.target.split("-")[1] == "linux":
-        own = ["--name", "library", f"-femit-bin={output}", "-cflags", *_FLAGS, "--"]
+        names = ["--name", Path(output).stem, f"-fsoname={output}", f"-femit-bin={output}"]
+        own = [*names, "-cflags", *_FLAGS, "--"]
         return [*_OWN_ARITHMETIC, *common, *own, *sources]
     pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
     return ["cc", "-shared", "-s", *_FLAGS, *pic, *common, "-o", output, *sources]

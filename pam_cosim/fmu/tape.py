@@ -231,7 +231,7 @@ def taped(ode: Ode) -> TapedModel:
     functions = model_functions(ode, lean=True)
     tapes = {f.name(): tape_of(f) for f in functions}
     work = max(tape.work for tape in tapes.values())
-    return TapedModel(numbers_of(ode, functions) | {"size_w": work}, tapes)
+    return TapedModel(numbers_of(ode, functions, lean=True) | {"size_w": work}, tapes)
 
 
 def tape_files(model: TapedModel, guid: str) -> dict[str, bytes]:

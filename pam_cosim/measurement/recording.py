@@ -89,13 +89,9 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
         return table
     if not whole.any():
         raise InputError(f"no row has all that is needed: {listed(needed)}", table.file)
-    kept = {
-        name: replace(column, values=column.values[whole]) for name, column in table.columns.items()
-    }
     count, words = int((~whole).sum()), listed(map(shown, table.missing))
     note = f"{LEFT_OUT} {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
-    lines = None if table.lines is None else table.lines[whole]
-    return replace(table, columns=kept, lines=lines, notes=(*table.notes, note))
+    return replace(table.rows(whole), notes=(*table.notes, note))
 
 
 def with_held_values(table: Table, held: Iterable[str]) -> Table:

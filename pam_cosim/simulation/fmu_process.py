@@ -8,6 +8,7 @@ import pickle
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -62,8 +63,14 @@ class FmuProcess:
         process.stdout.close()
         process.wait()
 
-    def answer(self, call: str, arguments: dict[str, Any], alone: bool = True) -> Any:
-        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before."""
+    def answer(
+        self, call: str | Callable[..., Any], arguments: dict[str, Any], alone: bool = True
+    ) -> Any:
+        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before.
+
+        Args:
+            call: a function of the simulator there, or a function that takes the model and ``arguments["arguments"]``.
+        """
         if not alone and (self._process is None or self._process.poll() is not None):
             raise ProcessFailure(f"the run of {self.path.name} has ended with its process")
         kind, answer = self._ask({"call": call, "arguments": arguments})

@@ -43,7 +43,12 @@ def build(
         check_writable(Path(output), new_folder=True)
     model = model_name(model)
     made = build_model(
-        model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities
+        model,
+        as_paths(files),
+        platforms=platforms,
+        fmi=fmi,
+        sensitivities=sensitivities,
+        documented=True,
     )
     if is_fmu(model):  # what is no FMU is no better under another name
         read_interface(made)

@@ -59,6 +59,7 @@ def _program(path: Path, sanitizer: str, fmi: str, folder: Path) -> Path:
         *compiler,
         *_COMMON,
         f"-DFMI={fmi[0]}",
+        f"-DFMI{fmi[0]}_OVERRIDE_FUNCTION_PREFIX",
         f'-DGUID="{guid}"',
         f"-I{folder / 'sources'}",
         str(_FUZZ),
