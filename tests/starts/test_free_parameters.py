@@ -83,7 +83,7 @@ def test_a_parameter_that_also_drives_the_model_is_no_start(tmp_path: Path) -> N
     "free", [["load.m/stated"], ["load.m@run-01"], ["load.m/stated", "muscle.L0", "muscle.D0"]]
 )
 def test_a_load_or_a_sleeve_that_is_fitted_is_no_start(tmp_path: Path, free: list[str]) -> None:
-    """The rest of the model moves with them: runs of a muscle under pressure began without any, 65 kPa and 35 mm off."""
+    """The rest of the model moves with them: runs of a muscle under pressure began without any, 65 kPa off."""
     data = pam.read(_folder(tmp_path, 2.5))
     usual, freed = pam.compare(data), pam.fit(data, free=free).comparison
     assert [run.run.start for run in freed.runs] == [run.run.start for run in usual.runs]
