@@ -130,21 +130,26 @@ def parameters_of_run(
 
 
 def runs_of_table(
-    interface: Interface, table: RunTable, shared: Mapping[str, Stated], instead: Overrides
+    interface: Interface,
+    table: RunTable,
+    stated: Mapping[str, Stated],
+    shared: Mapping[str, float],
+    instead: Overrides,
 ) -> list[Run]:
     """The runs of one table of ``[[runs]]``: of a recording or its pieces, or of the curves of points at rest.
 
     Args:
         interface: of the bench.
         table: with what is stated for all runs.
-        shared: values of parameters that all runs share.
+        stated: parameters of all runs.
+        shared: values of those that are not free [SI].
         instead: what counts instead of what is stated of single runs.
 
     Raises:
         InputError: whatever is wrong in the table or in the recording.
     """
-    stated = {n: v for n, v in {**shared, **table.parameters}.items() if n not in table.fit}
-    values = known_values(interface, stated)
+    own = known_values(interface, table.parameters)
+    values = {name: one for name, one in {**shared, **own}.items() if name not in table.fit}
     points: list[Points] = []
     if table.is_static:
         constants = {one: value for one, value in values.items() if one in interface.inputs}
@@ -153,11 +158,11 @@ def runs_of_table(
     else:
         recording, files = read_run(table, interface)
     for name in recording.inputs:
-        if name in stated:
+        if name in values:
             message = (
                 f"{name} is constant here and a column of {shown(table.file)}; keep one of them"
             )
-            raise stated[name].place.error(message)
+            raise {**stated, **table.parameters}[name].place.error(message)
     run = _whole_run(table, interface, recording, files, values)
     if points:
         every = [_curve(run, one, i == 0) for i, one in enumerate(points)]

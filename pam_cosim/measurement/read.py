@@ -80,6 +80,7 @@ def _converted(
         name: free_parameter(interface, name, table, stated)
         for name, table in experiment.fit.items()
     }
+    shared = {name: value for name, value in values.items() if name not in free}
     for name, signal in experiment.signals.items():
         if name not in interface.outputs:
             message = f"{interface.model} has no output {shown(name)}; {did_you_mean(name, interface.outputs)}"
@@ -87,8 +88,7 @@ def _converted(
     tables = experiment.full_runs()
     check_runs(tables, experiment)
     of_runs = [one for table in tables for one in parameters_of_run(interface, table, stated)]
-    shared = {name: value for name, value in stated.items() if name not in free}
-    read = [runs_of_table(interface, table, shared, overrides) for table in tables]
+    read = [runs_of_table(interface, table, stated, shared, overrides) for table in tables]
     runs = tuple(run for several in read for run in several)
     overrides.check(title, [run.name for run in runs])
     check_branches(interface, tables, read)
@@ -99,7 +99,7 @@ def _converted(
         model=interface.model,
         bench="",
         signals=complete_noise(signals, runs),
-        parameters={name: values[name] for name in shared},
+        parameters=shared,
         fit=free | {one.name: one for one in of_runs},
         runs=runs,
         excluded=tuple(experiment.effects.exclude),
