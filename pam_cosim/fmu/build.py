@@ -20,17 +20,11 @@ from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.about import date, identity
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.compile import (
-    PLATFORMS,
-    binary_folder,
-    compile_library,
-    headers,
-    native_platform,
-    source_key,
-    universal_binary,
-)
+from pam_cosim.fmu.compile import compile_library, headers, source_key, universal_binary
 from pam_cosim.fmu.description import TOOL, model_identifier
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.own import note_own
+from pam_cosim.fmu.platforms import PLATFORMS, binary_folder, native_platform
 from pam_cosim.fmu.table import table
 from pam_cosim.fmu.tape import NoTapeError, TapedModel, tape_files, taped
 from pam_cosim.resources import fmu_runtime
@@ -114,7 +108,13 @@ def cached_fmu(
     """
     names, kind = _platform_names(platforms), "" if documented is None else "documented"
     full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, kind, *names)
-    return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names, fmi, documented))
+
+    def made() -> bytes:
+        content = fmu_bytes(make_ode(), names, fmi, documented)
+        note_own(content)
+        return content
+
+    return cached("fmus", full, ".fmu", made)
 
 
 def cached_description(key: str, make_ode: Callable[[], Ode]) -> Path:
