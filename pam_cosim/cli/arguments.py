@@ -36,6 +36,7 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
     if _FILE_ENDING.fullmatch(output.suffix) and not output.is_dir():
         raise InputError("FMUs are built: name a folder, or a file that ends in .fmu", output)
     from pam_cosim.compiler import names
+    from pam_cosim.fmu.description import model_identifier
 
     files: dict[Path, str] = {}
     for model in models:
