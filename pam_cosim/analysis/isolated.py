@@ -39,6 +39,6 @@ def work_on(
     if trusted:
         with ExchangeModel(path) as model:
             return job(model, *arguments)
-    with closing(FmuProcess(path, limit, "pam_cosim.analysis.worker")) as process:
-        result: R = process.answer(job, {"arguments": arguments})
+    with closing(FmuProcess(path, limit, "pam_cosim.analysis.exchange:ExchangeModel")) as process:
+        result: R = process.answer(job, {"positional": arguments})
     return result
