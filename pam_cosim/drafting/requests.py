@@ -27,6 +27,7 @@ from pam_cosim.drafting.time_column import check_time
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.measurement.place import Stated
 from pam_cosim.units import convert
 from pam_cosim.wording import did_you_mean, shown
 
@@ -115,7 +116,7 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
     interval = even_interval(_seconds(time)) if time is not None and is_whole else None
     if time is not None and interval is not None:
         columns = [_coarse(c, interval) if c is time else c for c in columns]
-        time, recording = None, recording.model_copy(update={"interval": interval})
+        time, recording = None, recording.model_copy(update={"interval": Stated(interval)})
     points = time is None and recording.interval is None
     if points:
         columns = _as_points(columns)

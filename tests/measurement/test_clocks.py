@@ -113,6 +113,24 @@ def test_faults(rig, logger, line, words):
         assert word in caught.value.message
 
 
+def test_what_a_run_states_of_gaps_holds_for_its_loggers(rig):
+    folder = rig('offset = "500 ms"')
+    head, *rows = (folder / "camera.csv").read_text().splitlines()
+    cells = [row.split(";") for row in rows]
+    for row in cells[100:]:  # its clock began anew
+        row[0] = f"{float(row[0].replace(',', '.')) - 4.0:.4f}".replace(".", ",")
+    (folder / "camera.csv").write_text("\n".join([head, *map(";".join, cells), ""]))
+    with pytest.raises(InputError, match='gaps = "split" or "through"'):
+        read_data_set(folder, describe)
+    experiment = folder / "experiment.toml"
+    text = experiment.read_text().replace('"rig.csv"\n', '"rig.csv"\ngaps = "through"\n')
+    experiment.write_text(text)
+    (run,) = read_data_set(folder, describe).runs
+    there = np.isfinite(run.measurements["x"])
+    assert there.sum() == len(cells)
+    np.testing.assert_allclose(run.time[there] - 1e3 * run.measurements["x"][there], 0.5, atol=2e-4)
+
+
 def at_rows(recording, *names: str) -> list[list[float]]:
     columns = {**recording.inputs, **recording.measurements}
     return [recording.time.tolist(), *(columns[name].tolist() for name in names)]
