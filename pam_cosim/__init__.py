@@ -24,7 +24,6 @@ if TYPE_CHECKING:
         LinearModel,  # of linearise: the matrices A, B, C and D
         Observation,  # of observe: estimated states over time
         OperatingPoint,  # about which a model was linearised
-        Tracking,  # of track: the error by frequency
     )
     from pam_cosim.cosimulation import (
         Controller,  # a Python function as a component of a system
@@ -50,7 +49,6 @@ if TYPE_CHECKING:
         Trajectory,  # of simulate: signals over time
     )
     from pam_cosim.study import (
-        actuator,
         add,
         bench,
         benches,
@@ -81,7 +79,6 @@ if TYPE_CHECKING:
         simulate,
         start,
         sweep,
-        track,
         write_system,
     )
     from pam_cosim.sweeps import (
@@ -108,7 +105,6 @@ __all__ = [
     "Sweep",
     "SweepPoint",
     "System",
-    "Tracking",
     "Trajectory",
     "controller",
 ]

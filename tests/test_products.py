@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import pickle
+import sys
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -14,8 +15,10 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.diagnosis import BaseFitted, CandidateTried
 from pam_cosim.diagnosis.description.learning_library import Form, FormConstant, Quantity
+from pam_cosim.exports import Tabular
 from pam_cosim.fitting import HoldoutUncertainty
 from pam_cosim.study.products import _KINDS
+from pam_cosim.sweeps import Sweep
 from pam_cosim.wording import Printed
 from tests.fitting.models import vessel_data
 from tests.pictures import drawn
@@ -131,6 +134,59 @@ def test_the_line_of_a_product_has_its_result() -> None:
         "Comparison of PneumaticMuscle.Benches.Isotonic with 'a rig': p "
     )
     assert repr(PRODUCTS["fit"]).startswith("Fit of M to 'a rig': reduced chi-square fit ")
+
+
+def test_every_product_with_rows_becomes_a_frame() -> None:
+    assert not {
+        kind.__name__
+        for kind in (*_KINDS.values(), pam.CoupledRun, Sweep)
+        if not issubclass(kind, (Tabular, Sweep))
+    } - {"Ledger", "LinearCourse"}  # whose rows are those of their parts
+    comparison, fit, diagnosis = PRODUCTS["comparison"], PRODUCTS["fit"], PRODUCTS["ambiguous"]
+    samples = comparison.to_frame()
+    run = comparison.runs[0]
+    of_x = samples[(samples.index == run.run.name) & (samples["signal"] == "x")]
+    there = np.isfinite(run.run.measurements["x"])
+    np.testing.assert_array_equal(of_x["residual"], run.residual("x")[there])
+    np.testing.assert_array_equal(of_x["time"], run.run.time[there])
+    assert set(of_x["unit"]) == {"m"} and samples.attrs["units"] == {"time": "s"}
+    assert fit.to_frame().loc["valve.C_A", "value"] == fit.parameters["valve.C_A"].value
+    assert list(diagnosis.to_frame().index) == [" + ".join(c.effects) for c in diagnosis.candidates]
+    data = diagnosis.to_xarray()
+    np.testing.assert_array_equal(data["delta_bic"], [c.delta_bic for c in diagnosis.candidates])
+    assert data["delta_bic"].attrs == {"units": "1"} and data["family"].attrs == {}
+
+
+def test_the_frame_of_a_table_has_names_and_units() -> None:
+    linear = pam.linearise("VesselOrifice", at=1.0)
+    frame = linear.to_frame()
+    assert list(frame.columns) == [*linear.states, *linear.inputs]
+    assert frame.attrs["units"] == {name: linear.units[name] for name in frame.columns}
+    np.testing.assert_array_equal(frame.to_numpy()[0], [*linear.A[0], *linear.B[0]])
+
+
+def test_a_condition_table_has_a_row_for_each_cell() -> None:
+    runs = [
+        replace(run, parameters={"load.m": 2.0, "f": float(i)}) for i, run in enumerate(DATA.runs)
+    ]
+    table = make_comparison(replace(DATA, runs=tuple(runs)), 2.0).table("f", "load.m", "x")
+    frame = table.to_frame()
+    assert list(frame.index) == [0.0, 1.0, 2.0] and set(frame["load.m"]) == {2.0}
+    np.testing.assert_array_equal(frame["rmse"], table.rmse.ravel())
+    assert frame.attrs["units"]["rmse"] == "m"
+
+
+@pytest.mark.parametrize(("method", "library"), [("to_frame", "pandas"), ("to_xarray", "xarray")])
+@pytest.mark.parametrize("name", ["fit", "sweep"])
+def test_a_missing_library_is_named_with_what_to_type(
+    name: str, method: str, library: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    product = PRODUCTS["fit"] if name == "fit" else Sweep.__new__(Sweep)
+    monkeypatch.setitem(sys.modules, library, None)
+    with pytest.raises(
+        pam.InputError, match=f"{library} is not installed.*: pip install {library}"
+    ):
+        getattr(product, method)()
 
 
 def test_a_formula_with_a_shape(tmp_path: Path) -> None:

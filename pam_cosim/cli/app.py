@@ -26,8 +26,6 @@ _RUN = (
     "linearise",
     "bode",
     "observe",
-    "track",
-    "actuator",
 )
 _STUDY = (
     "new",

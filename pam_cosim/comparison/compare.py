@@ -13,7 +13,7 @@ from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.errors import InputError
-from pam_cosim.files import Plain
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
@@ -22,7 +22,7 @@ from pam_cosim.wording import Printed, did_you_mean, listed, look_first
 
 
 @dataclass(frozen=True)
-class Comparison(Printed, Plain):
+class Comparison(Printed, Tabular):
     """Residuals and scores of a model on a data set.
 
     Attributes:
@@ -103,6 +103,22 @@ class Comparison(Printed, Plain):
         said = [r.solver for r in self.runs if r.solver]
         count = "" if len(said) == len(self.runs) else f" (in {len(said)} of {len(self.runs)} runs)"
         return [f"{said[0]}{count}"] if said else []
+
+    def frame_columns(self) -> Columns:
+        """A row for each sample of each run and signal, its values in the SI unit of the column "unit"."""
+        rows = [
+            (r.run.name, time, name, self.data.signals[name].unit, value, model, value - model)
+            for r in self.runs
+            for name, values in r.run.measurements.items()
+            for time, value, model in zip(r.run.time, values, r.model[name], strict=True)
+            if math.isfinite(value)
+        ]
+        names = ("run", "time", "signal", "unit", "measured", "model", "residual")
+        columns = zip(*rows, strict=True) if rows else ((),) * len(names)
+        return {
+            name: (column, "s" if name == "time" else None)
+            for name, column in zip(names, columns, strict=True)
+        }
 
     @property
     def _roles(self) -> dict[str, object]:

@@ -18,8 +18,8 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
-from pam_cosim.exports import write_table
-from pam_cosim.files import Plain, plain
+from pam_cosim.exports import Columns, Tabular, write_table
+from pam_cosim.files import plain
 from pam_cosim.measurement import Run, Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 from pam_cosim.wording import Printed, did_you_mean, listed
@@ -49,7 +49,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class ConditionTable(Printed, Plain):
+class ConditionTable(Printed, Tabular):
     """Scores of one signal by two parameters of the runs; NaN in a cell without samples.
 
     Attributes:
@@ -86,6 +86,17 @@ class ConditionTable(Printed, Plain):
     def by_column(self, statistic: Statistic) -> tuple[Array, Array]:
         """Mean and standard deviation of each column, (n,) both, over the cells that have samples."""
         return _moments(self.values(statistic).T)
+
+    def frame_columns(self) -> Columns:
+        """A row for each cell."""
+        rows, columns = self.rows, self.columns
+        units: dict[Statistic, str] = {"correlation": "", "rmse": self.unit, "chi2_reduced": ""}
+        return {
+            rows.name: (np.repeat(rows.values, len(columns.values)), rows.unit),
+            columns.name: (np.tile(columns.values, len(rows.values)), columns.unit),
+            **{name: (self.values(name).ravel(), unit) for name, unit in units.items()},
+            "samples": (self.samples.ravel(), ""),
+        }
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data for JSON, SI units; None where there is no sample."""

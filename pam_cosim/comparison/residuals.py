@@ -5,6 +5,9 @@ from __future__ import annotations
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 
+import numpy as np
+from numpy.typing import NDArray
+
 from pam_cosim.arrays import Array
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
@@ -31,6 +34,12 @@ class RunComparison:
     def residual(self, signal: str) -> Array:
         """Measured minus modelled [SI], shape (n,), NaN where a sample is missing."""
         return self.run.measurements[signal] - self.model[signal]
+
+    def at_samples(self, signal: str) -> tuple[NDArray[np.bool_], Array, Array]:
+        """(n,) which samples of a signal there are, and the residuals and readings of these [SI]."""
+        readings = self.run.measurements[signal]
+        kept = np.isfinite(readings)
+        return kept, self.residual(signal)[kept], readings[kept]
 
 
 def warnings_of(runs: Iterable[RunComparison]) -> tuple[str, ...]:

@@ -56,7 +56,8 @@ from pam_cosim.diagnosis.search.search_result import (
 from pam_cosim.diagnosis.search.selection import Selection
 from pam_cosim.diagnosis.search.subject import Subject, subject_of
 from pam_cosim.errors import InputError
-from pam_cosim.files import Plain, plain_fields
+from pam_cosim.exports import Columns, Tabular
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
@@ -67,7 +68,7 @@ from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
-class Diagnosis(Printed, Plain):
+class Diagnosis(Printed, Tabular):
     """Everything a diagnosis found.
 
     Attributes:
@@ -159,6 +160,21 @@ class Diagnosis(Printed, Plain):
             *[self.means] * bool(self.means),
             *[self.said_of_steps] * bool(self.step_times),
         )
+
+    def frame_columns(self) -> Columns:
+        """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
+        tried = self.candidates
+        return {
+            "effects": ([" + ".join(one.effects) for one in tried], None),
+            "family": ([one.family for one in tried], None),
+            "balance": ([one.balance for one in tried], None),
+            **{
+                f"chi2_{role}": ([one.fit.comparison.chi2_reduced(role) for one in tried], "")
+                for role in ROLES
+            },
+            "delta_bic": ([one.delta_bic for one in tried], ""),
+            "probability": ([one.probability for one in tried], ""),
+        }
 
     @property
     def _base(self) -> dict[str, object]:

@@ -24,7 +24,7 @@ from pam_cosim.drafting.words import (
     USUAL_STEPS,
 )
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import EXAMPLE
+from pam_cosim.measurement.cell_kinds import EXAMPLE
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown

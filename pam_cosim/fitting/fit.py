@@ -20,7 +20,7 @@ from pam_cosim.comparison import (
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.files import Plain
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
@@ -40,7 +40,7 @@ from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Fit(Printed, Plain):
+class Fit(Printed, Tabular):
     """A model with its free parameters fitted to the fit runs of a data set.
 
     Attributes:
@@ -150,6 +150,18 @@ class Fit(Printed, Plain):
         return replace(
             self, comparison=comparison, residuals=statistics_by_role(comparison), linear=linear
         )
+
+    def frame_columns(self) -> Columns:
+        """A row for each parameter: its value and 95 % interval in the SI unit of the column "unit"."""
+        estimates = self.parameters.values()
+        return {
+            "parameter": (list(self.parameters), None),
+            "unit": ([one.unit for one in estimates], None),
+            "value": ([one.value for one in estimates], None),
+            "low": ([one.low for one in estimates], None),
+            "high": ([one.high for one in estimates], None),
+            "determined": ([one.determined for one in estimates], None),
+        }
 
     def confused(self) -> tuple[str, ...]:
         """A sentence for each pair of parameters that these data hardly tell apart."""

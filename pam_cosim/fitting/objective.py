@@ -22,7 +22,6 @@ from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.sensitivities import (
     acts_on,
     has_sensitivities,
-    measured_signals,
     outputs_of,
     sensitivities_of_run,
 )
@@ -30,7 +29,7 @@ from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
-from pam_cosim.starts import EliminatedStarts
+from pam_cosim.starts import EliminatedStarts, measured_signals
 
 DIFFERENCE_TOLERANCE = 1e-7  # of the solver, where slopes are differences, which magnify its error
 _DIFFERENCE_STEP = 1e-3  # in search coordinates: far above the solver's error
@@ -80,13 +79,11 @@ class Objective:
             None  # where, residuals, exact Jacobian there
         )
         self._squares_at: dict[bytes, float] = {}
-        self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
-        self._sensitivities = [
-            sensitivities_of_run(run, names, free, known)
-            for run, names in zip(self.runs, self._signals, strict=True)
+        self._signals = [
+            sensitivities_of_run(run, measured_signals(run, data), free, known) for run in self.runs
         ]
-        self._outputs = [outputs_of(slopes) for slopes in self._sensitivities]
+        self._outputs = [outputs_of(slopes) for slopes in self._signals]
         self._exact = has_sensitivities(self._signals, free, known)
         usual = CRITERIA.fit.tolerance if all(self._exact) else DIFFERENCE_TOLERANCE
         self.tolerance = usual if tolerance is None else tolerance
@@ -130,17 +127,20 @@ class Objective:
         """Whether start values were found that leave less; a descent that goes on from ``z`` has them."""
         if self.starts.to_first_order or not self._has_starts(z):
             return False
-        found = self.starts.found_others(self, z)
+
+        def anew() -> Array:
+            self._latest = None
+            return self.residuals(z)
+
+        here, values = self.residuals(z), self.values(z)
+        found = self.starts.found_others(z, values, here, anew, self._start_values_of_part)
+        self._latest = None
         if found:
             self._squares_at.clear()
         return found
 
-    def forget(self) -> None:
-        """Lets the point that was asked last be simulated again."""
-        self._latest = None
-
-    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
-        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+    def _start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
+        """The start values by state [SI] that leave least of a part of a run; none where it fails."""
         few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
         few.starts.state_ranges = self.starts.state_ranges
         if not np.isfinite(few.squares(np.zeros(0))):
@@ -230,7 +230,7 @@ class Objective:
         for k, sd in enumerate(one.sd):
             one.values = here.copy()
             one.values[k] += _DIFFERENCE_STEP * sd
-            moved = self._weighted(self._run(z, i, self._signals[i]), i)
+            moved = self._weighted(self._run(z, i, [*self._signals[i]]), i)
             columns.append((moved - residuals) / (one.values[k] - here[k]))
             one.values = here
         return run, residuals, np.column_stack(columns)
@@ -253,8 +253,7 @@ class Objective:
         squares = defaultdict[str, list[Array]](list)
         for run, names in zip(self.latest_runs, self._signals, strict=False):
             for name in names:
-                error = run.residual(name)[np.isfinite(run.run.measurements[name])]
-                squares[name].append(error**2)
+                squares[name].append(run.at_samples(name)[1] ** 2)
         return {name: float(np.sqrt(np.mean(np.concatenate(e)))) for name, e in squares.items()}
 
     def cost(self, z: Array) -> float:
@@ -297,7 +296,7 @@ class Objective:
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
         """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            runs = self.latest_runs = [self._run(z, i, self._signals[i]) for i in chosen]
+            runs = self.latest_runs = [self._run(z, i, [*self._signals[i]]) for i in chosen]
             parts = [self._weighted(run, i) for run, i in zip(runs, chosen, strict=True)]
             return np.concatenate([np.zeros(0), *parts])
         except SimulationFailure as failure:
@@ -316,15 +315,13 @@ class Objective:
     def _weighted(self, run: RunComparison, i: int) -> Array:
         parts = [np.zeros(0)]
         for name in self._signals[i]:
-            kept = np.isfinite(run.run.measurements[name])
-            error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
+            _, error, reading = run.at_samples(name)
             parts.append(standardized_residuals(error, self.data.signals[name], reading))
         return np.concatenate(parts)
 
     def _exact_slopes(self, run: RunComparison, name: str, by: Sequence[str]) -> list[Array]:
         """The slopes of the residuals of a signal, at the samples that are there, by its sensitivities."""
-        kept = np.isfinite(run.run.measurements[name])
-        error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
+        kept, error, reading = run.at_samples(name)
         by_error = -slope(error, self.data.signals[name], reading)
         return [by_error * run.model[sensitivity][kept] for sensitivity in by]
 
@@ -336,7 +333,7 @@ class Objective:
         jacobian = np.zeros((self._rows, len(self.free)))
         by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
-        for run, sensitivities in zip(self.latest_runs, self._sensitivities, strict=True):
+        for run, sensitivities in zip(self.latest_runs, self._signals, strict=True):
             for name, acting in sensitivities.items():
                 rows = slice(row, row := row + run.run.sample_count(name))
                 columns = self._exact_slopes(run, name, [sensitivity for _, sensitivity in acting])

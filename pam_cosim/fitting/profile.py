@@ -14,7 +14,8 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.files import Plain, plain
+from pam_cosim.exports import Columns, Tabular
+from pam_cosim.files import plain
 from pam_cosim.fitting.estimate import standard_deviations
 from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
@@ -92,11 +93,26 @@ class Profile:
 
 
 @dataclass(frozen=True)
-class Profiles(Printed, Plain):
+class Profiles(Printed, Tabular):
     """The profiles of all parameters of a fit, by name."""
 
     model: str
     profiles: dict[str, Profile]
+
+    def frame_columns(self) -> Columns:
+        """A row for each point of each profile, its value in the SI unit of the column "unit"."""
+        rows = [
+            (one.name, one.unit, value, rise)
+            for one in self.profiles.values()
+            for value, rise in zip(one.values, one.rise, strict=True)
+        ]
+        names, units, values, rises = zip(*rows, strict=True)
+        return {
+            "parameter": (names, None),
+            "unit": (units, None),
+            "value": (values, None),
+            "rise": (rises, ""),
+        }
 
     def as_dict(self) -> dict[str, Any]:
         """Plain data for JSON, SI units."""

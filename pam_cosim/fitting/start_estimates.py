@@ -8,7 +8,6 @@ import numpy as np
 
 from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, Run
@@ -59,13 +58,10 @@ def estimated_starts(
         return {}
     objective = Objective(simulator, data, chosen, (), values, tolerance)
     objective.starts.state_ranges = state_ranges or {}
-    try:
-        nothing = np.zeros(0)
-        if second_look and not objective.is_at_noise(objective.squares(nothing)):
-            objective.found_other_starts(nothing)
-        objective.residuals(nothing)
-    except SimulationFailure:
-        return {}
+    nothing = np.zeros(0)
+    if second_look and not objective.is_at_noise(objective.squares(nothing)):
+        objective.found_other_starts(nothing)
+    objective.residuals(nothing)
     return start_estimates(objective)
 
 

@@ -18,18 +18,13 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
+from pam_cosim.fmu.about import date, identity
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.compile import (
-    PLATFORMS,
-    binary_folder,
-    compile_library,
-    headers,
-    native_platform,
-    source_key,
-    universal_binary,
-)
+from pam_cosim.fmu.compile import compile_library, headers, source_key, universal_binary
 from pam_cosim.fmu.description import TOOL, model_identifier
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.own import note_own
+from pam_cosim.fmu.platforms import PLATFORMS, binary_folder, native_platform
 from pam_cosim.fmu.table import table
 from pam_cosim.fmu.tape import NoTapeError, TapedModel, tape_files, taped
 from pam_cosim.resources import fmu_runtime
@@ -100,6 +95,7 @@ def cached_fmu(
     *,
     platforms: Sequence[str] = ("native",),
     fmi: str = "2.0",
+    documented: Sequence[Path] | None = None,
 ) -> Path:
     """The FMU of a model in the cache; ``make_ode`` is called only when it is not there yet.
 
@@ -108,10 +104,17 @@ def cached_fmu(
         make_ode: compiles the model.
         platforms: as in ``build_fmu``.
         fmi: as in ``build_fmu``.
+        documented: the user's Modelica files, for an FMU with the date, documentation and pictures; None: without.
     """
-    names = _platform_names(platforms)
-    full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, *names)
-    return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names, fmi))
+    names, kind = _platform_names(platforms), "" if documented is None else "documented"
+    full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, kind, *names)
+
+    def made() -> bytes:
+        content = fmu_bytes(make_ode(), names, fmi, documented)
+        note_own(content)
+        return content
+
+    return cached("fmus", full, ".fmu", made)
 
 
 def cached_description(key: str, make_ode: Callable[[], Ode]) -> Path:
@@ -187,9 +190,14 @@ def _as_data(ode: Ode, model: TapedModel) -> dict[str, bytes]:
     return described | tape_files(model, guid) | {binary: library.read_bytes()}
 
 
-def fmu_bytes(ode: Ode, names: Sequence[str], fmi: str = "2.0") -> bytes:
-    """The archive for the named platforms."""
-    return archived(_contents(ode, names, fmi))
+def fmu_bytes(
+    ode: Ode,
+    names: Sequence[str],
+    fmi: str = "2.0",
+    documented: Sequence[Path] | None = None,
+) -> bytes:
+    """The archive for the named platforms; ``documented`` as in ``cached_fmu``."""
+    return archived(_contents(ode, names, fmi, documented=documented))
 
 
 def archived(files: Mapping[str, bytes]) -> bytes:
@@ -243,7 +251,13 @@ def _packaging_key() -> str:
     )
 
 
-def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
+def _contents(
+    ode: Ode,
+    names: Sequence[str],
+    fmi: str,
+    lean: bool = False,
+    documented: Sequence[Path] | None = None,
+) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
     draft = _descriptions(ode, _NO_GUID, fmi, lean)
     source = model_source(ode, _NO_GUID, lean, fmi)
@@ -251,9 +265,12 @@ def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> d
     guid = _guid(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     # The first place is the right one: both files begin with it.
     source = source.replace(c_string(_NO_GUID), c_string(guid), 1)
-    described = {
-        name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()
-    }
+    dated = {} if documented is None else {"generationDateAndTime": date()}
+    described = _descriptions(ode, guid, fmi, lean, dated)
+    if documented is not None:
+        from pam_cosim.fmu.documentation import documentation
+
+        described |= documentation(ode, documented, fmi)
     identifier = model_identifier(ode.interface.model)
     shipped = {} if lean else _sources(source, identifier, fmi)
     return described | shipped | _binaries(ode, source, names, fmi)
@@ -264,16 +281,25 @@ def _guid(*parts: str | bytes) -> str:
     return f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
 
 
-def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]:
+def _descriptions(
+    ode: Ode, guid: str, fmi: str, lean: bool, about: Mapping[str, str] | None = None
+) -> dict[str, bytes]:
     entries, compiled = table(ode, fmi, lean=lean), (_MODEL, *runtime(fmi))
+    said = {} if lean else identity(ode) | dict(about or {})
     if lean:
         return {
-            _DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), (), lean=True)
+            _DESCRIPTION: description2.model_description(
+                ode, entries, guid, _tool(), (), said, lean=True
+            )
         }
     if fmi == "2.0":
-        return {_DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), compiled)}
+        return {
+            _DESCRIPTION: description2.model_description(
+                ode, entries, guid, _tool(), compiled, said
+            )
+        }
     return {
-        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool()),
+        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool(), said),
         "sources/buildDescription.xml": description3.build_description(ode, compiled),
     }
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import platform
 import shutil
 import struct
 import subprocess
@@ -12,7 +11,6 @@ import tempfile
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -21,8 +19,8 @@ import fmpy
 import ziglang
 
 from pam_cosim.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
-from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.platforms import PLATFORMS, Platform
 from pam_cosim.processes.interrupts import run_tool
 from pam_cosim.resources import fmu_runtime
 
@@ -66,62 +64,6 @@ _NO_ROOM = (
 
 class CompilerError(RuntimeError):
     """The C compiler refused a generated or shipped source: a defect of this package."""
-
-
-@dataclass(frozen=True)
-class Platform:
-    """A platform that FMUs are built for.
-
-    Attributes:
-        target: the compiler's name of it; a glibc version makes the binary run on old systems too.
-        folder: directory of the binary inside an FMI 2.0 archive.
-        tuple: the same inside an FMI 3.0 archive.
-        suffix: of a shared library.
-    """
-
-    target: str
-    folder: str
-    tuple: str
-    suffix: str
-
-
-PLATFORMS: dict[str, Platform] = {
-    "x86_64-linux": Platform("x86_64-linux-gnu.2.17", "linux64", "x86_64-linux", ".so"),
-    "aarch64-linux": Platform("aarch64-linux-gnu.2.17", "aarch64-linux", "aarch64-linux", ".so"),
-    "x86_64-windows": Platform("x86_64-windows-gnu", "win64", "x86_64-windows", ".dll"),
-    "x86_64-macos": Platform("x86_64-macos", "darwin64", "x86_64-darwin", ".dylib"),
-    "aarch64-macos": Platform("aarch64-macos", "darwin64", "aarch64-darwin", ".dylib"),
-}
-
-
-def native_platform() -> str:
-    """Name in ``PLATFORMS`` of the machine this runs on.
-
-    Raises:
-        InputError: FMUs cannot be built for it.
-    """
-    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(
-        platform.machine().lower(), platform.machine().lower()
-    )
-    system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, sys.platform)
-    name = f"{machine}-{system}"
-    if name not in PLATFORMS:
-        raise InputError(f"FMUs cannot be built on {name}; supported are {', '.join(PLATFORMS)}")
-    return name
-
-
-def binary_folder(name: str, names: Sequence[str], fmi: str = "2.0") -> str:
-    """Directory of a platform's binary in an archive for ``names``.
-
-    FMI 2.0 knows one 64-bit Linux, and tools on an ARM machine look there too: ARM alone takes that place.
-    """
-    if fmi == "3.0":
-        return PLATFORMS[name].tuple
-    return (
-        "linux64"
-        if name == "aarch64-linux" and "x86_64-linux" not in names
-        else PLATFORMS[name].folder
-    )
 
 
 def _zig() -> Path:
@@ -211,6 +153,8 @@ def _compile(
 
 def _compiled(command: Sequence[str], folder: Path, cache: Path, target: Platform) -> str:
     """Runs the C compiler: what it complains of, if it failed."""
+    from pam_cosim.compiler.budget import LIMITS  # loads the compiler of Modelica
+
     environment = os.environ | {
         "ZIG_GLOBAL_CACHE_DIR": str(cache),
         "ZIG_LOCAL_CACHE_DIR": str(cache),

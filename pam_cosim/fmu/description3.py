@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
@@ -18,8 +18,14 @@ _SHARED = {
 _CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "maxOutputDerivativeOrder": "1"}
 
 
-def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, tool: str) -> bytes:
-    """The complete file.
+def model_description(
+    ode: Ode,
+    entries: Sequence[VariableEntry],
+    token: str,
+    tool: str,
+    about: Mapping[str, str],
+) -> bytes:
+    """The complete file; ``about`` has author, version and licence.
 
     Raises:
         ModelError: a unit that cannot be read, or a limit that is not a number.
@@ -32,6 +38,7 @@ def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, to
             "instantiationToken": token,
             "modelName": interface.model,
             **({"description": ode.description} if ode.description else {}),
+            **about,
             "generationTool": tool,
             "variableNamingConvention": shared.naming_convention(entries),
         },

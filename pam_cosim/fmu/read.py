@@ -33,6 +33,7 @@ DAMAGED = (
     zlib.error,
     lzma.LZMAError,
 )  # what reading an archive raises that is none, or not whole
+TABLES = "tape.json"  # in the folder of a model as data
 _DESCRIPTION = "modelDescription.xml"
 _LONGEST_NAME, _LONGEST_PART = (
     1000,

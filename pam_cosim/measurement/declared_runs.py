@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from math import inf
@@ -37,17 +38,19 @@ def check_runs(runs: Sequence[RunTable], experiment: Experiment) -> None:
         for key in filter(experiment.states, _OVER_TIME):
             raise experiment.error(f"{key} {_NOT_STATIC}", key)
     files = [run.at("file").file_inside(run.file).resolve() for run in runs]
-    for index, run in enumerate(runs):
-        for other in range(index):
-            if files[other] == files[index]:
-                _check_apart(runs[other], run)
-    names = [run.name for run in runs]
+    listed = defaultdict[Path, list[RunTable]](list)
+    for file, run in zip(files, runs, strict=True):
+        for other in listed[file]:
+            _check_apart(other, run)
+        listed[file].append(run)
     may_choose = any(may_hold_tables(Path(run.file)) for run in runs)
-    for index, run in enumerate(runs):
+    names = set[str]()
+    for run in runs:
         _check_keys(run, experiment, may_choose)
-        if run.name in names[:index]:
+        if run.name in names:
             message = f"two runs would be called {shown(run.name)}; rename one of the files"
             raise run.error(message, "file")
+        names.add(run.name)
 
 
 def _check_apart(one: RunTable, other: RunTable) -> None:
@@ -127,21 +130,26 @@ def parameters_of_run(
 
 
 def runs_of_table(
-    interface: Interface, table: RunTable, shared: Mapping[str, Stated], instead: Overrides
+    interface: Interface,
+    table: RunTable,
+    stated: Mapping[str, Stated],
+    shared: Mapping[str, float],
+    instead: Overrides,
 ) -> list[Run]:
     """The runs of one table of ``[[runs]]``: of a recording or its pieces, or of the curves of points at rest.
 
     Args:
         interface: of the bench.
         table: with what is stated for all runs.
-        shared: values of parameters that all runs share.
+        stated: parameters of all runs.
+        shared: values of those that are not free [SI].
         instead: what counts instead of what is stated of single runs.
 
     Raises:
         InputError: whatever is wrong in the table or in the recording.
     """
-    stated = {n: v for n, v in {**shared, **table.parameters}.items() if n not in table.fit}
-    values = known_values(interface, stated)
+    own = known_values(interface, table.parameters)
+    values = {name: one for name, one in {**shared, **own}.items() if name not in table.fit}
     points: list[Points] = []
     if table.is_static:
         constants = {one: value for one, value in values.items() if one in interface.inputs}
@@ -150,17 +158,21 @@ def runs_of_table(
     else:
         recording, files = read_run(table, interface)
     for name in recording.inputs:
-        if name in stated:
+        if name in values:
             message = (
                 f"{name} is constant here and a column of {shown(table.file)}; keep one of them"
             )
-            raise stated[name].place.error(message)
+            raise {**stated, **table.parameters}[name].place.error(message)
     run = _whole_run(table, interface, recording, files, values)
     if points:
         every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
         parts = f"holds {len(every)} curves"
     else:
-        part = _cut_as_stated(table, run)
+        ends = _stated_ends(table)
+        try:
+            part = cut_run(run, Cut(ends.get("from"), ends.get("to")))
+        except InputError as error:
+            raise table.error(error.message, next(iter(ends), "file")) from None
         every = pieces_of(part, table.gaps)
         if table.is_part:
             run = part  # what others cut it to lies within: the rest is of another run
@@ -194,15 +206,6 @@ def _whole_run(
         averaged=recording.averaged,
         default_inputs=tuple(name for name in interface.inputs if name not in stated),
     )
-
-
-def _cut_as_stated(table: RunTable, run: Run) -> Run:
-    """The rows of a recording that ``from`` and ``to`` leave."""
-    ends = _stated_ends(table)
-    try:
-        return cut_run(run, Cut(ends.get("from"), ends.get("to")))
-    except InputError as error:
-        raise table.error(error.message, next(iter(ends), "file")) from None
 
 
 def _stated_ends(table: RunTable) -> dict[str, float]:

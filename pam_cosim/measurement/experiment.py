@@ -10,13 +10,12 @@ from pathlib import Path
 from pydantic import ValidationError
 
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.measurement.experiment_errors import complaint_of
 from pam_cosim.measurement.experiment_tables import Experiment, located
 from pam_cosim.measurement.place import Place
 from pam_cosim.measurement.text_file import read_text
 from pam_cosim.measurement.toml_text import line_of, parse_toml
-
-FILE_NAME = "experiment.toml"
 
 
 def error_in(folder: Path, message: str, *keys: str | int) -> InputError:

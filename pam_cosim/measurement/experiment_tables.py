@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from pathlib import Path
 from typing import Annotated, Any, Literal, Self
 
@@ -252,14 +253,13 @@ class Experiment(CheckedTable):
 
     def full_runs(self) -> list[RunTable]:
         """The runs, each with what is stated for all of them."""
-        made, files = [], [Path(run.file) for run in self.runs]
-        for i, run in enumerate(self.runs):
+        files = Counter(Path(run.file) for run in self.runs)
+        made, parts = [], Counter[Path]()
+        for run, file in ((run, Path(run.file)) for run in self.runs):
             recording = run.recording.completed(self.recording)
-            columns = {**self.columns, **run.columns}
-            full = run.completed(self).model_copy(
-                update={"recording": recording, "columns": columns}
-            )
-            if files.count(files[i]) > 1:
-                full._part = files[: i + 1].count(files[i])
+            update = {"recording": recording, "columns": {**self.columns, **run.columns}}
+            full = run.completed(self).model_copy(update=update)
+            parts[file] += 1
+            full._part = parts[file] if files[file] > 1 else 0
             made.append(full)
         return made

@@ -60,10 +60,10 @@ def with_names_of_maps(experiment: Experiment, interface: Interface) -> Experime
     return made.model_copy(update={"fit": {**free, **made.fit}})
 
 
-def _constants(content: Experiment, interface: Interface) -> dict[str, str]:
-    """What the maps call a parameter that the document states or leaves free."""
-    of_runs = [name for run in content.runs for name in run.fit]
-    stated = dict.fromkeys([*content.parameters, *content.fit, *of_runs])
+def _constants(experiment: Experiment, interface: Interface) -> dict[str, str]:
+    """What the maps call a parameter that is stated or free."""
+    of_runs = [name for run in experiment.runs for name in run.fit]
+    stated = dict.fromkeys([*experiment.parameters, *experiment.fit, *of_runs])
     names = {name: constant_of(name) for name in stated if name not in interface.inputs}
     return {name: constant for name, constant in names.items() if constant in interface.parameters}
 
@@ -82,17 +82,13 @@ def _by_names(table: Any, raw: Mapping[str, str], constants: Mapping[str, str]) 
 
 def _columns(columns: Mapping[str, ColumnTable], raw: Mapping[str, str]) -> dict[str, ColumnTable]:
     """Columns of inputs with a map are read as they were recorded."""
-    renamed: dict[str, ColumnTable] = {}
+    renamed = dict[str, ColumnTable]()
     for name, table in columns.items():
-        renamed[raw.get(name, name)] = _as_recorded(name, table) if name in raw else table
+        update: dict[str, Any] = {"gain": None, "offset": None, "fit": False}
+        if not table.formula:
+            update["column"] = name if table.column is None else table.column
+        renamed[raw.get(name, name)] = table.model_copy(update=update if name in raw else {})
     return renamed
-
-
-def _as_recorded(name: str, table: ColumnTable) -> ColumnTable:
-    update: dict[str, Any] = {"gain": None, "offset": None, "fit": False}
-    if not table.formula:
-        update["column"] = name if table.column is None else table.column
-    return table.model_copy(update=update)
 
 
 def _map(known: Variable, table: ColumnTable) -> InputMap:

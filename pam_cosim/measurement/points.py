@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -10,7 +11,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.curves import Curve, Indices, curves, directions
+from pam_cosim.measurement.curves import Curve, curves, directions
 from pam_cosim.measurement.experiment_tables import RunTable
 from pam_cosim.measurement.recording import (
     Recording,
@@ -95,7 +96,11 @@ def points_of(
         label = ", ".join(
             filter(None, (_label(curve, interface), _way(branch, curve), "held out" if out else ""))
         )
-        recording = _recording(table, curve.rows, imposed, read, curve.along)
+        inputs, outputs = (
+            {name: locked(values[curve.rows]) for name, values in columns.items()}
+            for columns in (imposed, read)
+        )
+        recording = Recording(inputs[curve.along], inputs, outputs, table.notes)
         found.append(Points(label, curve.along, interface.inputs[curve.along].unit, recording, out))
     return _distinct(found)
 
@@ -113,18 +118,16 @@ def _way(branch: Array | None, curve: Curve) -> str:
     """The direction of a curve, where others go the other way."""
     if branch is None or not float(np.ptp(branch)) > 0.0:
         return ""
-    return _word(branch[curve.rows[0]])
+    return next(word for word, value in WORDS.items() if value == branch[curve.rows[0]])
 
 
 def _distinct(found: list[Points]) -> list[Points]:
     """Labels of curves that are alike are numbered."""
-    seen: dict[str, int] = {}
-    named = []
+    seen, named = Counter[str](), []
     for one in found:
-        seen[one.label] = seen.get(one.label, 0) + 1
-        named.append(
-            one if seen[one.label] == 1 else replace(one, label=f"{one.label} ({seen[one.label]})")
-        )
+        seen[one.label] += 1
+        number = f" ({seen[one.label]})" if seen[one.label] > 1 else ""
+        named.append(replace(one, label=one.label + number))
     return named
 
 
@@ -229,15 +232,3 @@ def _label(curve: Curve, interface: Interface) -> str:
         for name, value in curve.at.items()
     )
     return ", ".join(said).replace("/", " per ")
-
-
-def _word(branch: float) -> str:
-    return next(word for word, value in WORDS.items() if value == branch)
-
-
-def _recording(
-    table: Table, rows: Indices, imposed: Mapping[str, Array], read: Mapping[str, Array], along: str
-) -> Recording:
-    inputs = {name: locked(values[rows]) for name, values in imposed.items()}
-    measurements = {name: locked(values[rows]) for name, values in read.items()}
-    return Recording(inputs[along], inputs, measurements, table.notes)

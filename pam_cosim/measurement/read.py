@@ -8,14 +8,14 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError, ModelError
 from pam_cosim.measurement.cuts import Overrides
-from pam_cosim.measurement.data_set import DataSet, Run
+from pam_cosim.measurement.data_set import FILE_NAME, DataSet, Run
 from pam_cosim.measurement.declared_runs import (
     check_branches,
     check_runs,
     parameters_of_run,
     runs_of_table,
 )
-from pam_cosim.measurement.experiment import FILE_NAME, read_experiment
+from pam_cosim.measurement.experiment import read_experiment
 from pam_cosim.measurement.experiment_tables import Experiment, SignalTable
 from pam_cosim.measurement.input_maps import input_maps, with_names_of_maps
 from pam_cosim.measurement.noise import complete_noise
@@ -80,6 +80,7 @@ def _converted(
         name: free_parameter(interface, name, table, stated)
         for name, table in experiment.fit.items()
     }
+    shared = {name: value for name, value in values.items() if name not in free}
     for name, signal in experiment.signals.items():
         if name not in interface.outputs:
             message = f"{interface.model} has no output {shown(name)}; {did_you_mean(name, interface.outputs)}"
@@ -87,8 +88,7 @@ def _converted(
     tables = experiment.full_runs()
     check_runs(tables, experiment)
     of_runs = [one for table in tables for one in parameters_of_run(interface, table, stated)]
-    shared = {name: value for name, value in stated.items() if name not in free}
-    read = [runs_of_table(interface, table, shared, overrides) for table in tables]
+    read = [runs_of_table(interface, table, stated, shared, overrides) for table in tables]
     runs = tuple(run for several in read for run in several)
     overrides.check(title, [run.name for run in runs])
     check_branches(interface, tables, read)
@@ -99,7 +99,7 @@ def _converted(
         model=interface.model,
         bench="",
         signals=complete_noise(signals, runs),
-        parameters={name: values[name] for name in shared},
+        parameters=shared,
         fit=free | {one.name: one for one in of_runs},
         runs=runs,
         excluded=tuple(experiment.effects.exclude),

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.clocks import ClockError, Offset, estimate_offset, merged
-from pam_cosim.measurement.columns import ColumnMapping, with_columns, with_zeros
+from pam_cosim.measurement.columns import Columns, clock_of, sources_of, with_columns, with_zeros
 from pam_cosim.measurement.experiment_tables import LoggerTable, RecordingTable, RunTable
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.pieces import with_time_going_on
@@ -51,7 +51,7 @@ def read_points(
     Raises:
         InputError: see ``read_table``, ``with_columns`` and ``points_of``; what only a recording over time can have.
     """
-    stated, renaming = run.recording, ColumnMapping(run.columns)
+    stated, columns = run.recording, run.columns
     for key in ("interval", "resample"):
         if getattr(stated, key) is not None:
             raise stated.error(
@@ -63,34 +63,31 @@ def read_points(
         )
         raise run.loggers[0].error(message)
     file = run.at("file").file_inside(run.file)
-    branch = renaming.tables.get(BRANCH)
+    branch = columns.get(BRANCH)
     source = branch.column if branch is not None and isinstance(branch.column, str) else BRANCH
-    words = WORDS if branch is None or branch.words is None else _own_words(branch.words)
-    layout = replace(_layout(stated, renaming, interface), words={source: words})
-    table = with_columns(read_table(file, layout), renaming, interface.inputs)
-    return points_of(with_zeros(table, renaming), interface, run, held), (file,)
-
-
-def _own_words(stated: Mapping[str, str]) -> dict[str, float]:
-    """Directions by the cells of a file that stand for them."""
-    return {cell.casefold(): WORDS[word] for cell, word in stated.items()}
+    words = WORDS
+    if branch is not None and branch.words is not None:
+        words = {cell.casefold(): WORDS[word] for cell, word in branch.words.items()}
+    layout = replace(_layout(stated, columns, interface), words={source: words})
+    table = with_columns(read_table(file, layout), columns, interface.inputs)
+    return points_of(with_zeros(table, columns), interface, run, held), (file,)
 
 
 def _recording(
     entry: RunTable | LoggerTable, run: RunTable, file: Path, interface: Interface
 ) -> Recording:
     """The recording in the file of a run, or of another of its loggers."""
-    stated, renaming = entry.recording, ColumnMapping(entry.columns)
-    table = read_table(file, _layout(stated, renaming, interface))
-    table = with_clocks_going_on(table, renaming.clock)
+    stated, columns = entry.recording, entry.columns
+    table = read_table(file, _layout(stated, columns, interface))
+    table = with_clocks_going_on(table, clock_of(columns))
     if stated.interval is not None:
         interval = stated.interval.above_zero("s")
         if TIME in table.columns:
             message = "an interval is stated, and the file has a column 'time'; keep one of them"
             raise InputError(message, file)
         table = table.with_time(interval)
-    table = with_columns(table, renaming, [TIME, *interface.inputs])
-    table = with_zeros(with_time_going_on(table, run.gaps), renaming)
+    table = with_columns(table, columns, [TIME, *interface.inputs])
+    table = with_zeros(with_time_going_on(table, run.gaps), columns)
     if run.interpolation == "previous":
         table = with_held_values(table, interface.inputs)
     return recording_of(table, interface)
@@ -116,6 +113,6 @@ def _offset(run: RunTable, logger: LoggerTable, one: Recording, other: Recording
         raise logger.error(message, "match") from None
 
 
-def _layout(stated: RecordingTable, renaming: ColumnMapping, interface: Interface) -> Layout:
-    asked = frozenset((TIME, *interface.inputs, *interface.outputs, *renaming.sources))
-    return stated.layout(asked=asked, clock=renaming.clock)
+def _layout(stated: RecordingTable, columns: Columns, interface: Interface) -> Layout:
+    asked = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
+    return stated.layout(asked=asked, clock=clock_of(columns))

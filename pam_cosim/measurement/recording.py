@@ -12,18 +12,11 @@ from numpy.typing import NDArray
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.signal import Averaged
 from pam_cosim.measurement.table import LEFT_OUT, TIME, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
-
-
-@dataclass(frozen=True)
-class Averaged:
-    """Samples that are means of ``samples`` others, which were recorded in steps of ``step`` (0: in none)."""
-
-    samples: int
-    step: float = 0.0
 
 
 @dataclass(frozen=True)

@@ -17,8 +17,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.noise import record_step
-from pam_cosim.measurement.recording import Averaged, Recording, locked
-from pam_cosim.measurement.signal import StatedSignal
+from pam_cosim.measurement.recording import Recording, locked
+from pam_cosim.measurement.signal import Averaged, StatedSignal
 from pam_cosim.measurement.steps import jumps as jumps_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
@@ -46,7 +46,11 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     starts = _starts(time, jumps, interval)
     sizes = np.diff(starts, append=count)
     middle = np.add.reduceat(time, starts) / sizes
-    kept = _kept_rows(recording, starts[sizes == 1], starts, jumps, interpolation)
+    held, first_and_last = interpolation == "previous", np.array([0, count - 1])
+    # Rows of inputs alone; a mean of one sample is that row already.
+    rows_kept = np.concatenate([first_and_last, jumps, jumps + 1, starts if held else jumps])
+    kept = np.setdiff1d(rows_kept if recording.inputs else jumps[:0], starts[sizes == 1])
+    mean_at = np.searchsorted(starts, kept, side="right") - 1
     # About the first sample, so that the mean of what stands still is that to the last digit.
     first = {name: v[starts] for name, v in recording.inputs.items()}
     inputs = {
@@ -73,9 +77,9 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     order = order[~_third(times[order])]
 
     def of_input(name: str, values: Array) -> Array:
-        own = _own(recording, name, kept, starts, inputs, interpolation)
-        held = interpolation == "previous"
-        there = values[of_mean] if held else np.interp(own_time, time, recording.inputs[name])
+        recorded = recording.inputs[name]
+        own = values[mean_at] if held else recorded[kept]
+        there = values[of_mean] if held else np.interp(own_time, time, recorded)
         return locked(np.concatenate([values, own, there])[order])
 
     def of_measurement(name: str, mean: _Mean) -> Array:
@@ -138,36 +142,6 @@ def _starts(time: Array, jumps: _Places, interval: float) -> _Places:
     place = np.minimum(np.floor(share * parts[segment]).astype(np.int64), parts[segment] - 1)
     number = np.concatenate([[0], np.cumsum(parts)[:-1]])[segment] + place
     return np.concatenate([[0], np.flatnonzero(np.diff(number)) + 1])
-
-
-def _kept_rows(
-    recording: Recording | Run,
-    single: _Places,
-    starts: _Places,
-    jumps: _Places,
-    interpolation: Interpolation,
-) -> _Places:
-    """Rows of inputs alone; a mean of one sample is that row already."""
-    if not recording.inputs:
-        return np.empty(0, dtype=np.int64)
-    rows = [np.array([0, len(recording.time) - 1]), jumps, jumps + 1]
-    if interpolation == "previous":
-        rows.append(starts)
-    return np.setdiff1d(np.concatenate(rows), single)
-
-
-def _own(
-    recording: Recording | Run,
-    name: str,
-    rows: _Places,
-    starts: _Places,
-    means: dict[str, Array],
-    held: Interpolation,
-) -> Array:
-    """What an input is in the rows kept: itself, or where it is held the mean that begins or goes on there."""
-    if held != "previous":
-        return recording.inputs[name][rows]
-    return means[name][np.searchsorted(starts, rows, side="right") - 1]
 
 
 @dataclass(frozen=True)

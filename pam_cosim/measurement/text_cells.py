@@ -14,11 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import date_time, is_date, seconds_between
-from pam_cosim.measurement.switch_words import SWITCH_WORDS
+from pam_cosim.measurement.cell_kinds import (
+    SWITCH_WORDS,
+    date_time,
+    is_date,
+    seconds_between,
+    unit_behind,
+)
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
-from pam_cosim.measurement.text_units import unit_behind
 from pam_cosim.wording import shown
 
 _BLOCK = 20_000  # Lines that are turned into numbers at once.

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.fmu.generate import DOUBLES, FUNCTIONS, INTEGERS, SIZES
-from pam_cosim.fmu.tape import TABLES, Tape, in_order, read_tapes
+from pam_cosim.fmu.tape import Tape, in_order, read_tapes
 
 _KEPT = 256  # models; a library reads them in place, as long as any simulator uses it
 
@@ -131,11 +131,6 @@ class _Given:
             len(tape.arguments),
             self._array(tape.arguments, np.intc),
         )
-
-
-def is_taped(folder: Path) -> bool:
-    """Whether a folder holds a model as data."""
-    return (folder / TABLES).exists()
 
 
 def use_tapes(library: ctypes.CDLL, folder: Path) -> None:

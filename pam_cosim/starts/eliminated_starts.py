@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import Protocol, TypeVar
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,31 +14,31 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.measurement.pieces import first_rows
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts.initial_state import measured_initial_state
+from pam_cosim.starts.probe import StartProbe
+from pam_cosim.starts.run_start import measured_signals, start_time
 from pam_cosim.starts.start_values import (
-    RestCourse,
+    LinearisedRun,
     StartValues,
     eliminate,
     eliminate_to_first_order,
-    rest_course,
 )
 
-Result = TypeVar("Result")
+_STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
-class RunResiduals(Protocol):
-    """The residuals of some runs as a function of the search coordinates."""
+class RestCourse(NamedTuple):
+    """The states of a run that begins where its first samples and the model's rest beside them put it.
 
-    def values(self, z: Array) -> dict[str, float]:
-        """The parameters by name [SI]."""
+    Attributes:
+        first: where each state begins then [SI].
+        ranges: how far the run takes each state from there [SI]; zero where it rests.
+        begin: where an estimate begins [SI]: there, or at the start values among the parameters.
+    """
 
-    def residuals(self, z: Array) -> Array:
-        """The residuals of the samples, and below them the rows of priors, the last ones those of start values."""
-
-    def forget(self) -> None:
-        """Lets the point that was asked last be simulated again."""
-
-    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
-        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+    first: dict[str, float]
+    ranges: dict[str, float]
+    begin: dict[str, float]
 
 
 class EliminatedStarts:
@@ -87,7 +87,8 @@ class EliminatedStarts:
 
     def of_run(self, i: int) -> dict[str, float]:
         """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
-        return self.by_run[i].every() if i in self.by_run else {}
+        named = self.by_run[i].named() if i in self.by_run else {}
+        return {f"{n}@{self._runs[i].name}": v for n, v in named.items()}
 
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
@@ -97,21 +98,49 @@ class EliminatedStarts:
                 for i, run in enumerate(self._runs)
                 if run.start.mode == "estimated"
             }
-            interface = self._simulator.interface
+            # a state that rests in one run may be on its way as that begins, as far as others take it
             every = [self.state_ranges, *(course.ranges for course in courses.values())]
             self.state_ranges = {
-                name: max(ranges.get(name, 0.0) for ranges in every) for name in interface.states
+                name: max(ranges.get(name, 0.0) for ranges in every)
+                for name in self._simulator.interface.states
             }
-            found = {i: c.start_values(self.state_ranges, interface) for i, c in courses.items()}
+            found = {i: self._start_values(i, course) for i, course in courses.items()}
             self.by_run = {i: one for i, one in found.items() if one.names}
             self._is_placed = True
         return self.by_run
 
+    def _start_values(self, i: int, course: RestCourse) -> StartValues:
+        moving = tuple(n for n in course.first if self.state_ranges[n])
+        variables = [self._simulator.interface.start_values[n] for n in moving]
+        low = np.array([-np.inf if one.min is None else one.min for one in variables])
+        high = np.array([np.inf if one.max is None else one.max for one in variables])
+        mean = np.array([course.first[n] for n in moving])
+        sd = CRITERIA.starts.range * np.array([self.state_ranges[n] for n in moving])
+        values = np.clip(np.array([course.begin[n] for n in moving]), low, high)
+        still = {n: v for n, v in course.first.items() if n not in moving}
+        return StartValues(self._runs[i], moving, mean, sd, values, low, high, still)
+
     def _rest_course(
         self, i: int, values: Mapping[str, float], *, about_given: bool = False
     ) -> RestCourse:
-        run = self._runs[i]
-        return rest_course(self._simulator, self._data, run, values, about_given=about_given)
+        """The course of a run from where the first samples and the model's rest put it.
+
+        ``about_given``: start values among the parameters take the place of the first samples: the start of another
+        model is known, and this one has a state more.
+
+        Raises:
+            SimulationFailure: the run does not reach its end.
+        """
+        run, states = self._runs[i], self._simulator.interface.states
+        own = self._data.parameters_of(run, values)
+        bare = {n: v for n, v in own.items() if n not in states}
+        given = {n: own[n] for n in states if n in own}
+        probe = StartProbe(self._simulator, self._data, run, bare)
+        start = measured_initial_state(probe, given if about_given else {})
+        times = np.unique(np.append(start_time(run), run.time))
+        course = start.trajectory(self._simulator, run, bare, times, states)
+        first = {n: float(course[n][0]) for n in states}
+        return RestCourse(first, {n: _range(course[n]) for n in states}, first | given)
 
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
         """Puts start values where ``z`` left them, or where new points look for them.
@@ -132,9 +161,7 @@ class EliminatedStarts:
         step = one.within_reach(one.follow @ (z - self._linearised_at), 1.0)
         return np.clip(one.begin + step, one.low, one.high)
 
-    def eliminated(
-        self, i: int, simulate: Callable[[], tuple[Result, Array, Array]]
-    ) -> tuple[Result, Array]:
+    def eliminated(self, i: int, simulate: LinearisedRun) -> tuple[Any, Array]:
         """The result of a run, and its residuals without what its start values take away; see ``eliminate``."""
         method = eliminate_to_first_order if self.to_first_order else eliminate
         return method(self.by_run[i], simulate)
@@ -195,44 +222,51 @@ class EliminatedStarts:
         except SimulationFailure:
             return None
 
-    def found_others(self, of: RunResiduals, z: Array) -> bool:
+    def found_others(
+        self,
+        z: Array,
+        values: Mapping[str, float],
+        residuals: Array,
+        anew: Callable[[], Array],
+        of_part: Callable[[Run, Mapping[str, float]], dict[str, float]],
+    ) -> bool:
         """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
 
         The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
         runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
+
+        Args:
+            z: the search coordinates; ``values``: the parameters there [SI].
+            residuals: there, the rows of what is known of start values beforehand last.
+            anew: simulates ``z`` again.
+            of_part: the start values by state [SI] that leave least of a part of a run, with given parameters; none
+                where it fails.
         """
-        before = self._squares(of.residuals(z))
+        before = self._squares(residuals)
         here = {i: one.values for i, one in self.by_run.items()}
         for i, one in self.by_run.items():
             rows, one.begin = self._rows[i], one.values
             if before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start):
                 continue
-            if (fresh := self._fresh(i, of.values(z))) is not None:
-                one.begin = one.clipped(self._led_by_first_samples(of, z, i, fresh))
-        self._forget(of, z)
-        after = self._squares(of.residuals(z))
+            if (named := self._fresh(i, values)) is None:
+                continue
+            run = self._runs[i]
+            for count in horizons(run, measured_signals(run, self._data), len(named)):
+                begin = {f"{name}@{run.name}": value for name, value in named.items()}
+                named = named | of_part(first_rows(run, count), {**values, **begin})
+            one.begin = one.clipped(named)
+        self._forget(z)
+        after = self._squares(anew())
         better = {i for i in after if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
         for i, one in self.by_run.items():
             one.begin = one.values if i in better else here[i]
-        self._forget(of, z)
+        self._forget(z)
         return bool(better)
 
-    def _forget(self, of: RunResiduals, z: Array) -> None:
+    def _forget(self, z: Array) -> None:
         """What ``z`` left: it is asked again, from where start values begin now."""
-        of.forget()
         self._linearised_at = None
         self._at.pop(z.tobytes(), None)
-
-    def _led_by_first_samples(
-        self, of: RunResiduals, z: Array, i: int, named: dict[str, float]
-    ) -> dict[str, float]:
-        """Where a growing part of its run leads start values."""
-        run, signals = self._runs[i], self._data.fitted_signals
-        for rows in horizons(run, [n for n in signals if run.sample_count(n)], len(named)):
-            begin = {f"{name}@{run.name}": value for name, value in named.items()}
-            part = first_rows(run, rows)
-            named = named | of.start_values_of_part(part, {**of.values(z), **begin})
-        return named
 
     def _squares(self, residuals: Array) -> dict[int, float]:
         """The squares of each run with start values, and of what is known of these beforehand."""
@@ -241,6 +275,12 @@ class EliminatedStarts:
             for _, rows, known in self._blocks(residuals)
         ]
         return dict(zip(self.by_run, squares, strict=True))
+
+
+def _range(course: Array) -> float:
+    """How far a state moves; nothing where that is rounding."""
+    moved = float(np.ptp(course))
+    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
         build,  # makes the FMU of a model
         describe,  # the inputs, outputs and parameters of a model
     )
-    from pam_cosim.study.actuators import actuator  # writes a muscle as an actuator of MuJoCo
     from pam_cosim.study.additions import add  # writes a model with the effects of a diagnosis
     from pam_cosim.study.comparisons import compare  # compares a model with a data set
     from pam_cosim.study.coupling import (
@@ -56,10 +55,8 @@ if TYPE_CHECKING:
         save,  # saves a product
     )
     from pam_cosim.study.runs import simulate  # simulates one run of a model
-    from pam_cosim.study.tracking import track  # the error of a controlled output on sines
 
 __all__ = [
-    "actuator",
     "add",
     "bench",
     "benches",
@@ -82,7 +79,6 @@ __all__ = [
     "plan",
     "predict",
     "problem",
-    "problem",
     "profile",
     "read",
     "read_system",
@@ -91,7 +87,6 @@ __all__ = [
     "simulate",
     "start",
     "sweep",
-    "track",
     "write_system",
 ]
 

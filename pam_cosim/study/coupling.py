@@ -21,8 +21,8 @@ from pam_cosim.cosimulation.ssp_read import read_ssp
 from pam_cosim.cosimulation.ssp_write import write_ssp
 from pam_cosim.cosimulation.toml_read import Written, read_toml
 from pam_cosim.errors import InputError
-from pam_cosim.fmu import read_interface
-from pam_cosim.fmu.read import feedthrough
+from pam_cosim.fmu.own import is_own
+from pam_cosim.fmu.read import feedthrough, read_interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation import models
@@ -117,7 +117,12 @@ def couple(
 def _part(name: str, model: str, files: models.Paths) -> CoupledFmu:
     path = models.build(model, files=files)
     return CoupledFmu(
-        name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model)
+        name,
+        model,
+        path,
+        read_interface(path),
+        *feedthrough(path),
+        foreign=is_fmu(model) and not is_own(path),
     )
 
 

@@ -18,7 +18,7 @@ from typing import Any, get_args
 import numpy as np
 from cattrs import Converter
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
@@ -44,7 +44,6 @@ Product = (
     | LinearCourse
     | FrequencyResponse
     | Observation
-    | Tracking
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 
-_MARK = "pam-cosim sweep 1"
+_MARK = "pam-cosim sweep 2"
 _LONGEST_REASON = 1000  # bytes of why a run failed, and of its warnings
 _LONGEST_HEAD = 10_000_000
 
@@ -207,7 +207,9 @@ class SweepRuns:
         return [text.splitlines() for text in self._texts("warnings")]
 
     def _texts(self, field: str) -> list[str]:
-        return [text.decode("utf-8", "replace") for text in self.records[field][self.place]]
+        return [
+            text.decode("utf-8", "replace") for text in self.records[field][self.place].tolist()
+        ]
 
     def scalars(self) -> Array:
         """(runs, scalars)."""

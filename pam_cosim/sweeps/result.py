@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.exports import library
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
@@ -130,14 +131,16 @@ class Sweep(Printed):
         """(runs,) one number of every run [its unit]."""
         return self.table.scalars()[:, [s.name for s in self.scalars].index(scalar)]
 
-    def dataset(self) -> xarray.Dataset:
+    def to_xarray(self) -> xarray.Dataset:
         """All of it, labelled and with units: what was varied are the axes of a grid, or coordinates along "run"."""
+        library("xarray")
         from pam_cosim.sweeps.labelled import dataset
 
         return dataset(self)
 
-    def frame(self) -> pandas.DataFrame:
+    def to_frame(self) -> pandas.DataFrame:
         """A row for each run: what was varied, scalars, and why a run failed; ``attrs["units"]`` has the units."""
+        library("pandas")
         from pam_cosim.sweeps.labelled import frame
 
         return frame(self)
@@ -200,7 +203,7 @@ class Sweep(Printed):
         return low if low == high else f"from {low} to {high}"
 
     def _repr_html_(self) -> str:
-        head = self.frame().head(_FEW)
+        head = self.to_frame().head(_FEW)
         return f"{super()._repr_html_()}{head.to_html(escape=True)}"
 
     def summary(self) -> dict[str, Any]:

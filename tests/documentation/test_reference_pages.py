@@ -95,7 +95,7 @@ def keys(content: Any, parent: str = "") -> Iterator[str]:
 
 
 def as_json(product: Any) -> Any:
-    return json.loads(json_text(product.as_dict()))
+    return json.loads(json_text(product))
 
 
 def diagnoses() -> list[Diagnosis]:

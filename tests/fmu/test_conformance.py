@@ -31,7 +31,7 @@ from pam_cosim.cache import cache_dir
 from pam_cosim.compiler import compile_model
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import build_fmu, build_model
-from pam_cosim.fmu.compile import PLATFORMS, native_platform
+from pam_cosim.fmu.platforms import PLATFORMS, native_platform
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, Simulator
 from pam_cosim.study import add

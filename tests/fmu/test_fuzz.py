@@ -15,7 +15,7 @@ import pytest
 
 from pam_cosim.cache import cache_dir
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.compile import PLATFORMS, native_platform
+from pam_cosim.fmu.platforms import PLATFORMS, native_platform
 from tests.fmu import models
 
 _FUZZ = Path(__file__).with_name("fuzz.c")

@@ -16,7 +16,7 @@ import pytest
 
 from pam_cosim.cache import cache_dir
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.compile import native_platform
+from pam_cosim.fmu.platforms import native_platform
 from tests.fmu import models
 
 VERSIONS = ["2.0", pytest.param("3.0", marks=pytest.mark.full)]

@@ -62,6 +62,7 @@ def test_a_saved_comparison_keeps_the_warning(covered: Path, tmp_path: Path) -> 
     assert all(COVERS in one.warnings[0] for one in kept.runs)
 
 
+@pytest.mark.full
 def test_a_diagnosis_is_headed_by_the_warning(
     covered: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -73,13 +74,18 @@ def test_a_diagnosis_is_headed_by_the_warning(
     assert is_warned(str(pam.load(kept)).splitlines()[1])
 
 
-def test_check_predict_sweep_and_simulate_warn(
-    covered: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
+@pytest.mark.full
+def test_a_check_and_a_prediction_warn(
+    covered: Path, fitting: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     assert is_warned(said(capsys, "check", covered, "--workers", 0)[1])
     fit = pam.fit(pam.read(covered))
     bands = pam.predict(fit, run="run-01", samples=2)
     assert "LOOK FIRST: run-01: " in str(bands) and COVERS in bands.as_dict()["warnings"][0]
+    assert "warnings" not in pam.check(pam.read(fitting), workers=0).as_dict()
+
+
+def test_a_sweep_and_a_simulation_warn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     swept = said(
         capsys, "sweep", BENCH, "--vary", "muscle.fibres=100,300,400", "--scalar", "max(p)",
         "--set", "u_in=0.35", "--stop-time", 1, "-o", tmp_path / "swept.csv",
@@ -89,12 +95,9 @@ def test_check_predict_sweep_and_simulate_warn(
     assert simulated[0].startswith("LOOK FIRST: ") and COVERS in simulated[0]
 
 
-def test_where_nothing_is_warned_of_nothing_is_said(
-    fitting: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
+def test_where_nothing_is_warned_of_nothing_is_said(fitting: Path) -> None:
     compared = pam.compare(pam.read(fitting))
     assert compared.doubts == () and "LOOK FIRST" not in str(compared)
-    assert "warnings" not in pam.check(pam.read(fitting), workers=0).as_dict()
 
 
 @pytest.mark.parametrize("length, diameter", [(0.24, 0.02), (0.25, 0.012), (0.1, 0.04)])

@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.files import Plain
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed, look_first
 
@@ -86,7 +86,7 @@ class PlannedRun:
 
 
 @dataclass(frozen=True)
-class RunPlan(Printed, Plain):
+class RunPlan(Printed, Tabular):
     """Runs that would decide between the models that a diagnosis leaves, or test the one that it names.
 
     Attributes:
@@ -183,6 +183,15 @@ class RunPlan(Printed, Plain):
             if chance == chance
             else ""
         )
+
+    def frame_columns(self) -> Columns:
+        """A row for each point of each run, numbered from 1."""
+        tables = [run.table for run in self.runs]
+        numbers = np.repeat(range(1, len(tables) + 1), [len(table["time"]) for table in tables])
+        return {"run": (numbers, "")} | {
+            name: (np.concatenate([table[name] for table in tables]), self.units.get(name, "s"))
+            for name in tables[0]
+        }
 
     def __str__(self) -> str:
         lines = [

@@ -9,6 +9,7 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.run_names import stated_of
 from pam_cosim.wording import did_you_mean, shown
 from pam_cosim.workbench.commands.checks import text_of
 from pam_cosim.workbench.state import Ends
@@ -24,7 +25,8 @@ def roles(session: Session, roles: Mapping[str, str]) -> None:
     if not isinstance(roles, Mapping):
         raise InputError("roles wants fit or holdout by run")
     data = session.state.data.with_roles(roles)
-    step = Step(ROLES_STEP, {"roles": {str(name): str(role) for name, role in roles.items()}})
+    stated = {run.name: run.role for run in data.runs if stated_of(run.name, roles) is not None}
+    step = Step(ROLES_STEP, {"roles": stated})
     session.enter(session.state.after(step, data=data, rungs=(), before=None))
 
 
