@@ -804,10 +804,10 @@ class Criterion:
         return ", ".join(f"{v:g}" for v in values)
 
 
-def every_criterion(criteria: Criteria | None = None) -> Iterator[Criterion]:
+def every_criterion() -> Iterator[Criterion]:
     """All numbers, in the order in which data meets them."""
-    for group in fields(criteria := criteria or CRITERIA):
-        members = getattr(criteria, group.name)
+    for group in fields(CRITERIA):
+        members = getattr(CRITERIA, group.name)
         assert is_dataclass(members)
         for f in fields(members):
             yield Criterion(f"{group.name}.{f.name}", getattr(members, f.name), **f.metadata)

@@ -101,7 +101,6 @@ class Network:
         loops: what is done about algebraic loops.
         order: of the components in a step.
         observed: further variables to read at every time.
-        start_time: [s].
 
     Raises:
         CouplingFailure: a component cannot be initialised.
@@ -120,7 +119,6 @@ class Network:
         loops: Loops = "refuse",
         order: Sequence[str] = (),
         observed: Sequence[Port] = (),
-        start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
         self.sampling = _sampling(components)
@@ -136,8 +134,7 @@ class Network:
         self._courses = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self._read = _to_read(components, observed)
-        self._start = start_time
-        self.now = Moment(start_time, {}, {})
+        self.now = Moment(0.0, {}, {})
         self._begin()
 
     def _begin(self) -> None:
@@ -148,7 +145,7 @@ class Network:
         for name in (*self.parts, *self._sampled_fmus):
             self._refresh(name, {})
         self._settle_all()
-        if self._sample(self._start):
+        if self._sample(0.0):
             self._settle_all()
         for name in (*self.parts, *self._sampled_fmus):
             with self._naming(name):
@@ -297,7 +294,7 @@ class Network:
         """What samples at this time acts; whether an output of it has changed."""
         changed = False
         for name, distance in self.sampling.items():
-            samples = (time - self._start) / distance
+            samples = time / distance
             if abs(samples - round(samples)) > _SAME_TIME * max(1.0, abs(samples)):
                 continue
             for output, value in self._acting(name, time, distance).items():
@@ -312,7 +309,7 @@ class Network:
             return sampled(name, component, time, inputs)
         stepper, names = self.steppers[name], self._read[name]
         with self._naming(name):
-            if time == self._start:
+            if time == 0.0:
                 return dict(zip(names, stepper.read(names, inputs), strict=True))
             self.work.component_steps[name] += 1
             return dict(zip(names, stepper.advance(distance, inputs, None, names), strict=True))
