@@ -6,7 +6,6 @@ import json
 import struct
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
@@ -28,9 +27,7 @@ class PlottedCurve:
     begin: float = 0.0
 
 
-def frame(
-    kind: str, version: int, curves: Sequence[PlottedCurve], label: str = "", answers: Any = None
-) -> bytes:
+def frame(kind: str, version: int, curves: Sequence[PlottedCurve], label: str = "") -> bytes:
     """The binary message with these curves."""
     runs: dict[str, list[Json]] = {}
     begins = {c.run: c.begin for c in curves}
@@ -54,7 +51,6 @@ def frame(
             "event": "curves",
             "kind": kind,
             "version": version,
-            "answers": answers,
             "label": label,
             "runs": named,
         }

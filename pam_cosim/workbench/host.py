@@ -11,7 +11,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
 from pam_cosim.workbench.job_process import Worker
-from pam_cosim.workbench.protocol import DraftEvent, DroppedEvent, Json, StudyEvent
+from pam_cosim.workbench.protocol import Json, event
 from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.windows import Listener, Windows
 
@@ -44,13 +44,8 @@ class Workbench:
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
         if is_to_be_made(self.folder):
             self.drop = Drop(self.folder, self.files)
-            self.windows.tell(
-                StudyEvent(
-                    title=self.folder.resolve().name,
-                    folder=self.folder.resolve().name,
-                    state="drop",
-                )
-            )
+            name = self.folder.resolve().name
+            self.windows.tell(event("study", title=name, folder=name, state="drop"))
             self.windows.tell(self.drop.dropped())
         else:
             self.session = self._session()
@@ -103,7 +98,7 @@ class Workbench:
     def _put(self, name: str, content: bytes | bytearray) -> Json:
         dropped = self._dropping().put(name, content)
         self.windows.tell(dropped)
-        return {"files": [file.name for file in dropped.files]}
+        return {"files": [file["name"] for file in dropped["files"]]}
 
     def _dropping(self) -> Drop:
         if self.drop is None:
@@ -130,7 +125,7 @@ class Workbench:
 
     def _open(self, drop: Drop) -> None:
         self.session, self.drop = self._session(), None
-        self.windows.forget(DroppedEvent, DraftEvent)
+        self.windows.forget("dropped", "draft")
         drop.close()
         self.wake()
 

@@ -109,7 +109,7 @@ def window(shared: Session) -> Iterator[Window]:
 def put_back(window: Window) -> None:
     """Takes everything back that was done."""
     session = window.session
-    if session.work.job is not None:
+    if session.job is not None:
         window.do(do="discard")
     while session.past:
         window.do(do="undo")
