@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import Any
 
 import numpy as np
 
@@ -48,6 +47,7 @@ from pam_cosim.reporting.account import (
     words,
 )
 from pam_cosim.units import readable_factor
+from pam_cosim.workbench.curves import rounded
 from pam_cosim.workbench.protocol import Json, event, selected
 
 MOST_POINTS = 800  # of a missing term over a variable
@@ -192,13 +192,9 @@ def _against(entry: BalanceEntry, name: str) -> Json:
     return {
         "name": name,
         "unit": unit_text(unit),
-        "points": [_rounded(x[kept]), _rounded(y[kept])],
+        "points": [rounded(x[kept], 5), rounded(y[kept], 5)],
         "at": [(b.low + b.high) / 2 * across for b in bands],
         "mean": mean * factor,
         "low": (mean - 2 * reach) * factor,
         "high": (mean + 2 * reach) * factor,
     }
-
-
-def _rounded(values: Any) -> list[float]:
-    return [float(f"{v:.5g}") for v in values]

@@ -24,7 +24,7 @@ from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
 from pam_cosim.workbench.checks import names_of, text_of
-from pam_cosim.workbench.curves import shown_instants
+from pam_cosim.workbench.curves import rounded, shown_instants
 from pam_cosim.workbench.paths import free_name, inside, safe_name
 from pam_cosim.workbench.protocol import Json, event, failure, selected
 from pam_cosim.workbench.state_events import short_name
@@ -229,7 +229,7 @@ def _curves(made: NewDataSet) -> list[Json]:
                     "signal": name,
                     "unit": unit_text(unit),
                     "time": shown_instants(run.time[kept]),
-                    "values": [float(f"{v:.6g}") for v in values[kept] * readable_factor(unit)],
+                    "values": rounded(values[kept] * readable_factor(unit), 6),
                 }
             )
     return curves
@@ -289,8 +289,4 @@ def _is_named(cell: str, column: int | str | None) -> bool:
     if not isinstance(column, str) or not column:
         return False
     bare = cell.strip().strip('"')
-    return (
-        bare == column
-        or bare.partition("[")[0].strip() == column
-        or bare.partition("(")[0].strip() == column
-    )
+    return column in (bare, *(bare.partition(mark)[0].strip() for mark in "[("))

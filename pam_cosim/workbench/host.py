@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -37,13 +38,16 @@ class Workbench:
         files: Sequence[Path] = (),
         worker: Worker | None = None,
     ) -> None:
-        self.folder, self.model, self.files = Path(folder), model, tuple(files)
+        self.folder = Path(folder)
         self.windows, self.worker = Windows(), worker or Worker()
+        self._session = partial(
+            Session, self.folder, model=model, files=files, windows=self.windows, worker=self.worker
+        )
         self.session: Session | None = None
         self.drop: Drop | None = None
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
         if is_to_be_made(self.folder):
-            self.drop = Drop(self.folder, self.files)
+            self.drop = Drop(self.folder, tuple(files))
             name = self.folder.resolve().name
             self.windows.tell(event("study", title=name, folder=name, state="drop"))
             self.windows.tell(self.drop.dropped())
@@ -54,15 +58,6 @@ class Workbench:
         """Starts, and lets build, what will be needed for the first fit, while the person looks at the page."""
         if self.session is not None:
             self.session.submit(self.session.prepare)
-
-    def _session(self) -> Session:
-        return Session(
-            self.folder,
-            model=self.model,
-            files=self.files,
-            windows=self.windows,
-            worker=self.worker,
-        )
 
     def close(self) -> None:
         """Ends everything."""

@@ -19,7 +19,7 @@ from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.checks import one_of
 from pam_cosim.workbench.curves import measured_curves, model_curves
 from pam_cosim.workbench.frames import frame
-from pam_cosim.workbench.opened_model import Opened, open_model
+from pam_cosim.workbench.opened_model import Opened, made_for, open_model
 from pam_cosim.workbench.protocol import Json, event, failure
 from pam_cosim.workbench.saved import lean_fit
 from pam_cosim.workbench.source import MeasurementSource
@@ -149,9 +149,9 @@ class OpenStudy:
             SimulationFailure: a run cannot be simulated.
         """
         old = self._open
-        same = old is not None and old.is_of(state.data, state.model, state.effects)
-        about = (state.data, state.model, state.effects, self.catalogue, self.scratch)
-        opened = old if old is not None and same else open_model(*about)
+        about = (state.data, state.model, state.effects)
+        same = old is not None and old.made_for == made_for(*about)
+        opened = old if old and same else open_model(*about, self.catalogue, self.scratch)
         other_data = old is None or state.data is not self.state.data
         try:
             runs, begun = opened.simulators.run(state.data, state.values)

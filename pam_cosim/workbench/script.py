@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.model.references import is_modelica
+from pam_cosim.wording import printable
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.opened_model import without_ratios
 from pam_cosim.workbench.state import State
@@ -20,7 +21,7 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
     """The study as a script, from the base model that it began with."""
     script = _Script(base, catalogue)
     lines = [
-        f"# {_comment(state.data.title)}: what was done in the workbench, to be done again.",
+        f"# {printable(state.data.title)}: what was done in the workbench, to be done again.",
         "import pam_cosim as pam",
         "",
         f"folder = {str(folder)!r}",
@@ -31,7 +32,7 @@ def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> st
         _COMPARED,
     ]
     for step in state.steps:
-        lines += ["", f"# {_comment(step)}", *script.lines(step)]
+        lines += ["", f"# {printable(str(step))}", *script.lines(step)]
     return "\n".join([*lines, "", "print(comparison)", ""])
 
 
@@ -133,8 +134,3 @@ def _stated(arguments: Mapping[str, Any], *names: str) -> str:
 
 def _numbers(values: Mapping[str, float]) -> str:
     return "{" + ", ".join(f"{name!r}: {value!r}" for name, value in values.items()) + "}"
-
-
-def _comment(text: object) -> str:
-    """A text that stays in its line, whatever is in it."""
-    return "".join(c if c.isprintable() else " " for c in str(text))

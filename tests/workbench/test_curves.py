@@ -16,7 +16,8 @@ import pytest
 import pam_cosim.workbench
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.curves import MOST_POINTS, measured_curves, shown_times, thinned
-from pam_cosim.workbench.frames import PlottedCurve, frame, is_model, read_frame
+from pam_cosim.workbench.frames import PlottedCurve, frame, is_model
+from tests.workbench.frames_read import read_frame
 
 PAGE = Path(pam_cosim.workbench.__file__).parent / "page"
 CLOCK = 1.7e9  # s

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import time
 from collections.abc import Callable, Iterator
 from pathlib import Path
@@ -11,7 +12,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.errors import InputError
-from pam_cosim.workbench import Session
+from pam_cosim.workbench import Session, protocol
 from pam_cosim.workbench.documents import document
 from pam_cosim.workbench.saved import lean, load_state, save_state
 from pam_cosim.workbench.script import python_of
@@ -198,6 +199,18 @@ def diagnosed(session: Session, kind: str = "ambiguous") -> None:
     session.back(state.after(Step("diagnose", {}), diagnosis=found))
     session.remember(state)
     session.tell_diagnosis()
+
+
+def test_every_field_of_an_event_is_documented(window: Window, shared: Session) -> None:
+    documented = dict(re.findall(r"^(\w+): (.*(?:\n    .*)*)", protocol.__doc__ or "", re.M))
+    window.do(do="set", values={"valve.C_A": 0.6})
+    window.work(do="fit", free=["valve.C_A"])
+    window.in_its_thread(lambda: diagnosed(shared))
+    events = [*window.events, *Window(shared).events]
+    assert {"study", "scores", "starts", "busy", "idle", "verdict"} < {e["event"] for e in events}
+    for event in events:
+        fields = event.keys() - {"event"}
+        assert fields <= {*re.findall(r"\w+", documented[event["event"]])}, event["event"]
 
 
 def test_a_window_that_opens_when_all_is_over_is_told_of_nothing_that_goes_on(
