@@ -16,5 +16,7 @@ _FUNCTIONS: tuple[Callable[..., Any], ...] = (
     add, begin, check, choose, cut, diagnose, fit, load, reset, roles, save, script, switch, take, undo,
     StudyWithJobs.stop, StudyWithJobs.resume, StudyWithJobs.discard,
 )  # fmt: skip
-COMMANDS = {"set": set_values} | {function.__name__: function for function in _FUNCTIONS}
+COMMANDS = dict(
+    sorted([("set", set_values), *((function.__name__, function) for function in _FUNCTIONS)])
+)
 """By name."""
