@@ -9,15 +9,14 @@ pam_status pam_set_input_derivatives(pam_instance *c, const unsigned vr[], size_
     if (!pam_arrays(c, "derivatives of inputs", n, vr, order) || !pam_arrays(c, "derivatives of inputs", n, vr, value))
         return PAM_ERROR;
     for (size_t i = 0; i < n; i++) {
-        pam_kind kind;
-        int index;
-        if (!pam_lookup(c, vr[i], &kind, &index)) return PAM_ERROR;
-        if (kind != INPUT) return pam_log(c, PAM_ERROR, "value reference %u is not an input", vr[i]);
+        const pam_variable *v = pam_lookup(c, vr[i]);
+        if (!v) return PAM_ERROR;
+        if (v->kind != INPUT) return pam_log(c, PAM_ERROR, "'%s' is not an input", v->name);
         if (order[i] != 1)
             return pam_log(c, PAM_ERROR, "only first derivatives of inputs are used, not order %d", order[i]);
         if (!isfinite(value[i]))
-            return pam_log(c, PAM_ERROR, "the slope of input %d is not a finite number", index);
-        c->du[index] = value[i];
+            return pam_log(c, PAM_ERROR, "the slope of '%s' is not a finite number", v->name);
+        c->du[v->index] = value[i];
     }
     return PAM_OK;
 }
@@ -35,14 +34,13 @@ pam_status pam_get_output_derivatives(pam_instance *c, const unsigned vr[], size
     c->seed[m->nx + m->nu + m->np] = 1.0;
     pam_directional(c);
     for (size_t i = 0; i < n; i++) {
-        pam_kind kind;
-        int index;
-        if (!pam_lookup(c, vr[i], &kind, &index)) return PAM_ERROR;
+        const pam_variable *v = pam_lookup(c, vr[i]);
+        if (!v) return PAM_ERROR;
         if (order[i] != 1)
             return pam_log(c, PAM_ERROR, "only first derivatives of outputs are known, not order %d", order[i]);
-        if (kind == OUTPUT) value[i] = c->result[m->nx + index];
-        else if (kind == STATE) value[i] = c->dx[index];
-        else return pam_log(c, PAM_ERROR, "value reference %u is not an output", vr[i]);
+        if (v->kind == OUTPUT) value[i] = c->result[m->nx + v->index];
+        else if (v->kind == STATE) value[i] = c->dx[v->index];
+        else return pam_log(c, PAM_ERROR, "'%s' is not an output", v->name);
     }
     return PAM_OK;
 }

@@ -1,8 +1,18 @@
 /* FMI 2.0: each function checks the phase and asks the core. */
 #include <string.h>
 
-#include "fmi2Functions.h"
 #include "pam_instance.h"
+
+/* The importer's header; that of the release beside this file where there is none. */
+#if defined __has_include
+#if __has_include(<fmi2Functions.h>)
+#include <fmi2Functions.h>
+#define PAM_HAS_FMI_HEADER
+#endif
+#endif
+#ifndef PAM_HAS_FMI_HEADER
+#include "fmi2Functions.h"
+#endif
 
 /* The instance c behind the component, or the end of the function. */
 #define ENTER(kinds, phases)                                              \
@@ -23,19 +33,26 @@ const char *fmi2GetVersion(void) { return fmi2Version; }
 
 static void log_message(const pam_host *host, const char *instance, pam_status status, const char *category,
                         const char *message) {
+    char format[2 * PAM_MESSAGE], *to = format;
+    for (const char *from = message; *from; from++) {
+        if (*from == '%' || *from == '#') *to++ = *from; /* FMI 2.0.4, section 2.1.5: for printf, and a reference */
+        *to++ = *from;
+    }
+    *to = '\0';
     fmi2CallbackLogger logger = (fmi2CallbackLogger)host->logger;
-    logger(host->environment, instance, (fmi2Status)status, category, "%s", message);
+    logger(host->environment, instance, (fmi2Status)status, category, format);
 }
 
 fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, fmi2String resources,
                               const fmi2CallbackFunctions *f, fmi2Boolean visible, fmi2Boolean logging) {
     (void)resources;
     (void)visible;
-    (void)logging; /* there are no debug messages; what goes wrong is always reported */
     if (!f || !f->allocateMemory || !f->freeMemory) return NULL;
     const pam_host host = {{f->allocateMemory, f->freeMemory}, f->componentEnvironment, (void (*)(void))f->logger,
                            log_message};
-    return pam_create(&host, type == fmi2ModelExchange ? MODEL_EXCHANGE : CO_SIMULATION, name, guid);
+    pam_instance *c = pam_create(&host, type == fmi2ModelExchange ? MODEL_EXCHANGE : CO_SIMULATION, name, guid);
+    if (c && !logging) c->logging = LOG_STATUS; /* what goes wrong is always reported */
+    return c;
 }
 
 void fmi2FreeInstance(fmi2Component component) {

@@ -3,8 +3,18 @@
  */
 #include <stdlib.h>
 
-#include "fmi3Functions.h"
 #include "pam_instance.h"
+
+/* The importer's header; that of the release beside this file where there is none. */
+#if defined __has_include
+#if __has_include(<fmi3Functions.h>)
+#include <fmi3Functions.h>
+#define PAM_HAS_FMI_HEADER
+#endif
+#endif
+#ifndef PAM_HAS_FMI_HEADER
+#include "fmi3Functions.h"
+#endif
 
 /* The instance c, or the end of the function. */
 #define ENTER(kinds, phases)                                             \

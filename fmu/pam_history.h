@@ -2,6 +2,8 @@
 #ifndef PAM_HISTORY_H
 #define PAM_HISTORY_H
 
+#include "pam_names.h"
+
 #include <stddef.h>
 
 /* From a time on, value + slope (t - time); jump: 1 where it does not begin at the end of the line before. */

@@ -31,7 +31,7 @@ enum {
     ANY = 255,
 };
 
-/* Value references are one contiguous table in this order. */
+/* What a variable is a part of. */
 typedef enum { STATE, DERIVATIVE, INPUT, OUTPUT, PARAMETER, LOCAL, TIME } pam_kind;
 
 /* What the importing tool provides: memory and a log. */
@@ -46,7 +46,7 @@ typedef struct pam_host {
 /* Plain data: with the block of doubles at pam_instance.saved and the histories this is the whole FMU state. */
 typedef struct {
     int phase;
-    int state_changed;  /* co-simulation: x was set since the last step */
+    int state_changed;  /* co-simulation: x or a parameter was set since the last step */
     int initial_known;  /* x holds x0(p) in the initialization phases */
     int unsettled;      /* no rest was found for the states that begin there */
     int keep_starts;    /* start values that were set are none to seek the rest from, but the states' own */
@@ -95,9 +95,9 @@ pam_status pam_reset(pam_instance *c);
 
 /* --- pam_log.c: messages and checks ------------------------------------------------------------------- */
 
-enum pam_category { LOG_WARNING = 1, LOG_DISCARD = 2, LOG_ERROR = 4, LOG_ALL = 7 };
+enum pam_category { LOG_WARNING = 1, LOG_DISCARD = 2, LOG_ERROR = 4, LOG_STATUS = 7, LOG_EVENTS = 8, LOG_ALL = 15 };
 
-/* A log message of the instance's own; returns status. */
+/* A log message of the instance's own; returns status. PAM_OK is the status of an event. */
 pam_status pam_log(const pam_instance *c, pam_status status, const char *format, ...);
 
 /* Which categories are reported: all where none is named. An unknown one is passed over with a warning. */
@@ -109,8 +109,8 @@ pam_instance *pam_check(void *instance, int kinds, int phases, const char *funct
 /* 1 where the arrays are there; otherwise 0 with a message. */
 int pam_arrays(const pam_instance *c, const char *function, size_t n, const void *a, const void *b);
 
-/* The kind and index of a value reference; 0 with a log message where there is none. */
-int pam_lookup(const pam_instance *c, unsigned vr, pam_kind *kind, int *index);
+/* The variable of a value reference; null with a log message where there is none. */
+const pam_variable *pam_lookup(const pam_instance *c, unsigned vr);
 
 /* --- pam_instance.c: the model at the present time ---------------------------------------------------- */
 

@@ -12,6 +12,8 @@ static const struct {
     {LOG_WARNING, "logStatusWarning"},
     {LOG_DISCARD, "logStatusDiscard"},
     {LOG_ERROR, "logStatusError"},
+    {LOG_EVENTS, "logEvents"},
+    {LOG_ALL, "logAll"},
 };
 
 enum { CATEGORY_COUNT = sizeof CATEGORIES / sizeof *CATEGORIES };
@@ -22,7 +24,7 @@ pam_status pam_log(const pam_instance *c, pam_status status, const char *format,
     va_start(args, format);
     vsnprintf(message, sizeof message, format, args);
     va_end(args);
-    int which = status == PAM_WARNING ? 0 : status == PAM_DISCARD ? 1 : 2;
+    int which = status == PAM_OK ? 3 : status == PAM_WARNING ? 0 : status == PAM_DISCARD ? 1 : 2;
     if (c->host.logger && c->logging & CATEGORIES[which].bit)
         c->host.log(&c->host, c->name, status, CATEGORIES[which].name, message);
     return status;
@@ -78,18 +80,8 @@ int pam_arrays(const pam_instance *c, const char *function, size_t n, const void
     return 0;
 }
 
-int pam_lookup(const pam_instance *c, unsigned vr, pam_kind *kind, int *index) {
-    const pam_model *m = c->model;
-    const int sizes[] = {m->nx, m->nx, m->nu, m->ny, m->np, m->nw, 1};
-    unsigned rest = vr;
-    for (int k = STATE; k <= TIME; k++) {
-        if (rest < (unsigned)sizes[k]) {
-            *kind = (pam_kind)k;
-            *index = (int)rest;
-            return 1;
-        }
-        rest -= (unsigned)sizes[k];
-    }
+const pam_variable *pam_lookup(const pam_instance *c, unsigned vr) {
+    if (vr > 0 && vr <= (unsigned)c->model->nv) return c->model->variables + vr - 1;
     pam_log(c, PAM_ERROR, "there is no variable with value reference %u", vr);
-    return 0;
+    return NULL;
 }

@@ -7,35 +7,52 @@ data = pam.read("my-rig")
 print(pam.compare(data))
 diagnosis = pam.diagnose(data)
 print(diagnosis.verdict)
-pam.add(diagnosis.verdict.effects, to=data.model, output="Better.mo")
+pam.add(diagnosis, output="Better.mo")
 ```
 """
 
-import warnings
-from importlib import import_module
+# ruff: noqa: F401
 from typing import TYPE_CHECKING
+
+from pam_cosim import study as _study
+from pam_cosim.lazy_names import lazy_names
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import (
-        FrequencyResponse,
-        LinearCourse,
-        LinearModel,
-        Observation,
-        OperatingPoint,
-        Tracking,
+        FrequencyResponse,  # of frequency_response: amplitude and phase by frequency
+        LinearCourse,  # of linearise_along: linear models along a run
+        LinearModel,  # of linearise: the matrices A, B, C and D
+        Observation,  # of observe: estimated states over time
+        OperatingPoint,  # about which a model was linearised
     )
-    from pam_cosim.cosimulation import Controller, CoupledRun, Rig, System, controller
-    from pam_cosim.diagnosis import Check, Diagnosis
-    from pam_cosim.errors import InputError, ModelError, SimulationFailure
-    from pam_cosim.problems import Problem
-    from pam_cosim.simulation import Inputs, Trajectory
+    from pam_cosim.cosimulation import (
+        Controller,  # a Python function as a component of a system
+        CoupledRun,  # the run of a system
+        Rig,  # of start: a model in the middle of a run
+        System,  # of couple: components and their connections
+        controller,  # makes a Controller of a function
+    )
+    from pam_cosim.diagnosis import (
+        Check,  # of check: what a data set can determine
+        Diagnosis,  # of diagnose: the verdict, the candidates and their fits
+    )
+    from pam_cosim.errors import (
+        InputError,  # an input that cannot be used, with its place
+        ModelError,  # a Modelica model that cannot be compiled
+        SimulationFailure,  # a run that did not reach its end
+    )
+    from pam_cosim.problems import (
+        Problem,  # of problem: data set, model, and every value with its source
+    )
+    from pam_cosim.simulation import (
+        Inputs,  # inputs over time
+        Trajectory,  # of simulate: signals over time
+    )
     from pam_cosim.study import (
-        actuator,
         add,
         bench,
         benches,
         build,
-        build_with_data,
         check,
         compare,
         couple,
@@ -43,7 +60,6 @@ if TYPE_CHECKING:
         diagnose,
         draw,
         effects,
-        evidence,
         fit,
         frequency_response,
         linearise,
@@ -63,10 +79,12 @@ if TYPE_CHECKING:
         simulate,
         start,
         sweep,
-        track,
         write_system,
     )
-    from pam_cosim.sweeps import Sweep, SweepPoint
+    from pam_cosim.sweeps import (
+        Sweep,  # of sweep: a sequence of runs
+        SweepPoint,  # one run of a sweep
+    )
 
 __all__ = [
     "Check",
@@ -87,69 +105,18 @@ __all__ = [
     "Sweep",
     "SweepPoint",
     "System",
-    "Tracking",
     "Trajectory",
-    "actuator",
-    "add",
-    "bench",
-    "benches",
-    "build",
-    "build_with_data",
-    "check",
-    "compare",
     "controller",
-    "couple",
-    "describe",
-    "diagnose",
-    "draw",
-    "effects",
-    "evidence",
-    "fit",
-    "frequency_response",
-    "linearise",
-    "linearise_along",
-    "live",
-    "load",
-    "new",
-    "observe",
-    "plan",
-    "predict",
-    "problem",
-    "profile",
-    "read",
-    "read_system",
-    "rig_parts",
-    "save",
-    "simulate",
-    "start",
-    "sweep",
-    "write_system",
-    "track",
 ]
-
-# Where a name is looked for; the functions of a study load what they need when they are asked for.
-_ROOMS = (
-    "study",
-    "errors",
-    "simulation",
-    "sweeps",
-    "analysis",
-    "cosimulation",
-    "problem",
-    "diagnosis",
-)
+__all__ += _study.__all__
 
 if not TYPE_CHECKING:
+    _NAMES = lazy_names(__file__)
+    __doc__ += f"\nThe steps of a study:\n{_study._NAMES.text()}\n\nWhat they take and return:\n{_NAMES.text()}"
 
     def __getattr__(name: str) -> object:
         """Loads what is asked for first: the command can be interrupted while it loads (``cli.process``)."""
-        if name in __all__:
-            for room in _ROOMS:
-                module = import_module(f"pam_cosim.{room}")
-                if hasattr(module, name):
-                    return getattr(module, name)
-        renaming = import_module("pam_cosim.renamed").PYTHON.get(name)
-        if renaming is not None:
-            warnings.warn(renaming.message(f"pam_cosim.{name}"), DeprecationWarning, stacklevel=2)
-            return __getattr__(renaming.new)
-        raise AttributeError(f"module 'pam_cosim' has no attribute '{name}'")
+        return (_study._NAMES if name in _study.__all__ else _NAMES).load(__name__, name)
+
+    def __dir__() -> list[str]:
+        return __all__

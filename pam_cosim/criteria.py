@@ -245,11 +245,6 @@ class StartCriteria:
     informed: float = decides(
         0.5, "1", "share of the variance beforehand that must be left: less, and the data tell it"
     )
-    own_parameter: float = decides(
-        1e-3,
-        "of a state",
-        "by which a free parameter must move where the model begins, to be what says it",
-    )
     worth: float = decides(
         1.5, "1", "sum of squares with the model's own start over that with an estimated one, from which on it is "
         "estimated; over the first samples, or over whole runs where a constant offset of an instrument could be why",
@@ -744,11 +739,6 @@ class RunCriteria:
         (30.0, 1e-2), "s", "of processor time, and more for each row: a thousand times what a run needs; the model "
         "chatters there, or its values make it stiff beyond use",
     )  # fmt: skip
-    repeated: float = decides(
-        5e-4,
-        "of an error",
-        "by which the same judgement may come out otherwise elsewhere: half of the third digit",
-    )
     steady_part: float = decides(
         0.1,
         "of a run",

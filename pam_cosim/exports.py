@@ -4,13 +4,23 @@ from __future__ import annotations
 
 import csv
 import io
+import re
 from abc import ABC, abstractmethod
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
+from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-from pam_cosim.files import TABLE, check_ending, write_json, write_text
+import numpy as np
 
+from pam_cosim.errors import InputError
+from pam_cosim.files import TABLE, Plain, check_ending, write_json, write_text
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+_HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^\[\]]*)\])?")
 Table = tuple[Sequence[str], Iterable[Sequence[object]]]
 """Headings, and rows of as many cells."""
 
@@ -60,16 +70,80 @@ def _cell(value: object) -> str:
     return repr(int(plain) if isinstance(plain, bool) else plain)
 
 
-class Exported(ABC):
-    """A product that is written as JSON and as a table."""
+Columns = Mapping[str, tuple[Any, str | None]]
+"""Values and unit by name, the index first; no unit for texts, or where another column has it."""
+
+
+class Tabular(Plain, ABC):
+    """A product with rows."""
 
     @abstractmethod
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units."""
+    def frame_columns(self) -> Columns:
+        """Columns of ``to_frame``; SI units."""
+
+    def to_frame(self) -> pandas.DataFrame:
+        """The rows as a frame of pandas; ``attrs["units"]`` has the units.
+
+        Raises:
+            InputError: pandas is not installed.
+        """
+        columns = self.frame_columns()
+        values = {name: column for name, (column, _) in columns.items()}
+        frame = library("pandas").DataFrame(values).set_index(next(iter(columns)))
+        frame.attrs["units"] = {
+            name: unit for name, (_, unit) in columns.items() if unit is not None
+        }
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """The rows as a data set of xarray, the unit of each variable in its ``attrs``.
+
+        Raises:
+            InputError: xarray is not installed.
+        """
+        columns = self.frame_columns()
+        index = next(iter(columns))
+        variables = {
+            name: (index, np.asarray(column), {} if unit is None else {"units": unit or "1"})
+            for name, (column, unit) in columns.items()
+        }
+        return library("xarray").Dataset(variables)  # type: ignore[no-any-return]
+
+
+def library(name: str) -> Any:
+    """The module of an installed library.
+
+    Raises:
+        InputError: it is not installed.
+    """
+    try:
+        return import_module(name)
+    except ImportError:
+        raise InputError(
+            f"{name} is not installed, which makes this table: pip install {name}"
+        ) from None
+
+
+class Exported(Tabular):
+    """A product that is written as JSON and as a table."""
 
     @abstractmethod
     def table(self) -> Table:
         """Headings and rows; SI units."""
+
+    def frame_columns(self) -> Columns:
+        """Columns of ``table``."""
+        heads, rows = self.table()
+        parts = [_HEADING.fullmatch(head) for head in heads]
+        columns = zip(*rows, strict=True)
+        return {
+            part["name"] or "row": (
+                column,
+                None if isinstance(column[0], str) else part["unit"] or "",
+            )
+            for part, column in zip(parts, columns, strict=True)
+            if part
+        }
 
     def to_json(self, path: Path | str) -> Path:
         """Writes ``as_dict``."""

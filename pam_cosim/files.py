@@ -10,9 +10,10 @@ import tempfile
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from contextlib import contextmanager
 from dataclasses import fields, is_dataclass
+from functools import cache, reduce
 from math import isfinite
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
@@ -158,7 +159,7 @@ def write_json(path: Path, content: Any) -> None:
 def plain(value: Any) -> Any:
     """What JSON can hold: lists, dictionaries, texts and numbers; a number that does not exist is None.
 
-    An object with ``as_dict`` is what that says, another data class its fields.
+    A data class becomes its fields, or the keys that its ``json_keys`` lists; a complex number both parts.
     """
     if type(value) in _PLAIN:
         return value
@@ -170,6 +171,10 @@ def plain(value: Any) -> Any:
         return [plain(one) for one in value]
     if is_dataclass(value) and not isinstance(value, type):
         return plain_fields(value)
+    if isinstance(value, frozenset):
+        return sorted(value)
+    if isinstance(value, complex):
+        return [value.real, value.imag]
     if hasattr(value, "tolist"):  # an array or a number of NumPy, which is not loaded for this
         return plain(value.tolist())
     return None if isinstance(value, float) and not isfinite(value) else value
@@ -178,9 +183,50 @@ def plain(value: Any) -> Any:
 _PLAIN = (str, int, bool, type(None))
 
 
-def plain_fields(value: Any) -> dict[str, Any]:
-    """The fields of a data class, each as ``plain`` has it: what its own ``as_dict`` begins with."""
-    return {field.name: plain(getattr(value, field.name)) for field in fields(value)}
+def plain_fields(value: Any, keys: str = "") -> dict[str, Any]:
+    """A data class as a dictionary: its fields, the keys of its ``json_keys`` or those stated in the same form, each as
+    ``plain`` returns it."""
+    content: dict[str, Any] = {}
+    for key, path, optional in _json_keys(value.__class__, keys):
+        part = plain(reduce(_part, path, value))
+        if key.startswith("*"):
+            content |= part
+        elif part or not optional:
+            content[key] = part
+    return content
+
+
+@cache
+def _json_keys(kind: Any, keys: str) -> list[tuple[str, list[str], bool]]:
+    """Key, names of the attributes that lead to its value, and whether an empty value is left out."""
+    keys = keys or getattr(kind, "json_keys", "")
+    words = keys.split() or [field.name for field in fields(kind)]
+    parts = [(*word.rstrip("?").partition("="), word.endswith("?")) for word in words]
+    return [
+        (key, (path or key).strip("*").split("."), optional) for key, _, path, optional in parts
+    ]
+
+
+def _part(value: Any, name: str) -> Any:
+    """An attribute, the result of a method, or the entry of a dictionary."""
+    part = value[name] if isinstance(value, Mapping) else getattr(value, name)
+    return part() if callable(part) else part
+
+
+class Plain:
+    """A data class that converts itself to plain data.
+
+    Attributes:
+        json_keys: what JSON holds of it, default: its fields. ``key`` is an attribute, or a method without arguments;
+            ``key=path.to.attribute`` where the attribute has another name; ``key?`` is left out where it is empty;
+            ``*key`` adds the entries of a dictionary.
+    """
+
+    json_keys: ClassVar[str] = ""
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data for JSON; SI units, and None where there is no number."""
+        return plain_fields(self)
 
 
 def json_text(content: Any) -> str:

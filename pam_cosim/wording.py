@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+import re
+from collections.abc import Iterable, Mapping, Sequence
 from difflib import get_close_matches
 from html import escape
 
 _LONGEST = 60
+_LONGEST_LINE = 200
 _MOST_NAMES = 20
+_NUMBER = re.compile(r"[-+]?\d[\d.]*(?:e[-+]?\d+)?")
 _ALIKE = 0.55  # of the letters, from which on a name may have been meant
 
 
@@ -27,6 +30,30 @@ def listed(names: Iterable[str]) -> str:
     names = list(names)
     rest = len(names) - _MOST_NAMES
     return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
+
+
+def look_first(texts: Iterable[str]) -> list[str]:
+    """A line for each text that a person reads before the result."""
+    return [f"  LOOK FIRST: {text}" for text in texts]
+
+
+def distinct_warnings(warnings: Mapping[str, Sequence[str]]) -> tuple[str, ...]:
+    """Each warning of a model once, whatever its numbers, after the names of its runs.
+
+    Args:
+        warnings: of every run, by its name.
+    """
+    found: dict[str, dict[str, str]] = {}
+    for run, texts in warnings.items():
+        for text in texts:
+            found.setdefault(_NUMBER.sub("", text), {}).setdefault(run, text)
+    return tuple(_warning(by_run, len(warnings)) for by_run in found.values())
+
+
+def _warning(by_run: Mapping[str, str], count: int) -> str:
+    (first, text), *_ = by_run.items()
+    runs = "every run" if len(by_run) == count > 1 else listed(by_run)
+    return f"{runs}: {text}" + (f" (in {first})" if len({*by_run.values()}) > 1 else "")
 
 
 def runs_in_words(count: int) -> str:
@@ -61,7 +88,24 @@ def did_you_mean(name: str, known: Iterable[str]) -> str:
 
 
 class Printed:
-    """What prints itself is shown in a notebook as it prints."""
+    """A product: ``str`` is its text, ``repr`` is one line of it, and a notebook shows the text."""
+
+    def __init_subclass__(cls, **options: object) -> None:
+        """Keeps the line where a dataclass would list every field."""
+        super().__init_subclass__(**options)
+        cls.__repr__ = cls.__repr__  # type: ignore[method-assign]
+
+    def __str__(self) -> str:
+        return ""
+
+    def __repr__(self) -> str:
+        line = f"{type(self).__name__}{self._headline()}"
+        return line if len(line) <= _LONGEST_LINE else f"{line[: _LONGEST_LINE - 3]}..."
+
+    def _headline(self) -> str:
+        """What follows the name of the class in ``repr``: the first line of the text."""
+        text = str(self).strip()
+        return f": {text.splitlines()[0]}" if text else ""
 
     def _repr_html_(self) -> str:
         return f"<pre>{escape(str(self))}</pre>"

@@ -10,7 +10,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "pam_cosim"
 # From the ground to the roof; the rooms of a line know nothing of each other.
 FLOORS = (
-    ("arrays", "criteria", "renamed", "resources", "wording"),
+    ("arrays", "criteria", "lazy_names", "resources", "wording"),
     ("errors",),
     ("files", "counts", "processes"),
     ("cache",),

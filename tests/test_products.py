@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 import pickle
+import sys
 from dataclasses import fields, is_dataclass, replace
 from pathlib import Path
 from typing import Any
@@ -11,8 +13,13 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from pam_cosim.diagnosis import BaseFitted, CandidateTried
 from pam_cosim.diagnosis.description.learning_library import Form, FormConstant, Quantity
+from pam_cosim.exports import Tabular
 from pam_cosim.fitting import HoldoutUncertainty
+from pam_cosim.study.products import _KINDS
+from pam_cosim.sweeps import Sweep
+from pam_cosim.wording import Printed
 from tests.fitting.models import vessel_data
 from tests.pictures import drawn
 from tests.reporting.synthetic import make_comparison, make_data, make_diagnosis, make_fit
@@ -84,6 +91,104 @@ def test_every_product_draws_and_prints_itself(name: str, tmp_path: Path) -> Non
     assert len(str(PRODUCTS[name])) > 40
 
 
+def test_every_kind_of_product_prints_itself() -> None:
+    public = [getattr(pam, name) for name in pam.__all__]
+    kinds = [one for one in public if isinstance(one, type) and not issubclass(one, Exception)]
+    assert len(kinds) > 12
+    for kind in (*kinds, *_KINDS.values()):
+        assert issubclass(kind, Printed) and kind.__str__ is not Printed.__str__, kind
+        assert kind.__repr__ is Printed.__repr__, kind
+
+
+def test_every_product_is_one_short_line_in_a_record() -> None:
+    vessel, diagnosis = "VesselOrifice", PRODUCTS["ambiguous"]
+    linear = pam.linearise(vessel, at=1.0)
+    with pam.start(vessel) as rig:
+        shown = [rig, rig.step(0.1), rig.save()]
+    products = [
+        *(
+            *PRODUCTS.values(),
+            *shown,
+            linear,
+            linear.point,
+            pam.linearise_along(vessel, times=[0.5]),
+        ),
+        *(pam.describe(vessel), *pam.effects()[:3], *pam.rig_parts()[:3], diagnosis.data),
+        *(diagnosis.verdict, diagnosis.base, *diagnosis.candidates, pam.check(DATA, "Isotonic")),
+        pam.Inputs(np.linspace(0.0, 1.0, 3), {"u": np.zeros(3)}),
+        BaseFitted(diagnosis.base),
+        CandidateTried(diagnosis.candidates[0]),
+    ]
+    for product in products:
+        assert repr(product).startswith(type(product).__name__)
+        assert len(repr(product)) <= 200 and "\n" not in repr(product)
+        assert str(product).strip() and product._repr_html_().startswith("<pre>")
+
+
+def test_the_line_of_a_product_has_its_result() -> None:
+    diagnosis = PRODUCTS["ambiguous"]
+    assert repr(diagnosis) == f"Diagnosis: {diagnosis.verdict.summary}"
+    assert str(diagnosis.verdict).splitlines()[0] == diagnosis.verdict.summary
+    assert diagnosis.verdict.reason in str(diagnosis.verdict)
+    assert repr(PRODUCTS["comparison"]).startswith(
+        "Comparison of PneumaticMuscle.Benches.Isotonic with 'a rig': p "
+    )
+    assert repr(PRODUCTS["fit"]).startswith("Fit of M to 'a rig': reduced chi-square fit ")
+
+
+def test_every_product_with_rows_becomes_a_frame() -> None:
+    assert not {
+        kind.__name__
+        for kind in (*_KINDS.values(), pam.CoupledRun, Sweep)
+        if not issubclass(kind, (Tabular, Sweep))
+    } - {"Ledger", "LinearCourse"}  # whose rows are those of their parts
+    comparison, fit, diagnosis = PRODUCTS["comparison"], PRODUCTS["fit"], PRODUCTS["ambiguous"]
+    samples = comparison.to_frame()
+    run = comparison.runs[0]
+    of_x = samples[(samples.index == run.run.name) & (samples["signal"] == "x")]
+    there = np.isfinite(run.run.measurements["x"])
+    np.testing.assert_array_equal(of_x["residual"], run.residual("x")[there])
+    np.testing.assert_array_equal(of_x["time"], run.run.time[there])
+    assert set(of_x["unit"]) == {"m"} and samples.attrs["units"] == {"time": "s"}
+    assert fit.to_frame().loc["valve.C_A", "value"] == fit.parameters["valve.C_A"].value
+    assert list(diagnosis.to_frame().index) == [" + ".join(c.effects) for c in diagnosis.candidates]
+    data = diagnosis.to_xarray()
+    np.testing.assert_array_equal(data["delta_bic"], [c.delta_bic for c in diagnosis.candidates])
+    assert data["delta_bic"].attrs == {"units": "1"} and data["family"].attrs == {}
+
+
+def test_the_frame_of_a_table_has_names_and_units() -> None:
+    linear = pam.linearise("VesselOrifice", at=1.0)
+    frame = linear.to_frame()
+    assert list(frame.columns) == [*linear.states, *linear.inputs]
+    assert frame.attrs["units"] == {name: linear.units[name] for name in frame.columns}
+    np.testing.assert_array_equal(frame.to_numpy()[0], [*linear.A[0], *linear.B[0]])
+
+
+def test_a_condition_table_has_a_row_for_each_cell() -> None:
+    runs = [
+        replace(run, parameters={"load.m": 2.0, "f": float(i)}) for i, run in enumerate(DATA.runs)
+    ]
+    table = make_comparison(replace(DATA, runs=tuple(runs)), 2.0).table("f", "load.m", "x")
+    frame = table.to_frame()
+    assert list(frame.index) == [0.0, 1.0, 2.0] and set(frame["load.m"]) == {2.0}
+    np.testing.assert_array_equal(frame["rmse"], table.rmse.ravel())
+    assert frame.attrs["units"]["rmse"] == "m"
+
+
+@pytest.mark.parametrize(("method", "library"), [("to_frame", "pandas"), ("to_xarray", "xarray")])
+@pytest.mark.parametrize("name", ["fit", "sweep"])
+def test_a_missing_library_is_named_with_what_to_type(
+    name: str, method: str, library: str, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    product = PRODUCTS["fit"] if name == "fit" else Sweep.__new__(Sweep)
+    monkeypatch.setitem(sys.modules, library, None)
+    with pytest.raises(
+        pam.InputError, match=f"{library} is not installed.*: pip install {library}"
+    ):
+        getattr(product, method)()
+
+
 def test_a_formula_with_a_shape(tmp_path: Path) -> None:
     """The parts of a learned term that the synthetic one lacks."""
     from pam_cosim.diagnosis.description.learning import FittedAddend, LearnedTerm
@@ -126,6 +231,16 @@ def test_a_file_that_is_none_is_refused(damage: str, tmp_path: Path) -> None:
         file.unlink()
     with pytest.raises(pam.InputError, match="product.npz"):
         pam.load(file)
+
+
+def test_a_file_of_a_later_version_is_said_to_be_one(tmp_path: Path) -> None:
+    with np.load(pam.save(PRODUCTS["fit"], tmp_path / "fit.npz")) as saved:
+        arrays = dict(saved)
+    document = json.loads(bytes(arrays.pop("product")))
+    text = json.dumps(document | {"version": 99}).encode()
+    np.savez(tmp_path / "later.npz", product=np.frombuffer(text, dtype=np.uint8), **arrays)
+    with pytest.raises(pam.InputError, match="saved by a later pam-cosim .form 99"):
+        pam.load(tmp_path / "later.npz")
 
 
 def test_a_name_that_says_another_format_is_refused(tmp_path: Path) -> None:

@@ -36,7 +36,7 @@ def calibration(folder: Path) -> pam.Sweep:
 if __name__ == "__main__":
     result = calibration(Path(sys.argv[1]) if len(sys.argv) > 1 else Path.cwd())
     print(result)
-    flow = result.dataset()["mass flow"]
+    flow = result.to_xarray()["mass flow"]
     for pressure in (30e3, 280e3):
         at_full_current = float(flow.sel(p_supply=pressure, method="nearest").isel(u_in=-1))
         print(f"at 0.35 A and {pressure / 1e3:g} kPa: {at_full_current * 1e3:.3f} g/s")

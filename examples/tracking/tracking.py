@@ -10,11 +10,12 @@ from pathlib import Path
 
 import matplotlib.pyplot as plt
 import numpy as np
+from sine_tracking import Tracking, track
 
 import pam_cosim as pam
 
 OPEN, MOST = 0.145, 0.35  # A: a valve begins to open, DP (62), and the largest current of DP
-MEAN, SWING = "45 mm", "5 mm"
+MEAN, AMPLITUDE = 0.045, 0.005  # m
 FREQUENCIES = np.geomspace(0.1, 5, 9)
 
 
@@ -58,7 +59,7 @@ def servo() -> pam.Controller:
     return law
 
 
-def row(name: str, tracking: pam.Tracking) -> str:
+def row(name: str, tracking: Tracking) -> str:
     """Errors up to 2 Hz, without 0.16 Hz, as a row of Markdown; a star where two periods are not alike."""
     shown = [k for k, f in enumerate(FREQUENCIES) if f < 2 and k != 1]
     errors = 100 * tracking.relative_error
@@ -81,29 +82,29 @@ def main(folder: Path) -> None:
     words = {
         "output": "x",
         "mean": MEAN,
-        "amplitude": SWING,
+        "amplitude": AMPLITUDE,
         "frequencies": FREQUENCIES,
-        "rate": 1 / SAMPLE,
+        "interval": SAMPLE,
     }
     fmu = "CoSimulation.ServoController"
     results = {
-        "FMU, PI": pam.track("Isotonic", fmu, gains | {"control.T_d": 0.0}, **words),
-        "FMU, PID and speed wanted": pam.track(
+        "FMU, PI": track("Isotonic", fmu, gains | {"control.T_d": 0.0}, **words),
+        "FMU, PID and speed wanted": track(
             "Isotonic", fmu, gains | {"control.T_d": LAG, "control.K_v": 1 / mean}, **words
         ),
-        "Python, the same, valves apart": pam.track("Isotonic", servo, **words),
+        "Python, the same, valves apart": track("Isotonic", servo, **words),
     }
     figure, axes = plt.subplots(1, 3, figsize=(12, 3.9), layout="constrained")
     for (name, tracking), colour in zip(
         results.items(), ("#d55e00", "#009e73", "#0072b2"), strict=True
     ):
-        print(f"\n{name}: {tracking}")
+        print(f"\n{name}\n{tracking}")
         axes[0].loglog(
             FREQUENCIES, 100 * tracking.relative_error, "o-", color=colour, ms=4, label=name
         )
         for axis, k in ((axes[1], 2), (axes[2], 5)):
             axis.plot(tracking.phase, 1e3 * tracking.courses[k], color=colour, lw=1.2)
-            axis.plot(tracking.phase, 1e3 * tracking.wanted, color="#2b2f33", lw=1.0, ls="--")
+            axis.plot(tracking.phase, 1e3 * tracking.reference, color="#2b2f33", lw=1.0, ls="--")
             axis.set(
                 title=f"{FREQUENCIES[k]:.2g} Hz",
                 xlabel="part of a period",

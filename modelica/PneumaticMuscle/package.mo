@@ -1,7 +1,6 @@
 package PneumaticMuscle
   "Pneumatic artificial muscles, their valves and vessels, and the effects that simple models leave out"
   extends Icons.Package;
-  extends UsersGuide.FormerNames;
   annotation (version="0.1.0", Documentation(info="<html>
 <p>Acausal models of pneumatic artificial muscles (McKibben muscles). Inside the models pressures are
 absolute; the signals of a bench are what instruments read, gauge pressures.</p>

@@ -5,7 +5,6 @@ from pam_cosim.analysis.linear import LinearModel, Mode
 from pam_cosim.analysis.linear_course import LinearCourse
 from pam_cosim.analysis.observation import Observation
 from pam_cosim.analysis.operating_point import OperatingPoint
-from pam_cosim.analysis.tracking import Tracking
 
 __all__ = [
     "FrequencyResponse",
@@ -14,5 +13,4 @@ __all__ = [
     "Mode",
     "Observation",
     "OperatingPoint",
-    "Tracking",
 ]

@@ -19,7 +19,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, real_variables
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.simulation.driver import Callbacks
+from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import instantiate, load_instance
 from pam_cosim.wording import did_you_mean
@@ -43,7 +43,6 @@ class ExchangeModel:
         nominal: (n,) sizes of the states as the FMU declares them.
         exact: whether the FMU gives directional derivatives.
         event_indicators: how many the FMU has.
-        calls: of the FMU, so that one that hangs can be told from one that works.
 
     Args:
         path: an FMU of FMI 2.0 or 3.0 with model exchange.
@@ -65,7 +64,7 @@ class ExchangeModel:
         self.states = [v.derivative.name for v in derivatives]
         self.exact = _gives_derivatives(self.path, self._description)
         self.nominal = np.ones(len(self.states))
-        self.calls = 0
+        self._calls = 0
         self.event_indicators = int(self._description.numberOfEventIndicators or 0)
         self._slots = {name: i for i, name in enumerate(self.states)}
         self._inputs = list(self.interface.inputs)
@@ -98,6 +97,11 @@ class ExchangeModel:
         if model is not None:
             model.freeInstance()
         shutil.rmtree(self._directory, ignore_errors=True)
+
+    @property
+    def progress(self) -> RunProgress:
+        """How far the work is, which distinguishes an FMU that hangs from one that works."""
+        return RunProgress("in a call of its equations", self._calls, getattr(self, "time", 0.0))
 
     def restart(self, parameters: Mapping[str, float] | None = None, time: float = 0.0) -> None:
         """Initialises at the start values.
@@ -278,7 +282,7 @@ class ExchangeModel:
         return next((abs(v) for v in known if v), 1.0)
 
     def _call(self, ask: Callable[[], T]) -> T:
-        self.calls += 1
+        self._calls += 1
         try:
             return ask()
         except Exception as error:  # FMPy's FMICallException is a bare Exception

@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from html import escape
-from typing import Any
 
 import numpy as np
 
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.arrays import Array
 from pam_cosim.exports import Exported, Table
-from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class FrequencyResponse(Exported):
+class FrequencyResponse(Printed, Exported):
     """How outputs answer to a sine of an input.
 
     Attributes:
@@ -32,6 +30,8 @@ class FrequencyResponse(Exported):
         settled: (k,) whether the last two periods were alike to a thousandth.
         linear: the linear model from the same input to the same outputs, about the same rest; None: not known.
     """
+
+    json_keys = "model input amplitude units frequencies periods settled outputs=_rows linear"
 
     model: str
     input: str
@@ -67,10 +67,11 @@ class FrequencyResponse(Exported):
         static = gain[0] if self.linear is None else abs(float(self.linear.static_gain[i, 0]))
         return _crossing(self.frequencies, gain, static if np.isfinite(static) else float(gain[0]))
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units, phases in degrees."""
+    @property
+    def _rows(self) -> dict[str, object]:
+        """Phases in degrees."""
         linear = None if self.linear is None else self.linear_gain
-        rows = {
+        return {
             name: {
                 "gain": np.abs(self.gain[:, i]),
                 "phase": phase(self.gain[:, i]),
@@ -82,18 +83,6 @@ class FrequencyResponse(Exported):
             }
             for i, name in enumerate(self.outputs)
         }
-        content = {
-            "model": self.model,
-            "input": self.input,
-            "amplitude": self.amplitude,
-            "units": self.units,
-            "frequencies": self.frequencies,
-            "periods": self.periods,
-            "settled": self.settled,
-            "outputs": rows,
-            "linear": None if self.linear is None else self.linear.as_dict(),
-        }
-        return dict(plain(content))
 
     def table(self) -> Table:
         """A row for each frequency."""
@@ -146,12 +135,6 @@ class FrequencyResponse(Exported):
             f"{n}: 3 dB less at {f:.3g} Hz" for n, f in self.bandwidth.items() if np.isfinite(f)
         ]
         return "\n".join([self._title(), *where, "", *lines, *bands])
-
-    def _repr_html_(self) -> str:
-        heads, rows = self._lines()
-        head = "".join(f"<th>{escape(h)}</th>" for h in heads)
-        body = "".join(f"<tr>{''.join(f'<td>{escape(c)}</td>' for c in row)}</tr>" for row in rows)
-        return f"<p>{escape(self._title())}</p><table><tr>{head}</tr>{body}</table>"
 
 
 def phase(gain: Array) -> Array:

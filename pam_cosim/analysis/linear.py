@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
-from html import escape
 from typing import Any
 
 import numpy as np
@@ -15,14 +14,12 @@ from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table
-from pam_cosim.files import plain, plain_fields
 from pam_cosim.units import is_dimensionless, quotient
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 # A pole closer to zero than this part of the largest is an integrator: rounding alone parts it from zero.
 _INTEGRATOR = 1e-12
 # What JSON has of the point; the units are those of the model.
-_POINT = ("kind", "how", "time", "states", "inputs", "outputs", "rates", "parameters")
 
 
 @dataclass(frozen=True)
@@ -43,13 +40,9 @@ class Mode:
     damping: float
     shares: dict[str, float]
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; the pole as its real and its imaginary part."""
-        return {**plain_fields(self), "pole": [self.pole.real, self.pole.imag]}
-
 
 @dataclass(frozen=True)
-class LinearModel(Exported):
+class LinearModel(Printed, Exported):
     """d(dx)/dt = A dx + B du, dy = C dx + D du about an operating point; all in the units of the model (SI).
 
     Attributes:
@@ -61,6 +54,11 @@ class LinearModel(Exported):
         method: how the derivatives were found.
         notes: what to know of it, in sentences.
     """
+
+    json_keys = (
+        "model states inputs outputs units A B C D method notes point stable=is_stable modes "
+        "static_gain"
+    )
 
     model: str
     A: Array
@@ -251,27 +249,6 @@ class LinearModel(Exported):
             remove_useless_states=False,
         )
 
-    def as_dict(self) -> dict[str, Any]:
-        """Matrices, names, units, the point, modes and static gain as plain data; SI units."""
-        content = {
-            "model": self.model,
-            "states": self.states,
-            "inputs": self.inputs,
-            "outputs": self.outputs,
-            "units": self.units,
-            "A": self.A,
-            "B": self.B,
-            "C": self.C,
-            "D": self.D,
-            "method": self.method,
-            "notes": self.notes,
-            "point": {name: getattr(self.point, name) for name in _POINT},
-            "stable": self.is_stable,
-            "modes": self.modes,
-            "static_gain": self.static_gain,
-        }
-        return dict(plain(content))
-
     def table(self) -> Table:
         """[A B; C D]: a row for each rate and output, a column for each state and input."""
         heads = ["", *(self._headed(name) for name in (*self.states, *self.inputs))]
@@ -330,21 +307,6 @@ class LinearModel(Exported):
                 parts.append(" ".join(filter(None, words)))
             lines.append(f"static gain of {output}: {', '.join(parts)}")
         return lines
-
-    def _repr_html_(self) -> str:
-        head = "".join(
-            f"<th>{escape(self._headed(name))}</th>" for name in (*self.states, *self.inputs)
-        )
-        body = "".join(
-            f"<tr><th>{escape(title)}</th>{''.join(f'<td>{v:.5g}</td>' for v in row)}</tr>"
-            for title, row in zip(self._rows(), self._table().tolist(), strict=True)
-        )
-        text = "".join(
-            f"<p>{escape(line)}</p>"
-            for line in (*self.modes_text(), *self.gain_text(), *self.notes)
-        )
-        point = escape(str(self.point)).replace("\n", "<br>")
-        return f"<p><b>{escape(self.model)}</b> {point}</p><table><tr><th></th>{head}</tr>{body}</table>{text}"
 
 
 def _is_integrator(sizes: Array) -> NDArray[np.bool_]:

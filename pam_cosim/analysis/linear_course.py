@@ -3,21 +3,24 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.arrays import Array
+from pam_cosim.files import Plain
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class LinearCourse:
+class LinearCourse(Printed, Plain):
     """Linear models along a run, in the order of its times.
 
     Attributes:
         models: one for each time.
     """
+
+    json_keys = "models"
 
     models: tuple[LinearModel, ...]
 
@@ -36,10 +39,6 @@ class LinearCourse:
 
     def __getitem__(self, i: int) -> LinearModel:
         return self.models[i]
-
-    def as_dict(self) -> dict[str, Any]:
-        """``LinearModel.as_dict`` of each."""
-        return {"models": [model.as_dict() for model in self.models]}
 
     def __str__(self) -> str:
         return "\n\n".join(map(_model_text, self.models))

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from html import escape
-from typing import Any
 
 import numpy as np
 from scipy.special import chdtri, ndtri
@@ -13,9 +11,8 @@ from scipy.special import chdtri, ndtri
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table, headed
-from pam_cosim.files import plain
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 LEVEL = 0.95
 DEVIATIONS = float(ndtri((1 + LEVEL) / 2))  # half the width of a band of that probability
@@ -39,7 +36,7 @@ class Error:
 
 
 @dataclass(frozen=True)
-class Observation(Exported):
+class Observation(Printed, Exported):
     """Estimates from measurements by an extended Kalman filter, each after the sample of its time was taken in.
 
     Attributes:
@@ -56,6 +53,8 @@ class Observation(Exported):
         truth: by name (N,): what was true, where that is known.
         begins: where the recording begins, as far as that is elsewhere than the model does by itself.
     """
+
+    json_keys = "model units outputs time values deviations consistency=_consistency errors"
 
     model: str
     time: Array
@@ -136,27 +135,17 @@ class Observation(Exported):
             float(np.mean(np.abs(off) <= DEVIATIONS * size)),
         )
 
-    def as_dict(self) -> dict[str, Any]:
-        """Plain data; SI units."""
+    @property
+    def _consistency(self) -> dict[str, object]:
         low, high = self.nis_range
-        content = {
-            "model": self.model,
-            "units": self.units,
-            "outputs": self.outputs,
-            "time": self.time,
-            "values": self.values,
-            "deviations": self.deviations,
-            "consistency": {
-                "nis": self.nis,
-                "low": low,
-                "high": high,
-                "consistent": self.is_consistent,
-                "log_likelihood": self.log_likelihood,
-                "whiteness": self.whiteness,
-            },
-            "errors": self.errors(),
+        return {
+            "nis": self.nis,
+            "low": low,
+            "high": high,
+            "consistent": self.is_consistent,
+            "log_likelihood": self.log_likelihood,
+            "whiteness": self.whiteness,
         }
-        return dict(plain(content))
 
     def table(self) -> Table:
         """Each estimate and its standard deviation, a row for each sample."""
@@ -205,9 +194,6 @@ class Observation(Exported):
         return "\n".join(
             [f"{self.model}, from {', '.join(self.measured)}: {span}", *begins, *self._lines()]
         )
-
-    def _repr_html_(self) -> str:
-        return "".join(f"<p>{escape(line)}</p>" for line in str(self).splitlines())
 
 
 def _neighbours(values: Array) -> float:

@@ -11,6 +11,7 @@ from pam_cosim.analysis.exchange import ExchangeModel
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 # A state rests that changes by less than this part of its size in a second; a condition holds within the same part.
 STILL = 1e-6
@@ -20,7 +21,7 @@ GIVEN, REST, RUN = "given", "rest", "run"
 
 
 @dataclass(frozen=True)
-class OperatingPoint:
+class OperatingPoint(Printed):
     """Where a model was linearised.
 
     Attributes:
@@ -32,6 +33,8 @@ class OperatingPoint:
         parameters: by name [SI], what differs from the model's defaults.
         how: how it was found, in words.
     """
+
+    json_keys = "kind how time states inputs outputs rates parameters"
 
     kind: str
     time: float

@@ -18,7 +18,7 @@ from pam_cosim.catalogue.place import is_connector, libraries
 from pam_cosim.compiler import ClassTree, names
 from pam_cosim.compiler.class_info import ClassInfo, ComponentInfo
 from pam_cosim.errors import InputError
-from pam_cosim.wording import did_you_mean
+from pam_cosim.wording import Printed, did_you_mean
 
 ROLES = {
     "pneumatics": "Interfaces.Pneumatics",
@@ -30,7 +30,7 @@ FRAME = "Interfaces.Rig"
 
 
 @dataclass(frozen=True)
-class BenchPart:
+class BenchPart(Printed):
     """One part, as its Modelica class declares it.
 
     Attributes:
@@ -57,6 +57,9 @@ class BenchPart:
     library: str
     usual: bool
     file: Path
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.role}): {self.description}"
 
 
 def rig_parts(tree: ClassTree) -> list[BenchPart]:

@@ -11,13 +11,14 @@ from pam_cosim.catalogue.place import EFFECT, is_effect, libraries
 from pam_cosim.compiler import ClassTree, Part, names
 from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import ModelError
+from pam_cosim.wording import Printed
 
 _TYPICAL = "typical"
 UNKNOWN = "unknown"  # the family of unknown inputs, which are no hypotheses
 
 
 @dataclass(frozen=True)
-class EffectClass:
+class EffectClass(Printed):
     """One effect, as its Modelica class declares it.
 
     Attributes:
@@ -47,6 +48,9 @@ class EffectClass:
     library: str = ""
     absent: Mapping[str, float] = field(default_factory=dict)
     typical: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.family}, {self.balance} balance): {self.description}"
 
 
 def effect_classes(tree: ClassTree, of: Collection[str] | None = None) -> list[EffectClass]:

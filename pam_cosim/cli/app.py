@@ -14,7 +14,6 @@ from typing import Annotated, Any
 
 import typer
 
-from pam_cosim import renamed
 from pam_cosim.cli.commands.common import INTERRUPTED, interrupted, remarks, results
 from pam_cosim.errors import InputError, SimulationFailure
 
@@ -27,8 +26,6 @@ _RUN = (
     "linearise",
     "bode",
     "observe",
-    "track",
-    "actuator",
 )
 _STUDY = (
     "new",
@@ -98,13 +95,6 @@ class _Group(typer.core.TyperGroup):
 
     def __init__(self, **options: Any) -> None:
         super().__init__(**options | {"commands": _COMMANDS})
-
-    def get_command(self, context: Any, name: str) -> Any:
-        """The command of a name, also of one that it had in earlier versions."""
-        if name in renamed.COMMANDS:
-            print(f"pam-cosim: {renamed.COMMANDS[name].message(name)}", file=sys.stderr)
-            name = renamed.COMMANDS[name].new
-        return super().get_command(context, name)
 
 
 def load(arguments: Sequence[str]) -> None:

@@ -1,24 +1,21 @@
-"""Words of the command line that stand for settings and inputs."""
+"""Words of the command line that stand for settings and inputs.
+
+Every command loads it, so that it loads no room that only some of them need.
+"""
 
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Literal
 
 import numpy as np
 
-from pam_cosim.compiler import names
 from pam_cosim.errors import InputError
-from pam_cosim.exports import TABLES
-from pam_cosim.fmu.description import model_identifier
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import is_file
 from pam_cosim.model.settings import value_of
-from pam_cosim.sweeps import MOST_RUNS
-from pam_cosim.sweeps.patterns import INPUTS
-from pam_cosim.sweeps.spans import alike
 from pam_cosim.wording import shown
 
 _FILE_ENDING = re.compile(r"\.[A-Za-z]\w*")  # as of files; folders are named with versions
@@ -38,6 +35,9 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
         return [(models[0], output)]
     if _FILE_ENDING.fullmatch(output.suffix) and not output.is_dir():
         raise InputError("FMUs are built: name a folder, or a file that ends in .fmu", output)
+    from pam_cosim.compiler import names
+    from pam_cosim.fmu.description import model_identifier
+
     files: dict[Path, str] = {}
     for model in models:
         name = Path(model).stem if is_file(model) else model_identifier(names.last(model))
@@ -46,25 +46,6 @@ def fmu_files(models: Sequence[str], output: Path) -> list[tuple[str, Path]]:
                 f"two models would be written to '{name}.fmu'; build them into two folders", output
             )
     return [(model, file) for file, model in files.items()]
-
-
-def file_and_variables(
-    words: Sequence[str], interface: Callable[[], Interface]
-) -> tuple[Path | None, list[str]]:
-    """The file that ``--output`` names, and the variables of the model, which it named before version 0.2.0.
-
-    Raises:
-        InputError: several files.
-    """
-    unsure = [word for word in words if Path(word).suffix.lower() not in TABLES]
-    known = interface().variables if unsure else {}
-    variables = [word for word in unsure if word in known]
-    files = [Path(word) for word in words if word not in variables]
-    if len(files) > 1:
-        raise InputError(
-            f"-o names {len(files)} files, {' and '.join(map(str, files))}; a variable is kept by --keep"
-        )
-    return (files[0] if files else None), variables
 
 
 def parse_named(words: Sequence[str]) -> dict[str, str]:
@@ -92,6 +73,9 @@ def parse_varied(words: Sequence[str]) -> dict[str, str | list[str]]:
     Raises:
         InputError: not of that form, or a name twice.
     """
+    from pam_cosim.sweeps.patterns import INPUTS
+    from pam_cosim.sweeps.spans import alike
+
     varied: dict[str, str | list[str]] = {}
     for word in words:
         name, text = _split(word, "NAME=FROM:TO:N or NAME=A,B,C")
@@ -153,6 +137,8 @@ def parse_limits(words: Sequence[str]) -> dict[str, tuple[str, str]]:
     Raises:
         InputError: not of that form, or a name twice.
     """
+    from pam_cosim.sweeps.spans import alike
+
     limits: dict[str, tuple[str, str]] = {}
     for word in words:
         name, text = _split(word, "NAME=FROM:TO, such as u_in='0 A:0.35 A'")
@@ -192,6 +178,8 @@ def parse_frequencies(text: str) -> list[float]:
     Raises:
         InputError: not of that form.
     """
+    from pam_cosim.sweeps.spans import MOST_RUNS, alike
+
     frequency, parts = Variable("frequencies", "Hz"), text.split(":")
     if len(parts) == 1:
         return [value_of(part, frequency) for part in text.split(",")]

@@ -24,7 +24,7 @@ from pam_cosim.comparison.residual_statistics import (
     residual_statistics,
     series_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run
+from pam_cosim.comparison.residuals import RunComparison, simulate_run, warnings_of
 from pam_cosim.comparison.rounding import (
     expected_squares,
     slope,
@@ -63,6 +63,7 @@ __all__ = [
     "samples_in",
     "slope",
     "usual_square",
+    "warnings_of",
     "standardized_residuals",
     "where",
     "without_outliers",

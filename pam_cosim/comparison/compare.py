@@ -13,16 +13,16 @@ from pam_cosim.comparison.plausibility import Doubt, doubts
 from pam_cosim.comparison.residuals import RunComparison, simulate_run
 from pam_cosim.comparison.scores import SignalScore, chi2_reduced, score
 from pam_cosim.errors import InputError
-from pam_cosim.files import plain
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, did_you_mean, listed
+from pam_cosim.wording import Printed, did_you_mean, listed, look_first
 
 
 @dataclass(frozen=True)
-class Comparison(Printed):
+class Comparison(Printed, Tabular):
     """Residuals and scores of a model on a data set.
 
     Attributes:
@@ -34,6 +34,8 @@ class Comparison(Printed):
         where: rules that hold most of the error, over all runs.
         units: SI units of the parameters and inputs of the runs, by name.
     """
+
+    json_keys = "model parameters signals=scores.all roles=_roles runs=_runs where doubts"
 
     model: str
     data: DataSet
@@ -102,18 +104,29 @@ class Comparison(Printed):
         count = "" if len(said) == len(self.runs) else f" (in {len(said)} of {len(self.runs)} runs)"
         return [f"{said[0]}{count}"] if said else []
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "model": self.model,
-            "parameters": self.parameters,
-            "signals": self.scores["all"],
-            "roles": {role: {"signals": scores} for role, scores in self.scores.items() if scores},
-            "runs": [self._run_as_dict(run) for run in self.runs],
-            "where": self.where,
-            "doubts": self.doubts,
+    def frame_columns(self) -> Columns:
+        """A row for each sample of each run and signal, its values in the SI unit of the column "unit"."""
+        rows = [
+            (r.run.name, time, name, self.data.signals[name].unit, value, model, value - model)
+            for r in self.runs
+            for name, values in r.run.measurements.items()
+            for time, value, model in zip(r.run.time, values, r.model[name], strict=True)
+            if math.isfinite(value)
+        ]
+        names = ("run", "time", "signal", "unit", "measured", "model", "residual")
+        columns = zip(*rows, strict=True) if rows else ((),) * len(names)
+        return {
+            name: (column, "s" if name == "time" else None)
+            for name, column in zip(names, columns, strict=True)
         }
-        return dict(plain(content))
+
+    @property
+    def _roles(self) -> dict[str, object]:
+        return {role: {"signals": scores} for role, scores in self.scores.items() if scores}
+
+    @property
+    def _runs(self) -> list[dict[str, object]]:
+        return [self._run_as_dict(run) for run in self.runs]
 
     def _run_as_dict(self, one: RunComparison) -> dict[str, object]:
         solver = {"solver": one.solver} if one.solver else {}
@@ -126,8 +139,16 @@ class Comparison(Printed):
             "signals": score([one], self.data.signals),
         }
 
+    def _headline(self) -> str:
+        errors = [
+            f"{name} {format_quantity(score.rmse, self.data.signals[name].unit)}"
+            for name, score in self.scores["all"].items()
+        ]
+        return f" of {self.model} with '{self.data.title}': {', '.join(errors)}"
+
     def __str__(self) -> str:
         lines = [f"{self.model} against {self.data.title}"]
+        lines += look_first(doubt.text for doubt in self.doubts)
         lines += [f"  {sentence}" for sentence in self.data.starts]
         lines += [f"  {sentence}" for sentence in self._solvers()]
         for role in ROLES:
@@ -149,7 +170,6 @@ class Comparison(Printed):
                 f"  {100 * rule.error_share:.0f} % of the error of {rule.signal} in "
                 f"{100 * rule.time_share:.0f} % of the samples: {rule.rule}"
             )
-        lines += [f"  look first: {doubt.text}" for doubt in self.doubts]
         return "\n".join(lines)
 
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Literal, get_args
+from typing import Any, Literal, get_args
 
 import numpy as np
 
@@ -18,7 +18,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
-from pam_cosim.exports import write_table
+from pam_cosim.exports import Columns, Tabular, write_table
 from pam_cosim.files import plain
 from pam_cosim.measurement import Run, Signal
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
@@ -49,7 +49,7 @@ class Condition:
 
 
 @dataclass(frozen=True)
-class ConditionTable(Printed):
+class ConditionTable(Printed, Tabular):
     """Scores of one signal by two parameters of the runs; NaN in a cell without samples.
 
     Attributes:
@@ -61,6 +61,8 @@ class ConditionTable(Printed):
         chi2_reduced: (m, n) mean square of that in noise standard deviations.
         samples: (m, n) how many were compared.
     """
+
+    json_keys = "signal unit rows columns"
 
     model: str
     signal: str
@@ -85,21 +87,21 @@ class ConditionTable(Printed):
         """Mean and standard deviation of each column, (n,) both, over the cells that have samples."""
         return _moments(self.values(statistic).T)
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units; None where there is no sample."""
-        content: dict[str, object] = {
-            "signal": self.signal,
-            "unit": self.unit,
-            "rows": {"name": self.rows.name, "unit": self.rows.unit, "values": self.rows.values},
-            "columns": {
-                "name": self.columns.name,
-                "unit": self.columns.unit,
-                "values": self.columns.values,
-            },
-            "samples": self.samples.astype(int),
-            **{statistic: self._statistic_as_dict(statistic) for statistic in STATISTICS},
+    def frame_columns(self) -> Columns:
+        """A row for each cell."""
+        rows, columns = self.rows, self.columns
+        units: dict[Statistic, str] = {"correlation": "", "rmse": self.unit, "chi2_reduced": ""}
+        return {
+            rows.name: (np.repeat(rows.values, len(columns.values)), rows.unit),
+            columns.name: (np.tile(columns.values, len(rows.values)), columns.unit),
+            **{name: (self.values(name).ravel(), unit) for name, unit in units.items()},
+            "samples": (self.samples.ravel(), ""),
         }
-        return dict(plain(content))
+
+    def as_dict(self) -> dict[str, Any]:
+        """Plain data for JSON, SI units; None where there is no sample."""
+        statistics = {statistic: self._statistic_as_dict(statistic) for statistic in STATISTICS}
+        return super().as_dict() | dict(plain({"samples": self.samples.astype(int), **statistics}))
 
     def _statistic_as_dict(self, statistic: Statistic) -> dict[str, object]:
         rows, columns = self.by_row(statistic), self.by_column(statistic)

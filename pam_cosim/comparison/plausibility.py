@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.comparison.residuals import RunComparison, warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Run, Signal
 from pam_cosim.measurement.markers import input_marker_of, marker_of
@@ -34,8 +34,10 @@ _ZEROS = {
     "Pa": (101325.0, "absolute and gauge pressure mixed up"),
     "K": (273.15, "degrees Celsius and kelvin mixed up"),
 }
-_SIZES = "a size of the muscle or a load that is not the rig's"
-_UNIT = "a wrong unit or factor of the instrument"
+_CAUSES = (
+    "a size of the muscle or a load that is not the rig's does this, "
+    "and so does a wrong unit or factor of the instrument"
+)
 _LEAST = {"Pa": (-101325.0, "a vacuum, gauge"), "K": (0.0, "absolute zero")}
 """What no reading of an instrument is below, by its unit."""
 
@@ -45,11 +47,11 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "copy": two runs have the same samples; "marker": a value that is no reading, as for missing samples;
-            "still": a signal never moves, where the model does; "impossible": no such reading exists; "far_off":
-            the model explains little of it; "one_sided": the measurement never passes zero where the model does;
-            "contradiction": runs differ the other way than in the model.
-        signal: which it is seen in.
+        kind: "warning": the model itself warns; "copy": two runs have the same samples; "marker": a value that is no
+            reading, as for missing samples; "still": a signal never moves, where the model does; "impossible": no such
+            reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
+            where the model does; "contradiction": runs differ the other way than in the model.
+        signal: which it is seen in; "": none.
         text: a sentence.
     """
 
@@ -85,7 +87,8 @@ def doubts(
                 *_one_sided(signal, measured, modelled),
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
-    return (*_copies(runs), *_markers_of_inputs(runs, units), *every)
+    warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
+    return (*warnings, *_copies(runs), *_markers_of_inputs(runs, units), *every)
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
@@ -271,16 +274,12 @@ def _of_another_size(
     if product <= 0.0:
         return ""
     gain, inverse = product / float(modelled @ modelled), product / float(measured @ measured)
-    if _rms(measured - gain * modelled) < enough:
-        units = _as_units(signal.unit, gain)
-        if units:
-            return f"It would fit if it were divided by {gain:.4g}{units}"
-        causes = f"{_SIZES} does this, and so does {_UNIT}{inputs()}"
-        return f"Its course is the model's, {gain:.3g} times as large: {causes}"
-    if _rms(inverse * measured - modelled) < enough:
-        causes = f"{_UNIT} does this{inputs()}; so does {_SIZES}"
-        return f"It is some {1 / inverse:.3g} times as large as in the model: {causes}"
-    return ""
+    if min(_rms(measured - gain * modelled), _rms(inverse * measured - modelled)) >= enough:
+        return ""
+    units = _as_units(signal.unit, gain)
+    if units:
+        return f"It would fit if it were divided by {gain:.4g}{units}"
+    return f"Relative to the model it is {gain:.3g} times as large: {_CAUSES}{inputs()}"
 
 
 def _reach(runs: Sequence[RunComparison], units: Mapping[str, str]) -> str:

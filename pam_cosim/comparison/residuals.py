@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.starts import initial_state
+from pam_cosim.wording import distinct_warnings
 
 
 @dataclass(frozen=True)
@@ -19,15 +23,28 @@ class RunComparison:
         run: the measurement.
         model: (n,) each [SI], every output of the model at ``run.time``.
         solver: as ``Trajectory.solver``.
+        warnings: as ``Trajectory.warnings``.
     """
 
     run: Run
     model: dict[str, Array]
     solver: str = ""
+    warnings: tuple[str, ...] = ()
 
     def residual(self, signal: str) -> Array:
         """Measured minus modelled [SI], shape (n,), NaN where a sample is missing."""
         return self.run.measurements[signal] - self.model[signal]
+
+    def at_samples(self, signal: str) -> tuple[NDArray[np.bool_], Array, Array]:
+        """(n,) which samples of a signal there are, and the residuals and readings of these [SI]."""
+        readings = self.run.measurements[signal]
+        kept = np.isfinite(readings)
+        return kept, self.residual(signal)[kept], readings[kept]
+
+
+def warnings_of(runs: Iterable[RunComparison]) -> tuple[str, ...]:
+    """The distinct warnings of the model, each with its runs."""
+    return distinct_warnings({r.run.name: r.warnings for r in runs})
 
 
 def simulate_run(
@@ -56,7 +73,7 @@ def simulate_run(
     outputs = list(simulator.interface.outputs) if signals is None else signals
     if run.is_static:
         points = simulator.equilibria(run.inputs, parameters=own, outputs=outputs)
-        return RunComparison(run, dict(points.values))
+        return RunComparison(run, dict(points.values), warnings=points.warnings)
     start = initial_state(simulator, data, run, own)
     trajectory = start.trajectory(simulator, run, own, run.time, outputs, tolerance)
-    return RunComparison(run, dict(trajectory.values), trajectory.solver)
+    return RunComparison(run, dict(trajectory.values), trajectory.solver, trajectory.warnings)

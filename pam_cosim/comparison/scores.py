@@ -11,7 +11,6 @@ from pam_cosim.arrays import Array
 from pam_cosim.comparison.residual_statistics import Series, lag_one
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.rounding import expected_squares, standardized_residuals
-from pam_cosim.files import plain_fields
 from pam_cosim.measurement import Signal
 
 
@@ -49,10 +48,6 @@ class SignalScore:
     autocorrelation: float = float("nan")
     whiteness_score: float = float("nan")
     effective_samples: float = float("nan")
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON; a number that does not exist is None."""
-        return plain_fields(self)
 
 
 def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore | None:

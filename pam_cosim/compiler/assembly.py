@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -116,13 +116,14 @@ class Assembly:
 
     def _statement(self, assertion: Assertion, delayed: DelayedInputs) -> Statement:
         """An assertion in terms of states, inputs and parameters."""
-        shown = [part for part in assertion.message.parts if isinstance(part, PrintedNumber)]
+        parts = (*assertion.message.parts, *([] if assertion.is_error else self._causes(assertion)))
+        shown = [part for part in parts if isinstance(part, PrintedNumber)]
         condition, *values = delayed.put_in(
             [self._known(e) for e in (assertion.condition, *(s.value for s in shown))]
         )
         self.beginning.refuse_start_times(ca.vertcat(condition, *values))
         texts = [""]
-        for part in assertion.message.parts:
+        for part in parts:
             if isinstance(part, str):
                 texts[-1] += part
             else:
@@ -136,6 +137,17 @@ class Assembly:
             assertion.is_error,
             assertion.at_start or fixed,
         )
+
+    def _causes(self, assertion: Assertion) -> Iterator[str | PrintedNumber]:
+        """The parameters that the condition names, with their values; they end the message of a warning."""
+        names, separator = _names(assertion.condition), "; "
+        for leaf, symbol in self.flat.symbols.free.items():
+            if leaf.name in names:
+                unit = self._variable(leaf).unit
+                yield f"{separator}{leaf.name} = "
+                yield PrintedNumber(symbol, 6)
+                yield f" {unit}" if unit not in ("", "1") else ""
+                separator = ", "
 
     def _known(self, expression: ca.SX) -> ca.SX:
         return self.beginning.known(put(expression, self.system.variables, self.solved))

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 from dataclasses import dataclass
 
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.simulation import (
     Trajectory,
 )
@@ -12,7 +13,7 @@ from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class CoupledRun(Printed):
+class CoupledRun(Printed, Tabular):
     """What came of a run of a coupled system.
 
     Attributes:
@@ -35,7 +36,11 @@ class CoupledRun(Printed):
     smallest: float
     largest: float
 
-    def __repr__(self) -> str:
+    def frame_columns(self) -> Columns:
+        """Those of the trajectory."""
+        return self.trajectory.frame_columns()
+
+    def __str__(self) -> str:
         low, high = f"{self.smallest:.3g}", f"{self.largest:.3g}"
         spread = f"{low} s" if low == high else f"{low} to {high} s"
         cost = ", ".join(f"{name} {count}" for name, count in self.component_steps.items())

@@ -15,7 +15,7 @@ from pam_cosim.cosimulation.rig import input_of
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, is_dimensionless, seconds
-from pam_cosim.wording import did_you_mean, listed, shown
+from pam_cosim.wording import Printed, did_you_mean, listed, shown
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
 _ARROW = re.compile(r"\s*(\S+)\s*->\s*(\S+)\s*")
@@ -49,7 +49,7 @@ class CoupledFmu:
 
 
 @dataclass(frozen=True)
-class Controller:
+class Controller(Printed):
     """A function of Python's as a component, called at equal distances of time; its outputs are held in between.
 
     The function gets the time [s] and its inputs by name, and returns its outputs by name, or one number where it has
@@ -72,6 +72,10 @@ class Controller:
         object.__setattr__(self, "seconds", sample_time(self.interval))
         if not self.outputs:
             raise InputError("a controller needs an output at least")
+
+    def __str__(self) -> str:
+        ports = f"{', '.join(self.inputs)} -> {', '.join(self.outputs)}"
+        return f"{self.model}: {ports}, every {self.seconds:g} s"
 
     @property
     def model(self) -> str:

@@ -21,7 +21,7 @@ _ROUNDING = 1e-12  # two inputs that differ by less are one, such as 0.35 A and 
 _LONGEST_HEAD = 1 << 20  # bytes: names and values of some thousand inputs
 
 
-class Readings(Mapping[str, float]):
+class Readings(Printed, Mapping[str, float]):
     """Values by name in the model's own (SI) units, which prints itself in units that are easy to read."""
 
     def __init__(self, values: Mapping[str, float], units: Mapping[str, str]) -> None:
@@ -36,7 +36,7 @@ class Readings(Mapping[str, float]):
     def __len__(self) -> int:
         return len(self._values)
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         return ", ".join(
             f"{name} = {format_quantity(value, self.units[name])}"
             for name, value in self._values.items()
@@ -54,7 +54,7 @@ class RigState(Printed):
         self._rig, self._number, self.time = rig, number, rig.time
         self._inputs, self._rows = rig._held.copy(), rig._record.rows[:rows]
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         return f"state of {self._rig.interface.model} at {self.time:.6g} s"
 
     def to_bytes(self) -> bytes:
@@ -229,9 +229,9 @@ class Rig(Printed):
         self.time, self._held, self._record.rows = time, inputs, []
         self._write_down()
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         ended = "" if self._stepper is not None else ", ended"
-        return f"{self.interface.model} at {self.time:.6g} s{ended}: {self.readings!r}"
+        return f"{self.interface.model} at {self.time:.6g} s{ended}: {self.readings}"
 
     def _run(self) -> AnyStepper:
         if self._stepper is None:

@@ -49,7 +49,7 @@ def description_of(entries: SspEntries) -> Description:
     root = entries.tree(DESCRIPTION, "the description", "SystemStructureDescription.xsd")
     system = root.find("ssd:System", NAMESPACES)
     experiment = root.find("ssd:DefaultExperiment", NAMESPACES)
-    description = Description(_plain(root.get("name")))
+    description = Description(_plain(root.get("description") or root.get("name")))
     if experiment is not None and experiment.get("stopTime"):
         begin, end = float(experiment.get("startTime") or 0.0), float(experiment.get("stopTime"))
         if not (math.isfinite(end - begin) and end > begin):

@@ -9,8 +9,6 @@ NAMESPACES = {
 }
 FMU_TYPE = "application/x-fmu-sharedlibrary"
 VERSIONS = ("1.0", "2.0")
-REALS = {"1.0": "Real", "2.0": "Float64"}
-"""The element of a real number; SSP 2.0 takes the names of FMI 3.0 and the former one."""
 
 
 def tag(prefix: str, name: str) -> str:

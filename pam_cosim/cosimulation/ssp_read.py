@@ -18,7 +18,7 @@ from pam_cosim.cosimulation.ssp_description import Description, Place, Wire, des
 from pam_cosim.cosimulation.ssp_entries import SspEntries
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import DAMAGED
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting
 
 
@@ -63,7 +63,9 @@ def read_ssp(file: Path, folder: Path, made: Callable[[str, Path], CoupledFmu]) 
     except InputError as problem:
         raise InputError(problem.message, file) from problem
     parameters = {
-        f"{names[place]}.{name}": value for place, name, value in _placed(description, names, file)
+        f"{names[place]}.{name}": value
+        for place, name, value in _placed(description, names, file)
+        if not _is_default(parts[names[place]].interface.inputs.get(name), value)
     }
     return Archive(parts, connections, parameters, description.title, description.stop_time)
 
@@ -152,6 +154,13 @@ def _unitless(part: CoupledFmu) -> CoupledFmu:
     )
 
 
+def _is_default(variable: Variable | None, value: Setting) -> bool:
+    """Whether an input has this value without being given it."""
+    if variable is None or variable.start is None:
+        return False
+    return value in (variable.start, f"{variable.start!r} {variable.unit}")
+
+
 def _placed(
     description: Description, names: dict[Place, str], file: Path
 ) -> Iterator[tuple[Place, str, Setting]]:
@@ -159,6 +168,10 @@ def _placed(
     values: dict[tuple[Place, str], Setting] = {}
     outermost_last = sorted(description.values, key=lambda one: -len(one[0]))  # it wins
     for place, name, value in outermost_last:
+        driven = _driven(description, (place, name))
+        values |= dict.fromkeys(driven, value)
+        if driven:
+            continue
         while place in description.systems:
             elements = _elements_of(place, [*names, *description.systems])
             inner = next((p for p in elements if name.startswith(p[-1] + ".")), None)
@@ -168,6 +181,17 @@ def _placed(
         values[place, name] = value
     for (place, name), value in values.items():
         yield place, name, value
+
+
+def _driven(description: Description, connector: tuple[Place, str]) -> list[tuple[Place, str]]:
+    """The inputs of components that a connector of a system drives, through the borders of systems."""
+    reached = [connector]
+    for one in reached:
+        if one[0] in description.systems:
+            wires = [w for w in description.wires if w.start == one]
+            ends = [w.end for w in wires if (w.factor, w.offset) == (1.0, 0.0)]
+            reached += [end for end in dict.fromkeys(ends) if end not in reached]
+    return [one for one in reached if one[0] not in description.systems]
 
 
 def _elements_of(place: Place, places: Iterable[Place]) -> list[Place]:

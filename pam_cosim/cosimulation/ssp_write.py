@@ -2,25 +2,30 @@
 
 from __future__ import annotations
 
-import io
-import zipfile
-from collections.abc import Iterable, Mapping
+import re
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from pathlib import Path
 from xml.etree import ElementTree as Xml
 
-from pam_cosim.cosimulation.parts import Controller, CoupledFmu, joined
-from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES, REALS, VERSIONS, tag
+from pam_cosim.cosimulation.parts import Controller, CoupledFmu, Port, joined
+from pam_cosim.cosimulation.ssp_names import DESCRIPTION, FMU_TYPE, NAMESPACES, VERSIONS, tag
 from pam_cosim.cosimulation.system import System
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
+from pam_cosim.fmu.build import archived
 from pam_cosim.model.interface import Variable
 from pam_cosim.units import UnitError, base_unit
 
-_FIXED = (1980, 1, 1, 0, 0, 0)  # so that the same system gives the same bytes
+_SYSTEM_VALUES = "SystemStructure.ssv"
+_WIDTH, _HEIGHT, _GAP = 40.0, 30.0, 20.0  # of the boxes of a diagram
 
 
 def write_ssp(
-    system: System, file: Path, stop_time: float | None = None, version: str = "1.0"
+    system: System,
+    file: Path,
+    stop_time: float | None = None,
+    version: str = "1.0",
+    connectors: bool = True,
 ) -> Path:
     """Writes the archive: the description, every FMU, and their parameter values as ``.ssv``.
 
@@ -29,6 +34,7 @@ def write_ssp(
         file: the archive.
         stop_time: of the default experiment [s]; None: that of the system.
         version: of the standard, "1.0" or "2.0".
+        connectors: whether open inputs and all outputs are connectors of the system.
 
     Raises:
         InputError: a component that is not an FMU, another version, or the file cannot be written.
@@ -46,29 +52,57 @@ def write_ssp(
                 file,
             )
         parts[name] = part
-    content = io.BytesIO()
-    with zipfile.ZipFile(content, "w", zipfile.ZIP_DEFLATED) as archive:
-        _add(
-            archive,
-            DESCRIPTION,
-            _description(system, parts, stop_time or system.stop_time, version),
+    ports = _ports(system, parts) if connectors else {}
+    ends = {end for _, end, _ in ports.values()}
+    values = {
+        name: {n: value for n, value in some.items() if Port(name, n) not in ends}
+        for name, some in system.values.items()
+    }
+    values = {name: some for name, some in values.items() if some}
+    stop = stop_time or system.stop_time or max(p.interface.stop_time for p in parts.values())
+    files = {DESCRIPTION: _description(system, parts, ports, values, stop, version)}
+    for name, part in parts.items():
+        files[f"resources/{name}.fmu"] = part.path.read_bytes()
+        if name in values:
+            settable = part.interface.settable
+            held = {n: (settable[n], value) for n, value in values[name].items()}
+            files[f"resources/{name}.ssv"] = _values(held, version)
+    held = {
+        name: (
+            variable,
+            system.values.get(end.component, {}).get(end.variable, variable.start or 0.0),
         )
-        for name, part in parts.items():
-            _add(archive, f"resources/{name}.fmu", part.path.read_bytes())
-            if system.values.get(name):
-                _add(
-                    archive,
-                    f"resources/{name}.ssv",
-                    _values(name, part, system.values[name], version),
-                )
-    write_bytes(file, content.getvalue())
+        for name, (kind, end, variable) in ports.items()
+        if kind == "input"
+    }
+    if held:
+        files[_SYSTEM_VALUES] = _values(held, version)
+    write_bytes(file, archived(files))
     return file
 
 
-def _add(archive: zipfile.ZipFile, name: str, content: bytes) -> None:
-    entry = zipfile.ZipInfo(name, _FIXED)
-    entry.compress_type = zipfile.ZIP_DEFLATED
-    archive.writestr(entry, content)
+_Ports = Mapping[str, tuple[str, Port, Variable]]
+
+
+def _ports(system: System, parts: Mapping[str, CoupledFmu]) -> _Ports:
+    """Connectors of the system by name, with their kinds: inputs that are not connected, and all outputs."""
+    found = [
+        ("input", Port(*name.split(".", 1)), variable) for name, variable in system.inputs.items()
+    ]
+    for name, part in parts.items():
+        found += [("output", Port(name, n), v) for n, v in part.interface.outputs.items()]
+    single = [_identifier(end.variable) for _, end, _ in found]
+    names = [
+        name if single.count(name) == 1 else f"{_identifier(end.component)}_{name}"
+        for name, (_, end, _) in zip(single, found, strict=True)
+    ]
+    return dict(zip(names, found, strict=True))
+
+
+def _identifier(text: str) -> str:
+    """As tools take it as a name: letters, digits and underscores, no digit first."""
+    name = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
+    return name if name and not name[0].isdigit() else f"system_{name}".rstrip("_")
 
 
 def _document(root: Xml.Element) -> bytes:
@@ -80,75 +114,99 @@ def _document(root: Xml.Element) -> bytes:
 
 
 def _description(
-    system: System, parts: Mapping[str, CoupledFmu], stop_time: float | None, version: str
+    system: System,
+    parts: Mapping[str, CoupledFmu],
+    ports: _Ports,
+    values: Collection[str],
+    stop_time: float,
+    version: str,
 ) -> bytes:
-    title = system.title or "system"
-    about = {"version": version, "name": title, "generationTool": "pam-cosim"}
-    root = Xml.Element(tag("ssd", "SystemStructureDescription"), about)
-    top = Xml.SubElement(root, tag("ssd", "System"), name="system")
+    title = {"description": system.title} if system.title else {}
+    about = {"name": _identifier(system.title or "system"), **title}
+    root = Xml.Element(
+        tag("ssd", "SystemStructureDescription"),
+        {"version": version, **about, "generationTool": "pam-cosim"},
+    )
+    top = Xml.SubElement(root, tag("ssd", "System"), about)
+    if ports:
+        _connectors(top, [(kind, name, variable) for name, (kind, _, variable) in ports.items()])
+    if any(kind == "input" for kind, _, _ in ports.values()):
+        _bound(top, _SYSTEM_VALUES)
     elements = Xml.SubElement(top, tag("ssd", "Elements"))
-    for name, part in parts.items():
-        source = f"resources/{name}.fmu"
-        component = Xml.SubElement(
-            elements, tag("ssd", "Component"), name=name, source=source, type=FMU_TYPE
-        )
-        _connectors(component, part, REALS[version])
-        if system.values.get(name):
-            bindings = Xml.SubElement(component, tag("ssd", "ParameterBindings"))
-            Xml.SubElement(bindings, tag("ssd", "ParameterBinding"), source=f"resources/{name}.ssv")
-    if system.connections:
-        connections = Xml.SubElement(top, tag("ssd", "Connections"))
-        for one in system.connections:
-            ends = {
-                "startElement": one.source.component,
-                "startConnector": one.source.variable,
-                "endElement": one.target.component,
-                "endConnector": one.target.variable,
-            }
-            plain = joined(one.source, one.target, parts)
-            element = Xml.SubElement(connections, tag("ssd", "Connection"), ends)
-            if (plain.factor, plain.offset) != (
-                one.factor,
-                one.offset,
-            ):  # more than a conversion of units
-                element.set("suppressUnitConversion", "true")
-                numbers = {"factor": repr(one.factor), "offset": repr(one.offset)}
-                Xml.SubElement(element, tag("ssc", "LinearTransformation"), numbers)
-    _units(root, "ssd", [v for part in parts.values() for v in _ports(part)])
-    if stop_time is not None:
-        Xml.SubElement(
-            root, tag("ssd", "DefaultExperiment"), startTime="0.0", stopTime=repr(float(stop_time))
-        )
+    for number, (name, part) in enumerate(parts.items()):
+        source = {"source": f"resources/{name}.fmu", "type": FMU_TYPE}
+        about = {"name": name, **source, "implementation": "CoSimulation"}
+        component = Xml.SubElement(elements, tag("ssd", "Component"), about)
+        own = [("input", n, v) for n, v in part.interface.inputs.items()]
+        own += [("output", n, v) for n, v in part.interface.outputs.items()]
+        _connectors(component, own)
+        corner = _GAP + number * (_WIDTH + _GAP)
+        _box(component, "ElementGeometry", corner, corner + _WIDTH)
+        if name in values:
+            _bound(component, f"resources/{name}.ssv")
+    connections = Xml.SubElement(top, tag("ssd", "Connections"))
+    for one in system.connections:
+        element = _wire(connections, one.source, one.target)
+        plain = joined(one.source, one.target, parts)
+        if (plain.factor, plain.offset) != (one.factor, one.offset):  # more than a conversion
+            element.set("suppressUnitConversion", "true")
+            numbers = {"factor": repr(one.factor), "offset": repr(one.offset)}
+            Xml.SubElement(element, tag("ssc", "LinearTransformation"), numbers)
+    for name, (kind, end, _) in ports.items():
+        border = Port("", name)
+        _wire(connections, *((border, end) if kind == "input" else (end, border)))
+    _box(top, "SystemGeometry", 0, _GAP + len(parts) * (_WIDTH + _GAP))
+    faces = [part.interface for part in parts.values()]
+    _units(root, "ssd", [v for face in faces for v in (face.inputs | face.outputs).values()])
+    experiment = {"startTime": "0.0", "stopTime": repr(float(stop_time))}
+    Xml.SubElement(root, tag("ssd", "DefaultExperiment"), experiment)
     return _document(root)
 
 
-def _ports(part: CoupledFmu) -> Iterable[Variable]:
-    return [*part.interface.inputs.values(), *part.interface.outputs.values()]
+def _bound(element: Xml.Element, source: str) -> None:
+    bindings = Xml.SubElement(element, tag("ssd", "ParameterBindings"))
+    Xml.SubElement(bindings, tag("ssd", "ParameterBinding"), source=source)
 
 
-def _connectors(component: Xml.Element, part: CoupledFmu, real: str) -> None:
-    listed = Xml.SubElement(component, tag("ssd", "Connectors"))
-    for kind, variables in (("input", part.interface.inputs), ("output", part.interface.outputs)):
-        for variable in variables.values():
-            connector = Xml.SubElement(
-                listed, tag("ssd", "Connector"), name=variable.name, kind=kind
-            )
-            Xml.SubElement(
-                connector, tag("ssc", real), {"unit": variable.unit} if _known(variable) else {}
-            )
+def _wire(connections: Xml.Element, source: Port, target: Port) -> Xml.Element:
+    """A connection; a port without a component is a connector of the system."""
+    ends = {
+        "startElement": source.component,
+        "startConnector": source.variable,
+        "endElement": target.component,
+        "endConnector": target.variable,
+    }
+    named = {key: text for key, text in ends.items() if text}
+    return Xml.SubElement(connections, tag("ssd", "Connection"), named)
 
 
-def _values(name: str, part: CoupledFmu, values: Mapping[str, float], version: str) -> bytes:
-    root = Xml.Element(tag("ssv", "ParameterSet"), version=version, name=name)
-    listed = Xml.SubElement(root, tag("ssv", "Parameters"))
-    used = []
-    for variable_name, value in values.items():
-        variable = part.interface.settable[variable_name]
-        used.append(variable)
-        parameter = Xml.SubElement(listed, tag("ssv", "Parameter"), name=variable_name)
+def _box(element: Xml.Element, name: str, left: float, right: float) -> None:
+    corners = {"x1": left, "y1": 0.0, "x2": right, "y2": _HEIGHT}
+    Xml.SubElement(element, tag("ssd", name), {key: repr(float(x)) for key, x in corners.items()})
+
+
+def _connectors(element: Xml.Element, ports: Sequence[tuple[str, str, Variable]]) -> None:
+    """Inputs on the left side and outputs on the right, each with its unit."""
+    listed = Xml.SubElement(element, tag("ssd", "Connectors"))
+    for kind, name, variable in ports:
+        connector = Xml.SubElement(listed, tag("ssd", "Connector"), name=name, kind=kind)
         unit = {"unit": variable.unit} if _known(variable) else {}
-        Xml.SubElement(parameter, tag("ssv", REALS[version]), {"value": repr(value), **unit})
-    _units(root, "ssv", used)
+        Xml.SubElement(connector, tag("ssc", "Real"), unit)
+        side = [n for k, n, _ in ports if k == kind]
+        height = 1.0 - (side.index(name) + 0.5) / len(side)
+        place = {"x": "0.0" if kind == "input" else "1.0", "y": repr(round(height, 3))}
+        Xml.SubElement(connector, tag("ssd", "ConnectorGeometry"), place)
+
+
+def _values(values: Mapping[str, tuple[Variable, float]], version: str) -> bytes:
+    """A parameter set: values by name, in the units of their variables."""
+    root = Xml.Element(tag("ssv", "ParameterSet"), version=version, name="initialValues")
+    listed = Xml.SubElement(root, tag("ssv", "Parameters"))
+    for name, (variable, value) in values.items():
+        parameter = Xml.SubElement(listed, tag("ssv", "Parameter"), name=name)
+        unit = {"unit": variable.unit} if _known(variable) else {}
+        Xml.SubElement(parameter, tag("ssv", "Real"), {"value": repr(value), **unit})
+    _units(root, "ssv", [variable for variable, _ in values.values()])
     return _document(root)
 
 

@@ -84,7 +84,7 @@ class System(Printed):
         given = {f"{c}.{n}": "a value" for c, values in self.values.items() for n in values}
         check_once(self.connections, given)
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         lines = [self.title] * bool(self.title)
         for name, component in self.components.items():
             samples = f", every {component.seconds:.6g} s" if component.seconds is not None else ""
@@ -233,7 +233,12 @@ class System(Printed):
             except (CouplingFailure, ControllerError) as error:
                 error.run = _run(recorder, method, plan, network.work)
                 raise
-            return _run(recorder, method, plan, network.work)
+            warnings = [
+                f"{name}: {text}"
+                for name, stepper in steppers.items()
+                for text in dict.fromkeys(stepper.take_messages())
+            ]
+            return _run(recorder, method, plan, network.work, warnings)
 
     def _plan(
         self, step: float | str | None, tolerance: float | None, extrapolation: str, stop: float
@@ -357,10 +362,16 @@ def _choice(what: str, value: str, known: Sequence[str]) -> None:
         raise InputError(f"unknown {what} {shown(value)}; {did_you_mean(str(value), known)}")
 
 
-def _run(recorder: Recorder, method: str, plan: StepControl, work: RunCost) -> CoupledRun:
+def _run(
+    recorder: Recorder,
+    method: str,
+    plan: StepControl,
+    work: RunCost,
+    warnings: Sequence[str] = (),
+) -> CoupledRun:
     sizes = plan.lengths or [0.0]
     return CoupledRun(
-        recorder.trajectory(),
+        recorder.trajectory(warnings),
         method,
         len(plan.lengths),
         plan.rejected,

@@ -7,6 +7,7 @@ import time
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.criteria import CRITERIA
@@ -55,18 +56,19 @@ from pam_cosim.diagnosis.search.search_result import (
 from pam_cosim.diagnosis.search.selection import Selection
 from pam_cosim.diagnosis.search.subject import Subject, subject_of
 from pam_cosim.errors import InputError
-from pam_cosim.files import plain
+from pam_cosim.exports import Columns, Tabular
+from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
 from pam_cosim.problems import corrections_of
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
-class Diagnosis(Printed):
+class Diagnosis(Printed, Tabular):
     """Everything a diagnosis found.
 
     Attributes:
@@ -92,6 +94,12 @@ class Diagnosis(Printed):
         rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
             unknown one those that come nearest; see ``rival_models``.
     """
+
+    json_keys = (
+        "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
+        "verdict final=_final folds doubts=final.comparison.doubts outliers step_times rivals "
+        "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger"
+    )
 
     data: DataSet
     model: str
@@ -153,36 +161,38 @@ class Diagnosis(Printed):
             *[self.said_of_steps] * bool(self.step_times),
         )
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        base = role_summary(self.base, "fit") or {}
-        base |= {
+    def frame_columns(self) -> Columns:
+        """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
+        tried = self.candidates
+        return {
+            "effects": ([" + ".join(one.effects) for one in tried], None),
+            "family": ([one.family for one in tried], None),
+            "balance": ([one.balance for one in tried], None),
+            **{
+                f"chi2_{role}": ([one.fit.comparison.chi2_reduced(role) for one in tried], "")
+                for role in ROLES
+            },
+            "delta_bic": ([one.delta_bic for one in tried], ""),
+            "probability": ([one.probability for one in tried], ""),
+        }
+
+    @property
+    def _base(self) -> dict[str, object]:
+        return (role_summary(self.base, "fit") or {}) | {
             "holdout": role_summary(self.base, "holdout"),
             "model": self.model,
             "parameters": self.base.parameters,
         }
-        content = {
-            "title": self.data.title,
-            "base": base,
-            "where": self.base.comparison.where,
-            "balance": self.balance,
-            "candidates": [*self.candidates, *self.failed],
-            "verdict": self.verdict,
-            "final": self._final(),
-            "folds": self.folds,
-            "doubts": self.final.comparison.doubts,
-            "outliers": self.outliers,
-            "step_times": self.step_times,
-            "rivals": self.rivals,
-            "next_experiment": self.next_experiment,
-            "missing_term": self._missing(),
-            "untried": self.untried,
-            "simulations": self.simulations,
-            "not_tried": self.not_tried,
-            "ledger": self.ledger.as_dict(courses=False) if self.ledger else None,
-        }
-        return dict(plain(content))
 
+    @property
+    def _candidates(self) -> list[Candidate | FailedTrial]:
+        return [*self.candidates, *self.failed]
+
+    @property
+    def _ledger(self) -> dict[str, Any] | None:
+        return self.ledger.as_dict(courses=False) if self.ledger else None
+
+    @property
     def _final(self) -> dict[str, object]:
         """The model that the verdict is about: what it is made of, its values and its scores."""
         values = {**self.final.values, **self.final.start_values}
@@ -196,21 +206,20 @@ class Diagnosis(Printed):
             **{role: role_summary(self.final, role) for role in ROLES},
         }
 
+    @property
     def _missing(self) -> dict[str, object] | None:
         if self.missing_term is None:
             return None
-        return self.missing_term.as_dict() | (
-            {"learned": self.learned.as_dict()} if self.learned else {}
-        )
+        learned = {"learned": self.learned} if self.learned else {}
+        return plain_fields(self.missing_term) | learned
+
+    def _headline(self) -> str:
+        return f": {self.verdict.summary}"
 
     def __str__(self) -> str:
-        v = self.verdict
-        what = f": {' and '.join(v.families)} ({', '.join(v.effects)})" if v.families else ""
-        sure = "" if math.isnan(v.probability) else f", probability {100 * v.probability:.0f} %"
-        lines = [f"Verdict: {v.kind}{what}{sure}"]
-        lines += [f"  LOOK FIRST: {doubt.text}" for doubt in self.final.comparison.doubts]
-        lines += [f"  {sentence}" for sentence in (v.reason, *v.implausible)]
-        lines += [f"  Otherwise: {v.otherwise}"] * bool(v.otherwise)
+        lines = [f"Verdict: {self.verdict.summary}"]
+        lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
+        lines += [f"  {sentence}" for sentence in self.verdict.sentences]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:

@@ -11,7 +11,7 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set
-from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.model.interface import Interface
 from pam_cosim.wording import shown
 

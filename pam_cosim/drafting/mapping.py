@@ -72,7 +72,7 @@ def _time(
     if time is not None:
         return convert(time.values[i], time.unit, "s")
     count = len(next(iter(source.table.columns.values())).values)
-    step = 1.0 if recording.interval is None else parse_quantity(recording.interval, "s")
+    step = 1.0 if recording.interval is None else parse_quantity(recording.interval.value, "s")
     return np.arange(count, dtype=np.float64) * step
 
 

@@ -40,7 +40,7 @@ from pam_cosim.drafting.vocabulary import AT_REST, Meaning
 from pam_cosim.drafting.wide import tidied
 from pam_cosim.drafting.words import MEASURED_IN_COUNTS
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
 

@@ -14,6 +14,7 @@ from pam_cosim.drafting.mapped import MappedRecording
 from pam_cosim.drafting.sources import RecordingSource, places_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
+from pam_cosim.measurement.run_names import patterns_first
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import shown
@@ -150,13 +151,13 @@ def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
 def stated_roles(
     guessed: Sequence[Role], sources: Sequence[RecordingSource], stated: Mapping[str, str]
 ) -> list[Role]:
-    """The roles, those by name that the user states instead of guesses.
+    """The roles, those by name or pattern that the user states instead of guesses.
 
     Raises:
         InputError: there is no such recording or role, or none would be left to fit.
     """
     made = list(guessed)
-    for name, role in stated.items():
+    for name, role in patterns_first(stated):
         called = places_of(name, sources)
         if role not in ROLES:
             raise InputError(

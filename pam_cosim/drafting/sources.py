@@ -9,10 +9,10 @@ from pathlib import Path
 
 from pam_cosim.drafting.vocabulary import direction_word, read_heading, says_time
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import says_time_of_day
+from pam_cosim.measurement.cell_kinds import are_switch_words, says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.formats import is_text, read_table
-from pam_cosim.measurement.switch_words import are_switch_words
+from pam_cosim.measurement.run_names import matches
 from pam_cosim.measurement.table import Layout, Table, split_heading
 from pam_cosim.measurement.text_table import text_columns
 from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
@@ -71,7 +71,11 @@ def places_of(name: str, sources: Sequence[RecordingSource], option: str = "") -
     Raises:
         InputError: there is none; it begins with the ``option``.
     """
-    called = [i for i, one in enumerate(sources) if name in (one.name, one.file.stem)]
+    called = [
+        i
+        for i, one in enumerate(sources)
+        if matches(one.name, name) or matches(one.file.stem, name)
+    ]
     if not called:
         known = [one.name for one in sources]
         raise InputError(
@@ -86,17 +90,8 @@ def read_sources(files: Sequence[Path], stated: RecordingTable) -> list[Recordin
     Raises:
         InputError: as the readers, with file, line and column.
     """
-    layout = Layout(
-        encoding=stated.encoding,
-        separator=stated.separator,
-        decimal=stated.decimal,
-        names=None if stated.names is None else tuple(stated.names),
-        header_line=stated.header_line,
-        units_line=stated.units_line,
-        table=stated.table,
-        ignore=tuple(stated.ignore or ()),
-        missing=frozenset((*MISSING, *map(str.casefold, stated.missing or ()))),
-    )
+    layout = stated.layout()
+    layout = replace(layout, missing=layout.missing.union(MISSING))
     texts = [_texts(file, layout) for file in files]
     words = _directions(texts)
     return [_source(file, layout, own, words) for file, own in zip(files, texts, strict=True)]

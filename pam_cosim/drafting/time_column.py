@@ -24,7 +24,7 @@ from pam_cosim.drafting.words import (
     USUAL_STEPS,
 )
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import EXAMPLE
+from pam_cosim.measurement.cell_kinds import EXAMPLE
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
@@ -215,7 +215,7 @@ def check_time(
     """
     time = next((c for c in columns if c.of("time")), None)
     if recording.interval is not None:
-        seconds(recording.interval)
+        seconds(recording.interval.value)
         return None
     if time is None and may_be_points(columns, sources):
         _check_no_clock(sources)

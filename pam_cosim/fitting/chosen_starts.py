@@ -11,7 +11,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.free import base_parameters
-from pam_cosim.fitting.linear import Linear, bounded_step, linearised, reduction_by, rows_of_series
+from pam_cosim.fitting.linear import bounded_step, linearised, reduction_by, rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, Run, StartMode
 from pam_cosim.simulation import AnySimulator
@@ -31,53 +31,49 @@ def with_starts(
     Raises:
         InputError: a parameter that the model does not have.
     """
+    if not starts_are_open(data):
+        return data
     stated = parameters or {}
 
     def estimate_pays(runs: Sequence[Run]) -> bool:
         """Either with the free parameters, to first order: these have not been fitted yet."""
         try:
-            (resting, offsets), (estimated, _) = (
-                _linearised(simulator, data, _all_begun(runs, mode), stated)
+            resting, estimated = (
+                _remaining_squares(simulator, data, runs, mode, stated)
                 for mode in ("rest", "estimated")
             )
         except SimulationFailure:
             return False
-        remaining = _remaining_squares(resting, offsets)
-        return remaining > CRITERIA.starts.worth * _remaining_squares(estimated)
+        return resting > CRITERIA.starts.worth * estimated
 
-    if not starts_are_open(data):
-        return data
     return StartChoice(simulator, data, stated, estimate_pays).completed()
 
 
-def _all_begun(runs: Sequence[Run], mode: StartMode) -> list[Run]:
-    return [replace(run, start=replace(run.start, mode=mode)) for run in runs]
-
-
-def _linearised(
-    simulator: AnySimulator, data: DataSet, runs: Sequence[Run], stated: Mapping[str, float]
-) -> tuple[Linear, Array]:
-    """About the start values of the free parameters, and the slopes by an offset of each signal."""
+def _remaining_squares(
+    simulator: AnySimulator,
+    data: DataSet,
+    runs: Sequence[Run],
+    mode: StartMode,
+    stated: Mapping[str, float],
+) -> float:
+    """What the free parameters leave within their bounds, and an offset of each signal where runs begin at rest."""
+    begun = [replace(run, start=replace(run.start, mode=mode)) for run in runs]
     declared = base_parameters(data, simulator.interface)
     free = [one for one in declared if one.name not in stated]
-    objective = Objective(simulator, data, runs, free, stated)
+    objective = Objective(simulator, data, begun, free, stated)
     z = np.array([one.to_z(one.start) for one in free])
     linear = linearised(objective, z, _every_row(objective))
     if linear is None:
         raise SimulationFailure(objective.first_failure)
-    return linear, _offset_slopes(objective)
-
-
-def _remaining_squares(linear: Linear, offsets: Array | None = None) -> float:
-    """What the free parameters leave within their bounds, with offsets of the signals if these are given."""
-    if offsets is not None:
-        free = np.full(offsets.shape[1], np.inf)
+    if mode == "rest":
+        offsets = _offset_slopes(objective)
+        count = offsets.shape[1]
         linear = replace(
             linear,
-            names=(*linear.names, *(f"offset {i}" for i in range(len(free)))),
-            values=np.append(linear.values, np.zeros(len(free))),
-            low=np.append(linear.low, -free),
-            high=np.append(linear.high, free),
+            names=(*linear.names, *(f"offset {i}" for i in range(count))),
+            values=np.append(linear.values, np.zeros(count)),
+            low=np.append(linear.low, np.full(count, -np.inf)),
+            high=np.append(linear.high, np.full(count, np.inf)),
             slopes=np.column_stack([linear.slopes, offsets]),
         )
     return float(linear.residual @ linear.residual) - reduction_by(linear, bounded_step(linear))

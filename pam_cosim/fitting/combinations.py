@@ -11,7 +11,6 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.files import plain_fields
 from pam_cosim.fitting.estimate import Estimate, standard_deviations
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.units import product, quotient
@@ -35,10 +34,6 @@ class Combination:
     low: float
     high: float
     unit: str = ""
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return plain_fields(self)
 
     def __str__(self) -> str:
         sign = "*" if self.kind == "product" else "/"

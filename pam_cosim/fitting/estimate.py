@@ -28,6 +28,8 @@ class Estimate:
         prior: what was known of it beforehand [unit].
     """
 
+    json_keys = "value low high unit at_bound determined held run? prior=_prior?"
+
     value: float
     low: float
     high: float
@@ -43,28 +45,17 @@ class Estimate:
         """How far it is from what was known of it beforehand, in standard deviations of that; NaN without a prior."""
         return float("nan") if self.prior is None else self.prior.surprise(self.value)
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON; "run" and "prior" where there is one."""
-        content: dict[str, object] = {
-            "value": self.value,
-            "low": self.low,
-            "high": self.high,
-            "unit": self.unit,
-            "at_bound": self.at_bound,
-            "determined": self.determined,
-            "held": self.held,
+    @property
+    def _prior(self) -> dict[str, object]:
+        if self.prior is None:
+            return {}
+        shape = {"logarithmic": True} if self.prior.logarithmic else {}
+        return {
+            "mean": self.prior.mean,
+            "sd": self.prior.sd,
+            "surprise": self.surprise,
+            **shape,
         }
-        if self.run:
-            content["run"] = self.run
-        if self.prior is not None:
-            shape = {"logarithmic": True} if self.prior.logarithmic else {}
-            content["prior"] = {
-                "mean": self.prior.mean,
-                "sd": self.prior.sd,
-                "surprise": self.surprise,
-                **shape,
-            }
-        return content
 
     def __str__(self) -> str:
         if self.held:

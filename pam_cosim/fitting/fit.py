@@ -20,7 +20,7 @@ from pam_cosim.comparison import (
 )
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.files import plain
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.fitting.combinations import Combination, combinations
 from pam_cosim.fitting.estimate import Estimate, describe, estimates
 from pam_cosim.fitting.free import Free, base_parameters
@@ -32,7 +32,7 @@ from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
 from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
 from pam_cosim.fitting.solve import FitProblem
-from pam_cosim.fitting.start_estimates import held_out_starts, start_estimates
+from pam_cosim.fitting.start_estimates import estimated_starts, start_estimates
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
 from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
@@ -40,7 +40,7 @@ from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Fit(Printed):
+class Fit(Printed, Tabular):
     """A model with its free parameters fitted to the fit runs of a data set.
 
     Attributes:
@@ -59,6 +59,11 @@ class Fit(Printed):
         holdout_uncertainty: of the held-out runs, where the options ask for it.
         starts: start values that were estimated, as "state@run".
     """
+
+    json_keys = (
+        "model parameters chi2_priors evaluations failures combinations method search correlation "
+        "convergence starts? chi2_reduced=residuals.fit.chi2_reduced comparison"
+    )
 
     model: str
     parameters: dict[str, Estimate]
@@ -146,25 +151,17 @@ class Fit(Printed):
             self, comparison=comparison, residuals=statistics_by_role(comparison), linear=linear
         )
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        starts = {"starts": self.starts} if self.starts else {}
-        content = {
-            "model": self.model,
-            "parameters": self.parameters,
-            "chi2_priors": self.chi2_priors,
-            "evaluations": self.evaluations,
-            "failures": self.failures,
-            "combinations": self.combinations,
-            "method": self.method,
-            "search": self.search,
-            "correlation": self.correlation,
-            "convergence": self.convergence,
-            **starts,
-            "chi2_reduced": self.residuals["fit"].chi2_reduced,
-            "comparison": self.comparison,
+    def frame_columns(self) -> Columns:
+        """A row for each parameter: its value and 95 % interval in the SI unit of the column "unit"."""
+        estimates = self.parameters.values()
+        return {
+            "parameter": (list(self.parameters), None),
+            "unit": ([one.unit for one in estimates], None),
+            "value": ([one.value for one in estimates], None),
+            "low": ([one.low for one in estimates], None),
+            "high": ([one.high for one in estimates], None),
+            "determined": ([one.determined for one in estimates], None),
         }
-        return dict(plain(content))
 
     def confused(self) -> tuple[str, ...]:
         """A sentence for each pair of parameters that these data hardly tell apart."""
@@ -182,6 +179,10 @@ class Fit(Printed):
                     f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})"
                 )
         return tuple(sentences)
+
+    def _headline(self) -> str:
+        chi2 = [f"{role} {one.chi2_reduced:.4g}" for role, one in self.residuals.items()]
+        return f" of {self.model} to '{self.comparison.data.title}': reduced chi-square {', '.join(chi2)}"
 
     def __str__(self) -> str:
         lines = [str(self.comparison)]
@@ -246,10 +247,18 @@ def fit(
         objective.residuals(
             end.z
         )  # a descent may have ended with a look elsewhere, or answers come from a file
-    starts_estimated = start_estimates(objective) | held_out_starts(
-        objective, end.z, options.second_look
+    values = objective.values(end.z)
+    # samples of held-out runs say nothing of any other parameter
+    starts_estimated = start_estimates(objective) | estimated_starts(
+        simulator,
+        data,
+        data.holdout_runs,
+        values,
+        objective.tolerance,
+        options.second_look,
+        objective.starts.state_ranges,
     )
-    values = objective.values(end.z) | {name: e.value for name, e in starts_estimated.items()}
+    values |= {name: e.value for name, e in starts_estimated.items()}
     comparison = compare(simulator, data, values, options.tolerance, rules=options.rules)
     by_role = statistics_by_role(comparison)
     spread = spread_of(by_role["fit"])

@@ -18,8 +18,8 @@ from pam_cosim.comparison import (
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.bounded_linear import bounded_least_squares
 from pam_cosim.fitting.objective import Objective
-from pam_cosim.fitting.sensitivities import measured_signals
 from pam_cosim.measurement import DataSet, Prior
+from pam_cosim.starts import measured_signals
 
 
 @dataclass(frozen=True)
@@ -141,12 +141,9 @@ def judged_by(linear: Linear, runs: Sequence[RunComparison], data: DataSet, rows
         data: with the samples.
     """
     series = [(r, n) for r in runs if r.run.role == "fit" for n in measured_signals(r.run, data)]
-    kept = [np.isfinite(r.run.measurements[n]) for r, n in series]
-    errors = [
-        standardized_residuals(r.residual(n)[k], data.signals[n], r.run.measurements[n][k])
-        for (r, n), k in zip(series, kept, strict=True)
-    ]
-    whole = np.concatenate(errors) if errors else np.zeros(0)
+    at_samples = [(n, *r.at_samples(n)) for r, n in series]
+    errors = [standardized_residuals(e, data.signals[n], y) for n, _, e, y in at_samples]
+    whole, kept = np.concatenate([np.zeros(0), *errors]), [kept for _, kept, _, _ in at_samples]
     return replace(linear, residual=_condensed(whole[:, None], kept, rows)[:, 0])
 
 

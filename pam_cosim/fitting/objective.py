@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import (
@@ -23,7 +22,6 @@ from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.sensitivities import (
     acts_on,
     has_sensitivities,
-    measured_signals,
     outputs_of,
     sensitivities_of_run,
 )
@@ -31,12 +29,10 @@ from pam_cosim.fitting.tracker import Tracker
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
-from pam_cosim.starts import EliminatedStarts
+from pam_cosim.starts import EliminatedStarts, measured_signals
 
 DIFFERENCE_TOLERANCE = 1e-7  # of the solver, where slopes are differences, which magnify its error
 _DIFFERENCE_STEP = 1e-3  # in search coordinates: far above the solver's error
-
-Outputs = Sequence[Sequence[str]] | Mapping[int, Sequence[str]]  # by number of the run
 
 
 class Objective:
@@ -52,6 +48,7 @@ class Objective:
         failures: the first message of each kind of breakdown.
         starts: start values that are parameters of their runs, which are eliminated.
         tolerance: relative, of the solver.
+        latest_runs: as they were simulated last.
 
     Args:
         simulator, data, runs, free: as above, and the measurement.
@@ -82,28 +79,32 @@ class Objective:
             None  # where, residuals, exact Jacobian there
         )
         self._squares_at: dict[bytes, float] = {}
-        self._signals = [measured_signals(run, data) for run in self.runs]
         known = simulator.interface.sensitivities
-        self._sensitivities = [
-            sensitivities_of_run(run, names, free, known)
-            for run, names in zip(self.runs, self._signals, strict=True)
+        self._signals = [
+            sensitivities_of_run(run, measured_signals(run, data), free, known) for run in self.runs
         ]
-        self._outputs = [outputs_of(slopes) for slopes in self._sensitivities]
+        self._outputs = [outputs_of(slopes) for slopes in self._signals]
         self._exact = has_sensitivities(self._signals, free, known)
         usual = CRITERIA.fit.tolerance if all(self._exact) else DIFFERENCE_TOLERANCE
         self.tolerance = usual if tolerance is None else tolerance
-        runs_and_signals = list(zip(self.runs, self._signals, strict=True))
-        self.series = [(run, name) for run, names in runs_and_signals for name in names]
+        self.series = [
+            (run, name)
+            for run, names in zip(self.runs, self._signals, strict=True)
+            for name in names
+        ]
         self.kept = [np.isfinite(run.measurements[name]) for run, name in self.series]
-        counts = [sum(map(run.sample_count, names)) for run, names in runs_and_signals]
+        counts = [
+            sum(map(r.sample_count, n)) for r, n in zip(self.runs, self._signals, strict=True)
+        ]
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
         self.starts = EliminatedStarts(
             simulator, data, self.runs, self.ends, to_first_order=starts_to_first_order
         )
-        squares = [run.sample_count(s) * usual_square(data.signals[s]) for run, s in self.series]
-        self.samples = sum(squares)
-        self._latest_runs: Sequence[RunComparison] = ()
+        self.samples = sum(
+            r.sample_count(s) * usual_square(data.signals[s]) for r, s in self.series
+        )
+        self.latest_runs: Sequence[RunComparison] = ()
 
     @property
     def bounds(self) -> tuple[Array, Array]:
@@ -126,34 +127,34 @@ class Objective:
         """Whether start values were found that leave less; a descent that goes on from ``z`` has them."""
         if self.starts.to_first_order or not self._has_starts(z):
             return False
-        found = self.starts.found_others(self, z)
+
+        def anew() -> Array:
+            self._latest = None
+            return self.residuals(z)
+
+        here, values = self.residuals(z), self.values(z)
+        found = self.starts.found_others(z, values, here, anew, self._start_values_of_part)
+        self._latest = None
         if found:
             self._squares_at.clear()
         return found
 
-    def forget(self) -> None:
-        """Lets the point that was asked last be simulated again."""
-        self._latest = None
-
-    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
-        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+    def _start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
+        """The start values by state [SI] that leave least of a part of a run; none where it fails."""
         few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
         few.starts.state_ranges = self.starts.state_ranges
         if not np.isfinite(few.squares(np.zeros(0))):
             return {}
         return {n: v for one in few.starts.by_run.values() for n, v in one.named().items()}
 
-    def _simulate(self, z: Array, outputs: Outputs, chosen: Sequence[int]) -> list[RunComparison]:
-        """The chosen runs at ``z``. Raises SimulationFailure where one does not reach its end."""
+    def _run(self, z: Array, i: int, outputs: Sequence[str]) -> RunComparison:
+        """A run at ``z``. Raises SimulationFailure where it does not reach its end."""
         values = self.values(z)
         self.starts.place(values)
-        values |= self.starts.of_runs(chosen)
-        return [
-            simulate_run(
-                self.simulator, self.data, self.runs[i], values, self.tolerance, outputs[i]
-            )
-            for i in chosen
-        ]
+        values |= self.starts.of_run(i)
+        return simulate_run(
+            self.simulator, self.data, self.runs[i], values, self.tolerance, outputs
+        )
 
     def is_at_noise(self, squares: float) -> bool:
         """Whether a sum of squares is so small that another start could find little."""
@@ -178,7 +179,7 @@ class Objective:
         ``z``: so do the start values.
         """
         residuals = self.residuals(z)
-        jacobian = self.starts.descend(z, self._slopes(z, residuals))
+        jacobian = self.starts.followed(self._slopes(z, residuals), z)
         return np.asarray(np.linalg.qr(np.column_stack([jacobian, residuals]), mode="r"))
 
     def residuals(self, z: Array) -> Array:
@@ -188,36 +189,31 @@ class Objective:
         self.evaluations += 1
         self._latest = None  # the start values leave its point, also where the model breaks down
         try:
-            runs, left = self._with_starts_eliminated(z)
+            residuals = self._with_priors(z, self._with_starts_eliminated(z))
+            self._report(z, residuals)
+            if np.all(np.isfinite(residuals)):
+                exact = self._exact_jacobian(z) if any(self._exact) else None
+                self._latest = z.tobytes(), residuals, exact
+                return residuals
         except SimulationFailure as failure:
             self._note_failure(failure)
-            return self._infinite()
-        residuals = self._with_priors(z, left)
-        self._report(z, residuals)
-        if np.all(np.isfinite(residuals)):
-            self._latest = (
-                z.tobytes(),
-                residuals,
-                self._exact_jacobian(z, runs) if any(self._exact) else None,
-            )
-            return residuals
-        return self._infinite()
+        return np.full(self._rows, np.inf)
 
-    def _with_starts_eliminated(self, z: Array) -> tuple[list[RunComparison], Array]:
-        """All runs, and their residuals without what start values can take away of them."""
+    def _with_starts_eliminated(self, z: Array) -> Array:
+        """The residuals of all runs without what start values can take away of them."""
         self.starts.set_out(z, self.values(z))
-        runs, parts = list[RunComparison](), []
-        for i in range(len(self.runs)):
+        runs, parts = list[RunComparison](), [np.zeros(0)]
+        for i, outputs in enumerate(self._outputs):
             if i in self.starts.by_run:
                 run, left = self.starts.eliminated(i, partial(self._run_with_start_slopes, z, i))
             else:
-                (run,) = self._simulate(z, self._outputs, [i])
-                left = self._weighted([run], [i])
+                run = self._run(z, i, outputs)
+                left = self._weighted(run, i)
             runs.append(run)
             parts.append(left)
         self.starts.keep(z)
-        self._latest_runs = runs
-        return runs, np.concatenate(parts) if parts else np.zeros(0)
+        self.latest_runs = runs
+        return np.concatenate(parts)
 
     def _run_with_start_slopes(self, z: Array, i: int) -> tuple[RunComparison, Array, Array]:
         """A run, its residuals and their slopes by its start values."""
@@ -225,32 +221,19 @@ class Objective:
         names = {s: [sensitivity_name(s, state) for state in one.names] for s in self._signals[i]}
         every = [name for of_signal in names.values() for name in of_signal]
         is_exact = self.simulator.interface.sensitivities.keys() >= {*every}
-        outputs = [*self._outputs[i], *every] if is_exact else self._outputs[i]
-        run = self._simulate(z, {i: outputs}, [i])[0]
-        residuals = self._weighted([run], [i])
-        if not is_exact:
-            return run, residuals, self._start_slopes_by_differences(z, i, residuals)
-        parts = []
-        for signal, slopes in names.items():
-            kept = np.isfinite(run.run.measurements[signal])
-            by_error = self._by_error(run, signal, kept)
-            parts.append(-np.column_stack([run.model[n][kept] * by_error for n in slopes]))
-        return run, residuals, np.vstack(parts)
-
-    def _start_slopes_by_differences(self, z: Array, i: int, at: Array) -> Array:
-        """The slopes of the residuals of a run by its start values, by differences."""
-        one = self.starts.by_run[i]
+        run = self._run(z, i, [*self._outputs[i], *every] if is_exact else self._outputs[i])
+        residuals = self._weighted(run, i)
+        if is_exact:
+            columns = [np.column_stack(self._exact_slopes(run, s, n)) for s, n in names.items()]
+            return run, residuals, np.vstack(columns)
         here, columns = one.values, []
         for k, sd in enumerate(one.sd):
             one.values = here.copy()
             one.values[k] += _DIFFERENCE_STEP * sd
-            moved = self._weighted(self._simulate(z, {i: self._signals[i]}, [i]), [i])
-            columns.append((moved - at) / (one.values[k] - here[k]))
+            moved = self._weighted(self._run(z, i, [*self._signals[i]]), i)
+            columns.append((moved - residuals) / (one.values[k] - here[k]))
             one.values = here
-        return np.column_stack(columns)
-
-    def _infinite(self) -> Array:
-        return np.full(self._rows, np.inf)
+        return run, residuals, np.column_stack(columns)
 
     @property
     def _rows(self) -> int:
@@ -258,13 +241,8 @@ class Objective:
         return self.size + len(self._priors) + self.starts.count
 
     def _with_priors(self, z: Array, residuals: Array) -> Array:
-        prior_rows = [
-            -prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors
-        ]
-        starts = self.starts.prior_rows()
-        return (
-            np.concatenate([residuals, prior_rows, *starts]) if prior_rows or starts else residuals
-        )
+        rows = [-prior.surprise(self.free[i].to_value(float(z[i]))) for i, prior in self._priors]
+        return np.concatenate([residuals, rows, *self.starts.prior_rows()])
 
     def _report(self, z: Array, residuals: Array) -> None:
         chi2 = float(residuals @ residuals) / max(self.samples, 1.0)
@@ -273,17 +251,16 @@ class Objective:
     def _rms_errors(self) -> dict[str, float]:
         """Of each fitted signal [SI], over all runs as they were simulated last."""
         squares = defaultdict[str, list[Array]](list)
-        for run, names in zip(self._latest_runs, self._signals, strict=False):
+        for run, names in zip(self.latest_runs, self._signals, strict=False):
             for name in names:
-                error = run.residual(name)[np.isfinite(run.run.measurements[name])]
-                squares[name].append(error**2)
+                squares[name].append(run.at_samples(name)[1] ** 2)
         return {name: float(np.sqrt(np.mean(np.concatenate(e)))) for name, e in squares.items()}
 
     def cost(self, z: Array) -> float:
         """The squared residuals of all runs, without slopes; infinite where a simulation breaks down."""
         residuals = self.plain_residuals(z)
         self._report(z, residuals)
-        return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+        return _squares(residuals)
 
     def plain_residuals(self, z: Array) -> Array:
         """As ``residuals``, simulated without slopes where no start values need them.
@@ -314,14 +291,14 @@ class Objective:
         Infinite where a simulation breaks down.
         """
         chosen = sorted({0, len(self.runs) - 1})
-        residuals = self._with_priors(z, self._without_slopes(z, chosen))
-        return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf
+        return _squares(self._with_priors(z, self._without_slopes(z, chosen)))
 
     def _without_slopes(self, z: Array, chosen: Sequence[int]) -> Array:
         """Residuals of the chosen runs, infinite where one breaks down; what is known of the present point stays."""
         try:
-            self._latest_runs = self._simulate(z, self._signals, chosen)
-            return self._weighted(self._latest_runs, chosen)
+            runs = self.latest_runs = [self._run(z, i, [*self._signals[i]]) for i in chosen]
+            parts = [self._weighted(run, i) for run, i in zip(runs, chosen, strict=True)]
+            return np.concatenate([np.zeros(0), *parts])
         except SimulationFailure as failure:
             self._note_failure(failure)
             return np.full(sum(self.ends[i + 1] - self.ends[i] for i in chosen), np.inf)
@@ -335,42 +312,35 @@ class Objective:
         if len(self.failures) < CRITERIA.run.failures_kept:
             self.failures.append(str(failure))
 
-    def _weighted(self, runs: Sequence[RunComparison], chosen: Sequence[int]) -> Array:
-        parts = []
-        for run, i in zip(runs, chosen, strict=True):
-            for name in self._signals[i]:
-                kept = np.isfinite(run.run.measurements[name])
-                error, reading = run.residual(name)[kept], run.run.measurements[name][kept]
-                parts.append(standardized_residuals(error, self.data.signals[name], reading))
-        return np.concatenate(parts) if parts else np.zeros(0)
+    def _weighted(self, run: RunComparison, i: int) -> Array:
+        parts = [np.zeros(0)]
+        for name in self._signals[i]:
+            _, error, reading = run.at_samples(name)
+            parts.append(standardized_residuals(error, self.data.signals[name], reading))
+        return np.concatenate(parts)
 
-    def _by_error(self, run: RunComparison, name: str, kept: NDArray[np.bool_]) -> Array:
-        """How the residuals of a signal grow with its errors, at the samples that are there."""
-        return slope(
-            run.residual(name)[kept], self.data.signals[name], run.run.measurements[name][kept]
-        )
+    def _exact_slopes(self, run: RunComparison, name: str, by: Sequence[str]) -> list[Array]:
+        """The slopes of the residuals of a signal, at the samples that are there, by its sensitivities."""
+        kept, error, reading = run.at_samples(name)
+        by_error = -slope(error, self.data.signals[name], reading)
+        return [by_error * run.model[sensitivity][kept] for sensitivity in by]
 
-    def _exact_jacobian(self, z: Array, runs: Sequence[RunComparison]) -> Array:
-        """(size + priors, parameters); columns of parameters whose sensitivities the model does not tell are zero."""
+    def _exact_jacobian(self, z: Array) -> Array:
+        """(size + priors, parameters) at the runs that were simulated last.
+
+        Columns of parameters whose sensitivities the model does not have are zero.
+        """
         jacobian = np.zeros((self._rows, len(self.free)))
         by_z = [free.slope(float(c)) for free, c in zip(self.free, z, strict=True)]
         row = 0
-        for run, sensitivities in zip(runs, self._sensitivities, strict=True):
-            for name, slopes in sensitivities.items():
-                kept = np.isfinite(run.run.measurements[name])
-                count = int(kept.sum())
-                by_error = self._by_error(run, name, kept)
-                for i, sensitivity in slopes:
-                    moved = by_z[i] * self.free[i].size_in(run.run)
-                    jacobian[row : row + count, i] = (
-                        -by_error * run.model[sensitivity][kept] * moved
-                    )
-                row += count
-        for k, (i, prior) in enumerate(self._priors):
-            own = self.free[i]
-            jacobian[self.size + k, i] = -own.slope(float(z[i])) * prior.slope(
-                own.to_value(float(z[i]))
-            )
+        for run, sensitivities in zip(self.latest_runs, self._signals, strict=True):
+            for name, acting in sensitivities.items():
+                rows = slice(row, row := row + run.run.sample_count(name))
+                columns = self._exact_slopes(run, name, [sensitivity for _, sensitivity in acting])
+                for (i, _), column in zip(acting, columns, strict=True):
+                    jacobian[rows, i] = column * (by_z[i] * self.free[i].size_in(run.run))
+        for k, (i, prior) in enumerate(self._priors, self.size):
+            jacobian[k, i] = -by_z[i] * prior.slope(self.free[i].to_value(float(z[i])))
         return jacobian
 
     def jacobian(self, z: Array, at: Array) -> Array:
@@ -380,7 +350,7 @@ class Objective:
             z: (parameters,) search coordinates.
             at: (size + priors,) the residuals there.
         """
-        return self.starts.followed(self._slopes(z, at))[0]
+        return self.starts.followed(self._slopes(z, at))
 
     def _slopes(self, z: Array, at: Array) -> Array:
         """As ``jacobian``, with the start values where they are."""
@@ -409,9 +379,7 @@ class Objective:
         if not any(self._exact):
             return None
         self.residuals(z)
-        return (
-            self._latest[2] if self._latest is not None and self._latest[0] == z.tobytes() else None
-        )
+        return self._latest and self._latest[2]
 
     def _difference(self, z: Array, at: Array, i: int) -> Array:
         """One column by a difference, stepping inwards from a bound; only the runs are simulated that move.
@@ -423,19 +391,22 @@ class Objective:
         step = _DIFFERENCE_STEP * max(1.0, abs(z[i]) if not self.free[i].logarithmic else 1.0)
         forward = step if z[i] + step <= high[i] else -step
         chosen = [k for k, run in enumerate(self.runs) if acts_on(self.free[i], run, self.free)]
+        rows = np.concatenate(
+            [np.zeros(0, int), *(np.arange(self.ends[k], self.ends[k + 1]) for k in chosen)]
+        )
         for h in (forward, -forward):
             moved = z.copy()
             moved[i] = min(max(z[i] + h, low[i]), high[i])
             if moved[i] == z[i]:
                 continue
             self.evaluations += 1
-            shifted = at.copy()
-            rows = [np.arange(self.ends[k], self.ends[k + 1]) for k in chosen]
-            shifted[np.concatenate(rows) if rows else np.zeros(0, int)] = self._without_slopes(
-                moved, chosen
-            )
-            shifted = self._with_priors(moved, shifted[: self.size])
+            shifted = at[: self.size].copy()
+            shifted[rows] = self._without_slopes(moved, chosen)
+            shifted = self._with_priors(moved, shifted)
             if np.all(np.isfinite(shifted)):
-                column: Array = (shifted - at) / (moved[i] - z[i])
-                return column
+                return np.asarray((shifted - at) / (moved[i] - z[i]))
         return np.zeros(len(at))
+
+
+def _squares(residuals: Array) -> float:
+    return float(residuals @ residuals) if np.all(np.isfinite(residuals)) else np.inf

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 from xml.etree import ElementTree
@@ -53,39 +52,28 @@ def write_parameters(path: Path, fit: Fit) -> None:
     if path.suffix.lower() == ".ssv":
         write_text(path, _ssv(fit))
     else:
-        parameters = {n: e.as_dict() for n, e in fit.parameters.items()}
-        write_json(path, {"model": fit.model, "parameters": parameters})
+        write_json(path, {"model": fit.model, "parameters": fit.parameters})
 
 
 def _ssv(fit: Fit) -> str:
+    """System Structure Parameter Values 1.0."""
     shared = {name: estimate for name, estimate in fit.parameters.items() if not estimate.run}
-    return parameter_set(
-        fit.model, {name: (estimate.value, estimate.unit) for name, estimate in shared.items()}
-    )
-
-
-def parameter_set(title: str, values: Mapping[str, tuple[float, str]]) -> str:
-    """System Structure Parameter Values 1.0.
-
-    Args:
-        title: of the set.
-        values: number and unit of each parameter by its name in the model.
-    """
     ElementTree.register_namespace("ssv", _SSV)
     ElementTree.register_namespace("ssc", _SSC)
-    root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=title)
+    root = ElementTree.Element(f"{{{_SSV}}}ParameterSet", version="1.0", name=fit.model)
     listed = ElementTree.SubElement(root, f"{{{_SSV}}}Parameters")
     named = {
         text: _definition(text)
-        for text in dict.fromkeys(unit for _, unit in values.values() if unit)
+        for text in dict.fromkeys(estimate.unit for estimate in shared.values() if estimate.unit)
     }
     defined = [unit for unit in named.values() if unit is not None]
-    for name, (value, unit) in values.items():
+    for name, estimate in shared.items():
         parameter = ElementTree.SubElement(listed, f"{{{_SSV}}}Parameter", name=name)
         ElementTree.SubElement(
             parameter,
             f"{{{_SSV}}}Real",
-            {"value": repr(value)} | ({"unit": unit} if named.get(unit) else {}),
+            {"value": repr(estimate.value)}
+            | ({"unit": estimate.unit} if named.get(estimate.unit) else {}),
         )
     units = ElementTree.SubElement(root, f"{{{_SSV}}}Units") if defined else root
     for known in defined:  # a parameter may only refer to a unit that the file defines

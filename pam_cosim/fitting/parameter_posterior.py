@@ -10,7 +10,6 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain
 from pam_cosim.fitting.fit import Fit, spread_of
 from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.objective import Objective
@@ -31,6 +30,8 @@ class ParameterPosterior:
         fixed: what else the model is run with [SI].
     """
 
+    json_keys = "names units samples weights effective fixed"
+
     names: tuple[str, ...]
     units: dict[str, str]
     samples: Array
@@ -48,18 +49,6 @@ class ParameterPosterior:
         return [
             self.fixed | dict(zip(self.names, map(float, row), strict=True)) for row in self.samples
         ]
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "names": self.names,
-            "units": self.units,
-            "samples": self.samples,
-            "weights": self.weights,
-            "effective": self.effective,
-            "fixed": self.fixed,
-        }
-        return dict(plain(content))
 
 
 def parameter_posterior(

@@ -10,17 +10,16 @@ from math import sqrt
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.comparison import simulate_run
+from pam_cosim.comparison import simulate_run, warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.exports import Exported, Table, headed
-from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting.discrepancy import Discrepancy
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed
+from pam_cosim.wording import Printed, look_first
 
 
 @dataclass(frozen=True)
@@ -38,6 +37,11 @@ class Band:
         mean: over time, with the fitted parameters [unit].
         mean_low, mean_high: between which the mean of the readings lies with 95 % [unit].
     """
+
+    json_keys = (
+        "unit coverage value low high reading_low reading_high measured discrepancy mean mean_low "
+        "mean_high"
+    )
 
     unit: str
     value: Array
@@ -60,11 +64,6 @@ class Band:
         inside = (self.measured >= self.reading_low) & (self.measured <= self.reading_high)
         return float(np.mean(inside[at]))
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        columns = plain_fields(self)
-        return {"unit": columns.pop("unit"), "coverage": plain(self.coverage), **columns}
-
 
 @dataclass(frozen=True)
 class PredictiveBands(Printed, Exported):
@@ -78,7 +77,10 @@ class PredictiveBands(Printed, Exported):
         bands: by signal.
         posterior: the parameters that it was predicted with.
         failed: how many of them the model broke down with.
+        warnings: of the model at the optimum.
     """
+
+    json_keys = "model run time inputs signals=bands parameters=posterior failed warnings?"
 
     model: str
     run: str
@@ -87,19 +89,7 @@ class PredictiveBands(Printed, Exported):
     bands: dict[str, Band]
     posterior: ParameterPosterior
     failed: int = 0
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "model": self.model,
-            "run": self.run,
-            "time": self.time,
-            "inputs": self.inputs,
-            "signals": self.bands,
-            "parameters": self.posterior,
-            "failed": self.failed,
-        }
-        return dict(plain(content))
+    warnings: tuple[str, ...] = ()
 
     def table(self) -> Table:
         """Time, and of each signal its value and the ends of both bands; SI units."""
@@ -115,6 +105,7 @@ class PredictiveBands(Printed, Exported):
         lines = [
             f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"
         ]
+        lines += look_first(self.warnings)
         if effective < CRITERIA.uncertainty.least_effective:
             lines.append(
                 f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
@@ -158,7 +149,7 @@ def predictive_bands(
         SimulationFailure: the model breaks down at the optimum, or with most of the samples.
     """
     names = [name for name in simulator.interface.outputs if name in data.signals]
-    best = simulate_run(simulator, data, run, fitted, None, names).model
+    best = simulate_run(simulator, data, run, fitted, None, names)
     drawn: list[dict[str, Array]] = []
     weights: list[float] = []
     for done, (values, weight) in enumerate(
@@ -177,11 +168,20 @@ def predictive_bands(
     share = np.array(weights) / sum(weights)
     off = off or {}
     bands = {
-        n: _band(data, run, n, best[n], np.array([one[n] for one in drawn]), share, off.get(n))
+        n: _band(
+            data, run, n, best.model[n], np.array([one[n] for one in drawn]), share, off.get(n)
+        )
         for n in names
     }
     return PredictiveBands(
-        simulator.interface.model, run.name, run.time, dict(run.inputs), bands, posterior, failed
+        simulator.interface.model,
+        run.name,
+        run.time,
+        dict(run.inputs),
+        bands,
+        posterior,
+        failed,
+        warnings_of([best]),
     )
 
 

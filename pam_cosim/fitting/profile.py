@@ -8,15 +8,18 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.files import plain
 from pam_cosim.fitting.estimate import standard_deviations
 from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
@@ -34,6 +37,8 @@ class Profile:
             or does so only since another parameter, which made up for it till then, came to its own bound.
         others: (n,) what each other parameter was fitted to, by name [its unit].
     """
+
+    json_keys = "unit best values rise low high determined others sentence"
 
     name: str
     unit: str
@@ -86,32 +91,32 @@ class Profile:
             else ""
         )
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "unit": self.unit,
-            "best": self.best,
-            "values": self.values,
-            "rise": self.rise,
-            "low": self.low,
-            "high": self.high,
-            "determined": self.determined,
-            "others": self.others,
-            "sentence": self.sentence(),
-        }
-        return dict(plain(content))
-
 
 @dataclass(frozen=True)
-class Profiles:
+class Profiles(Printed, Tabular):
     """The profiles of all parameters of a fit, by name."""
 
     model: str
     profiles: dict[str, Profile]
 
-    def as_dict(self) -> dict[str, object]:
+    def frame_columns(self) -> Columns:
+        """A row for each point of each profile, its value in the SI unit of the column "unit"."""
+        rows = [
+            (one.name, one.unit, value, rise)
+            for one in self.profiles.values()
+            for value, rise in zip(one.values, one.rise, strict=True)
+        ]
+        names, units, values, rises = zip(*rows, strict=True)
+        return {
+            "parameter": (names, None),
+            "unit": (units, None),
+            "value": (values, None),
+            "rise": (rises, ""),
+        }
+
+    def as_dict(self) -> dict[str, Any]:
         """Plain data for JSON, SI units."""
-        return {name: profile.as_dict() for name, profile in self.profiles.items()}
+        return dict(plain(self.profiles))
 
     def __str__(self) -> str:
         return "\n".join(f"  {p.sentence()}" for p in self.profiles.values())

@@ -112,14 +112,13 @@ def _digest(data: DataSet) -> str:
 
 
 def _beginning(run: Run) -> list[object]:
-    """How a run begins; nothing where it begins as the model does by itself."""
+    """How a run begins."""
     start = run.start
     leading = [[n, t.tolist(), v.tolist()] for n, (t, v) in sorted(start.leading.items())]
-    said = [
+    return [
         start.mode or "rest", start.seconds, sorted(start.before.items()), start.lead, leading,
         start.periodic, start.periods,
     ]  # fmt: skip
-    return [said] if said != ["rest", 0.0, [], 0.0, [], False, 0] else []
 
 
 def _growth(signal: Signal) -> list[float]:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Collection, Mapping, Sequence
 
 from pam_cosim.fitting.free import Free
-from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement import Run
 from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.model.references import is_ratio
 
@@ -52,16 +52,11 @@ def sensitivities_of_run(
 
 
 def has_sensitivities(
-    signals: Sequence[Sequence[str]], free: Sequence[Free], known: Collection[str]
+    signals: Sequence[Collection[str]], free: Sequence[Free], known: Collection[str]
 ) -> list[bool]:
     """For each free parameter, whether the model has its sensitivity for each signal of each run."""
     every = {signal for of_run in signals for signal in of_run}
     return [all(sensitivity_name(s, one.parameter) in known for s in every) for one in free]
-
-
-def measured_signals(run: Run, data: DataSet) -> list[str]:
-    """The fitted signals that have samples in a run."""
-    return [name for name in data.fitted_signals if run.sample_count(name)]
 
 
 def outputs_of(slopes: Slopes) -> list[str]:

@@ -3,14 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from types import MappingProxyType
 
 import numpy as np
 
-from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison, simulate_run
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.estimate import Estimate
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, Run
@@ -20,25 +17,23 @@ from pam_cosim.simulation import AnySimulator
 
 def start_estimates(objective: Objective) -> dict[str, Estimate]:
     """By "state@run": where the runs of an objective begin, with 95 % intervals beside the other parameters."""
-    known = objective.simulator.interface.start_values
+    variables = objective.simulator.interface.start_values
     estimates = {}
     for one in objective.starts.by_run.values():
         if not len(one.slopes):  # its run could not be simulated
             continue
-        for name, value in one.still.items():
-            unit = known[name].unit
+        reach = (CRITERIA.uncertainty.interval * one.deviations()).tolist()
+        values, determined = one.values.tolist(), one.determined().tolist()
+        still = [(name, value, 0.0, False) for name, value in one.still.items()]
+        for name, value, half, is_told in [
+            *still, *zip(one.names, values, reach, determined, strict=True)
+        ]:  # fmt: skip
             estimates[f"{name}@{one.run.name}"] = Estimate(
-                value, value, value, unit, determined=False, run=one.run.name
-            )
-        told = one.determined()
-        reach = CRITERIA.uncertainty.interval * one.deviations()
-        for k, (name, value) in enumerate(one.settings().items()):
-            estimates[name] = Estimate(
                 value,
-                float(value - reach[k]),
-                float(value + reach[k]),
-                known[one.names[k]].unit,
-                determined=bool(told[k]),
+                value - half,
+                value + half,
+                variables[name].unit,
+                determined=is_told,
                 run=one.run.name,
             )
     return estimates
@@ -51,7 +46,7 @@ def estimated_starts(
     values: Mapping[str, float],
     tolerance: float | None = None,
     second_look: bool = True,
-    state_ranges: Mapping[str, float] = MappingProxyType({}),
+    state_ranges: Mapping[str, float] | None = None,
 ) -> dict[str, Estimate]:
     """Where runs begin whose start is to be estimated, with given parameters [SI]; none where they cannot be simulated.
 
@@ -62,14 +57,11 @@ def estimated_starts(
     if not chosen:
         return {}
     objective = Objective(simulator, data, chosen, (), values, tolerance)
-    objective.starts.state_ranges = state_ranges
-    try:
-        nothing = np.zeros(0)
-        if second_look and not objective.is_at_noise(objective.squares(nothing)):
-            objective.found_other_starts(nothing)
-        objective.residuals(nothing)
-    except SimulationFailure:
-        return {}
+    objective.starts.state_ranges = state_ranges or {}
+    nothing = np.zeros(0)
+    if second_look and not objective.is_at_noise(objective.squares(nothing)):
+        objective.found_other_starts(nothing)
+    objective.residuals(nothing)
     return start_estimates(objective)
 
 
@@ -97,25 +89,5 @@ def simulated(
     chosen = data.runs if runs is None else runs
     free = {run.name for run in runs_without_start(data, values, simulator.interface)}
     starts = estimated_starts(simulator, data, [run for run in chosen if run.name in free], values)
-    known = {**values, **{name: e.value for name, e in starts.items()}}
-    return tuple(simulate_run(simulator, data, run, known) for run in chosen), starts
-
-
-def held_out_starts(fitted: Objective, z: Array, second_look: bool = True) -> dict[str, Estimate]:
-    """Those of held-out runs, whose samples say nothing about any other parameter.
-
-    Args:
-        fitted: the objective of the fitted runs.
-        z: where the fit ended.
-        second_look: as for ``estimated_starts``.
-    """
-    data = fitted.data
-    return estimated_starts(
-        fitted.simulator,
-        data,
-        data.holdout_runs,
-        fitted.values(z),
-        fitted.tolerance,
-        second_look,
-        fitted.starts.state_ranges,
-    )
+    every = {**values, **{name: e.value for name, e in starts.items()}}
+    return tuple(simulate_run(simulator, data, run, every) for run in chosen), starts

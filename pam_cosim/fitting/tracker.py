@@ -52,17 +52,15 @@ class Convergence:
         descents: (d,) where each descent from a start ended, as they were made.
     """
 
+    json_keys = "evaluations=_evaluations chi2_reduced descents"
+
     evaluations: Array = field(default_factory=lambda: np.zeros(0))
     chi2_reduced: Array = field(default_factory=lambda: np.zeros(0))
     descents: Array = field(default_factory=lambda: np.zeros(0))
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return {
-            "evaluations": [int(n) for n in self.evaluations],
-            "chi2_reduced": [float(c) for c in self.chi2_reduced],
-            "descents": [float(c) for c in self.descents],
-        }
+    @property
+    def _evaluations(self) -> Array:
+        return self.evaluations.astype(int)
 
 
 class Tracker:

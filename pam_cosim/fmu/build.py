@@ -18,18 +18,13 @@ from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
+from pam_cosim.fmu.about import date, identity
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.compile import (
-    PLATFORMS,
-    binary_folder,
-    compile_library,
-    headers,
-    native_platform,
-    source_key,
-    universal_binary,
-)
+from pam_cosim.fmu.compile import compile_library, headers, source_key, universal_binary
 from pam_cosim.fmu.description import TOOL, model_identifier
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.own import note_own
+from pam_cosim.fmu.platforms import PLATFORMS, binary_folder, native_platform
 from pam_cosim.fmu.table import table
 from pam_cosim.fmu.tape import NoTapeError, TapedModel, tape_files, taped
 from pam_cosim.resources import fmu_runtime
@@ -56,6 +51,11 @@ _SHELLS = {"2.0": "pam_fmi2.c", "3.0": "pam_fmi3.c"}
 _TAPE = "pam_tape.c"
 _MODEL = "model.c"
 _DESCRIPTION = "modelDescription.xml"
+_PREFIX = """#ifndef {macro}
+#define {macro} {identifier}_
+#endif
+#define PAM_PREFIX {macro}
+"""
 _NO_GUID = "{00000000-0000-0000-0000-000000000000}"
 _DATE = (1980, 1, 1, 0, 0, 0)
 
@@ -95,6 +95,7 @@ def cached_fmu(
     *,
     platforms: Sequence[str] = ("native",),
     fmi: str = "2.0",
+    documented: Sequence[Path] | None = None,
 ) -> Path:
     """The FMU of a model in the cache; ``make_ode`` is called only when it is not there yet.
 
@@ -103,10 +104,17 @@ def cached_fmu(
         make_ode: compiles the model.
         platforms: as in ``build_fmu``.
         fmi: as in ``build_fmu``.
+        documented: the user's Modelica files, for an FMU with the date, documentation and pictures; None: without.
     """
-    names = _platform_names(platforms)
-    full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, *names)
-    return cached("fmus", full, ".fmu", lambda: fmu_bytes(make_ode(), names, fmi))
+    names, kind = _platform_names(platforms), "" if documented is None else "documented"
+    full = digest(key, source_key(runtime(_version(fmi))), _packaging_key(), fmi, kind, *names)
+
+    def made() -> bytes:
+        content = fmu_bytes(make_ode(), names, fmi, documented)
+        note_own(content)
+        return content
+
+    return cached("fmus", full, ".fmu", made)
 
 
 def cached_description(key: str, make_ode: Callable[[], Ode]) -> Path:
@@ -182,9 +190,14 @@ def _as_data(ode: Ode, model: TapedModel) -> dict[str, bytes]:
     return described | tape_files(model, guid) | {binary: library.read_bytes()}
 
 
-def fmu_bytes(ode: Ode, names: Sequence[str], fmi: str = "2.0") -> bytes:
-    """The archive for the named platforms."""
-    return archived(_contents(ode, names, fmi))
+def fmu_bytes(
+    ode: Ode,
+    names: Sequence[str],
+    fmi: str = "2.0",
+    documented: Sequence[Path] | None = None,
+) -> bytes:
+    """The archive for the named platforms; ``documented`` as in ``cached_fmu``."""
+    return archived(_contents(ode, names, fmi, documented=documented))
 
 
 def archived(files: Mapping[str, bytes]) -> bytes:
@@ -238,17 +251,28 @@ def _packaging_key() -> str:
     )
 
 
-def _contents(ode: Ode, names: Sequence[str], fmi: str, lean: bool = False) -> dict[str, bytes]:
+def _contents(
+    ode: Ode,
+    names: Sequence[str],
+    fmi: str,
+    lean: bool = False,
+    documented: Sequence[Path] | None = None,
+) -> dict[str, bytes]:
     """Files of the archive by name. The GUID stands for the description and the equations."""
-    draft, source = _descriptions(ode, _NO_GUID, fmi, lean), model_source(ode, _NO_GUID, lean)
+    draft = _descriptions(ode, _NO_GUID, fmi, lean)
+    source = model_source(ode, _NO_GUID, lean, fmi)
     check_source(source, ode.interface.model, len(ode.states))
     guid = _guid(draft[_DESCRIPTION], source, source_key(runtime(fmi)))
     # The first place is the right one: both files begin with it.
     source = source.replace(c_string(_NO_GUID), c_string(guid), 1)
-    described = {
-        name: text.replace(_NO_GUID.encode(), guid.encode(), 1) for name, text in draft.items()
-    }
-    shipped = {} if lean else _sources(source, fmi)
+    dated = {} if documented is None else {"generationDateAndTime": date()}
+    described = _descriptions(ode, guid, fmi, lean, dated)
+    if documented is not None:
+        from pam_cosim.fmu.documentation import documentation
+
+        described |= documentation(ode, documented, fmi)
+    identifier = model_identifier(ode.interface.model)
+    shipped = {} if lean else _sources(source, identifier, fmi)
     return described | shipped | _binaries(ode, source, names, fmi)
 
 
@@ -257,24 +281,34 @@ def _guid(*parts: str | bytes) -> str:
     return f"{{{sha[:8]}-{sha[8:12]}-{sha[12:16]}-{sha[16:20]}-{sha[20:32]}}}"
 
 
-def _descriptions(ode: Ode, guid: str, fmi: str, lean: bool) -> dict[str, bytes]:
-    entries, compiled = table(ode), (_MODEL, *runtime(fmi))
+def _descriptions(
+    ode: Ode, guid: str, fmi: str, lean: bool, about: Mapping[str, str] | None = None
+) -> dict[str, bytes]:
+    entries, compiled = table(ode, fmi, lean=lean), (_MODEL, *runtime(fmi))
+    said = {} if lean else identity(ode) | dict(about or {})
     if lean:
         return {
-            _DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), (), lean=True)
+            _DESCRIPTION: description2.model_description(
+                ode, entries, guid, _tool(), (), said, lean=True
+            )
         }
     if fmi == "2.0":
-        return {_DESCRIPTION: description2.model_description(ode, entries, guid, _tool(), compiled)}
+        return {
+            _DESCRIPTION: description2.model_description(
+                ode, entries, guid, _tool(), compiled, said
+            )
+        }
     return {
-        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool()),
+        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool(), said),
         "sources/buildDescription.xml": description3.build_description(ode, compiled),
     }
 
 
-def _sources(model: str, fmi: str) -> dict[str, bytes]:
-    """Everything that the binaries are compiled from."""
+def _sources(model: str, identifier: str, fmi: str) -> dict[str, bytes]:
+    """Everything that the binaries are compiled from, and the prefix of the functions in a program."""
     shipped = [*(fmu_runtime() / name for name in runtime(fmi)), *headers(fmi)]
-    return {f"sources/{_MODEL}": model.encode()} | {
+    prefix = _PREFIX.format(macro=f"FMI{fmi[0]}_FUNCTION_PREFIX", identifier=identifier)
+    return {f"sources/{_MODEL}": model.encode(), "sources/model.h": prefix.encode()} | {
         f"sources/{file.name}": file.read_bytes() for file in shipped
     }
 
@@ -282,10 +316,11 @@ def _sources(model: str, fmi: str) -> dict[str, bytes]:
 def _binaries(ode: Ode, model: str, names: Sequence[str], fmi: str) -> dict[str, bytes]:
     slices: dict[str, list[bytes]] = {}
     for name in names:
-        file = model_identifier(ode.interface.model) + PLATFORMS[name].suffix
+        identifier = model_identifier(ode.interface.model)
+        file = identifier + PLATFORMS[name].suffix
         binary = f"binaries/{binary_folder(name, names, fmi)}/{file}"
         slices.setdefault(binary, []).append(
-            compile_library(runtime(fmi), {_MODEL: model}, name).read_bytes()
+            compile_library(runtime(fmi), {_MODEL: model}, name, identifier).read_bytes()
         )
     return {
         name: thin[0] if len(thin) == 1 else universal_binary(thin) for name, thin in slices.items()

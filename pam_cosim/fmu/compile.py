@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import os
-import platform
 import shutil
 import struct
 import subprocess
@@ -12,7 +11,6 @@ import tempfile
 import time
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -21,8 +19,8 @@ import fmpy
 import ziglang
 
 from pam_cosim.cache import CAN_BE_MADE_AGAIN, cache_dir, cached, digest
-from pam_cosim.compiler.budget import LIMITS
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.platforms import PLATFORMS, Platform
 from pam_cosim.processes.interrupts import run_tool
 from pam_cosim.resources import fmu_runtime
 
@@ -37,6 +35,8 @@ _FLAGS = (
     "-ffp-contract=off",
     "-fno-sanitize=undefined",
     "-fno-trigraphs",
+    "-DFMI2_OVERRIDE_FUNCTION_PREFIX",
+    "-DFMI3_OVERRIDE_FUNCTION_PREFIX",
 )
 # Under Linux nothing here needs the compiler's own library of arithmetic, and to build that, once a machine, takes
 # longer than a diagnosis; the driver ``zig cc`` cannot leave it out.
@@ -66,62 +66,6 @@ class CompilerError(RuntimeError):
     """The C compiler refused a generated or shipped source: a defect of this package."""
 
 
-@dataclass(frozen=True)
-class Platform:
-    """A platform that FMUs are built for.
-
-    Attributes:
-        target: the compiler's name of it; a glibc version makes the binary run on old systems too.
-        folder: directory of the binary inside an FMI 2.0 archive.
-        tuple: the same inside an FMI 3.0 archive.
-        suffix: of a shared library.
-    """
-
-    target: str
-    folder: str
-    tuple: str
-    suffix: str
-
-
-PLATFORMS: dict[str, Platform] = {
-    "x86_64-linux": Platform("x86_64-linux-gnu.2.17", "linux64", "x86_64-linux", ".so"),
-    "aarch64-linux": Platform("aarch64-linux-gnu.2.17", "aarch64-linux", "aarch64-linux", ".so"),
-    "x86_64-windows": Platform("x86_64-windows-gnu", "win64", "x86_64-windows", ".dll"),
-    "x86_64-macos": Platform("x86_64-macos", "darwin64", "x86_64-darwin", ".dylib"),
-    "aarch64-macos": Platform("aarch64-macos", "darwin64", "aarch64-darwin", ".dylib"),
-}
-
-
-def native_platform() -> str:
-    """Name in ``PLATFORMS`` of the machine this runs on.
-
-    Raises:
-        InputError: FMUs cannot be built for it.
-    """
-    machine = {"amd64": "x86_64", "arm64": "aarch64"}.get(
-        platform.machine().lower(), platform.machine().lower()
-    )
-    system = {"win32": "windows", "darwin": "macos"}.get(sys.platform, sys.platform)
-    name = f"{machine}-{system}"
-    if name not in PLATFORMS:
-        raise InputError(f"FMUs cannot be built on {name}; supported are {', '.join(PLATFORMS)}")
-    return name
-
-
-def binary_folder(name: str, names: Sequence[str], fmi: str = "2.0") -> str:
-    """Directory of a platform's binary in an archive for ``names``.
-
-    FMI 2.0 knows one 64-bit Linux, and tools on an ARM machine look there too: ARM alone takes that place.
-    """
-    if fmi == "3.0":
-        return PLATFORMS[name].tuple
-    return (
-        "linux64"
-        if name == "aarch64-linux" and "x86_64-linux" not in names
-        else PLATFORMS[name].folder
-    )
-
-
 def _zig() -> Path:
     """The compiler itself: its Python face would cost another interpreter for every model."""
     return Path(ziglang.__file__).parent / ("zig.exe" if sys.platform == "win32" else "zig")
@@ -133,8 +77,13 @@ def _fmi_headers() -> Path:
 
 
 def headers(fmi: str) -> list[Path]:
-    """The header files that the runtime needs beside the C compiler's own, with those of one version of FMI."""
-    return sorted(fmu_runtime().glob("*.h")) + sorted(_fmi_headers().glob(f"fmi{fmi[0]}*.h"))
+    """The header files that the runtime needs beside the C compiler's own, with those of one version of FMI.
+
+    They are those of the releases 2.0.1 and 3.0.1. FMPy changed one of its copies, which has a copy in the runtime.
+    """
+    found = [*_fmi_headers().glob(f"fmi{fmi[0]}*.h"), *fmu_runtime().glob("pam_*.h")]
+    found += fmu_runtime().glob(f"fmi{fmi[0]}*.h")
+    return sorted({file.name: file for file in found}.values(), key=lambda file: file.name)
 
 
 @cache
@@ -155,7 +104,10 @@ def _source_key(shipped: tuple[str, ...]) -> str:
 
 
 def compile_library(
-    shipped: Sequence[str], generated: Mapping[str, str], platform_name: str
+    shipped: Sequence[str],
+    generated: Mapping[str, str],
+    platform_name: str,
+    name: str = "library",
 ) -> Path:
     """A shared library in the cache, compiled from files of ``fmu/`` and generated sources.
 
@@ -163,22 +115,27 @@ def compile_library(
         shipped: names of C files in the runtime's directory.
         generated: further C files, name to text.
         platform_name: key of ``PLATFORMS``.
+        name: that the library has in itself, without the ending.
 
     Raises:
         CompilerError: the compiler refused the sources.
     """
     target = PLATFORMS[platform_name]
     texts = [text for item in sorted(generated.items()) for text in item]
-    key = digest(source_key(shipped), *texts, target.target)
-    return cached("binaries", key, target.suffix, lambda: _compile(shipped, generated, target))
+    key = digest(source_key(shipped), *texts, target.target, name)
+    return cached(
+        "binaries", key, target.suffix, lambda: _compile(shipped, generated, target, name)
+    )
 
 
-def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platform) -> bytes:
+def _compile(
+    shipped: Sequence[str], generated: Mapping[str, str], target: Platform, library: str
+) -> bytes:
     with tempfile.TemporaryDirectory(prefix="pam-cosim-") as directory:
         for name, text in generated.items():
             Path(directory, name).write_text(text, encoding="utf-8")
         sources = [str(fmu_runtime() / name) for name in shipped] + sorted(generated)
-        output = f"library{target.suffix}"
+        output = f"{library}{target.suffix}"
         command = [str(_zig()), *_arguments(target, output, sources)]
         zig = cache_dir() / "zig"
         _clear_stale(zig / "tmp")
@@ -196,6 +153,8 @@ def _compile(shipped: Sequence[str], generated: Mapping[str, str], target: Platf
 
 def _compiled(command: Sequence[str], folder: Path, cache: Path, target: Platform) -> str:
     """Runs the C compiler: what it complains of, if it failed."""
+    from pam_cosim.compiler.budget import LIMITS  # loads the compiler of Modelica
+
     environment = os.environ | {
         "ZIG_GLOBAL_CACHE_DIR": str(cache),
         "ZIG_LOCAL_CACHE_DIR": str(cache),
@@ -213,7 +172,8 @@ def _arguments(target: Platform, output: str, sources: Sequence[str]) -> list[st
     """Words of the command that makes a shared library."""
     common = ["-target", target.target, f"-I{fmu_runtime()}", f"-I{_fmi_headers()}"]
     if target.target.split("-")[1] == "linux":
-        own = ["--name", "library", f"-femit-bin={output}", "-cflags", *_FLAGS, "--"]
+        names = ["--name", Path(output).stem, f"-fsoname={output}", f"-femit-bin={output}"]
+        own = [*names, "-cflags", *_FLAGS, "--"]
         return [*_OWN_ARITHMETIC, *common, *own, *sources]
     pic = [] if target.suffix == ".dll" else ["-fPIC", "-lm"]
     return ["cc", "-shared", "-s", *_FLAGS, *pic, *common, "-o", output, *sources]

@@ -26,10 +26,14 @@ _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 TOOL = "pam-cosim"
 
 _LOG_CATEGORIES = {
+    "logEvents": "parameters that change in a run",
     "logStatusWarning": "what may be unexpected",
     "logStatusDiscard": "why a step or an evaluation was not possible",
     "logStatusError": "why a call was refused",
+    "logAll": "all of these",
 }
+# Where a model asks for none: the units that people read, as the command's own output has them.
+_DISPLAY = {"Pa/s": "kPa/s", "m2": "mm2", "m3": "l", "kg/s": "g/s"}
 
 
 def model_identifier(model: str) -> str:
@@ -52,11 +56,9 @@ def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
             continue
         unit = _unit_of(variable, variable.unit)
         shown = displays.setdefault(variable.unit, {})
-        if variable.display_unit:
+        if display := _display_unit(variable):
             try:
-                shown[variable.display_unit] = _unit_of(variable, variable.display_unit).display(
-                    unit
-                )
+                shown[display] = _unit_of(variable, display).display(unit)
             except UnitError as error:
                 raise ModelError(f"variable '{variable.name}': {error}") from error
     if not displays:
@@ -74,6 +76,10 @@ def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
         for display, (factor, offset) in sorted(displays[name].items()):
             numbers = {"factor": repr(factor), **({"offset": repr(offset)} if offset else {})}
             Xml.SubElement(element, "DisplayUnit", {"name": display, **numbers})
+
+
+def _display_unit(variable: Variable) -> str:
+    return variable.display_unit or _DISPLAY.get(variable.unit, "")
 
 
 def _unit_of(variable: Variable, text: str) -> BaseUnit:
@@ -136,7 +142,7 @@ def real_attributes(entry: VariableEntry) -> dict[str, str]:
     real = {
         "quantity": variable.quantity,
         "unit": variable.unit,
-        "displayUnit": variable.display_unit if variable.unit else "",
+        "displayUnit": _display_unit(variable) if variable.unit else "",
         "min": _number(variable.name, "min", variable.min),
         "max": _number(variable.name, "max", variable.max),
         "nominal": _number(variable.name, "nominal", variable.nominal),
@@ -174,7 +180,8 @@ def model_structure(
     rates = {e.derivative_of: i for i, e in numbered.items() if e.derivative_of is not None}
     derivatives = [rates[state] for state in range(len(ode.states))]
     states = [i for i, e in numbered.items() if e.kind is Kind.STATE]
-    unknowns = sorted({*outputs, *derivatives, *states})
+    made = [i for i, e in numbered.items() if e.causality == "calculatedParameter"]
+    unknowns = sorted({*outputs, *derivatives, *states, *made})
     initial = [i for i in unknowns if numbered[i].initial in _FOLLOWING]
     if not dependencies:
         return ModelStructure(outputs, derivatives, initial, {}, {})

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
@@ -19,10 +19,11 @@ def model_description(
     guid: str,
     tool: str,
     sources: Sequence[str],
+    about: Mapping[str, str],
     *,
     lean: bool = False,
 ) -> bytes:
-    """The complete file; ``sources`` are the C files to compile.
+    """The complete file; ``sources`` are the C files to compile, ``about`` has author, version and licence.
 
     ``lean``: without directional derivatives, and without the dependencies in the structure of the model.
 
@@ -37,6 +38,7 @@ def model_description(
             "guid": guid,
             "modelName": interface.model,
             **({"description": ode.description} if ode.description else {}),
+            **about,
             "generationTool": tool,
             "variableNamingConvention": shared.naming_convention(entries),
             "numberOfEventIndicators": "0",

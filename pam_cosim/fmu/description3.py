@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
@@ -18,8 +18,14 @@ _SHARED = {
 _CO_SIMULATION = {"canHandleVariableCommunicationStepSize": "true", "maxOutputDerivativeOrder": "1"}
 
 
-def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, tool: str) -> bytes:
-    """The complete file.
+def model_description(
+    ode: Ode,
+    entries: Sequence[VariableEntry],
+    token: str,
+    tool: str,
+    about: Mapping[str, str],
+) -> bytes:
+    """The complete file; ``about`` has author, version and licence.
 
     Raises:
         ModelError: a unit that cannot be read, or a limit that is not a number.
@@ -32,6 +38,7 @@ def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, to
             "instantiationToken": token,
             "modelName": interface.model,
             **({"description": ode.description} if ode.description else {}),
+            **about,
             "generationTool": tool,
             "variableNamingConvention": shared.naming_convention(entries),
         },
@@ -48,11 +55,19 @@ def model_description(ode: Ode, entries: Sequence[VariableEntry], token: str, to
     shared.default_experiment(root, ode)
     variables = Xml.SubElement(root, "ModelVariables")
     references = {e.index: e.reference for e in entries if e.kind is Kind.STATE}
+    elements: dict[int, Xml.Element] = {}
     for entry in entries:
-        real = shared.real_attributes(entry)
+        real, scalar = shared.real_attributes(entry), shared.scalar_attributes(entry)
+        if entry.alias:
+            described = scalar | {key: real[key] for key in real if key == "displayUnit"}
+            both = {
+                k: described[k] for k in described if k in ("name", "description", "displayUnit")
+            }
+            Xml.SubElement(elements[entry.reference], "Alias", both)
+            continue
         if entry.derivative_of is not None:
             real["derivative"] = str(references[entry.derivative_of])
-        Xml.SubElement(variables, "Float64", shared.scalar_attributes(entry) | real)
+        elements[entry.reference] = Xml.SubElement(variables, "Float64", scalar | real)
     _structure(root, ode, entries)
     if ode.libraries:
         annotations = Xml.SubElement(root, "Annotations")
@@ -70,7 +85,8 @@ def _structure(root: Xml.Element, ode: Ode, entries: Sequence[VariableEntry]) ->
         ("InitialUnknown", unknowns.initial, unknowns.starting),
     ):
         for index in indices:
-            shared.unknown(structure, tag, "valueReference", index, dependencies, references)
+            if not entries[index - 1].alias:
+                shared.unknown(structure, tag, "valueReference", index, dependencies, references)
 
 
 def build_description(ode: Ode, sources: Sequence[str]) -> bytes:

@@ -14,16 +14,16 @@ from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_array, c_string
 from pam_cosim.fmu.functions import model_functions
-from pam_cosim.fmu.table import table
+from pam_cosim.fmu.table import Kind, VariableEntry, table
 
 # A model whose equations mention time may change without notice: never step over more of the run than this.
 _STEPS_OF_TIMED_MODEL = 100
 
 
-def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
-    """One C file, complete but for ``pam_model.h``; it is the same for the same model and GUID.
+def model_source(ode: Ode, guid: str, lean: bool = False, fmi: str = "2.0") -> str:
+    """One C file, complete but for ``pam_model.h``; it is the same for the same model, GUID and version of FMI.
 
-    ``lean``: without directional derivatives and rates of sensitivities.
+    ``lean``: without directional derivatives, rates of sensitivities and ranges.
     """
     functions = model_functions(ode, lean)
     generator = ca.CodeGenerator("model", {"with_header": False})
@@ -32,7 +32,7 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
     generated = _unguarded(_without_helpers(generator.dump()))
     if ode.sensitivities and not lean:
         generated = _seldom("pam_jvp", generated)
-    numbers = numbers_of(ode, functions)
+    numbers = numbers_of(ode, functions, lean, fmi)
     parts = [
         f"static const char guid[] = {c_string(guid)};",  # first: what a model calls itself may look like one
         '#include "pam_model.h"\n#define CASADI_SYMBOL_EXPORT static',
@@ -41,33 +41,42 @@ def model_source(ode: Ode, guid: str, lean: bool = False) -> str:
         *(c_array("const double", name, map(repr, numbers[name])) for name in DOUBLES),
         *(c_array("const int", name, map(str, numbers[name])) for name in INTEGERS),
         *_statements(ode),
+        *_variables(numbers["variables"]),
         "const pam_model pam_the_model = {",
         f"    guid, {', '.join(str(numbers[name]) for name in SIZES)},",
         f"    {numbers['tolerance']!r}, {numbers['max_step']!r},",
         f"    {', '.join(('state_names', *DOUBLES, *INTEGERS))},",
         f"    {', '.join(_slots({f.name() for f in functions}))},",
-        "    statements,",
+        "    statements, variables,",
         "};\n",
     ]
     return "\n".join(parts)
 
 
-def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
+def numbers_of(
+    ode: Ode, functions: Sequence[ca.Function], lean: bool = False, fmi: str = "2.0"
+) -> dict[str, Any]:
     """The tables of ``pam_model`` by the names that they have there, and what the model states of itself.
+
+    Args:
+        ode: the model.
+        functions: of ``model_functions``.
+        lean: without ranges and aliases.
+        fmi: version of the interface.
 
     Raises:
         ModelError: a start value is not finite.
     """
     interface = ode.interface
-    blocks = _blocks(ode)
+    blocks, entries = _blocks(ode), table(ode, fmi, lean=lean)
     timed = ca.jacobian_sparsity(ode.derivatives, ode.t).nnz() > 0 if ode.states else False
     return {
-        **_sizes(ode, functions, len(blocks)),
+        **_sizes(ode, functions, sum(not entry.alias for entry in entries), len(blocks)),
         "tolerance": _finite(interface.tolerance),
         "max_step": _finite(interface.stop_time / _STEPS_OF_TIMED_MODEL if timed else 0.0),
         "state_names": [s.name for s in ode.states],
         "state_nominals": [_nominal(s.nominal) for s in ode.states],
-        "input_starts": _input_starts(ode),
+        "input_starts": [_finite(e.start or 0.0) for e in entries if e.causality == "input"],
         "parameter_starts": [_finite(v.start) for v in interface.parameters.values()],
         "delayed_inputs": [-1 if d.input is None else d.input for d in ode.delays],
         "direct_inputs": [int(direct) for direct in _direct_inputs(ode)],
@@ -76,10 +85,29 @@ def numbers_of(ode: Ode, functions: Sequence[ca.Function]) -> dict[str, Any]:
         "block_states": [state for block in blocks for state in block],
         "block_ends": list(itertools.accumulate(map(len, blocks))),
         "statements": [_statement_row(statement) for statement in ode.statements],
+        "variables": [_variable_row(entry, lean) for entry in entries if not entry.alias],
     }
 
 
-def _sizes(ode: Ode, functions: Sequence[ca.Function], blocks: int) -> dict[str, int]:
+def _variable_row(entry: VariableEntry, lean: bool) -> list[Any]:
+    """A row of ``pam_variable``; an infinite limit is None."""
+    variable, limits = entry.variable, (entry.variable.min, entry.variable.max)
+    ranged = not lean and (entry.causality in ("input", "parameter") or entry.kind is Kind.STATE)
+    given = [x if ranged and x is not None and math.isfinite(x) else None for x in limits]
+    tunable = int(entry.causality == "parameter" and entry.variability == "tunable")
+    return [
+        variable.name,
+        variable.unit,
+        list(Kind).index(entry.kind),
+        entry.index,
+        tunable,
+        *given,
+    ]
+
+
+def _sizes(
+    ode: Ode, functions: Sequence[ca.Function], variables: int, blocks: int
+) -> dict[str, int]:
     """How many there are of each, and the working memory that the functions need, in the order of ``SIZES``."""
     sizes = [
         len(ode.states),
@@ -88,16 +116,12 @@ def _sizes(ode: Ode, functions: Sequence[ca.Function], blocks: int) -> dict[str,
         len(ode.sensitivities),
         len(ode.statements),
         sum(len(statement.values) for statement in ode.statements),
+        variables,
         blocks,
         max(function.sz_iw() for function in functions),
         max(function.sz_w() for function in functions),
     ]
     return dict(zip(SIZES, sizes, strict=True))
-
-
-def _input_starts(ode: Ode) -> list[float]:
-    inputs = [entry for entry in table(ode) if entry.causality == "input"]
-    return [_finite(entry.start or 0.0) for entry in inputs]
 
 
 def _statement_row(statement: Statement) -> dict[str, Any]:
@@ -110,7 +134,8 @@ def _statement_row(statement: Statement) -> dict[str, Any]:
 
 
 # In the order of ``pam_model``.
-SIZES = ("nx", "nu", "nd", "ny", "np", "nw", "nc", "ns", "na", "nm", "nb", "size_iw", "size_w")
+_SIZES = "nx nu nd ny np nw nc ns na nm nv nb size_iw size_w"
+SIZES = tuple(_SIZES.split())
 DOUBLES = ("state_nominals", "input_starts", "parameter_starts")
 INTEGERS = ("delayed_inputs", "direct_inputs", "start_of", "resting", "block_states", "block_ends")
 _FUNCTIONS = """
@@ -134,6 +159,20 @@ def _statements(ode: Ode) -> list[str]:
             f"{{{int(s.is_error)}, {int(s.at_start)}, {len(s.values)}, texts_{i}, digits_{i}}}"
         )
     return [*lines, c_array("const pam_statement", "statements", rows or ["{0}"])]
+
+
+def _variables(rows: Sequence[Sequence[Any]]) -> list[str]:
+    """The table of variables."""
+    lines = []
+    for name, unit, kind, index, tunable, low, high in rows:
+        limits = (
+            "-INFINITY" if low is None else repr(low),
+            "INFINITY" if high is None else repr(high),
+        )
+        lines.append(
+            f"    {{{c_string(name)}, {c_string(unit)}, {kind}, {index}, {tunable}, {', '.join(limits)}}},"
+        )
+    return ["static const pam_variable variables[] = {", *(lines or ["    {0}"]), "};"]
 
 
 def _start_of(ode: Ode) -> list[int]:
@@ -214,9 +253,16 @@ def _seldom(name: str, source: str) -> str:
     return re.sub(rf"(?m)^(/\* {name}:.*\*/\n)static", r"\1PAM_SELDOM static", source, count=1)
 
 
+_UNUSED = re.compile(
+    r"(?ms)^static const casadi_int casadi_s\d+\[[^\n]*\n"
+    r"|^CASADI_SYMBOL_EXPORT [^\n]* model_casadi_\w+\([^\n]*(?:\}|\{\n.*?^\})\n"
+)
+_SHARED = re.compile(r"(?m)^(?=casadi_real casadi_\w+\()")
+
+
 def _without_helpers(source: str) -> str:
-    """Leaves out what CasADi adds for its own importer and nobody calls here."""
-    return _HELPER.sub("", source)
+    """Leaves out what CasADi adds for its own importer and nobody calls here; the rest is the file's own."""
+    return _SHARED.sub("static ", _UNUSED.sub("", _HELPER.sub("", source)))
 
 
 def _nominal(value: float | None) -> float:

@@ -25,7 +25,7 @@ from pam_cosim.fmu.build import (
     cached_whole_taped_model,
 )
 from pam_cosim.fmu.odes import cached_ode
-from pam_cosim.model.references import START_VALUES, is_fmu
+from pam_cosim.model.references import START_VALUES, is_fmu, is_modelica
 
 
 def build_model(
@@ -37,6 +37,7 @@ def build_model(
     where_smooth: bool = False,
     fmi: str = "2.0",
     brief: bool = False,
+    documented: bool = False,
 ) -> Path:
     """The FMU of a model.
 
@@ -52,6 +53,7 @@ def build_model(
         where_smooth: leave out those that the model does not have or that are lengths of delays.
         brief: for a few runs on this machine, made without a compiler, unpacked: a folder; see
             ``cached_whole_taped_model``.
+        documented: with the date, documentation and pictures, for other people.
 
     Raises:
         ModelError: the model cannot be compiled.
@@ -64,7 +66,10 @@ def build_model(
     key, make = _recipe(full_name(model, files), files, sensitivities, where_smooth)
     if brief:
         return cached_whole_taped_model(key, make)
-    return cached_fmu(key, make, platforms=platforms, fmi=fmi)
+    own = [*files, Path(model)] if is_modelica(model) else files
+    return cached_fmu(
+        key, make, platforms=platforms, fmi=fmi, documented=own if documented else None
+    )
 
 
 def description_of(model: str, files: Sequence[Path] = ()) -> Path:

@@ -33,6 +33,7 @@ DAMAGED = (
     zlib.error,
     lzma.LZMAError,
 )  # what reading an archive raises that is none, or not whole
+TABLES = "tape.json"  # in the folder of a model as data
 _DESCRIPTION = "modelDescription.xml"
 _LONGEST_NAME, _LONGEST_PART = (
     1000,
@@ -251,7 +252,7 @@ def real_variables(description: ModelDescription) -> list[Any]:
 def read_interface(path: Path) -> Interface:
     """Names, units and start values of an FMU's real variables.
 
-    ``locals`` holds every other continuous variable that can be read, states and derivatives included.
+    ``locals`` holds every other variable that can be read, states, derivatives and calculated parameters included.
 
     Raises:
         InputError: not an FMU of FMI 2.0 or 3.0.
@@ -269,8 +270,9 @@ def interface_of(description: ModelDescription) -> Interface:
         "local": {},
     }
     for scalar in real_variables(description):
-        if scalar.causality in groups:
-            groups[scalar.causality][scalar.name] = _variable(scalar)
+        causality = "local" if scalar.causality == "calculatedParameter" else scalar.causality
+        if causality in groups:
+            groups[causality][scalar.name] = _variable(scalar)
     experiment = description.defaultExperiment
     given = {}
     if experiment is not None:
@@ -329,7 +331,7 @@ def _variable(scalar: Any) -> Variable:
         name=scalar.name,
         unit=_text(scalar, "unit"),
         description=_text(scalar, "description"),
-        start=_float(scalar.start),
+        start=None if scalar.variability == "constant" else _float(scalar.start),
         min=_float(_attribute(scalar, "min")),
         max=_float(_attribute(scalar, "max")),
         nominal=_float(_attribute(scalar, "nominal")),

@@ -44,21 +44,30 @@ def continuous_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Depen
 def initial_dependencies(ode: Ode, entries: Sequence[VariableEntry]) -> Dependencies:
     """The same at initialization, where calculated states follow from the parameters, which are known variables.
 
-    Where states begin at rest nothing is said: an unknown may then depend on everything.
+    Where states begin at rest, each unknown depends on everything.
     """
-    if ode.resting:
-        return {}
-    exact = {e.index for e in entries if e.kind is Kind.STATE and e.initial == "exact"}
-    initial = ca.vertsplit(ca.SX(ode.initial)) if ode.states else []
-    start = ca.vertcat(*[ode.x[i] if i in exact else initial[i] for i in range(len(initial))])
-    derivatives, outputs = ca.substitute(_undelayed(ode), [ode.x], [ca.SX(start)])
     knowns = [
         (ode.x, _positions(entries, Kind.STATE, len(ode.states))),
         (ode.u, _positions(entries, Kind.INPUT, ode.u.numel())),
         (ode.p, _positions(entries, Kind.PARAMETER, ode.p.numel())),
         (ode.t, _positions(entries, Kind.TIME, 1)),
     ]
-    unknowns = {Kind.DERIVATIVE: derivatives, Kind.OUTPUT: outputs, Kind.STATE: ca.SX(start)}
+    if ode.resting:
+        every = [Dependency(i, "dependent") for _, part in knowns for i in part if i is not None]
+        return dict.fromkeys(range(1, len(entries) + 1), sorted(every, key=lambda d: d.position))
+    exact = {e.index for e in entries if e.kind is Kind.STATE and e.initial == "exact"}
+    initial = ca.vertsplit(ca.SX(ode.initial)) if ode.states else []
+    start = ca.vertcat(*[ode.x[i] if i in exact else initial[i] for i in range(len(initial))])
+    derivatives, outputs = ca.substitute(_undelayed(ode), [ode.x], [ca.SX(start)])
+    calculated = {e.index for e in entries if e.causality == "calculatedParameter"}
+    local = ca.SX(ode.locals)
+    made = [local[i] if i in calculated else ca.SX(0) for i in range(local.numel())]
+    unknowns = {
+        Kind.DERIVATIVE: derivatives,
+        Kind.OUTPUT: outputs,
+        Kind.STATE: ca.SX(start),
+        Kind.LOCAL: ca.vertcat(ca.SX(0, 1), *made),
+    }
     return _assign(ode, entries, unknowns, knowns, ca.SX(0, 1))
 
 

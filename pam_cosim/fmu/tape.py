@@ -22,6 +22,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu.functions import model_functions
 from pam_cosim.fmu.generate import FUNCTIONS, numbers_of
+from pam_cosim.fmu.read import TABLES
 
 _OPERATIONS = """
 OUTPUT ASSIGN ADD SUB MUL DIV NEG EXP LOG POW CONSTPOW SQRT SQ TWICE SIN COS TAN ASIN ACOS ATAN LT LE EQ NE NOT
@@ -29,7 +30,7 @@ AND OR FLOOR CEIL FMOD FABS SIGN COPYSIGN IF_ELSE_ZERO ERF FMIN FMAX INV SINH CO
 """
 OPERATIONS = tuple(_OPERATIONS.split())
 """CasADi's operations in the order of ``pam_tape.c``."""
-TABLES, NUMBERS = "tape.json", "tape.bin"
+NUMBERS = "tape.bin"
 _BATCH, _OPERANDS = 3, 2  # numbers of a batch: operation, count, to; of an operation: a, b
 _OUTPUT = OPERATIONS.index("OUTPUT")
 _Pair = tuple[int, int]
@@ -231,7 +232,7 @@ def taped(ode: Ode) -> TapedModel:
     functions = model_functions(ode, lean=True)
     tapes = {f.name(): tape_of(f) for f in functions}
     work = max(tape.work for tape in tapes.values())
-    return TapedModel(numbers_of(ode, functions) | {"size_w": work}, tapes)
+    return TapedModel(numbers_of(ode, functions, lean=True) | {"size_w": work}, tapes)
 
 
 def tape_files(model: TapedModel, guid: str) -> dict[str, bytes]:

@@ -3,11 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.files import plain, plain_fields
+from pam_cosim.files import Plain
 from pam_cosim.model.domain import Domain
 from pam_cosim.wording import Printed
 
@@ -25,6 +26,8 @@ class TermSeries:
             the same kind. The term is known only but for a multiple of these, the same in all runs.
     """
 
+    json_keys = "run role time value standard_deviation=deviation against imitated"
+
     run: str
     role: str
     time: Array
@@ -32,11 +35,6 @@ class TermSeries:
     deviation: Array
     against: dict[str, Array]
     imitated: dict[str, Array] = field(default_factory=dict)
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        names = {"deviation": "standard_deviation"}
-        return {names.get(name, name): value for name, value in plain_fields(self).items()}
 
 
 @dataclass(frozen=True)
@@ -56,6 +54,8 @@ class BalanceEntry:
         same_as: balances whose missing term would do the same in this model: they may be meant as well.
         base: full name of the partial class whose equation for the term is open.
     """
+
+    json_keys = "balance gain explains share unit meaning size outside note same_as courses"
 
     balance: str
     gain: float
@@ -86,23 +86,6 @@ class BalanceEntry:
             np.mean(np.concatenate([np.abs(c.value) > 2 * c.deviation for c in self.courses]))
         )
 
-    def as_dict(self, courses: bool = True) -> dict[str, object]:
-        """Plain data for JSON, SI units; without the courses it is short."""
-        entry = {
-            "balance": self.balance,
-            "gain": self.gain,
-            "explains": self.explains,
-            "share": self.share,
-            "unit": self.unit,
-            "meaning": self.meaning,
-            "size": self.size,
-            "outside": self.outside,
-            "note": self.note,
-            "same_as": self.same_as,
-        }
-        series = {"courses": self.courses} if courses else {}
-        return dict(plain({**entry, **series}))
-
 
 @dataclass(frozen=True)
 class SensorReading:
@@ -126,13 +109,9 @@ class SensorReading:
     evidence: float
     explains: float
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return plain_fields(self)
-
 
 @dataclass(frozen=True)
-class Ledger(Printed):
+class Ledger(Printed, Plain):
     """The balances of a model on a data set.
 
     Attributes:
@@ -146,6 +125,8 @@ class Ledger(Printed):
         notes: what cannot be told apart.
         domain: how the balances are told and drawn.
     """
+
+    json_keys = "model entries readings failing closed before after parameters notes"
 
     model: str
     entries: tuple[BalanceEntry, ...]
@@ -167,20 +148,13 @@ class Ledger(Printed):
         """Share of each balance in the error, 0 to 1."""
         return {e.balance: e.share for e in self.entries}
 
-    def as_dict(self, courses: bool = True) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "model": self.model,
-            "entries": [entry.as_dict(courses) for entry in self.entries],
-            "readings": self.readings,
-            "failing": self.failing,
-            "closed": self.closed,
-            "before": self.before,
-            "after": self.after,
-            "parameters": self.parameters,
-            "notes": self.notes,
-        }
-        return dict(plain(content))
+    def as_dict(self, courses: bool = True) -> dict[str, Any]:
+        """Plain data for JSON, SI units; without the courses it is short."""
+        content = super().as_dict()
+        if not courses:
+            for entry in content["entries"]:
+                del entry["courses"]
+        return content
 
     def __str__(self) -> str:
         lines = [

@@ -120,23 +120,26 @@ def merged(
     def joined(values: Array, others: Array) -> Array:
         return locked(np.concatenate([values, others])[order])
 
-    inputs = {}
-    for name, values in first.inputs.items():
-        inputs[name] = joined(
-            values[rows], _interpolated(first.time, values, moved[new], interpolation)
-        )
-    for name, values in second.inputs.items():
-        if name not in inputs:
-            at_rows = _interpolated(moved, values, time, interpolation)
-            at_rows[place] = values[shared]
-            inputs[name] = joined(at_rows, values[new])
+    def of_second(values: Array, at_rows: Array) -> Array:
+        at_rows[place] = values[shared]
+        return joined(at_rows, values[new])
+
+    inputs = {
+        name: joined(v[rows], _interpolated(first.time, v, moved[new], interpolation))
+        for name, v in first.inputs.items()
+    }
+    inputs |= {
+        name: of_second(v, _interpolated(moved, v, time, interpolation))
+        for name, v in second.inputs.items()
+        if name not in inputs
+    }
     missing = np.full(len(new), np.nan)
-    measured = {name: joined(values[rows], missing) for name, values in first.measurements.items()}
-    for name, values in second.measurements.items():
-        if name not in measured:
-            at_rows = np.full(len(time), np.nan)
-            at_rows[place] = values[shared]
-            measured[name] = joined(at_rows, values[new])
+    measured = {name: joined(v[rows], missing) for name, v in first.measurements.items()}
+    measured |= {
+        name: of_second(v, np.full(len(time), np.nan))
+        for name, v in second.measurements.items()
+        if name not in measured
+    }
     notes = (*first.notes, *second.notes)
     return replace(
         first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes

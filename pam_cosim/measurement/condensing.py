@@ -9,7 +9,7 @@ import numpy as np
 
 from pam_cosim.measurement.data_set import DataSet, Run
 from pam_cosim.measurement.noise import complete_noise
-from pam_cosim.measurement.resampling import resampled_run, with_noise_of_means
+from pam_cosim.measurement.resampling import resampled, with_noise_of_means
 from pam_cosim.units import format_quantity
 
 MOST_ROWS = 30_000  # of all runs: five times six runs of 10 s at 100 Hz
@@ -56,7 +56,7 @@ def _rounded(interval: float) -> float:
 
 
 def _means(run: Run, interval: float) -> Run | None:
-    means = resampled_run(run, interval)
+    means = resampled(run, interval, run.interpolation)
     lost = {name: _lost(run, means, name) for name in run.inputs}
     return (
         None

@@ -9,13 +9,13 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.data_set import Run
+from pam_cosim.measurement.run_names import Value, check_names, stated_of
 from pam_cosim.measurement.start import START_MODES, StartMode
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.settings import value_of
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.wording import shown
 
 _NEAR = 1e-9  # of a run, by which a time may miss a row that it is written like
-ALL_RUNS = "*"  # in the place of a run's name
 
 Moment = float | str | None
 """A time [s] of a recording's own clock, or as a text with a unit; None: its first or last."""
@@ -33,19 +33,6 @@ class Cut:
     end: float | None = None
 
 
-def cut_of(run: str, begin: Moment, end: Moment) -> Cut:
-    """A cut from times as a person states them.
-
-    Args:
-        run: its name, for what is complained of.
-        begin: of the cut; ``end`` likewise.
-
-    Raises:
-        InputError: no time.
-    """
-    return Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
-
-
 def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
     """Cuts by run, from a first and a last time each.
 
@@ -58,7 +45,8 @@ def cuts_of(stated: Mapping[str, Sequence[Moment]]) -> dict[str, Cut]:
             raise InputError(
                 f"{shown(run)}: a run is cut to a first and a last time, not {shown(pair)}"
             )
-        made[run] = cut_of(run, *pair)
+        begin, end = pair
+        made[run] = Cut(_seconds(run, "from", begin), _seconds(run, "to", end))
     return made
 
 
@@ -92,25 +80,15 @@ def cut_run(run: Run, cut: Cut) -> Run:
         raise InputError(
             f"{run.name} holds points at rest, which have no times to be cut at", run.file
         )
-    kept = slice(first, last)
-    measurements = {name: values[kept] for name, values in run.measurements.items()}
-    if last - first < 2 or run.time[kept][0] == run.time[kept][-1]:
+    made = replace(run.rows(slice(first, last)), recorded=(float(run.time[0]), float(run.time[-1])))
+    if last - first < 2 or made.time[0] == made.time[-1]:
+        span = f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
         raise InputError(
-            f"{run.name} {_span(run)}: nothing would be left between {_ends(run, cut)}", run.file
+            f"{run.name} {span}: nothing would be left between {_ends(run, cut)}", run.file
         )
-    if not any(np.isfinite(values).any() for values in measurements.values()):
+    if not any(np.isfinite(values).any() for values in made.measurements.values()):
         raise InputError(f"{run.name} has no sample between {_ends(run, cut)}", run.file)
-    return replace(
-        run,
-        time=run.time[kept],
-        inputs={name: values[kept] for name, values in run.inputs.items()},
-        measurements=measurements,
-        recorded=(float(run.time[0]), float(run.time[-1])),
-    )
-
-
-def _span(run: Run) -> str:
-    return f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
+    return made
 
 
 def _ends(run: Run, cut: Cut) -> str:
@@ -121,7 +99,7 @@ def _ends(run: Run, cut: Cut) -> str:
 
 @dataclass(frozen=True)
 class Overrides:
-    """What whoever reads a data set says of its runs instead of what the data set says, by run; "*": of all others.
+    """What whoever reads a data set says of its runs instead of what the data set says, by name or pattern.
 
     Attributes:
         cuts: from when to when a run goes.
@@ -133,11 +111,14 @@ class Overrides:
 
     def cut(self, run: Run) -> Cut | None:
         """Of a run; points at rest are cut only by their name."""
-        return self.cuts.get(run.name, None if run.is_static else self.cuts.get(ALL_RUNS))
+        return self._stated(run, self.cuts)
 
     def start(self, run: Run) -> StartMode | None:
         """Of a run; points at rest have one only by their name, which is an error."""
-        return self.starts.get(run.name, None if run.is_static else self.starts.get(ALL_RUNS))
+        return self._stated(run, self.starts)
+
+    def _stated(self, run: Run, values: Mapping[str, Value]) -> Value | None:
+        return values.get(run.name) if run.is_static else stated_of(run.name, values)
 
     def check(self, title: str, known: Sequence[str]) -> None:
         """Refuses what is said of a run that there is not.
@@ -145,11 +126,7 @@ class Overrides:
         Raises:
             InputError: names the nearest one.
         """
-        for name in (*self.cuts, *self.starts):
-            if name not in known and name != ALL_RUNS:
-                raise InputError(
-                    f"{title} has no run {shown(name)}; {did_you_mean(str(name), known)}"
-                )
+        check_names(title, (*self.cuts, *self.starts), known)
 
 
 def overrides_of(

@@ -11,17 +11,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.experiment import FILE_NAME
 from pam_cosim.measurement.free_parameter import FreeParameter
-from pam_cosim.measurement.recording import Averaged
-from pam_cosim.measurement.signal import Signal
+from pam_cosim.measurement.run_names import check_names, stated_of
+from pam_cosim.measurement.signal import Averaged, Signal
 from pam_cosim.measurement.start import Start
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import START_VALUES, is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, did_you_mean, shown
+from pam_cosim.wording import Printed, shown
 
+FILE_NAME = "experiment.toml"
 Role = Literal["fit", "holdout"]
 ROLES: tuple[Role, ...] = get_args(Role)
 
@@ -84,6 +84,15 @@ class Run:
         """How many samples of ``signal`` the run holds; 0 when it was not measured."""
         values = self.measurements.get(signal)
         return 0 if values is None else int(np.isfinite(values).sum())
+
+    def rows(self, kept: slice) -> Run:
+        """The run with some of its rows."""
+        return replace(
+            self,
+            time=self.time[kept],
+            inputs={name: values[kept] for name, values in self.inputs.items()},
+            measurements={name: values[kept] for name, values in self.measurements.items()},
+        )
 
     def describe(self) -> str:
         """One line: name, role, duration, inputs, samples."""
@@ -190,21 +199,22 @@ class DataSet(Printed):
     def with_roles(self, roles: Mapping[str, str]) -> DataSet:
         """The same where these runs are fitted, or held out.
 
+        Args:
+            roles: "fit" or "holdout" by the name of a run, or by a pattern such as "test*" for all others.
+
         Raises:
             InputError: no such run or role, or no run would be left to fit.
         """
-        known = [run.name for run in self.runs]
-        for name, role in roles.items():
-            if name not in known:
-                raise InputError(
-                    f"{self.title} has no run {shown(name)}; {did_you_mean(str(name), known)}"
-                )
+        check_names(self.title, roles, [run.name for run in self.runs])
+        for role in roles.values():
             if role not in ROLES:
                 raise InputError(
                     f"{shown(role)} is no role of a run; it is one of {', '.join(ROLES)}"
                 )
         by_name = {name: one for name, role in roles.items() for one in ROLES if one == role}
-        runs = tuple(replace(run, role=by_name.get(run.name, run.role)) for run in self.runs)
+        runs = tuple(
+            replace(run, role=stated_of(run.name, by_name) or run.role) for run in self.runs
+        )
         if roles and not any(run.role == "fit" for run in runs):
             raise InputError("no run would be left to fit")
         return replace(self, runs=runs) if roles else self

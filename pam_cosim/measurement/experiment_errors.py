@@ -2,26 +2,13 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, get_args
 
 from pydantic_core import ErrorDetails
 
-from pam_cosim.measurement.experiment_tables import (
-    CheckedTable,
-    ColumnTable,
-    EffectsTable,
-    Experiment,
-    FreeTable,
-    IntervalTable,
-    LoggerTable,
-    PriorTable,
-    RecordingTable,
-    RunTable,
-    SignalTable,
-)
+from pam_cosim.measurement.experiment_tables import CheckedTable, Experiment
+from pam_cosim.measurement.place import KeyPath
 from pam_cosim.wording import did_you_mean, shown
-
-KeyPath = tuple[str | int, ...]
 
 _LISTS_OF_TEXTS = {
     ("recording", "names"): '["time [s]", "p [kPa]"]',
@@ -124,24 +111,16 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
 
 def _table_of(path: KeyPath) -> type[CheckedTable]:
     """The table that a key stands in."""
-    within: dict[str | int, type[CheckedTable]] = {
-        "prior": PriorTable,
-        "zero": IntervalTable,
-        "recording": RecordingTable,
-    }
-    if len(path) > 1 and path[-2] in within:
-        return within[path[-2]]
-    match path:
-        case (*_, "columns", _, _):
-            return ColumnTable
-        case ("runs", _, "loggers", _, _):
-            return LoggerTable
-        case ("runs", _, _):
-            return RunTable
-        case ("fit", _, _) | ("runs", _, "fit", _, _):
-            return FreeTable
-        case ("signals", _, _):
-            return SignalTable
-        case ("effects", _):
-            return EffectsTable
-    return Experiment
+    table: type[CheckedTable] = Experiment
+    for key in path[:-1]:
+        fields = {field.alias or name: field for name, field in table.model_fields.items()}
+        kinds = _tables_in(fields[key].annotation) if key in fields else []
+        table = kinds[0] if kinds else table
+    return table
+
+
+def _tables_in(kind: Any) -> list[type[CheckedTable]]:
+    """The tables in the type of a key."""
+    if isinstance(kind, type) and issubclass(kind, CheckedTable):
+        return [kind]
+    return [table for within in get_args(kind) for table in _tables_in(within)]

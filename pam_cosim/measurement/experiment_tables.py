@@ -2,14 +2,27 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from collections import Counter
+from pathlib import Path
+from typing import Annotated, Any, Literal, Self
 
-from pydantic import AfterValidator, BaseModel, ConfigDict, Field, PlainValidator
+from pydantic import (
+    AfterValidator,
+    BaseModel,
+    ConfigDict,
+    Field,
+    PlainSerializer,
+    PlainValidator,
+    PrivateAttr,
+)
 
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.place import Place, Stated
 from pam_cosim.measurement.start import StartMode
+from pam_cosim.measurement.table import Layout
 
 
-def _value(value: object) -> str | float:
+def _value(value: object) -> Stated:
     if isinstance(value, dict):
         raise ValueError('names with a dot need quotes: "component.parameter" = ...')
     if isinstance(value, bool) or not isinstance(value, str | int | float):
@@ -17,12 +30,12 @@ def _value(value: object) -> str | float:
             'write a text with a unit such as "2.27 kg", or a number where there is no unit'
         )
     try:
-        return value if isinstance(value, str) else float(value)
+        return Stated(value if isinstance(value, str) else float(value))
     except OverflowError:
         raise ValueError("the number is too large") from None
 
 
-Value = Annotated[str | float, PlainValidator(_value)]
+Value = Annotated[Stated, PlainValidator(_value), PlainSerializer(lambda stated: stated.value)]
 
 
 def _visible(value: str) -> str:
@@ -46,6 +59,48 @@ class CheckedTable(BaseModel):
     """A table of known keys, of values that are taken as they are; another key is an error."""
 
     model_config = ConfigDict(extra="forbid", strict=True, frozen=True)
+    _place: Place = PrivateAttr(default=Place())
+    _shared: dict[str, Place] = PrivateAttr(default_factory=dict)
+
+    def at(self, key: str = "") -> Place:
+        """The place of a key, in this table or where it is stated for all; of the table itself without one."""
+        return self._shared.get(key, self._place / key if key else self._place)
+
+    def error(self, message: str, key: str = "") -> InputError:
+        """An error about a key, or about the table."""
+        return self.at(key).error(message)
+
+    def states(self, key: str) -> bool:
+        """Whether the table itself has a value of the key."""
+        return getattr(self, key) is not None and key not in self._shared
+
+    def completed(self, shared: CheckedTable) -> Self:
+        """The table with the values of ``shared``, at their places, for keys that it leaves out."""
+        keys = [k for k in type(self).model_fields if getattr(self, k) is None]
+        values = {k: v for k in keys if (v := getattr(shared, k, None)) is not None}
+        made = self.model_copy(update=values)
+        made._shared = {key: shared.at(key) for key in values}
+        return made
+
+
+def located(value: Any, place: Place) -> Any:
+    """A value with the place of every table and quantity within."""
+    match value:
+        case Stated():
+            return Stated(value.value, place)
+        case CheckedTable():
+            keys = {n: f.alias or n for n, f in type(value).model_fields.items()}
+            within = {n: located(getattr(value, n), place / key) for n, key in keys.items()}
+            made = value.model_copy(update=within)
+            made._place = place
+            return made
+        case dict():
+            return {key: located(one, place / key) for key, one in value.items()}
+        case [CheckedTable(), *_]:
+            return [located(one, place / i) for i, one in enumerate(value)]
+        case list():
+            return [located(one, place) for one in value]
+    return value
 
 
 class SignalTable(CheckedTable):
@@ -87,6 +142,17 @@ class RecordingTable(CheckedTable):
     ignore: list[Name] | None = None
     missing: list[Name] | None = None
     resample: Value | None = None
+
+    def layout(self, **more: Any) -> Layout:
+        """How files are written, as far as that is stated; ``more``: what else is known of their columns."""
+        alike = ("encoding", "separator", "decimal", "header_line", "units_line", "table")
+        return Layout(
+            **{key: getattr(self, key) for key in alike},
+            names=None if self.names is None else tuple(self.names),
+            ignore=tuple(self.ignore or ()),
+            missing=frozenset(map(str.casefold, self.missing or ())),
+            **more,
+        )
 
 
 class IntervalTable(CheckedTable):
@@ -140,6 +206,23 @@ class RunTable(CheckedTable):
     gaps: Literal["split", "through"] | None = None
     begin: Value | None = Field(default=None, alias="from")
     end: Value | None = Field(default=None, alias="to")
+    _part: int = PrivateAttr(default=0)
+
+    @property
+    def name(self) -> str:
+        """The path of the file without the suffix, and which part of the file the run is."""
+        part = f" part {self._part}" if self._part else ""
+        return f"{Path(self.file).with_suffix('').as_posix()}{part}"
+
+    @property
+    def is_part(self) -> bool:
+        """Whether it is one of several runs of its file."""
+        return self._part > 0
+
+    @property
+    def is_static(self) -> bool:
+        """Whether it holds points at rest, without time."""
+        return self.kind == "static"
 
 
 class EffectsTable(CheckedTable):
@@ -167,3 +250,16 @@ class Experiment(CheckedTable):
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)
     effects: EffectsTable = Field(default_factory=EffectsTable)
+
+    def full_runs(self) -> list[RunTable]:
+        """The runs, each with what is stated for all of them."""
+        files = Counter(Path(run.file) for run in self.runs)
+        made, parts = [], Counter[Path]()
+        for run, file in ((run, Path(run.file)) for run in self.runs):
+            recording = run.recording.completed(self.recording)
+            update = {"recording": recording, "columns": {**self.columns, **run.columns}}
+            full = run.completed(self).model_copy(update=update)
+            parts[file] += 1
+            full._part = parts[file] if files[file] > 1 else 0
+            made.append(full)
+        return made

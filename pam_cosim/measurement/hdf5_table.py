@@ -10,15 +10,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import (
-    Column,
-    Layout,
-    Table,
-    check_count,
-    check_names,
-    headed,
-    same_length,
-)
+from pam_cosim.measurement.table import Layout, Table, check_count, check_names, reading, table_of
 from pam_cosim.wording import did_you_mean, shown
 
 _UNITS = ("unit", "units", "Unit", "Units", "unit_string")
@@ -32,15 +24,9 @@ def read_hdf5(file: Path, stated: Layout) -> Table:
     """
     import h5py
 
-    try:
-        with h5py.File(file, "r") as opened:
-            place = _place(opened, stated.table, file)
-            columns = list(_columns(place, stated, file))
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except (OSError, RuntimeError, KeyError, ValueError, TypeError) as error:
-        raise InputError(f"this file cannot be read as HDF5: {error}", file) from None
-    return Table(file, same_length(columns, file))
+    errors = OSError, RuntimeError, KeyError, ValueError, TypeError
+    with reading(file, "HDF5", *errors), h5py.File(file, "r") as opened:
+        return table_of(_vectors(_place(opened, stated.table, file), stated, file), stated, file)
 
 
 def is_hdf5(file: Path) -> bool:
@@ -114,13 +100,13 @@ def _is_vector(one: Any) -> bool:
     return len(one.shape) in (1, 2) and max(one.shape) > 1 and one.size == max(one.shape)
 
 
-def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
+def _vectors(place: Any, stated: Layout, file: Path) -> Iterator[tuple[str, str, Any]]:
     if _is_group(place):
         vectors = [(heading, one) for heading, one in _members(place) if _is_vector(one)]
         check_count(sum(_size(one) for _, one in vectors), file)
         for heading, one in vectors:
             unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
-            yield from _column(heading, unit, one, stated, file)
+            yield heading, unit, one
     elif place.is_virtual or place.external:
         raise InputError(
             f"{shown(place.name)} is kept in other files; export the recording whole", file
@@ -129,12 +115,12 @@ def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
         check_count(_size(place) * len(place.dtype.names), file)
         for heading in place.dtype.names:
             if place.dtype[heading].kind in "fiu" and not place.dtype[heading].shape:
-                yield from _column(heading, "", place[heading], stated, file)
+                yield heading, "", place[heading]
     elif stated.names is not None and len(place.shape) == 2:
         check_names(stated.names, place.shape[1], file)
         check_count(_size(place), file)
         for index, heading in enumerate(stated.names):
-            yield from _column(heading, "", place[:, index], stated, file)
+            yield heading, "", place[:, index]
     else:
         raise InputError(
             f"{shown(place.name)} is no group; state names = [...] for the columns of a matrix",
@@ -145,12 +131,6 @@ def _columns(place: Any, stated: Layout, file: Path) -> Iterator[Column]:
 def _size(one: Any) -> int:
     """How many values are read: of what is kept in chunks, one of them at least."""
     return int(max(one.size, prod(one.chunks or ())))
-
-
-def _column(heading: str, unit: str, values: Any, stated: Layout, file: Path) -> Iterator[Column]:
-    name, unit = headed(heading, unit, file)
-    if stated.keeps(heading, name):
-        yield Column(name, unit, np.asarray(values, dtype=float).ravel(), heading)
 
 
 def _text(value: Any) -> str:

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from pam_cosim.measurement.cell_kinds import NUMBER
 from pam_cosim.measurement.table import is_unit
-from pam_cosim.measurement.text_rows import NUMBER, Line, Row
+from pam_cosim.measurement.text_rows import Line, Row
 
 TIME = "x_value"
 """How LabVIEW heads its times, in small letters, again before each channel that has times of its own."""
@@ -53,17 +54,12 @@ def completed(lines: list[Line]) -> list[Line]:
         return lines
     separator, rows = heading[len(TIME) : len(TIME) + 1], lines[below[0] + 1 :]
     if separator and heading.split(separator)[-1].strip() == _COMMENT:
-        full = heading.count(separator)
-        rows = [(n, _with_comment(row, separator, full)) for n, row in rows]
+        lacking = heading.count(separator) - 1  # separators of a row without a comment
+        rows = [(n, row + separator * (row.count(separator) == lacking)) for n, row in rows]
     if separator and all(row.startswith(separator) for _, row in rows):
         times = _times(lines[: below[0]], separator, len(rows))
         rows = [(n, time + row) for time, (n, row) in zip(times, rows, strict=True)]
     return [*lines[: below[0] + 1], *rows]
-
-
-def _with_comment(row: str, separator: str, full: int) -> str:
-    """A row, which if it has no comment has an empty one."""
-    return row + separator if row.count(separator) == full - 1 else row
 
 
 def _times(above: Sequence[Line], separator: str, count: int) -> list[str]:

@@ -13,15 +13,7 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.hdf5_table import is_hdf5, read_hdf5
-from pam_cosim.measurement.table import (
-    Column,
-    Layout,
-    Table,
-    check_count,
-    check_names,
-    headed,
-    same_length,
-)
+from pam_cosim.measurement.table import Layout, Table, check_count, check_names, reading, table_of
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _LABELS = ("label", "name")
@@ -39,22 +31,18 @@ def read_matlab(file: Path, stated: Layout) -> Table:
 
     if file.is_file() and is_hdf5(file):
         return read_hdf5(file, stated)
-    try:
+    # The reader lets out whatever a broken file makes of it.
+    with reading(file, "MATLAB's", Exception):
         check_count(_declared(file), file, _unpacked(file))
         content = scipy.io.loadmat(
             str(file), squeeze_me=True, struct_as_record=True, chars_as_strings=True
         )
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except InputError:
-        raise
-    except Exception as error:  # The reader lets out whatever a broken file makes of it.
-        raise InputError(f"this file cannot be read as MATLAB's: {error}", file) from None
     variables = {name: value for name, value in content.items() if not name.startswith("__")}
-    columns = list(_columns(_chosen(variables, stated.table, file), stated, file))
-    if not columns and not stated.ignore:
+    chosen = _chosen(variables, stated.table, file)
+    vectors = [(n, "", v) for n, v in _columns(chosen, stated, file) if _is_vector(np.asarray(v))]
+    if not vectors and not stated.ignore:
         raise InputError(f"there is no vector of numbers; the file holds {_held(variables)}", file)
-    return Table(file, same_length(columns, file))
+    return table_of(vectors, stated, file)
 
 
 def _declared(file: Path) -> int:
@@ -149,7 +137,7 @@ def _described(value: Any) -> str:
     return "an object, which only MATLAB reads" if _is_object(value) else "no numbers"
 
 
-def _columns(chosen: Any, stated: Layout, file: Path) -> Iterator[Column]:
+def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
     if (
         isinstance(chosen, np.ndarray)
         and chosen.ndim == 2
@@ -157,18 +145,13 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> Iterator[Column]:
         and stated.names
     ):
         check_names(stated.names, chosen.shape[1], file)
-        vectors = list(zip(stated.names, chosen.T, strict=True))
-    elif isinstance(chosen, np.ndarray) and chosen.ndim == 2:
+        return list(zip(stated.names, chosen.T, strict=True))
+    if isinstance(chosen, np.ndarray) and chosen.ndim == 2:
         raise InputError(
             'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
         )
-    else:
-        fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
-        vectors = _named([one for own in fields for one in _vectors(own)])
-    for heading, values in vectors:
-        name, unit = headed(heading, "", file)
-        if _is_vector(np.asarray(values)) and stated.keeps(heading, name):
-            yield Column(name, unit, np.array(values, dtype=float), heading)
+    fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
+    return _named([one for own in fields for one in _vectors(own)])
 
 
 _Path = tuple[str, ...]

@@ -6,18 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-import numpy as np
-
-from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import (
-    Column,
-    Layout,
-    Table,
-    check_count,
-    headed,
-    same_length,
-    since_first,
-)
+from pam_cosim.measurement.table import Layout, Table, check_count, reading, table_of
 
 
 def read_parquet(file: Path, stated: Layout) -> Table:
@@ -29,15 +18,11 @@ def read_parquet(file: Path, stated: Layout) -> Table:
     import pyarrow as arrow
     from pyarrow import parquet
 
-    try:
+    with reading(file, "Parquet", arrow.ArrowException, OSError):
         opened = parquet.ParquetFile(file)
         _check_declared(opened.metadata, file)
         table = opened.read()
-    except FileNotFoundError:
-        raise InputError("the file does not exist", file) from None
-    except (arrow.ArrowException, OSError) as error:
-        raise InputError(f"this file cannot be read as Parquet: {error}", file) from None
-    return Table(file, same_length(_columns(table, stated, file), file))
+    return table_of(_vectors(table), stated, file)
 
 
 def _check_declared(metadata: Any, file: Path) -> None:
@@ -47,21 +32,13 @@ def _check_declared(metadata: Any, file: Path) -> None:
     check_count(rows * metadata.num_columns, file, unpacked)
 
 
-def _columns(table: Any, stated: Layout, file: Path) -> Iterator[Column]:
+def _vectors(table: Any) -> Iterator[tuple[str, str, Any]]:
     from pyarrow import types
 
     for field, column in zip(table.schema, table.columns, strict=True):
         unit = ((field.metadata or {}).get(b"unit") or b"").decode("utf-8", "replace")
         is_time = types.is_timestamp(field.type) or types.is_duration(field.type)
-        name, unit = headed(field.name, "s" if is_time else unit, file)
-        if not stated.keeps(field.name, name):
-            continue
-        if is_time:
-            yield Column(name, "s", since_first(column.to_numpy()), field.name)
-        elif types.is_integer(field.type) or types.is_floating(field.type):
-            yield Column(name, unit, np.array(column.to_numpy(), dtype=float), field.name)
+        if is_time or types.is_integer(field.type) or types.is_floating(field.type):
+            yield field.name, "s" if is_time else unit, column.to_numpy()
         else:
-            message = (
-                f"it holds {field.type} and no numbers; leave it out: [recording] ignore = [...]"
-            )
-            raise InputError(message, file, None, name)
+            yield field.name, unit, str(field.type)

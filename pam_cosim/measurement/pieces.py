@@ -106,7 +106,7 @@ def _note(time: Array, after: Sequence[int] | NDArray[np.intp]) -> str:
 
 def first_rows(run: Run, count: int) -> Run:
     """So many of the first rows of a run."""
-    return _rows(run, slice(0, count))
+    return run.rows(slice(0, count))
 
 
 def _piece(run: Run, begin: int, end: int, number: int) -> Run:
@@ -115,16 +115,7 @@ def _piece(run: Run, begin: int, end: int, number: int) -> Run:
             f"the piece at {run.time[begin]:g} s has one row; it cannot be a run", run.file
         )
     return replace(
-        _rows(run, slice(begin, end)),
+        run.rows(slice(begin, end)),
         name=f"{run.name} piece {number}",
         notes=run.notes if number == 1 else (),
-    )
-
-
-def _rows(run: Run, rows: slice) -> Run:
-    return replace(
-        run,
-        time=run.time[rows],
-        inputs={name: values[rows] for name, values in run.inputs.items()},
-        measurements={name: values[rows] for name, values in run.measurements.items()},
     )

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
 
@@ -10,8 +11,8 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.curves import Curve, Indices, curves, directions
-from pam_cosim.measurement.experiment import ExperimentFile
+from pam_cosim.measurement.curves import Curve, curves, directions
+from pam_cosim.measurement.experiment_tables import RunTable
 from pam_cosim.measurement.recording import (
     Recording,
     converted,
@@ -23,7 +24,7 @@ from pam_cosim.measurement.recording import (
 from pam_cosim.measurement.table import TIME, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
-from pam_cosim.units import UnitError, format_quantity, parse_quantity
+from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed, shown
 
 WORDS = {"up": 1.0, "down": -1.0, "none": 0.0}
@@ -53,8 +54,7 @@ class Points:
 def points_of(
     table: Table,
     interface: Interface,
-    document: ExperimentFile,
-    index: int,
+    run: RunTable,
     held: Mapping[str, float],
 ) -> list[Points]:
     """The curves of a table of points at rest.
@@ -62,8 +62,7 @@ def points_of(
     Args:
         table: with the columns as the bench names them.
         interface: the bench.
-        document: of the data set.
-        index: of the run in it.
+        run: what is stated of them.
         held: inputs that are stated for all rows.
 
     Raises:
@@ -85,9 +84,9 @@ def points_of(
         if n in interface.outputs
     }
     _check_imposed(table, interface, imposed, held)
-    branch = _branch(table, interface, document, index, imposed, read)
+    branch = _branch(table, interface, run, imposed, read)
     driving = {name: values for name, values in imposed.items() if name != BRANCH}
-    apart = [_held_out(table, interface, document, index, driving)]
+    apart = [_held_out(table, interface, run, driving)]
     if branch is not None:
         imposed[BRANCH] = branch
         apart.append(-branch)
@@ -97,7 +96,11 @@ def points_of(
         label = ", ".join(
             filter(None, (_label(curve, interface), _way(branch, curve), "held out" if out else ""))
         )
-        recording = _recording(table, curve.rows, imposed, read, curve.along)
+        inputs, outputs = (
+            {name: locked(values[curve.rows]) for name, values in columns.items()}
+            for columns in (imposed, read)
+        )
+        recording = Recording(inputs[curve.along], inputs, outputs, table.notes)
         found.append(Points(label, curve.along, interface.inputs[curve.along].unit, recording, out))
     return _distinct(found)
 
@@ -115,18 +118,16 @@ def _way(branch: Array | None, curve: Curve) -> str:
     """The direction of a curve, where others go the other way."""
     if branch is None or not float(np.ptp(branch)) > 0.0:
         return ""
-    return _word(branch[curve.rows[0]])
+    return next(word for word, value in WORDS.items() if value == branch[curve.rows[0]])
 
 
 def _distinct(found: list[Points]) -> list[Points]:
     """Labels of curves that are alike are numbered."""
-    seen: dict[str, int] = {}
-    named = []
+    seen, named = Counter[str](), []
     for one in found:
-        seen[one.label] = seen.get(one.label, 0) + 1
-        named.append(
-            one if seen[one.label] == 1 else replace(one, label=f"{one.label} ({seen[one.label]})")
-        )
+        seen[one.label] += 1
+        number = f" ({seen[one.label]})" if seen[one.label] > 1 else ""
+        named.append(replace(one, label=one.label + number))
     return named
 
 
@@ -150,25 +151,23 @@ def _check_imposed(
 def _branch(
     table: Table,
     interface: Interface,
-    document: ExperimentFile,
-    index: int,
+    run: RunTable,
     imposed: dict[str, Array],
     read: Mapping[str, Array],
 ) -> Array | None:
     """(n,) direction of each row; None: nobody says."""
-    stated, column = document.content.runs[index].branch, imposed.get(BRANCH)
-    path = ("runs", index, "branch")
+    stated, column = run.branch, imposed.get(BRANCH)
     if stated is not None and BRANCH not in interface.inputs:
         message = (
             f"{interface.model} has no input '{BRANCH}', by which friction could take a direction"
         )
         hint = "take a quasi-static bench, or put one together with pam-cosim bench --static"
-        raise document.error(f"{message}; {hint}", *path)
+        raise run.error(f"{message}; {hint}", "branch")
     if column is not None:
         if stated is not None:
-            raise document.error(
+            raise run.error(
                 f"{BRANCH} is stated here and a column of {table.file.name}; keep one of them",
-                *path,
+                "branch",
             )
         wrong = np.flatnonzero(~np.isin(column, list(WORDS.values())))
         if wrong.size:
@@ -189,48 +188,41 @@ def _branch(
         message = (
             f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
         )
-        raise document.error(message, *path)
+        raise run.error(message, "branch")
     return CONTRACTS[interface.inputs[along].unit] * ways
 
 
 def _held_out(
     table: Table,
     interface: Interface,
-    document: ExperimentFile,
-    index: int,
+    run: RunTable,
     imposed: Mapping[str, Array],
 ) -> Array:
     """(n,) 1 where a row is held out."""
-    run = document.content.runs[index]
     aside = np.zeros(len(next(iter(imposed.values()))))
     for name, values in run.hold_out.items():
-        path = ("runs", index, "hold_out", name)
+        place = run.at("hold_out") / name
         if run.role == "holdout":
-            raise document.error("the whole run is held out already; leave this out", *path)
+            raise place.error("the whole run is held out already; leave this out")
         if name not in imposed:
             message = f"{shown(name)} is no column of {table.file.name} that is imposed; those are {listed(imposed)}"
-            raise document.error(message, *path)
+            raise place.error(message)
         column, unit = imposed[name], interface.inputs[name].unit
         near = max(
             CRITERIA.static.near * float(np.ptp(column)),
             CRITERIA.static.constant * float(np.abs(column).max()),
         )
         for value in values:
-            try:
-                wanted = parse_quantity(value, unit)
-            except UnitError as error:
-                raise document.error(f"{name}: {error}", *path) from None
+            wanted = value.quantity(unit)
             meant = np.abs(column - wanted) <= near
             if not meant.any():
                 nearest = format_quantity(float(column[np.argmin(np.abs(column - wanted))]), unit)
-                raise document.error(
-                    f"no row has {name} = {shown(value)}; the nearest is {nearest}", *path
+                raise place.error(
+                    f"no row has {name} = {shown(value.value)}; the nearest is {nearest}"
                 )
             aside[meant] = 1.0
     if aside.all():
-        raise document.error(
-            f"no row of {table.file.name} is left to fit", "runs", index, "hold_out"
-        )
+        raise run.error(f"no row of {table.file.name} is left to fit", "hold_out")
     return aside
 
 
@@ -240,15 +232,3 @@ def _label(curve: Curve, interface: Interface) -> str:
         for name, value in curve.at.items()
     )
     return ", ".join(said).replace("/", " per ")
-
-
-def _word(branch: float) -> str:
-    return next(word for word, value in WORDS.items() if value == branch)
-
-
-def _recording(
-    table: Table, rows: Indices, imposed: Mapping[str, Array], read: Mapping[str, Array], along: str
-) -> Recording:
-    inputs = {name: locked(values[rows]) for name, values in imposed.items()}
-    measurements = {name: locked(values[rows]) for name, values in read.items()}
-    return Recording(inputs[along], inputs, measurements, table.notes)

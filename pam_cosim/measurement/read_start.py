@@ -2,18 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import replace
 
 import numpy as np
 
 from pam_cosim.measurement.data_set import Run
-from pam_cosim.measurement.experiment import ExperimentFile
-from pam_cosim.measurement.experiment_errors import KeyPath
-from pam_cosim.measurement.experiment_tables import Experiment, RunTable
+from pam_cosim.measurement.experiment_tables import RunTable
 from pam_cosim.measurement.parameters import known_values
+from pam_cosim.measurement.place import Stated
 from pam_cosim.measurement.start import Start, StartMode
 from pam_cosim.model.interface import Interface
-from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import listed, shown
 
 _FOR = "for"
@@ -21,9 +20,8 @@ _KEYS = ("start", "before", "lead", "periodic")
 
 
 def with_start(
-    document: ExperimentFile,
+    table: RunTable,
     interface: Interface,
-    index: int,
     run: Run,
     mode: StartMode | None = None,
     *,
@@ -32,9 +30,8 @@ def with_start(
     """The run with what is stated of its start, by itself or for all.
 
     Args:
-        document: what is stated.
+        table: what is stated.
         interface: of the bench.
-        index: of the run's table.
         run: the run.
         mode: how it begins, instead of what is stated of that and of the time before; a lead stays.
         anew: it begins elsewhere than what is stated is about, which then counts no more.
@@ -42,111 +39,65 @@ def with_start(
     Raises:
         InputError: what contradicts itself, an unknown input, a duration that is none.
     """
-    content, table = document.content, document.content.runs[index]
-    own: dict[str, KeyPath] = {
-        key: ("runs", index, key) for key in _KEYS if getattr(table, key) is not None
-    }
-    places: dict[str, KeyPath] = {
-        key: (key,) for key in _KEYS if getattr(content, key) is not None
-    } | own
     if run.is_static:
-        if own:
-            key = next(iter(own))
-            raise document.error(
-                f"{key} is for recordings over time; points at rest have no start", *own[key]
+        for key in filter(table.states, _KEYS):
+            raise table.error(
+                f"{key} is for recordings over time; points at rest have no start", key
             )
         return run
     if mode is not None or anew:
-        return _with_mode(document, index, replace(run, start=Start(mode=mode)), lead=not anew)
-    start = Start(
-        mode=_stated(content, table, "start"), periodic=bool(_stated(content, table, "periodic"))
-    )
+        start = Start(mode=mode)
+        return replace(run, start=start) if anew else _with_lead(table, run, start)
+    start = Start(mode=table.start, periodic=bool(table.periodic))
     if start.periodic:
-        _check_periodic(document, own, places)
-    lead = _stated(content, table, "lead")
-    if lead is not None:
-        start = replace(start, lead=_seconds(document, lead, *places["lead"]))
-    if "before" in places and not start.periodic:
-        start = _with_before(
-            document, interface, start, _stated(content, table, "before"), places["before"]
-        )
-    return _without_lead(document, replace(run, start=start), places.get("lead", ()))
+        _check_periodic(table)
+    elif table.before is not None:
+        start = _with_before(table, interface, start, table.before)
+    return _with_lead(table, run, start)
 
 
-def _check_periodic(
-    document: ExperimentFile, own: dict[str, KeyPath], places: dict[str, KeyPath]
-) -> None:
+def _check_periodic(table: RunTable) -> None:
     """A periodic run begins where its period ends; what is stated of all runs gives way to what is stated of one."""
     for key in ("start", "before"):
-        shared_counts = key in places and "periodic" not in own
-        if key in own or shared_counts:
+        shared_counts = getattr(table, key) is not None and not table.states("periodic")
+        if table.states(key) or shared_counts:
             message = (
                 f"{key} says where the run begins, and so does periodic = true; keep one of them"
             )
-            raise document.error(message, *places[key])
-
-
-def _with_mode(document: ExperimentFile, index: int, run: Run, lead: bool) -> Run:
-    """A run whose start was chosen by whoever reads the data, with the lead that is stated."""
-    table = document.content.runs[index]
-    place: KeyPath = ("lead",) if table.lead is None else ("runs", index, "lead")
-    stated = _stated(document.content, table, "lead")
-    if stated is None or not lead:
-        return run
-    start = replace(run.start, lead=_seconds(document, stated, *place))
-    return _without_lead(document, replace(run, start=start), place)
-
-
-def _stated(content: Experiment, table: RunTable, key: str):  # type: ignore[no-untyped-def]
-    own = getattr(table, key)
-    return getattr(content, key) if own is None else own
+            raise table.error(message, key)
 
 
 def _with_before(
-    document: ExperimentFile,
-    interface: Interface,
-    start: Start,
-    table: dict[str, str | float],
-    place: KeyPath,
+    table: RunTable, interface: Interface, start: Start, before: Mapping[str, Stated]
 ) -> Start:
     if start.mode in ("measured", "estimated"):
         message = f'{shown(start.mode)} begins with the first samples, and before says what led there; state "rest"'
-        raise document.error(f'{message} or "steady", as it was then', *place)
-    if _FOR not in table:
-        raise document.error(
-            'for is missing: state how long, before = { ..., for = "5 s" }', *place
-        )
-    for name in table:
-        if name != _FOR and name not in interface.inputs:
-            raise document.error(
+        raise table.error(f'{message} or "steady", as it was then', "before")
+    if _FOR not in before:
+        raise table.error('for is missing: state how long, before = { ..., for = "5 s" }', "before")
+    inputs = {name: value for name, value in before.items() if name != _FOR}
+    for name in inputs:
+        if name not in interface.inputs:
+            raise table.error(
                 f"{shown(name)} is no input of {interface.model}; its inputs: {listed(interface.inputs)}",
-                *place,
+                "before",
             )
-    seconds = _seconds(document, table[_FOR], *place, _FOR)
-    inputs = {name: value for name, value in table.items() if name != _FOR}
-    held = known_values(document, interface, inputs, *place)
+    seconds = before[_FOR].above_zero("s")
+    held = known_values(interface, inputs)
     return replace(start, mode=start.mode or "rest", before=held, seconds=seconds)
 
 
-def _seconds(document: ExperimentFile, value: str | float, *place: str | int) -> float:
-    try:
-        seconds = parse_quantity(value, "s")
-    except UnitError as error:
-        raise document.error(f"{place[-1]}: {error}", *place) from None
-    if not 0.0 < seconds < float("inf"):
-        raise document.error(f"{place[-1]} must be greater than zero", *place)
-    return seconds
-
-
-def _without_lead(document: ExperimentFile, run: Run, place: KeyPath) -> Run:
-    """The run whose first samples are set aside, where it has a lead."""
-    if not run.start.lead:
-        return run
-    early = run.time < run.time[0] + run.start.lead
+def _with_lead(table: RunTable, run: Run, start: Start) -> Run:
+    """The run with its start, whose first samples are set aside where a lead is stated."""
+    if table.lead is None:
+        return replace(run, start=start)
+    seconds = table.lead.above_zero("s")
+    early = run.time < run.time[0] + seconds
     if early.all():
-        raise document.error(
-            f"{run.name} is not longer than its lead: nothing would be scored", *place
+        raise table.error(
+            f"{run.name} is not longer than its lead: nothing would be scored", "lead"
         )
     leading = {name: (run.time[early], values[early]) for name, values in run.measurements.items()}
     scored = {name: np.where(early, np.nan, values) for name, values in run.measurements.items()}
-    return replace(run, measurements=scored, start=replace(run.start, leading=leading))
+    start = replace(start, lead=seconds, leading=leading)
+    return replace(run, measurements=scored, start=start)

@@ -12,18 +12,11 @@ from numpy.typing import NDArray
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
+from pam_cosim.measurement.signal import Averaged
 from pam_cosim.measurement.table import LEFT_OUT, TIME, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
-
-
-@dataclass(frozen=True)
-class Averaged:
-    """Samples that are means of ``samples`` others, which were recorded in steps of ``step`` (0: in none)."""
-
-    samples: int
-    step: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -89,13 +82,9 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
         return table
     if not whole.any():
         raise InputError(f"no row has all that is needed: {listed(needed)}", table.file)
-    kept = {
-        name: replace(column, values=column.values[whole]) for name, column in table.columns.items()
-    }
     count, words = int((~whole).sum()), listed(map(shown, table.missing))
     note = f"{LEFT_OUT} {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
-    lines = None if table.lines is None else table.lines[whole]
-    return replace(table, columns=kept, lines=lines, notes=(*table.notes, note))
+    return replace(table.rows(whole), notes=(*table.notes, note))
 
 
 def with_held_values(table: Table, held: Iterable[str]) -> Table:

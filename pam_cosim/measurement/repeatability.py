@@ -69,17 +69,15 @@ def _with_repeatability_as_noise(signal: Signal) -> Signal:
 
 def _repeated_pairs(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
     """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
-    span = {name: _span(runs, name) for run in runs for name in run.inputs}
+    every = {
+        name: [r.inputs[name] for r in runs if name in r.inputs] for a in runs for name in a.inputs
+    }
+    span = {name: float(np.ptp(np.concatenate(values))) for name, values in every.items()}
     for a, b in itertools.combinations(runs, 2):
         if _are_same_test(a, b) and all(
             _has_near_input(a, b, name, span[name]) for name in a.inputs
         ):
             yield a, b
-
-
-def _span(runs: Sequence[Run], name: str) -> float:
-    values = np.concatenate([run.inputs[name] for run in runs if name in run.inputs])
-    return float(np.ptp(values))
 
 
 def _are_same_test(a: Run, b: Run) -> bool:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
 from math import sqrt
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,8 +17,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.noise import record_step
-from pam_cosim.measurement.recording import Averaged, Recording, locked
-from pam_cosim.measurement.signal import StatedSignal
+from pam_cosim.measurement.recording import Recording, locked
+from pam_cosim.measurement.signal import Averaged, StatedSignal
 from pam_cosim.measurement.steps import jumps as jumps_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
@@ -26,7 +27,10 @@ _Places = NDArray[np.int64]
 _SAME = 1e-6  # of the interval: two means at times no farther apart share a row
 
 
-def resampled(recording: Recording, interval: float, interpolation: Interpolation) -> Recording:
+_Rows = TypeVar("_Rows", Recording, Run)
+
+
+def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -> _Rows:
     """Means over about ``interval`` [s]; a recording that is no denser stays as it is.
 
     The rows of the means are at the mean times of their samples; a signal that has fewer samples than others has rows
@@ -42,7 +46,11 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
     starts = _starts(time, jumps, interval)
     sizes = np.diff(starts, append=count)
     middle = np.add.reduceat(time, starts) / sizes
-    kept = _kept_rows(recording, starts[sizes == 1], starts, jumps, interpolation)
+    held, first_and_last = interpolation == "previous", np.array([0, count - 1])
+    # Rows of inputs alone; a mean of one sample is that row already.
+    rows_kept = np.concatenate([first_and_last, jumps, jumps + 1, starts if held else jumps])
+    kept = np.setdiff1d(rows_kept if recording.inputs else jumps[:0], starts[sizes == 1])
+    mean_at = np.searchsorted(starts, kept, side="right") - 1
     # About the first sample, so that the mean of what stands still is that to the last digit.
     first = {name: v[starts] for name, v in recording.inputs.items()}
     inputs = {
@@ -54,7 +62,9 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         name: np.flatnonzero(np.abs(mean.time - middle) > _SAME * interval)
         for name, mean in means.items()
     }
-    pairs = [np.column_stack([means[name].time[at], at]) for name, at in elsewhere.items()]
+    pairs: list[Array] = [
+        np.column_stack([means[name].time[at], at]) for name, at in elsewhere.items()
+    ]
     further, row = np.unique(
         np.concatenate([np.empty((0, 2)), *pairs]), axis=0, return_inverse=True
     )
@@ -67,9 +77,9 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
     order = order[~_third(times[order])]
 
     def of_input(name: str, values: Array) -> Array:
-        own = _own(recording, name, kept, starts, inputs, interpolation)
-        held = interpolation == "previous"
-        there = values[of_mean] if held else np.interp(own_time, time, recording.inputs[name])
+        recorded = recording.inputs[name]
+        own = values[mean_at] if held else recorded[kept]
+        there = values[of_mean] if held else np.interp(own_time, time, recorded)
         return locked(np.concatenate([values, own, there])[order])
 
     def of_measurement(name: str, mean: _Mean) -> Array:
@@ -78,7 +88,8 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
         values[elsewhere[name]] = np.nan
         return locked(np.concatenate([values, np.full(len(kept), np.nan), there])[order])
 
-    result = replace(
+    means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
+    return replace(
         recording,
         time=locked(times[order]),
         inputs={name: of_input(name, v) for name, v in inputs.items()},
@@ -87,23 +98,7 @@ def resampled(recording: Recording, interval: float, interpolation: Interpolatio
             name: Averaged(mean.samples, record_step(recording.measurements[name]))
             for name, mean in means.items()
         },
-    )
-    means_of = f"means over {format_quantity(interval, 's')}, {len(jumps)} steps of inputs kept"
-    note = f"{count} rows are {len(order)}: {means_of}"
-    return replace(result, notes=(*recording.notes, note))
-
-
-def resampled_run(run: Run, interval: float) -> Run:
-    """A run of means over about ``interval`` [s], as ``resampled``."""
-    recording = Recording(run.time, run.inputs, run.measurements, run.notes, run.averaged)
-    means = resampled(recording, interval, run.interpolation)
-    return replace(
-        run,
-        time=means.time,
-        inputs=means.inputs,
-        measurements=means.measurements,
-        notes=means.notes,
-        averaged=means.averaged,
+        notes=(*recording.notes, f"{count} rows are {len(order)}: {means_of}"),
     )
 
 
@@ -147,36 +142,6 @@ def _starts(time: Array, jumps: _Places, interval: float) -> _Places:
     place = np.minimum(np.floor(share * parts[segment]).astype(np.int64), parts[segment] - 1)
     number = np.concatenate([[0], np.cumsum(parts)[:-1]])[segment] + place
     return np.concatenate([[0], np.flatnonzero(np.diff(number)) + 1])
-
-
-def _kept_rows(
-    recording: Recording,
-    single: _Places,
-    starts: _Places,
-    jumps: _Places,
-    interpolation: Interpolation,
-) -> _Places:
-    """Rows of inputs alone; a mean of one sample is that row already."""
-    if not recording.inputs:
-        return np.empty(0, dtype=np.int64)
-    rows = [np.array([0, len(recording.time) - 1]), jumps, jumps + 1]
-    if interpolation == "previous":
-        rows.append(starts)
-    return np.setdiff1d(np.concatenate(rows), single)
-
-
-def _own(
-    recording: Recording,
-    name: str,
-    rows: _Places,
-    starts: _Places,
-    means: dict[str, Array],
-    held: Interpolation,
-) -> Array:
-    """What an input is in the rows kept: itself, or where it is held the mean that begins or goes on there."""
-    if held != "previous":
-        return recording.inputs[name][rows]
-    return means[name][np.searchsorted(starts, rows, side="right") - 1]
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,14 @@ from pam_cosim.units import format_quantity
 
 
 @dataclass(frozen=True)
+class Averaged:
+    """Samples that are means of ``samples`` others, which were recorded in steps of ``step`` (0: in none)."""
+
+    samples: int
+    step: float = 0.0
+
+
+@dataclass(frozen=True)
 class StatedSignal:
     """What an experimenter states of a measured output, before its noise is complete.
 

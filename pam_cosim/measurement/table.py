@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import dataclass, field, replace
 from fnmatch import fnmatchcase
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -61,6 +63,18 @@ class Table:
     lines: NDArray[np.int64] | None = None
     notes: tuple[str, ...] = ()
     missing: tuple[str, ...] = ()
+
+    def rows(self, kept: slice | NDArray[np.bool_]) -> Table:
+        """The table with some of its rows."""
+        columns = {n: replace(one, values=one.values[kept]) for n, one in self.columns.items()}
+        lines = None if self.lines is None else self.lines[kept]
+        return replace(self, columns=columns, lines=lines)
+
+    def with_time(self, interval: float) -> Table:
+        """The table with time from zero in equal steps [s]."""
+        count = len(next(iter(self.columns.values())).values)
+        time = Column(TIME, "s", interval * np.arange(count, dtype=np.float64), TIME)
+        return replace(self, columns={TIME: time, **self.columns})
 
     def error(self, message: str, column: str, row: int | None = None) -> InputError:
         """An error about a column: its header, or one of its rows."""
@@ -149,11 +163,20 @@ def without_empty_end(table: Table) -> Table:
     end = max((int(rows[-1]) + 1 for rows in filled if rows.size), default=0)
     if not end or all(end == len(column.values) for column in table.columns.values()):
         return table
-    kept = {
-        name: replace(column, values=column.values[:end]) for name, column in table.columns.items()
-    }
-    lines = None if table.lines is None else table.lines[:end]
-    return replace(table, columns=kept, lines=lines)
+    return table.rows(slice(end))
+
+
+@contextmanager
+def reading(file: Path, kind: str, *errors: type[Exception]) -> Iterator[None]:
+    """Turns errors of the reader of a format into InputError."""
+    try:
+        yield
+    except InputError:
+        raise
+    except FileNotFoundError:
+        raise InputError("the file does not exist", file) from None
+    except errors as error:
+        raise InputError(f"this file cannot be read as {kind}: {error}", file) from None
 
 
 def check_count(values: int, file: Path, unpacked: int = 0) -> None:
@@ -173,17 +196,33 @@ def check_count(values: int, file: Path, unpacked: int = 0) -> None:
         )
 
 
-def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:
-    """Columns by name, of a file in which each stands by itself.
+def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path) -> Table:
+    """The table of a file in which each column stands by itself; times of day are seconds since the first.
+
+    Args:
+        vectors: heading, unit beside it ("": none) and values of each column; a text says what it holds instead of
+            numbers.
+        stated: how the file is written.
+        file: path of the file.
 
     Raises:
-        InputError: there are none, two of a name, or of unlike length.
+        InputError: a heading that cannot be read, no numbers, two columns of a name, or of unlike length.
     """
     named: dict[str, Column] = {}
-    for column in columns:
-        if column.name in named:
-            raise InputError("there are two columns of this name", file, None, column.name)
-        named[column.name] = column
+    for heading, beside, vector in vectors:
+        name, unit = _headed(heading, beside, file)
+        if not stated.keeps(heading, name):
+            continue
+        if name in named:
+            raise InputError("there are two columns of this name", file, None, name)
+        values = np.asarray(vector)
+        if values.dtype.kind in "mM":
+            unit, values = "s", since_first(values)
+        elif values.dtype.kind not in "fiu":
+            held = f"{vector} and no numbers" if isinstance(vector, str) else "no numbers"
+            message = f"it holds {held}; leave it out: [recording] ignore = [...]"
+            raise InputError(message, file, None, name)
+        named[name] = Column(name, unit, np.array(values, dtype=float).ravel(), heading)
     if not named:
         raise InputError("there is no column of numbers", file)
     first = next(iter(named.values()))
@@ -195,15 +234,11 @@ def same_length(columns: Iterable[Column], file: Path) -> dict[str, Column]:
             raise InputError(
                 f"{message}; state which to leave out: ignore = [...]", file, None, column.name
             )
-    return named
+    return Table(file, named)
 
 
-def headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
-    """Name and unit of a column of a file that may state units beside names.
-
-    Raises:
-        InputError: the heading cannot be read, or states another unit.
-    """
+def _headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
+    """Name and unit of a column of a file that may state units beside names."""
     parts = split_heading(heading)
     if parts is None:
         raise InputError(

@@ -14,11 +14,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.date_times import date_time, is_date, seconds_between
-from pam_cosim.measurement.switch_words import SWITCH_WORDS
+from pam_cosim.measurement.cell_kinds import (
+    SWITCH_WORDS,
+    date_time,
+    is_date,
+    seconds_between,
+    unit_behind,
+)
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
-from pam_cosim.measurement.text_units import unit_behind
 from pam_cosim.wording import shown
 
 _BLOCK = 20_000  # Lines that are turned into numbers at once.
@@ -166,11 +170,8 @@ class Reader:
         if not cell:
             return math.nan
         if len(cell) > _LONGEST:
-            raise InputError(
-                f"{shown(cell)} has {len(cell)} letters: that is no number",
-                self.file,
-                line,
-                self.names[column],
+            raise self._error(
+                f"{shown(cell)} has {len(cell)} letters: that is no number", line, column
             )
         if cell.casefold() in self.missing and not _NUMBER.fullmatch(self._with_point(cell)):
             self.met[cell] = None
@@ -182,7 +183,6 @@ class Reader:
             return words[cell.casefold()]
         written, cell = cell, self._bare(cell, column)
         number = cell.replace(",", ".") if self.decimal == "," and "." not in cell else cell
-        name = self.names[column]
         is_number = _NUMBER.fullmatch(number) and not (self.decimal == "," and "." in cell)
         if words is SWITCH_WORDS or not is_number:
             wrong = (
@@ -190,11 +190,15 @@ class Reader:
                 if words
                 else self._not_a_number(written, column)
             )
-            raise InputError(wrong, self.file, line, name)
+            raise self._error(wrong, line, column)
         value = float(number)
         if math.isinf(value):
-            raise InputError(f"{shown(cell)} is too large", self.file, line, name)
+            raise self._error(f"{shown(cell)} is too large", line, column)
         return value
+
+    def _error(self, message: str, line: int, column: int) -> InputError:
+        """An error about a cell."""
+        return InputError(message, self.file, line, self.names[column])
 
     def _second(self, line: int, cell: str, column: int) -> float:
         """Seconds since the first date of a column."""
@@ -202,9 +206,7 @@ class Reader:
         if seconds is None:
             first = shown(self.dates[column])
             message = f"{shown(cell)} is no date and time as the first one, {first}"
-            raise InputError(
-                f"{message}; correct it in the file", self.file, line, self.names[column]
-            )
+            raise self._error(f"{message}; correct it in the file", line, column)
         return float(seconds[0])
 
     def _may_be_grouped(self, column: int) -> bool:

@@ -68,13 +68,11 @@ def other_line(number: int) -> str:
 
 def _without_labels(above: list[Row], count: int) -> list[Row]:
     """The rows less those just above the numbers that say one word of all columns, such as their type, or of none."""
-    while len(above) > 1 and len(above[-2].cells) >= count and _says_one_word(above[-1], count):
+    while len(above) > 1 and len(above[-2].cells) >= count > 1 and _ends(count, above[-1].cells):
+        if len({cell for cell in above[-1].cells if cell}) != 1:
+            break
         above = above[:-1]
     return above
-
-
-def _says_one_word(row: Row, count: int) -> bool:
-    return _ends(count, row.cells) and count > 1 and len({cell for cell in row.cells if cell}) == 1
 
 
 _NO_HEADER = (
@@ -143,11 +141,9 @@ def _are_units(cells: list[str]) -> bool:
     if cells and cells[0].casefold() in _UNIT:
         cells = cells[1:]
     bracketed = all(not cell or (cell[0] + cell[-1] in ("[]", "()")) for cell in cells)
-    return any(cells) and (bracketed or all(map(_names_unit, cells)))
-
-
-def _names_unit(cell: str) -> bool:
-    return names_unit(cell) or _is_capitalised(cell)
+    return any(cells) and (
+        bracketed or all(names_unit(cell) or _is_capitalised(cell) for cell in cells)
+    )
 
 
 def _names(separator: str, text: str, count: int) -> list[str]:

@@ -18,21 +18,19 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
+from pam_cosim.measurement.cell_kinds import NUMBER, is_measured, is_measured_row, is_number
 from pam_cosim.measurement.table import Layout, split_heading
 from pam_cosim.measurement.text_header import header_of
 from pam_cosim.measurement.text_rows import (
     LOOKED_AT,
-    NUMBER,
     Line,
     first_row,
     is_comment,
     is_dated_row,
-    is_number,
     is_row,
     rows_of,
     split_cells,
 )
-from pam_cosim.measurement.text_units import is_measured, is_measured_row
 from pam_cosim.wording import shown
 
 SEPARATORS = {";": ";", "tab": "\t", ",": ",", "blank": " "}
@@ -79,15 +77,11 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
     read = [layout for layout in layouts if layout is not None]
     if not read:
         raise _no_rows(lines, file)
-    best = _only_consistent(read, file) or max(read, key=_completeness)
+    best = _only_consistent(read, file)
+    best = best or max(read, key=lambda one: (one.complaint is None, len(one.headings)))
     if best.complaint:
         raise InputError(best.complaint[1], file, best.complaint[0])
     return best
-
-
-def _completeness(layout: TextLayout) -> tuple[bool, int]:
-    """Of layouts that are not consistent, the best has no complaint, and most columns."""
-    return layout.complaint is None, len(layout.headings)
 
 
 def _only_consistent(layouts: list[TextLayout], file: Path) -> TextLayout | None:
@@ -179,12 +173,11 @@ def _layout_below(
     after: int, separator: str, lines: list[Line], stated: Layout
 ) -> TextLayout | None:
     """The layout of the rows below a line; None where there are none."""
-    rows, start = rows_of(separator, lines, after, partial(is_row, missing=stated.missing))
-    if start is None:
-        rows, start = rows_of(separator, lines, after, is_dated_row)
-    if start is None:
-        rows, start = rows_of(separator, lines, after, is_measured_row)
-    if start is None:
+    for kind in (partial(is_row, missing=stated.missing), is_dated_row, is_measured_row):
+        rows, start = rows_of(separator, lines, after, kind)
+        if start is not None:
+            break
+    else:
         return None
     start = first_row(rows, start)
     comments = [(number, line) for number, line in lines[: rows[start].index] if is_comment(line)]

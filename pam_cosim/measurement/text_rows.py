@@ -7,11 +7,10 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pam_cosim.measurement.date_times import is_date_time
+from pam_cosim.measurement.cell_kinds import NUMBER, is_number
 
 LOOKED_AT = 400  # Rows that are looked at; all are checked when they are read.
 _DEEPEST = 400  # Lines above the first row, below what is stated.
-NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 COMMENT = re.compile(r"\s*(#|//|%(?!\s*[;,\t]))\s*")
 Line = tuple[int, str]
 
@@ -48,9 +47,9 @@ def split_cells(line: str, separator: str) -> list[str]:
 def first_row(rows: list[Row], start: int) -> int:
     """The first row of numbers: a faulty one is no header, a number is among its cells, and a header stands above."""
     count = len(rows[start].cells)
-    while (
-        start > 1 and _holds_number(rows[start - 1], count) and len(rows[start - 2].cells) == count
-    ):
+    while start > 1 and count == len(rows[start - 1].cells) == len(rows[start - 2].cells):
+        if not any(map(is_number, rows[start - 1].cells)):
+            break
         start -= 1
     return start
 
@@ -76,11 +75,6 @@ def rows_of(
     return rows, start
 
 
-def is_number(cell: str) -> bool:
-    """Whether a cell can be read as a number: it is one, or a date with a time of day."""
-    return bool(NUMBER.fullmatch(cell)) or is_date_time(cell)
-
-
 def is_row(cells: list[str], missing: frozenset[str] = frozenset()) -> bool:
     """A row begins with a number; half of its cells at least are numbers or empty, or words for ``missing`` samples."""
     if len(cells) < 2 or not is_number(cells[0]):
@@ -94,7 +88,3 @@ def is_row(cells: list[str], missing: frozenset[str] = frozenset()) -> bool:
 def is_dated_row(cells: list[str]) -> bool:
     """A row that begins with a text, such as a date, has more numbers than texts."""
     return len(cells) > 2 and 2 * sum(map(is_number, cells)) > len(cells)
-
-
-def _holds_number(row: Row, count: int) -> bool:
-    return len(row.cells) == count and any(map(is_number, row.cells))

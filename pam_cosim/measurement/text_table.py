@@ -4,17 +4,22 @@ from __future__ import annotations
 
 import csv
 import re
-from collections.abc import Container, Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Sequence
 from contextlib import suppress
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
-from pam_cosim.measurement.date_times import date_time, is_date, is_date_time
-from pam_cosim.measurement.switch_words import SWITCH_WORDS, are_switch_words
+from pam_cosim.measurement.cell_kinds import (
+    SWITCH_WORDS,
+    are_switch_words,
+    date_time,
+    is_date,
+    is_date_time,
+    unit_of,
+)
 from pam_cosim.measurement.table import (
     LEFT_OUT,
     Column,
@@ -28,7 +33,6 @@ from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
-from pam_cosim.measurement.text_units import unit_of
 from pam_cosim.wording import shown
 
 _TALLEST = 8  # Lines of one quoted cell.
@@ -65,25 +69,35 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     body = body[:-1] if cut else body
     check_count(len(body) * len(keep), file)
     reader = Reader(layout, [name for name, _ in names], keep, file, ".")
-    reader.words = _words_of_columns(layout, names, stated)
     reader.missing = stated.missing
-    reader.clock = _clock(layout, names, stated)
+    called = [(name, layout.headings[i][0]) for i, (name, _) in enumerate(names)]
+    reader.words = [stated.words.get(n, stated.words.get(heading, {})) for n, heading in called]
+    if stated.clock is not None:
+        clock = stated.clock
+        reader.clock = frozenset(
+            i for i, own in enumerate(called) if not clock.isdisjoint((*own, i + 1))
+        )
     beginning = _rows(body[:LOOKED_AT], layout.separator)
     reader.dates = _dates(beginning, keep)
-    for i in keep:
-        if not reader.words[i] and are_switch_words(_present(beginning, i, stated.missing)[:1]):
+    for i in (i for i in keep if not reader.words[i]):
+        cells = _present(beginning, i, stated.missing)
+        unit = "" if i in reader.dates else unit_of(cells)
+        if are_switch_words(cells[:1]):
             reader.words[i] = SWITCH_WORDS
-        elif not reader.words[i] and i not in reader.dates:
-            reader.units |= _unit_in_cells(_present(beginning, i, stated.missing), i)
-    names = _with_units(names, reader.units, layout, file)
+        elif unit:
+            reader.units[i] = unit
+            if names[i][1] not in ("", unit):
+                message = f"its heading says {shown(names[i][1])}, its cells {shown(unit)}"
+                raise InputError(message, file, layout.header_line or None, names[i][0])
     reader.decimal = stated.decimal or decimal_sign(reader.cells(body), layout.separator, file)
-    columns = {
-        names[i][0]: Column(*names[i], values, layout.headings[i][0], i + 1)
-        for i, values in zip(keep, reader.columns(body), strict=True)
-    }
-    columns |= _since_first(columns, reader)
+    columns = {}
+    for i, values in zip(keep, reader.columns(body), strict=True):
+        name, heading = called[i]
+        since = reader.dates.get(i, "")
+        unit = "s" if since else reader.units.get(i, names[i][1])
+        columns[name] = Column(name, unit, values, heading, i + 1, since)
     numbers = np.array([number for number, _ in body], dtype=np.int64)
-    notes = (*_notes(layout, encoding, reader.decimal), *_lost(layout, cut))
+    notes = tuple(_notes(layout, encoding, reader.decimal, cut))
     return Table(file, columns, layout.header_line or None, numbers, notes, tuple(reader.met))
 
 
@@ -109,80 +123,16 @@ def _cut_short(body: Sequence[Line], layout: TextLayout) -> int | None:
     return body[-1][0] if cut else None
 
 
-def _lost(layout: TextLayout, cut: int | None) -> Iterator[str]:
-    """Notes on rows that are not read."""
-    if layout.passed_over:
-        rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
-        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
-    if cut is not None:
-        yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"
-
-
-def _unit_in_cells(cells: Sequence[str], place: int) -> dict[int, str]:
-    """The unit that is behind every number of a column, by its place; none where there is none."""
-    unit = unit_of(cells)
-    return {place: unit} if unit else {}
-
-
-def _with_units(
-    names: Sequence[tuple[str, str]], units: Mapping[int, str], layout: TextLayout, file: Path
-) -> list[tuple[str, str]]:
-    """Names and units of the columns, of which some have units in their cells.
-
-    Raises:
-        InputError: a heading states another unit.
-    """
-    for i, unit in units.items():
-        name, stated = names[i]
-        if stated not in ("", unit):
-            message = f"its heading says {shown(stated)}, its cells {shown(unit)}"
-            raise InputError(message, file, layout.header_line or None, name)
-    return [(name, units.get(i, unit)) for i, (name, unit) in enumerate(names)]
-
-
 def _filled_lines(text: str) -> list[Line]:
     """The lines that are not blank, with their numbers."""
     filled = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
     return labview_text.completed(filled)
 
 
-def _words_of_columns(
-    layout: TextLayout, names: Sequence[tuple[str, str]], stated: Layout
-) -> list[Mapping[str, float]]:
-    """For each column, what words in it mean, which is stated by its name or by its whole heading."""
-    words = []
-    for (name, _), (heading, _) in zip(names, layout.headings, strict=True):
-        of_heading = stated.words.get(heading, {})
-        words.append(stated.words.get(name, of_heading))
-    return words
-
-
-def _clock(
-    layout: TextLayout, names: Sequence[tuple[str, str]], stated: Layout
-) -> frozenset[int] | None:
-    """Places of the columns of times, where the layout says which they are."""
-    if stated.clock is None:
-        return None
-    columns = zip(names, layout.headings, strict=True)
-    return frozenset(
-        i for i, ((name, _), (heading, _)) in enumerate(columns)
-        if not stated.clock.isdisjoint((name, heading, i + 1))
-    )  # fmt: skip
-
-
 def _dates(rows: Sequence[Sequence[str]], keep: Sequence[int]) -> dict[int, str]:
     """Places of columns of dates with times of day, and the first of each."""
     first = {i: next(iter(_filled(rows, i)), "") for i in keep}
     return {i: cell for i, cell in first.items() if date_time(cell) is not None}
-
-
-def _since_first(columns: Mapping[str, Column], reader: Reader) -> dict[str, Column]:
-    """The columns of dates, which are in seconds since the first, whatever unit is written."""
-    by_place = {column.place - 1: name for name, column in columns.items()}
-    return {
-        by_place[i]: replace(columns[by_place[i]], unit="s", since=first)
-        for i, first in reader.dates.items()
-    }
 
 
 def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
@@ -281,7 +231,8 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
     return named
 
 
-def _notes(layout: TextLayout, encoding: str, decimal: str) -> tuple[str, ...]:
+def _notes(layout: TextLayout, encoding: str, decimal: str, cut: int | None) -> Iterator[str]:
+    """How the text was read, and which rows are not."""
     said = []
     if layout.separator != ",":
         said.append(f"columns separated by {WORDS[layout.separator]}")
@@ -289,4 +240,10 @@ def _notes(layout: TextLayout, encoding: str, decimal: str) -> tuple[str, ...]:
         said.append("decimal commas")
     if encoding == WESTERN:
         said.append("Western European letters")
-    return (f"read with {', '.join(said)}",) if said else ()
+    if said:
+        yield f"read with {', '.join(said)}"
+    if layout.passed_over:
+        rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
+        yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
+    if cut is not None:
+        yield f"{LEFT_OUT} the last line, {cut}, which was cut short as the recording stopped"

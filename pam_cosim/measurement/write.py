@@ -11,8 +11,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, make_folder, write_text
-from pam_cosim.measurement.data_set import DataSet, Run
-from pam_cosim.measurement.experiment import FILE_NAME
+from pam_cosim.measurement.data_set import FILE_NAME, DataSet, Run
 from pam_cosim.measurement.free_parameter import FreeParameter
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.start import Start
@@ -106,7 +105,10 @@ class _Writer:
         columns = {**time, **run.inputs, **_with_lead(run)}
         values = [self._converted(name, column) for name, column in columns.items()]
         header = ",".join(self._heading(name) for name in columns)
-        rows = (",".join(self._cell(value) for value in row) for row in np.column_stack(values))
+        rows = (
+            ",".join("" if np.isnan(value) else f"{value:.{self.digits}g}" for value in row)
+            for row in np.column_stack(values)
+        )
         return "\n".join([header, *rows, ""])
 
     def experiment(self) -> str:
@@ -229,6 +231,3 @@ class _Writer:
             return convert(values, self._si_unit(name), self._unit(name), difference=difference)
         except UnitError as error:
             raise InputError(f"{name}: {error}") from None
-
-    def _cell(self, value: float) -> str:
-        return "" if np.isnan(value) else f"{value:.{self.digits}g}"

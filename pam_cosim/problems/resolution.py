@@ -144,10 +144,7 @@ class _Resolution:
             if run is None or one.name not in self.interface.settable:
                 continue
             if one.name in self.interface.states:
-                mode: StartMode = (
-                    "estimated" if run.start.mode in (None, "estimated") else "measured"
-                )
-                self._begin(run, one.name, one.value, source, mode)
+                self._begin(run, one.name, one.value, source, run.start.mode or "estimated")
                 continue
             stated = run.replaced.get(one.name, run.parameters.get(one.name))
             if one.applies_to(stated):
@@ -172,7 +169,8 @@ class _Resolution:
         runs = [self.runs[one.run]] if one.run else list(self.runs.values())
         if one.name in self.interface.states:
             for run in runs:
-                self._begin(run, one.name, value, source, "measured")
+                mode: StartMode = "rest" if run.start.mode == "rest" else "measured"
+                self._begin(run, one.name, value, source, mode)
             return
         for run in runs:
             number = value * self._stated_in(run, one.name) if one.ratio else value

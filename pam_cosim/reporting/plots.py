@@ -9,7 +9,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
@@ -33,7 +33,6 @@ from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.planned import plan_figure
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
-from pam_cosim.reporting.figures.tracked import tracking_figure
 from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, png
 from pam_cosim.simulation import Trajectory
@@ -139,7 +138,6 @@ _registered(Ledger, ledger_figure)
 _registered(LinearModel, bode)
 _registered(FrequencyResponse, frequency_figure)
 _registered(Observation, observation_figure)
-_registered(Tracking, tracking_figure)
 _registered(LinearCourse, poles_along)
 _registered(RunPlan, plan_figure)
 _registered(PredictiveBands, bands_figure)

@@ -8,6 +8,7 @@ import pickle
 import signal
 import subprocess
 import sys
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +19,8 @@ from pam_cosim.simulation.driver import RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.native import prepare_driver
 
-CO_SIMULATION, MODEL_EXCHANGE = (
-    "pam_cosim.simulation.worker",
-    "pam_cosim.simulation.exchange_worker",
-)
+CO_SIMULATION = "pam_cosim.simulation.worker:unlimited"
+EXCHANGE = "pam_cosim.simulation.exchange_simulator:ExchangeSimulator"
 _TICKS = 4  # looks at the progress within the limit, at least
 _LONGEST_TICK = 1.0  # [s]
 
@@ -36,11 +35,11 @@ class FmuProcess:
     Args:
         path: the FMU.
         timeout: [s] without progress, after which the process is ended.
-        worker: the module that answers there.
+        make: module and name of what runs the FMU there.
     """
 
-    def __init__(self, path: Path, timeout: float, worker: str = CO_SIMULATION) -> None:
-        self.path, self.timeout, self._worker = path, timeout, worker
+    def __init__(self, path: Path, timeout: float, make: str = CO_SIMULATION) -> None:
+        self.path, self.timeout, self._make = path, timeout, make
         self._process: subprocess.Popen[bytes] | None = None
         self._never_loaded = False
 
@@ -62,8 +61,14 @@ class FmuProcess:
         process.stdout.close()
         process.wait()
 
-    def answer(self, call: str, arguments: dict[str, Any], alone: bool = True) -> Any:
-        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before."""
+    def answer(
+        self, call: str | Callable[..., Any], arguments: dict[str, Any], alone: bool = True
+    ) -> Any:
+        """What the FMU's process makes of a call; where not ``alone``, it goes on with what came before.
+
+        Args:
+            call: a function of the simulator there, or a function that takes the model and ``arguments["positional"]``.
+        """
         if not alone and (self._process is None or self._process.poll() is not None):
             raise ProcessFailure(f"the run of {self.path.name} has ended with its process")
         kind, answer = self._ask({"call": call, "arguments": arguments})
@@ -77,7 +82,7 @@ class FmuProcess:
         if self._process is not None and self._process.poll() is not None:
             self._end()
         process = self._process = self._process or start_watched(
-            self.path, self.timeout, self._worker
+            self.path, self.timeout, self._make
         )
         assert process.stdin is not None and process.stdout is not None
         try:
@@ -129,12 +134,12 @@ class FmuProcess:
         )
 
 
-def start_watched(path: Path, timeout: float, worker: str) -> subprocess.Popen[bytes]:
-    """The watchdog of a process that answers requests: the module ``worker`` with an FMU's path."""
+def start_watched(path: Path, timeout: float, make: str) -> subprocess.Popen[bytes]:
+    """The watchdog of a process that answers requests to an FMU."""
     prepare_driver()  # not within the time limit
     limit = timeout if math.isfinite(timeout) else 0.0
     tick = min(_LONGEST_TICK, timeout / _TICKS)
-    answering = safe_command(worker, str(path), str(tick))
+    answering = safe_command("pam_cosim.simulation.worker", str(path), str(tick), make)
     command = [sys.executable, "-I", "-S", str(Path(watchdog.__file__)), str(limit), *answering]
     # a session of its own: an interrupt from the terminal is this process's alone, which then ends the others
     return subprocess.Popen(

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
+from pam_cosim.wording import Printed
 
 Interpolation = Literal["linear", "previous"]
 
@@ -21,7 +22,7 @@ _ON_LINE = 1e-12
 
 
 @dataclass(frozen=True)
-class Inputs:
+class Inputs(Printed):
     """Inputs over time, held before the first and after the last sample.
 
     Attributes:
@@ -33,6 +34,10 @@ class Inputs:
     time: Array
     values: Mapping[str, Array]
     interpolation: Interpolation = "linear"
+
+    def __str__(self) -> str:
+        span = f"{self.time[0]:g} s to {self.time[-1]:g} s"
+        return f"{', '.join(self.values) or 'no input'} at {len(self.time)} times, {span}"
 
     def __post_init__(self) -> None:
         time = np.asarray(self.time, dtype=float)

@@ -12,11 +12,10 @@ from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.model_description import ModelDescription
 
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.compile import PLATFORMS, native_platform
-from pam_cosim.fmu.read import DAMAGED, fmi_version
+from pam_cosim.fmu.platforms import PLATFORMS, native_platform
+from pam_cosim.fmu.read import DAMAGED, TABLES, fmi_version
 from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.tape import is_taped, use_tapes
 
 Instance: TypeAlias = (
     Any  # FMU2Slave | FMU3Slave | FMU2Model | FMU3Model, of a package without types
@@ -98,7 +97,9 @@ def load_instance(
         made = (FMU2ModelTypedOnce if exchange else FMU2SlaveTypedOnce)(
             **arguments, libraryPath=own_library(directory, identifier)
         )
-        if is_taped(Path(directory)):
+        if (Path(directory) / TABLES).exists():  # a model as data
+            from pam_cosim.simulation.tape import use_tapes
+
             use_tapes(made.dll, Path(directory))
         return made
     except Exception as error:  # fmpy raises bare Exceptions

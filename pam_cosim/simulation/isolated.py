@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from numpy.typing import ArrayLike
 
@@ -13,10 +13,10 @@ from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import has_co_simulation, has_exchange, read_interface
 from pam_cosim.model.interface import Interface
-from pam_cosim.simulation.any_stepper import Abilities
+from pam_cosim.simulation.any_stepper import AnyStepper
 from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
-from pam_cosim.simulation.fmu_process import MODEL_EXCHANGE, FmuProcess, ProcessFailure
+from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess, ProcessFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.trajectory import Trajectory
 
@@ -54,7 +54,7 @@ class IsolatedSimulator:
         self.interface: Interface = read_interface(self.path)
         self._settles: bool | None = None
         self._process = FmuProcess(self.path, self.timeout)
-        self._exchange = FmuProcess(self.path, self.timeout, MODEL_EXCHANGE)
+        self._exchange = FmuProcess(self.path, self.timeout, EXCHANGE)
 
     def __enter__(self) -> IsolatedSimulator:
         return self
@@ -144,13 +144,13 @@ class IsolatedSimulator:
             self._settles = bool(self._process.answer("settles", {}))
         return self._settles
 
-    def stepper(self) -> RemoteStepper:
+    def stepper(self) -> AnyStepper:
         """A new run, step by step, in the FMU's process; it ends when another run begins, and with that process."""
-        return RemoteStepper(self._process.answer)
+        return cast(AnyStepper, RemoteStepper(self._process.answer))
 
 
 class RemoteStepper:
-    """A run of an FMU in a process of its own; as ``AnyStepper``.
+    """A run of an FMU in a process of its own: every function of ``AnyStepper`` is called there.
 
     Args:
         answer: what that process makes of a call.
@@ -159,67 +159,9 @@ class RemoteStepper:
     def __init__(self, answer: Callable[[str, dict[str, Any], bool], Any]) -> None:
         self._answer = answer
 
-    def abilities(self) -> Abilities:
-        """As ``AnyStepper``."""
-        abilities: Abilities = self._answer("abilities", {}, False)
-        return abilities
-
-    def begin(
-        self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
-    ) -> None:
-        """As ``AnyStepper``."""
-        self._answer(
-            "begin", {"values": values, "start_time": start_time, "tolerance": tolerance}, True
+    def __getattr__(self, name: str) -> Callable[..., Any]:
+        if name not in vars(AnyStepper):
+            raise AttributeError(name)
+        return lambda *arguments, **named: self._answer(
+            name, {"positional": arguments, **named}, name == "begin"
         )
-
-    def initialised(self) -> None:
-        """As ``AnyStepper``."""
-        self._answer("initialised", {}, False)
-
-    def read(self, names: Sequence[str], inputs: Mapping[str, float] | None = None) -> list[float]:
-        """As ``AnyStepper``."""
-        values: list[float] = self._answer("read", {"names": names, "inputs": inputs}, False)
-        return values
-
-    def advance(
-        self,
-        duration: float,
-        inputs: Mapping[str, float] | None = None,
-        slopes: Mapping[str, float] | None = None,
-        names: Sequence[str] = (),
-        can_go_back: bool = False,
-    ) -> list[float]:
-        """As ``AnyStepper``."""
-        arguments = {
-            "duration": duration,
-            "inputs": inputs,
-            "slopes": slopes,
-            "names": names,
-            "can_go_back": can_go_back,
-        }
-        values: list[float] = self._answer("advance", arguments, False)
-        return values
-
-    def save(self) -> int:
-        """As ``AnyStepper``."""
-        return int(self._answer("save", {}, False))
-
-    def restore(self, number: int) -> None:
-        """As ``AnyStepper``."""
-        self._answer("restore", {"number": number}, False)
-
-    def forget(self, number: int) -> None:
-        """As ``AnyStepper``."""
-        self._answer("forget", {"number": number}, False)
-
-    def freeze(self, number: int) -> bytes:
-        """As ``AnyStepper``."""
-        return bytes(self._answer("freeze", {"number": number}, False))
-
-    def thaw(self, state: bytes, time: float) -> int:
-        """As ``AnyStepper``."""
-        return int(self._answer("thaw", {"state": state, "time": time}, False))
-
-    def take_messages(self) -> list[str]:
-        """As ``AnyStepper``."""
-        return list(self._answer("take_messages", {}, False))

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from pathlib import Path
+from typing import Any
 
 from pam_cosim.counts import checked_time
-from pam_cosim.files import check_writable, make_folder, write_bytes
-from pam_cosim.fmu import build_model, description_of, read_interface
+from pam_cosim.files import check_regular, check_writable, make_folder, write_bytes
+from pam_cosim.fmu.own import is_own
+from pam_cosim.fmu.read import read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, model_name
 from pam_cosim.simulation import IsolatedSimulator, Simulator
@@ -21,6 +23,8 @@ def describe(model: str, files: Paths = ()) -> Interface:
     Raises:
         InputError: there is no such model, or it cannot be compiled.
     """
+    from pam_cosim.fmu.library import description_of
+
     return read_interface(description_of(model_name(model), as_paths(files)))
 
 
@@ -42,8 +46,13 @@ def build(
     if output is not None:
         check_writable(Path(output), new_folder=True)
     model = model_name(model)
-    made = build_model(
-        model, as_paths(files), platforms=platforms, fmi=fmi, sensitivities=sensitivities
+    made = _built(
+        model,
+        as_paths(files),
+        platforms=platforms,
+        fmi=fmi,
+        sensitivities=sensitivities,
+        documented=True,
     )
     if is_fmu(model):  # what is no FMU is no better under another name
         read_interface(made)
@@ -72,11 +81,22 @@ def opened(
     """
     model = model_name(model)
     if is_fmu(model):
-        return IsolatedSimulator(build(model, files=files), timeout)
-    fmu = build_model(
-        model, as_paths(files), sensitivities=tuple(free), where_smooth=True, brief=brief
-    )
+        file = build(model, files=files)
+        return (
+            limited(Simulator(file), timeout) if is_own(file) else IsolatedSimulator(file, timeout)
+        )
+    fmu = _built(model, as_paths(files), sensitivities=tuple(free), where_smooth=True, brief=brief)
     return limited(Simulator(fmu), timeout)
+
+
+def _built(model: str, files: Sequence[Path], **options: Any) -> Path:
+    """As ``build_model``, which is loaded for a Modelica model alone."""
+    if is_fmu(model) and not options.get("sensitivities"):
+        check_regular(Path(model))
+        return Path(model)
+    from pam_cosim.fmu.library import build_model
+
+    return build_model(model, files, **options)
 
 
 def limited(simulator: Simulator, timeout: float | None) -> Simulator:

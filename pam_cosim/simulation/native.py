@@ -7,7 +7,7 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.platforms import native_platform
 
 SLOTS = (
     "reset",
@@ -72,6 +72,8 @@ class DriverRun(ctypes.Structure):
 
 def prepare_driver() -> Path:
     """Compiles the loop, where that was not done before; the library."""
+    from pam_cosim.fmu.compile import compile_library
+
     return compile_library(("pam_driver.c",), {}, native_platform())
 
 

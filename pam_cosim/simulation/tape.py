@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import ctypes
+import math
 from collections.abc import Mapping, Sequence
 from functools import lru_cache
 from pathlib import Path
@@ -12,7 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.fmu.generate import DOUBLES, FUNCTIONS, INTEGERS, SIZES
-from pam_cosim.fmu.tape import TABLES, Tape, in_order, read_tapes
+from pam_cosim.fmu.tape import Tape, in_order, read_tapes
 
 _KEPT = 256  # models; a library reads them in place, as long as any simulator uses it
 
@@ -27,6 +28,18 @@ class _Statement(ctypes.Structure):
     ]
 
 
+class _Variable(ctypes.Structure):
+    _fields_ = [
+        ("name", ctypes.c_char_p),
+        ("unit", ctypes.c_char_p),
+        ("kind", ctypes.c_int),
+        ("index", ctypes.c_int),
+        ("tunable", ctypes.c_int),
+        ("min", ctypes.c_double),
+        ("max", ctypes.c_double),
+    ]
+
+
 class _Model(ctypes.Structure):
     """``pam_model``; its functions are the library's own."""
 
@@ -38,6 +51,7 @@ class _Model(ctypes.Structure):
         ("state_names", ctypes.POINTER(ctypes.c_char_p)),
         *((name, ctypes.c_void_p) for name in (*DOUBLES, *INTEGERS, *FUNCTIONS)),
         ("statements", ctypes.POINTER(_Statement)),
+        ("variables", ctypes.POINTER(_Variable)),
     ]
 
 
@@ -67,6 +81,7 @@ class _Given:
             **{n: self._array(tables[n], float) for n in DOUBLES},
             **{n: self._array(tables[n], np.intc) for n in INTEGERS},
             statements=self._statements(tables["statements"]),
+            variables=self._variables(tables["variables"]),
         )
         self.tapes = (_Tape * len(tapes))(*map(self._tape, tapes))
 
@@ -94,6 +109,15 @@ class _Given:
         self._kept.append(made)
         return ctypes.cast(made, ctypes.POINTER(_Statement))
 
+    def _variables(self, rows: Sequence[Sequence[Any]]) -> Any:
+        made = (_Variable * max(len(rows), 1))()
+        for i, (name, unit, kind, index, tunable, low, high) in enumerate(rows):
+            texts = (text.encode("utf-8", "replace") for text in (name, unit))
+            limits = -math.inf if low is None else low, math.inf if high is None else high
+            made[i] = _Variable(*texts, kind, index, tunable, *limits)
+        self._kept.append(made)
+        return ctypes.cast(made, ctypes.POINTER(_Variable))
+
     def _tape(self, tape: Tape | None) -> _Tape:
         if tape is None:
             return _Tape(-1)
@@ -107,11 +131,6 @@ class _Given:
             len(tape.arguments),
             self._array(tape.arguments, np.intc),
         )
-
-
-def is_taped(folder: Path) -> bool:
-    """Whether a folder holds a model as data."""
-    return (folder / TABLES).exists()
 
 
 def use_tapes(library: ctypes.CDLL, folder: Path) -> None:

@@ -14,21 +14,20 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.exports import check_table_ending, write_table
+from pam_cosim.exports import Columns, Tabular, check_table_ending, write_table
 from pam_cosim.files import read_file, written_whole
 from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
 
 if TYPE_CHECKING:
-    import pandas
     import xarray
 
 _HEADER = re.compile(r"\s*(?P<name>.*?)(?:\s+\[(?P<unit>[^\[\]]*)\])?\s*")
 
 
-@dataclass(frozen=True, repr=False)
-class Trajectory(Printed):
+@dataclass(frozen=True)
+class Trajectory(Printed, Tabular):
     """Signals of one run.
 
     Attributes:
@@ -48,26 +47,16 @@ class Trajectory(Printed):
     def __getitem__(self, name: str) -> Array:
         return self.values[name]
 
-    def to_frame(self) -> pandas.DataFrame:
-        """A column for each signal over "time" [s]; ``attrs["units"]`` has the units."""
-        import pandas
-
-        frame = pandas.DataFrame(dict(self.values), index=pandas.Index(self.time, name="time"))
-        frame.attrs["units"] = {"time": "s", **self.units}
-        return frame
+    def frame_columns(self) -> Columns:
+        """A column for each signal over "time" [s]."""
+        signals = {name: (values, self.units.get(name, "")) for name, values in self.values.items()}
+        return {"time": (self.time, "s"), **signals}
 
     def to_xarray(self) -> xarray.Dataset:
         """A variable for each signal over "time" [s], with its unit as an attribute."""
-        import xarray
+        return super().to_xarray().assign_attrs({"solver": self.solver} if self.solver else {})
 
-        variables = {
-            name: ("time", v, {"units": self.units.get(name) or "1"})
-            for name, v in self.values.items()
-        }
-        said = {"solver": self.solver} if self.solver else {}
-        return xarray.Dataset(variables, {"time": ("time", self.time, {"units": "s"})}, said)
-
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         count = len(self.time)
         span = f", {self.time[0]:g} s to {self.time[-1]:g} s" if count else ""
         lines = [f"{len(self.values)} signals at {count} times{span}"]

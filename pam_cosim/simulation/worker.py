@@ -8,6 +8,7 @@ import sys
 import tempfile
 import threading
 from collections.abc import Callable
+from importlib import import_module
 from pathlib import Path
 from typing import Any, BinaryIO
 
@@ -41,15 +42,15 @@ class _Worker:
     Args:
         path: the FMU.
         tick: seconds between two looks at the progress.
-        make: what runs it.
+        make: what runs it, with a ``progress`` and ``close``.
     """
 
-    def __init__(self, path: Path, tick: float, make: Callable[[Path], Simulator]) -> None:
+    def __init__(self, path: Path, tick: float, make: Callable[[Path], Any]) -> None:
         self._path, self._tick, self._make = path, tick, make
         self._requests, self._channel = private_input(), private_output()
         self._lock = threading.Lock()
         self._told: RunProgress | None = None
-        self.simulator: Simulator | None = None
+        self.simulator: Any = None
         self._stepper: Stepper | None = None
         threading.Thread(target=self._watch, daemon=True).start()
 
@@ -76,8 +77,10 @@ class _Worker:
         except (InputError, SimulationFailure) as error:
             return "error", error
 
-    def _do(self, simulator: Simulator, call: str, arguments: dict[str, Any]) -> Any:
-        """One function of the simulator, or of a run step by step, which its ``begin`` starts."""
+    def _do(self, simulator: Any, call: Any, arguments: dict[str, Any]) -> Any:
+        """One function of the simulator, or of a run step by step, which its ``begin`` starts; or work on a model."""
+        if callable(call):
+            return call(simulator, *arguments["positional"])
         if call == "run":
             return simulator.run(**arguments)
         if call == "equilibria":
@@ -88,7 +91,7 @@ class _Worker:
             self._stepper = simulator.stepper()
         if self._stepper is None:
             raise RunFailure(f"the run of {self._path.name} has ended")
-        return getattr(self._stepper, call)(**arguments)
+        return getattr(self._stepper, call)(*arguments.pop("positional", ()), **arguments)
 
     def serve(self) -> None:
         """Answers requests until the input ends."""
@@ -108,9 +111,7 @@ def unlimited(path: Path) -> Simulator:
     return simulator
 
 
-def main(
-    path: Path, tick: float, folder: str, make: Callable[[Path], Simulator] = unlimited
-) -> None:
+def main(path: Path, tick: float, make: Callable[[Path], Any], folder: str) -> None:
     """Serves one FMU, with ``folder`` for all temporary files: who ends this process removes it."""
     tempfile.tempdir = folder
     limit_memory()
@@ -121,4 +122,10 @@ def main(
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]), float(sys.argv[2]), sys.argv[3])
+    module, function = sys.argv[3].split(":")
+    main(
+        Path(sys.argv[1]),
+        float(sys.argv[2]),
+        getattr(import_module(module), function),
+        sys.argv[4],
+    )

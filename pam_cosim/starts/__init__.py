@@ -4,7 +4,7 @@ from pam_cosim.starts.chosen_starts import StartChoice, starts_are_open
 from pam_cosim.starts.eliminated_starts import EliminatedStarts
 from pam_cosim.starts.initial_state import initial_state, measured_initial_state, state_course
 from pam_cosim.starts.probe import StartProbe
-from pam_cosim.starts.run_start import InitialState, start_time
+from pam_cosim.starts.run_start import InitialState, measured_signals, start_time
 
 __all__ = [
     "EliminatedStarts",
@@ -13,6 +13,7 @@ __all__ = [
     "StartProbe",
     "initial_state",
     "measured_initial_state",
+    "measured_signals",
     "start_time",
     "starts_are_open",
     "state_course",

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -12,13 +12,108 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, FreeParameter, Run, StartMode
 from pam_cosim.simulation import AnySimulator
-from pam_cosim.starts.first_offsets import FirstOffset, first_offsets
 from pam_cosim.starts.initial_state import initial_state, measured_initial_state
 from pam_cosim.starts.probe import STEP, StartProbe
-from pam_cosim.starts.run_start import InitialState, start_time
+from pam_cosim.starts.run_start import (
+    FirstSamples,
+    InitialState,
+    first_of_run,
+    measured_signals,
+    start_time,
+)
 from pam_cosim.units import format_quantity
 
 _SAME_SLOPE = 1e-6  # difference of slopes, up to which a state is what a parameter sets
+_SHARE_OF_RANGE = 1e-3  # by which a free parameter is moved to see what depends on it
+
+
+@dataclass(frozen=True)
+class FirstOffset:
+    """A signal at its first sample, compared with the model that begins by itself.
+
+    Attributes:
+        name: of the signal.
+        unit: of all numbers.
+        sample: the first sample, with its noise.
+        others: the first instant by the samples after it; None: there are none.
+        model: the model's value there.
+        noise: the largest offset that noise makes.
+        span: range of the signal over all runs and the model's first value.
+    """
+
+    name: str
+    unit: str
+    sample: FirstSamples
+    others: FirstSamples | None
+    model: float
+    noise: float
+    span: float
+
+    @property
+    def offset(self) -> float:
+        """The first sample less the model's value."""
+        return self.sample.value - self.model
+
+    @property
+    def exceeds_noise(self) -> bool:
+        """Whether the offset is more than noise makes, and more than one slip: the samples after it show it too."""
+        also = self.others is None or abs(self.others.value - self.model) > self.noise
+        return also and abs(self.offset) > self.noise
+
+    def exceeds_instrument(self, common: float | None) -> bool:
+        """Whether neither noise nor an instrument's offset explains it, which is small and the same in all runs.
+
+        Args:
+            common: the offset of most runs; None where too few are known.
+        """
+        if not self.exceeds_noise:
+            return False
+        is_large = abs(self.offset) > CRITERIA.recognition.offset * self.span
+        return is_large or (common is not None and abs(self.offset - common) > self.noise)
+
+    def text(self, value: float) -> str:
+        """A value of the signal with its unit."""
+        return format_quantity(value, self.unit, 3)
+
+
+def first_offsets(probe: StartProbe) -> list[FirstOffset]:
+    """Of the signals that show a state, or of all that are fitted where none does.
+
+    Raises:
+        SimulationFailure: the run cannot be simulated.
+    """
+    if not probe.signals:
+        return []
+    when = {name: _first_time(probe.run, name) for name in probe.signals}
+    times = np.unique(list(when.values()))
+    course = probe.course(times)
+    offsets = [
+        _offset(probe, name, float(course[name][np.searchsorted(times, time)]))
+        for name, time in when.items()
+    ]
+    showing = probe.signals_of_one_state()
+    return [one for one in offsets if one.name in showing] or offsets
+
+
+def _first_time(run: Run, name: str) -> float:
+    times, values = run.start.leading.get(name, (run.time[:0], run.time[:0]))
+    both = np.append(values, run.measurements[name])
+    return float(np.append(times, run.time)[np.isfinite(both)][0])
+
+
+def _offset(probe: StartProbe, name: str, model: float) -> FirstOffset:
+    signal = probe.data.signals[name]
+    runs = (r.measurements[name] for r in probe.data.runs if name in r.measurements)
+    values = np.concatenate([[model], *runs])
+    return FirstOffset(
+        name,
+        signal.unit,
+        probe.first[name],
+        first_of_run(probe.run, name, signal.sigma, skipped=1),
+        model,
+        CRITERIA.starts.away * signal.sigma,
+        float(np.nanmax(values) - np.nanmin(values)),
+    )
 
 
 def starts_are_open(data: DataSet) -> bool:
@@ -57,7 +152,7 @@ class StartChoice:
         parameters: Mapping[str, float],
         estimate_pays: Callable[[Sequence[Run]], bool],
     ) -> None:
-        self._simulator, self._data, self._estimate_pays = simulator, data, estimate_pays
+        self._data, self._estimate_pays = data, estimate_pays
         self._probes = {
             run.name: StartProbe(simulator, data, run, data.parameters_of(run, parameters))
             for run in data.runs
@@ -120,7 +215,7 @@ class StartChoice:
         begins = f"{_first_samples_text(run, first)}, {'moving' if moving else 'at rest'}"
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
-        where = ", ".join(f"{one.name} = {one.model_text()}" for one in differing)
+        where = ", ".join(f"{one.name} = {one.text(one.model)}" for one in differing)
         reason = f"{begins}: the model begins at {where}, and cannot begin elsewhere"
         return _begun(run, "rest", reason)
 
@@ -160,7 +255,7 @@ def _explains(probe: StartProbe, start: InitialState) -> bool:
 
 
 def _first_samples_text(run: Run, first: Sequence[FirstOffset]) -> str:
-    return f"{run.name} begins at {', '.join(one.sample_text() for one in first)}"
+    return f"{run.name} begins at {', '.join(one.text(one.sample.value) for one in first)}"
 
 
 def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
@@ -184,20 +279,34 @@ def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
 
 
 def _start_is_fitted(probe: StartProbe) -> bool:
-    """Whether one of the free parameters of the data set determines where the run begins.
+    """Whether one of the free parameters of the data set is where the run begins.
 
     Raises:
         SimulationFailure: the model breaks down at the start.
     """
     free = [one for one in probe.data.fit.values() if one.run in ("", probe.run.name)]
-    return any(_moves_start(probe, one) for one in free)
+    return any(_sets_start(probe, one) for one in free)
 
 
-def _moves_start(probe: StartProbe, free: FreeParameter) -> bool:
-    low, high = (probe.changed({free.parameter: v}).at({})[1] for v in (free.min, free.max))
-    size = np.maximum(np.maximum(np.abs(low), np.abs(high)), 1.0)
-    largest = float(np.max(np.abs(high - low) / size, initial=0.0))
-    return largest > CRITERIA.starts.own_parameter
+def _sets_start(probe: StartProbe, free: FreeParameter) -> bool:
+    """Whether a parameter moves the start, and is a start value: by its name, or since nothing else depends on it.
+
+    A load moves the start too, of a model that begins at rest under it, but a recording begins where it does.
+    Without states that could be set, whatever moves the first values does so in place of a start.
+    """
+    name, step = free.parameter, _SHARE_OF_RANGE * (free.max - free.min)
+    declared = probe.simulator.interface.parameters.get(name)
+    if declared is None:  # as whoever fits reports
+        return False
+    value = probe.parameters.get(name, declared.start or 0.0)
+    moved = probe.changed({name: value + step if value + step <= free.max else value - step})
+    has_states = bool(probe.states)
+    if np.array_equal(probe.at({})[has_states], moved.at({})[has_states]):
+        return False
+    if not has_states or name.endswith((".start", "_start")):
+        return True
+    here = probe.nearby_state()
+    return np.array_equal(probe.at(here)[0], moved.at(here)[0])
 
 
 def _with_periods(probe: StartProbe) -> Run:
@@ -207,14 +316,14 @@ def _with_periods(probe: StartProbe) -> Run:
         SimulationFailure: the run does not reach its end.
     """
     run, data, most = probe.run, probe.data, CRITERIA.starts.periods
-    fitted = {n: s.sigma for n, s in data.fitted_signals.items() if run.sample_count(n)}
+    signals = measured_signals(run, data)
     longest = replace(run, start=replace(run.start, periods=most))
     begin = initial_state(probe.simulator, data, longest, probe.parameters)
     first = start_time(longest)
     period = (float(run.time[0]) - first) / most
     times = first + period * np.arange(most + 1)
-    course = begin.trajectory(probe.simulator, longest, probe.parameters, times, list(fitted))
-    from_last = [np.abs(course[n] - course[n][-1]) / sigma for n, sigma in fitted.items()]
+    course = begin.trajectory(probe.simulator, longest, probe.parameters, times, signals)
+    from_last = [np.abs(course[n] - course[n][-1]) / data.signals[n].sigma for n in signals]
     differing = np.flatnonzero(np.max(from_last, axis=0, initial=0.0) > CRITERIA.starts.round)
     count = max(int(differing[-1]) + 1 if differing.size else 0, 1)
     length = format_quantity(period, "s", 4)

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
-from typing import Protocol, TypeVar
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,31 +14,31 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.measurement.pieces import first_rows
 from pam_cosim.simulation import AnySimulator
+from pam_cosim.starts.initial_state import measured_initial_state
+from pam_cosim.starts.probe import StartProbe
+from pam_cosim.starts.run_start import measured_signals, start_time
 from pam_cosim.starts.start_values import (
-    RestCourse,
+    LinearisedRun,
     StartValues,
     eliminate,
     eliminate_to_first_order,
-    rest_course,
 )
 
-Result = TypeVar("Result")
+_STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
-class RunResiduals(Protocol):
-    """The residuals of some runs as a function of the search coordinates."""
+class RestCourse(NamedTuple):
+    """The states of a run that begins where its first samples and the model's rest beside them put it.
 
-    def values(self, z: Array) -> dict[str, float]:
-        """The parameters by name [SI]."""
+    Attributes:
+        first: where each state begins then [SI].
+        ranges: how far the run takes each state from there [SI]; zero where it rests.
+        begin: where an estimate begins [SI]: there, or at the start values among the parameters.
+    """
 
-    def residuals(self, z: Array) -> Array:
-        """The residuals of the samples, and below them the rows of priors, the last ones those of start values."""
-
-    def forget(self) -> None:
-        """Lets the point that was asked last be simulated again."""
-
-    def start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
-        """The start values by state [SI] that have the smallest residuals of a part of a run; none where it fails."""
+    first: dict[str, float]
+    ranges: dict[str, float]
+    begin: dict[str, float]
 
 
 class EliminatedStarts:
@@ -73,10 +73,7 @@ class EliminatedStarts:
         self.state_ranges: Mapping[str, float] = {}
         self._is_placed = False
         self._at: dict[bytes, dict[int, Array]] = {}  # where each point left them
-        # where they were as the descent was last linearised, and (start values, parameters) how they move from there
-        self._begin: dict[int, Array] = {}
-        self._follow: dict[int, Array] = {}
-        self._linearised_at: Array | None = None
+        self._linearised_at: Array | None = None  # where the descent was last linearised
 
     @property
     def count(self) -> int:
@@ -88,10 +85,10 @@ class EliminatedStarts:
         """The start values that are estimated, as they are now, by "state@run" [SI]."""
         return {n: v for one in self.by_run.values() for n, v in one.settings().items()}
 
-    def of_runs(self, chosen: Sequence[int]) -> dict[str, float]:
-        """Where the chosen runs begin, by "state@run" [SI]."""
-        starts = [self.by_run[i] for i in chosen if i in self.by_run]
-        return {n: v for one in starts for n, v in one.every().items()}
+    def of_run(self, i: int) -> dict[str, float]:
+        """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
+        named = self.by_run[i].named() if i in self.by_run else {}
+        return {f"{n}@{self._runs[i].name}": v for n, v in named.items()}
 
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
@@ -101,24 +98,49 @@ class EliminatedStarts:
                 for i, run in enumerate(self._runs)
                 if run.start.mode == "estimated"
             }
-            interface = self._simulator.interface
+            # a state that rests in one run may be on its way as that begins, as far as others take it
             every = [self.state_ranges, *(course.ranges for course in courses.values())]
             self.state_ranges = {
-                name: max(ranges.get(name, 0.0) for ranges in every) for name in interface.states
+                name: max(ranges.get(name, 0.0) for ranges in every)
+                for name in self._simulator.interface.states
             }
-            found = {i: c.start_values(self.state_ranges, interface) for i, c in courses.items()}
+            found = {i: self._start_values(i, course) for i, course in courses.items()}
             self.by_run = {i: one for i, one in found.items() if one.names}
-            self._begin, self._is_placed = self._present(), True
+            self._is_placed = True
         return self.by_run
+
+    def _start_values(self, i: int, course: RestCourse) -> StartValues:
+        moving = tuple(n for n in course.first if self.state_ranges[n])
+        variables = [self._simulator.interface.start_values[n] for n in moving]
+        low = np.array([-np.inf if one.min is None else one.min for one in variables])
+        high = np.array([np.inf if one.max is None else one.max for one in variables])
+        mean = np.array([course.first[n] for n in moving])
+        sd = CRITERIA.starts.range * np.array([self.state_ranges[n] for n in moving])
+        values = np.clip(np.array([course.begin[n] for n in moving]), low, high)
+        still = {n: v for n, v in course.first.items() if n not in moving}
+        return StartValues(self._runs[i], moving, mean, sd, values, low, high, still)
 
     def _rest_course(
         self, i: int, values: Mapping[str, float], *, about_given: bool = False
     ) -> RestCourse:
-        run = self._runs[i]
-        return rest_course(self._simulator, self._data, run, values, about_given=about_given)
+        """The course of a run from where the first samples and the model's rest put it.
 
-    def _present(self) -> dict[int, Array]:
-        return {i: one.values for i, one in self.by_run.items()}
+        ``about_given``: start values among the parameters take the place of the first samples: the start of another
+        model is known, and this one has a state more.
+
+        Raises:
+            SimulationFailure: the run does not reach its end.
+        """
+        run, states = self._runs[i], self._simulator.interface.states
+        own = self._data.parameters_of(run, values)
+        bare = {n: v for n, v in own.items() if n not in states}
+        given = {n: own[n] for n in states if n in own}
+        probe = StartProbe(self._simulator, self._data, run, bare)
+        start = measured_initial_state(probe, given if about_given else {})
+        times = np.unique(np.append(start_time(run), run.time))
+        course = start.trajectory(self._simulator, run, bare, times, states)
+        first = {n: float(course[n][0]) for n in states}
+        return RestCourse(first, {n: _range(course[n]) for n in states}, first | given)
 
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
         """Puts start values where ``z`` left them, or where new points look for them.
@@ -127,23 +149,19 @@ class EliminatedStarts:
         """
         before = self._at.get(z.tobytes())
         for i, one in self.place(values).items():
-            one.values = before[i] if before else self.expected(z, i)
+            one.values = before[i] if before else self.expected(z, one)
 
-    def expected(self, z: Array, i: int) -> Array:
+    def expected(self, z: Array, one: StartValues) -> Array:
         """Where the start values of a run are looked for first: where the slopes of the descent lead them.
 
         No farther than the slopes by start values are trusted (``eliminate``).
         """
-        one = self.by_run[i]
-        begin = self._begin.get(i, one.values)
-        if self._linearised_at is None or i not in self._follow:
-            return begin
-        step = one.within_reach(self._follow[i] @ (z - self._linearised_at), 1.0)
-        return np.clip(begin + step, one.low, one.high)
+        if self._linearised_at is None or one.follow is None:
+            return one.begin
+        step = one.within_reach(one.follow @ (z - self._linearised_at), 1.0)
+        return np.clip(one.begin + step, one.low, one.high)
 
-    def eliminated(
-        self, i: int, simulate: Callable[[], tuple[Result, Array, Array]]
-    ) -> tuple[Result, Array]:
+    def eliminated(self, i: int, simulate: LinearisedRun) -> tuple[Any, Array]:
         """The result of a run, and its residuals without what its start values take away; see ``eliminate``."""
         method = eliminate_to_first_order if self.to_first_order else eliminate
         return method(self.by_run[i], simulate)
@@ -151,36 +169,40 @@ class EliminatedStarts:
     def keep(self, z: Array) -> None:
         """Keeps where ``z`` left the start values."""
         if self.by_run:
-            self._at[z.tobytes()] = self._present()
+            self._at[z.tobytes()] = {i: one.values for i, one in self.by_run.items()}
 
     def take_away(self, residuals: Array) -> None:
         """Takes from the residuals what the start values take away, by the slopes that are known of them."""
+        for one, rows, _ in self._blocks(residuals):
+            residuals[rows] = one.taken_away(residuals[rows])
+
+    def _blocks(self, residuals: Array) -> Iterator[tuple[StartValues, slice, slice]]:
+        """The start values of each run, the rows of its residuals, and of what is known of them beforehand."""
+        row = len(residuals) - self.count
         for i, one in self.by_run.items():
-            residuals[self._rows[i]] = one.taken_away(residuals[self._rows[i]])
+            yield one, self._rows[i], slice(row, row := row + len(one.names))
 
     def prior_rows(self) -> list[Array]:
         """The rows of what is known of start values beforehand, which are the last ones of the residuals."""
-        return [one.prior_rows(one.values) for one in self.by_run.values()]
+        return [one.prior_rows() for one in self.by_run.values()]
 
-    def followed(self, jacobian: Array) -> tuple[Array, dict[int, Array]]:
-        """The slopes with the start values moving along, so that least is left; and how those of each run move."""
-        if not jacobian.shape[1]:
-            return jacobian, {}
-        moves = dict[int, Array]()
-        followed, row = jacobian.copy(), len(jacobian) - self.count
-        for i, one in self.by_run.items():
-            moved = moves[i] = one.following(jacobian[self._rows[i]])
-            count = len(one.names)
-            followed[self._rows[i]] += one.slopes[:-count] @ moved
-            followed[row : row + count] = one.slopes[-count:] @ moved
-            row += count
-        return followed, moves
+    def followed(self, jacobian: Array, z: Array | None = None) -> Array:
+        """The slopes with the start values moving along, so that least is left.
 
-    def descend(self, z: Array, jacobian: Array) -> Array:
-        """As ``followed``; from here on start values are looked for along these slopes from where they are at ``z``."""
-        self._begin = self._present()
-        followed, self._follow = self.followed(jacobian)
-        self._linearised_at = z.copy()
+        Args:
+            jacobian: (rows, parameters) of the residuals with the start values where they are.
+            z: where a descent goes on, along these slopes; None: nowhere.
+        """
+        followed = jacobian.copy()
+        for one, rows, known in self._blocks(jacobian):
+            moves = one.following(jacobian[rows]) if jacobian.shape[1] else None
+            if moves is not None:
+                count = len(one.names)
+                followed[rows] += one.slopes[:-count] @ moves
+                followed[known] = one.slopes[-count:] @ moves
+            if z is not None:
+                one.begin, one.follow = one.values, moves
+        self._linearised_at = self._linearised_at if z is None else z.copy()
         return followed
 
     def begin_afresh(self, z: Array, values: Mapping[str, float]) -> bool:
@@ -189,7 +211,7 @@ class EliminatedStarts:
             return False
         for i, one in self.by_run.items():
             if (fresh := self._fresh(i, values)) is not None:
-                self._begin[i] = one.clipped(fresh)
+                one.begin = one.clipped(fresh)
         self._linearised_at = None
         return True
 
@@ -200,53 +222,65 @@ class EliminatedStarts:
         except SimulationFailure:
             return None
 
-    def found_others(self, of: RunResiduals, z: Array) -> bool:
+    def found_others(
+        self,
+        z: Array,
+        values: Mapping[str, float],
+        residuals: Array,
+        anew: Callable[[], Array],
+        of_part: Callable[[Run, Mapping[str, float]], dict[str, float]],
+    ) -> bool:
         """Whether a growing part of a run leads its start values to where less is left than where a descent led them.
 
         The squares of a whole run have many valleys where it swings, those of its first samples have one. Asked of the
         runs that leave more than noise. A descent that goes on from ``z`` has the better ones.
+
+        Args:
+            z: the search coordinates; ``values``: the parameters there [SI].
+            residuals: there, the rows of what is known of start values beforehand last.
+            anew: simulates ``z`` again.
+            of_part: the start values by state [SI] that leave least of a part of a run, with given parameters; none
+                where it fails.
         """
-        before, here = self._squares(of.residuals(z)), self._present()
+        before = self._squares(residuals)
+        here = {i: one.values for i, one in self.by_run.items()}
         for i, one in self.by_run.items():
-            rows = self._rows[i]
-            is_noise = before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start)
-            fresh = None if is_noise else self._fresh(i, of.values(z))
-            if fresh is None:
-                self._begin[i] = here[i]
-            else:
-                self._begin[i] = one.clipped(self._led_by_first_samples(of, z, i, fresh))
-        self._forget(of, z)
-        after, there = self._squares(of.residuals(z)), self._present()
+            rows, one.begin = self._rows[i], one.values
+            if before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start):
+                continue
+            if (named := self._fresh(i, values)) is None:
+                continue
+            run = self._runs[i]
+            for count in horizons(run, measured_signals(run, self._data), len(named)):
+                begin = {f"{name}@{run.name}": value for name, value in named.items()}
+                named = named | of_part(first_rows(run, count), {**values, **begin})
+            one.begin = one.clipped(named)
+        self._forget(z)
+        after = self._squares(anew())
         better = {i for i in after if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
-        self._begin = {i: there[i] if i in better else here[i] for i in after}
-        self._forget(of, z)
+        for i, one in self.by_run.items():
+            one.begin = one.values if i in better else here[i]
+        self._forget(z)
         return bool(better)
 
-    def _forget(self, of: RunResiduals, z: Array) -> None:
+    def _forget(self, z: Array) -> None:
         """What ``z`` left: it is asked again, from where start values begin now."""
-        of.forget()
         self._linearised_at = None
         self._at.pop(z.tobytes(), None)
 
-    def _led_by_first_samples(
-        self, of: RunResiduals, z: Array, i: int, named: dict[str, float]
-    ) -> dict[str, float]:
-        """Where a growing part of its run leads start values."""
-        run, signals = self._runs[i], self._data.fitted_signals
-        for rows in horizons(run, [n for n in signals if run.sample_count(n)], len(named)):
-            begin = {f"{name}@{run.name}": value for name, value in named.items()}
-            part = first_rows(run, rows)
-            named = named | of.start_values_of_part(part, {**of.values(z), **begin})
-        return named
-
     def _squares(self, residuals: Array) -> dict[int, float]:
         """The squares of each run with start values, and of what is known of these beforehand."""
-        squares, row = dict[int, float](), len(residuals) - self.count
-        for i, one in self.by_run.items():
-            own = residuals[self._rows[i]]
-            known = residuals[row : row + len(one.names)]
-            squares[i], row = float(own @ own + known @ known), row + len(one.names)
-        return squares
+        squares = [
+            float(residuals[rows] @ residuals[rows] + residuals[known] @ residuals[known])
+            for _, rows, known in self._blocks(residuals)
+        ]
+        return dict(zip(self.by_run, squares, strict=True))
+
+
+def _range(course: Array) -> float:
+    """How far a state moves; nothing where that is rounding."""
+    moved = float(np.ptp(course))
+    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:

@@ -1,12 +1,17 @@
 """The state in which the simulation of a run begins: stated, measured, estimated or eliminated.
 
-The first samples show some of the states (``observed_states``). The others follow: they are at rest beside these, under
-the first inputs.
+The first samples show some of the states. The others follow: they are at rest beside these, under the first inputs.
+
+A signal that depends on one state alone shows it: a pressure reading the pressure, a ruler the position. An instrument
+that has states of its own, as a delay has, is at rest beside what it reads. Where the rate of such a state depends on
+one further state alone, the slope of the samples shows that: the speed, or what lies behind the lag of an instrument.
+Of an instrument it may depend on others that are shown: behind a thermometer lies the mass of a gas whose pressure is
+known.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import replace
 
 import numpy as np
@@ -15,7 +20,6 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
-from pam_cosim.starts.observed_states import observed_states
 from pam_cosim.starts.probe import ObservedState, StartProbe
 from pam_cosim.starts.run_start import InitialState, start_time
 
@@ -80,14 +84,14 @@ def _joined(earlier: Array, later: Array) -> Array:
 
 
 def _consistent_start(
-    probe: StartProbe, dependences: Array, ignored: set[str] | frozenset[str] = frozenset()
+    probe: StartProbe, dependences: Array, ignored: Collection[str] = ()
 ) -> tuple[dict[str, ObservedState], dict[str, float]]:
     """What shows which states, and their start values, at which the model agrees with that."""
-    shown = observed_states(probe, dependences, ignored)
+    shown = _observed_states(probe, dependences, ignored)
     values = probe.corrected(shown, dependences, {})
     # what acts on what may not show where the model begins by itself
     dependences = _joined(dependences, probe.dependences(values))
-    shown = observed_states(probe, dependences, ignored)
+    shown = _observed_states(probe, dependences, ignored)
     return shown, probe.corrected(shown, dependences, values)
 
 
@@ -115,3 +119,111 @@ def state_course(
     times = np.append(begin, np.maximum(run.time if times is None else times, begin))
     start = initial_state(simulator, data, run, own)
     return dict(start.trajectory(simulator, run, own, times, simulator.interface.states).values)
+
+
+def _observed_states(
+    probe: StartProbe, dependences: Array, ignored: Collection[str] = ()
+) -> dict[str, ObservedState]:
+    """The observed states by name. Of two signals that show the same state, the one that shows it better.
+
+    Args:
+        probe: of the run, with the first samples of its signals.
+        dependences: of signals and rates on states, as ``StartProbe.dependences`` has them.
+        ignored: signals that show nothing.
+    """
+    shown = _observed_by_signals(probe, dependences, ignored)
+    _add_observed_by_rates(shown, dependences, len(probe.signals))
+    return {probe.states[i]: one for i, one in shown.items()}
+
+
+def _observed_by_signals(
+    probe: StartProbe, matrix: Array, ignored: Collection[str]
+) -> dict[int, ObservedState]:
+    """By number of the state: what signals read, and the states of instruments, which are at rest beside that."""
+    rates, shown = matrix[len(probe.signals) :], dict[int, ObservedState]()
+    better: dict[int, float] = {}
+    for row, (signal, sample) in enumerate(probe.first.items()):
+        read = _source_of_reading({*_nonzero(matrix[row])}, rates)
+        if read is None or signal in ignored:
+            continue
+        source, instrument = read
+        slope = _slope_at_rest(matrix[row], rates, source, instrument)
+        if not slope:
+            continue
+        spread = sample.sd / abs(slope)
+        if spread < better.get(source, np.inf):
+            better[source] = spread
+            rate = sample.slope / slope if sample.moves else 0.0
+            shown[source] = ObservedState(row, sample.value, sample.sd, signal, rate)
+        for i in instrument:
+            shown.setdefault(i, ObservedState(len(probe.signals) + i, 0.0, 0.0, signal, 0.0))
+    return shown
+
+
+def _source_of_reading(dependent: set[int], rates: Array) -> tuple[int, set[int]] | None:
+    """The one state that a reading follows, of those on which it depends, and the states of its instrument.
+
+    The rates of these, as of a delay, depend on them and on that state alone, and they act on nothing but one another.
+    None: no state is the only such one.
+
+    Args:
+        dependent: the states.
+        rates: (states, states) slopes of the rates by the states.
+    """
+    found = []
+    for source in dependent:
+        own = dependent - {source}
+        while more := {j for i in own for j in _nonzero(rates[i])} - {source, *own}:
+            own |= more
+        if {i for j in own for i in _nonzero(rates[:, j])} <= own:
+            found.append((source, own))
+    return found[0] if len(found) == 1 else None
+
+
+def _nonzero(slopes: Array) -> list[int]:
+    return np.flatnonzero(slopes).tolist()
+
+
+def _slope_at_rest(row: Array, rates: Array, source: int, instrument: set[int]) -> float:
+    """The slope of a reading by what it reads, the states of its instrument following at rest."""
+    own = sorted(instrument)
+    follow = np.linalg.lstsq(rates[np.ix_(own, own)], rates[own, source], rcond=None)[0]
+    return float(row[source] - row[own] @ follow)
+
+
+def _add_observed_by_rates(shown: dict[int, ObservedState], matrix: Array, signals: int) -> None:
+    """Adds the states that the rates of those show which are known so far."""
+    rates = matrix[signals:]
+    instruments = _states_of_instruments(rates)
+
+    def unknown(i: int) -> list[int]:
+        """The states on which a rate depends, and that nothing shows so far."""
+        return [j for j in _nonzero(rates[i]) if j not in shown]
+
+    def shows(i: int) -> bool:
+        """Whether a rate shows another state: the only other one, or of an instrument the only unknown one."""
+        alone = i in instruments or np.count_nonzero(np.delete(rates[i], i)) == 1
+        return alone and len(unknown(i)) == 1
+
+    waiting = list(shown)
+    while (by := next((i for i in waiting if shows(i)), None)) is not None:
+        waiting.remove(by)
+        known, (state,) = shown[by], unknown(by)
+        moved = sum(rates[by, i] * one.rate for i, one in shown.items())
+        rate = -float(moved) / float(rates[by, state])
+        shown[state] = ObservedState(signals + by, known.rate, 0.0, known.signal, rate)
+        waiting.append(state)
+
+
+def _states_of_instruments(rates: Array) -> set[int]:
+    """States that act on nothing but readings, as that of a thermometer does: on no rate but their own, and on those
+    of such states.
+
+    Args:
+        rates: (states, states) slopes of the rates by the states.
+    """
+    found = set[int]()
+    acting = [{*_nonzero(column)} for column in rates.T]
+    while more := {i for i, on in enumerate(acting) if i not in found and on <= {i, *found}}:
+        found |= more
+    return found

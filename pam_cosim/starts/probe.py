@@ -13,7 +13,13 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator, Settle, Trajectory
-from pam_cosim.starts.run_start import FirstSamples, InitialState, first_of_run, start_time
+from pam_cosim.starts.run_start import (
+    FirstSamples,
+    InitialState,
+    first_of_run,
+    measured_signals,
+    start_time,
+)
 
 STEP = 1e-5  # of its size, by which a state is moved to see on which readings and rates it acts
 _ELSEWHERE = 0.1  # of its size, by which states are moved off the own start to see the same
@@ -55,8 +61,8 @@ class StartProbe:
     ) -> None:
         self.simulator, self.data, self.run, self.parameters = simulator, data, run, parameters
         self.states, self.rates = simulator.interface.states, simulator.interface.rates
-        fitted = [n for n in data.fitted_signals if run.sample_count(n)]
-        found = {n: first_of_run(run, n, data.signals[n].sigma) for n in fitted}
+        signals = measured_signals(run, data)
+        found = {n: first_of_run(run, n, data.signals[n].sigma) for n in signals}
         self.first: dict[str, FirstSamples] = {n: one for n, one in found.items() if one}
         self.signals = list(self.first)
 

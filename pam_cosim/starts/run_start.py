@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.measurement import Run
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator, Inputs, Settle, Trajectory
 
 _LEAST = 3  # samples, through which no line has to go
@@ -118,6 +118,11 @@ class InitialState:
             tolerance=tolerance,
             settle=self.settle,
         )
+
+
+def measured_signals(run: Run, data: DataSet) -> list[str]:
+    """The fitted signals that have samples in a run."""
+    return [name for name in data.fitted_signals if run.sample_count(name)]
 
 
 def first_of_run(run: Run, signal: str, sigma: float, skipped: int = 0) -> FirstSamples | None:

@@ -11,7 +11,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
-from typing import Generic, TypeVar
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -19,18 +19,13 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.measurement import DataSet, Run
-from pam_cosim.model.interface import Interface
-from pam_cosim.simulation import AnySimulator
-from pam_cosim.starts.initial_state import measured_initial_state
-from pam_cosim.starts.probe import StartProbe
-from pam_cosim.starts.run_start import start_time
+from pam_cosim.measurement import Run
 
-Result = TypeVar("Result")
+LinearisedRun = Callable[[], tuple[Any, Array, Array]]
+"""Gives a result, the residuals (n,) and their slopes (n, k) for the present start values."""
 
 _SETTLED = 0.01  # variances of the noise, that a further step must take away to be made
 _FARTHER = 4.0  # times as far as the step before, that a step may go
-_STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
 @dataclass
@@ -46,6 +41,8 @@ class StartValues:
         still: states that no run moves, where they are [SI].
         slopes: (n, k) of the run's residuals by them, where they were last eliminated; of all rows those of what is
             known beforehand come last.
+        begin: (k,) where they are looked for first [SI], or were as a descent was last linearised; ``follow``:
+            (k, parameters) how they move from there with the search coordinates.
     """
 
     run: Run
@@ -57,6 +54,10 @@ class StartValues:
     high: Array
     still: dict[str, float] = field(default_factory=dict)
     slopes: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    follow: Array | None = None
+
+    def __post_init__(self) -> None:
+        self.begin = self.values
 
     def named(self) -> dict[str, float]:
         """The present values of all states by name."""
@@ -64,21 +65,16 @@ class StartValues:
 
     def settings(self) -> dict[str, float]:
         """The present values by name, each with that of the run."""
-        return {
-            f"{n}@{self.run.name}": float(v) for n, v in zip(self.names, self.values, strict=True)
-        }
-
-    def every(self) -> dict[str, float]:
-        """The present values of all states by name, each with that of the run."""
-        return {f"{n}@{self.run.name}": v for n, v in self.named().items()}
+        values = zip(self.names, self.values.tolist(), strict=True)
+        return {f"{n}@{self.run.name}": v for n, v in values}
 
     def clipped(self, named: Mapping[str, float]) -> Array:
         """(k,) values by name in their order, within the bounds of the model."""
         return np.clip([named[name] for name in self.names], self.low, self.high)
 
-    def prior_rows(self, values: Array) -> Array:
-        """(k,) how far values are from what is known beforehand, in standard deviations."""
-        return np.asarray((self.mean - values) / self.sd)
+    def prior_rows(self) -> Array:
+        """(k,) how far the present values are from what is known beforehand, in standard deviations."""
+        return np.asarray((self.mean - self.values) / self.sd)
 
     def with_prior_slopes(self, slopes: Array) -> Array:
         """(n + k, k) slopes of the residuals by the start values, and below them those of ``prior_rows``."""
@@ -95,7 +91,7 @@ class StartValues:
 
     def taken_away(self, residuals: Array) -> Array:
         """(n,) residuals of the run without what the start values take away, by the slopes that are known of them."""
-        rows = np.append(residuals, self.prior_rows(self.values))
+        rows = np.append(residuals, self.prior_rows())
         step = self.step(self.slopes, rows)
         moved = np.clip(self.values + step, self.low, self.high) - self.values
         return np.asarray(residuals + self.slopes[: len(residuals)] @ moved)
@@ -116,87 +112,7 @@ class StartValues:
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
 
 
-@dataclass(frozen=True)
-class RestCourse:
-    """A run that begins where its first samples and the model's rest beside them put it.
-
-    Attributes:
-        run: the run.
-        first: where each state begins then [SI].
-        ranges: how far the run takes each state from there [SI]; zero where it rests.
-        given: start values among the parameters, from which an estimate goes on [SI].
-    """
-
-    run: Run
-    first: dict[str, float]
-    ranges: dict[str, float]
-    given: dict[str, float]
-
-    @property
-    def begin(self) -> dict[str, float]:
-        """Where an estimate begins [SI]."""
-        return self.first | self.given
-
-    def start_values(self, ranges: Mapping[str, float], interface: Interface) -> StartValues:
-        """What is to be estimated of the start of the run, about where the first samples and the model's rest put it.
-
-        Args:
-            ranges: how far the runs take each state [SI]: one that rests in this run may be on its way as it begins.
-            interface: of the model.
-        """
-        moving = tuple(n for n in self.first if ranges[n])
-        limits = [interface.start_values[n] for n in moving]
-        low = np.array([-np.inf if one.min is None else one.min for one in limits])
-        high = np.array([np.inf if one.max is None else one.max for one in limits])
-        mean = np.array([self.first[n] for n in moving])
-        sd = CRITERIA.starts.range * np.array([ranges[n] for n in moving])
-        values = np.clip(np.array([self.begin[n] for n in moving]), low, high)
-        still = {n: v for n, v in self.first.items() if n not in moving}
-        return StartValues(self.run, moving, mean, sd, values, low, high, still)
-
-
-def rest_course(
-    simulator: AnySimulator,
-    data: DataSet,
-    run: Run,
-    parameters: Mapping[str, float],
-    *,
-    about_given: bool = False,
-) -> RestCourse:
-    """A run whose start is to be estimated, from where the first samples and the model's rest put it.
-
-    Args:
-        simulator: the model.
-        data: the measurement with its noise.
-        run: whose start is estimated.
-        parameters: fitted values [SI]; start values among them are where the estimate goes on from.
-        about_given: if there are such, they take the place of the first samples: the start of another model is known,
-            and this one has a state more.
-
-    Raises:
-        SimulationFailure: the run does not reach its end.
-    """
-    states = simulator.interface.states
-    own = data.parameters_of(run, parameters)
-    bare = {n: v for n, v in own.items() if n not in states}
-    given = {n: own[n] for n in states if n in own}
-    probe = StartProbe(simulator, data, run, bare)
-    start = measured_initial_state(probe, given if about_given else {})
-    times = np.unique(np.append(start_time(run), run.time))
-    course = start.trajectory(simulator, run, bare, times, states)
-    first = {n: float(course[n][0]) for n in states}
-    return RestCourse(run, first, {n: _range(course[n]) for n in states}, given)
-
-
-def _range(course: Array) -> float:
-    """How far a state moves; nothing where that is rounding."""
-    moved = float(np.ptp(course))
-    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
-
-
-def eliminate(
-    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
-) -> tuple[Result, Array]:
+def eliminate(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
     """Moves the start values to where they leave least of the residuals of their run, or hardly more.
 
     Beside a model that is far off, the last hundredth of what is left is not worth a run: the next point asks again.
@@ -204,7 +120,7 @@ def eliminate(
 
     Args:
         of: the start values, which are changed.
-        simulate: gives a result, the residuals (n,) and their slopes (n, k) for the present values.
+        simulate: the run about the present start values.
 
     Raises:
         SimulationFailure: the run does not reach its end wherever it begins.
@@ -237,9 +153,7 @@ def eliminate(
     return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
 
 
-def eliminate_to_first_order(
-    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
-) -> tuple[Result, Array]:
+def eliminate_to_first_order(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
     """As ``eliminate``, by one linear step: the start values stay where they are, and so does the result.
 
     Args:
@@ -253,9 +167,7 @@ def eliminate_to_first_order(
     return result, of.taken_away(residuals)
 
 
-def _tried(
-    of: StartValues, simulate: Callable[[], tuple[Result, Array, Array]]
-) -> _Point[Result] | None:
+def _tried(of: StartValues, simulate: LinearisedRun) -> _Point | None:
     """The run from the present start values; None where it does not reach its end."""
     try:
         return _Point(of, *simulate())
@@ -263,12 +175,12 @@ def _tried(
         return None
 
 
-class _Point(Generic[Result]):
+class _Point:
     """A run about some start values, linearised."""
 
-    def __init__(self, of: StartValues, result: Result, residuals: Array, slopes: Array) -> None:
+    def __init__(self, of: StartValues, result: Any, residuals: Array, slopes: Array) -> None:
         self.result, self.residuals, self.values = result, residuals, of.values
-        rows = np.append(residuals, of.prior_rows(of.values))
+        rows = np.append(residuals, of.prior_rows())
         self.slopes = of.with_prior_slopes(slopes)
         self.cost = float(rows @ rows)
         self.step = of.step(self.slopes, rows)

@@ -3,37 +3,64 @@
 A function is loaded when it is asked for: a command that simulates loads nothing that diagnoses.
 """
 
-from importlib import import_module
 from typing import TYPE_CHECKING
 
+from pam_cosim.lazy_names import lazy_names
+
 if TYPE_CHECKING:
-    from pam_cosim.simulation.models import build, describe
-    from pam_cosim.study.actuators import actuator
-    from pam_cosim.study.additions import add
-    from pam_cosim.study.comparisons import compare
-    from pam_cosim.study.coupling import couple, read_system, start, write_system
-    from pam_cosim.study.data_sets import new, read
-    from pam_cosim.study.diagnoses import check, diagnose, draw, live
-    from pam_cosim.study.dynamics import frequency_response, linearise, linearise_along
-    from pam_cosim.study.fits import fit, profile
-    from pam_cosim.study.judged_fmu import build_with_data, evidence
-    from pam_cosim.study.library import bench, benches, effects, rig_parts
-    from pam_cosim.study.many_runs import sweep
-    from pam_cosim.study.observing import observe
-    from pam_cosim.study.plans import plan
-    from pam_cosim.study.predictions import predict
-    from pam_cosim.study.problems import problem
-    from pam_cosim.study.products import load, save
-    from pam_cosim.study.runs import simulate
-    from pam_cosim.study.tracking import track
+    from pam_cosim.simulation.models import (
+        build,  # makes the FMU of a model
+        describe,  # the inputs, outputs and parameters of a model
+    )
+    from pam_cosim.study.additions import add  # writes a model with the effects of a diagnosis
+    from pam_cosim.study.comparisons import compare  # compares a model with a data set
+    from pam_cosim.study.coupling import (
+        couple,  # makes a system of FMUs and controllers
+        read_system,  # reads a system from TOML or SSP
+        start,  # starts a run that is driven step by step
+        write_system,  # writes a system as SSP
+    )
+    from pam_cosim.study.data_sets import (
+        new,  # drafts a data set from the files of a laboratory
+        read,  # reads a data set
+    )
+    from pam_cosim.study.diagnoses import (
+        check,  # what a data set can determine, before any fit
+        diagnose,  # finds the effects that a model lacks
+        draw,  # draws a product as PNG
+        live,  # draws the progress of a fit or a diagnosis in a notebook
+    )
+    from pam_cosim.study.dynamics import (
+        frequency_response,  # the response of a model to sines of an input
+        linearise,  # the linear model about an operating point
+        linearise_along,  # the linear models at several times of a run
+    )
+    from pam_cosim.study.fits import (
+        fit,  # fits the free parameters to a data set
+        profile,  # the profile likelihood of each fitted parameter
+    )
+    from pam_cosim.study.library import (
+        bench,  # composes a bench from parts
+        benches,  # the names of the benches
+        effects,  # the catalogue of effects
+        rig_parts,  # the parts that a bench is composed of
+    )
+    from pam_cosim.study.many_runs import sweep  # simulates many runs of a model
+    from pam_cosim.study.observing import observe  # estimates signals that are not measured
+    from pam_cosim.study.plans import plan  # designs the next experiment
+    from pam_cosim.study.predictions import predict  # predicts a run with 95 % bands
+    from pam_cosim.study.problems import problem  # resolves every value of a data set and a model
+    from pam_cosim.study.products import (
+        load,  # reads a saved product
+        save,  # saves a product
+    )
+    from pam_cosim.study.runs import simulate  # simulates one run of a model
 
 __all__ = [
-    "actuator",
     "add",
     "bench",
     "benches",
     "build",
-    "build_with_data",
     "check",
     "compare",
     "couple",
@@ -41,7 +68,6 @@ __all__ = [
     "diagnose",
     "draw",
     "effects",
-    "evidence",
     "fit",
     "frequency_response",
     "linearise",
@@ -61,37 +87,15 @@ __all__ = [
     "simulate",
     "start",
     "sweep",
-    "track",
     "write_system",
 ]
 
-# The homes of the functions, by module.
-_MODULES = {
-    "pam_cosim.simulation.models": ("build", "describe"),
-    "pam_cosim.study.actuators": ("actuator",),
-    "pam_cosim.study.additions": ("add",),
-    "pam_cosim.study.comparisons": ("compare",),
-    "pam_cosim.study.coupling": ("couple", "read_system", "start", "write_system"),
-    "pam_cosim.study.data_sets": ("new", "read"),
-    "pam_cosim.study.diagnoses": ("check", "diagnose", "draw", "live"),
-    "pam_cosim.study.dynamics": ("frequency_response", "linearise", "linearise_along"),
-    "pam_cosim.study.observing": ("observe",),
-    "pam_cosim.study.judged_fmu": ("build_with_data", "evidence"),
-    "pam_cosim.study.fits": ("fit", "profile"),
-    "pam_cosim.study.library": ("bench", "benches", "effects", "rig_parts"),
-    "pam_cosim.study.many_runs": ("sweep",),
-    "pam_cosim.study.plans": ("plan",),
-    "pam_cosim.study.predictions": ("predict",),
-    "pam_cosim.study.problems": ("problem",),
-    "pam_cosim.study.products": ("load", "save"),
-    "pam_cosim.study.runs": ("simulate",),
-    "pam_cosim.study.tracking": ("track",),
-}
-_HOMES = {name: module for module, names in _MODULES.items() for name in names}
-
 if not TYPE_CHECKING:
+    _NAMES = lazy_names(__file__)
+    __doc__ += _NAMES.text()
 
     def __getattr__(name: str) -> object:
-        if name in _HOMES:
-            return getattr(import_module(_HOMES[name]), name)
-        raise AttributeError(f"module 'pam_cosim.study' has no attribute '{name}'")
+        return _NAMES.load(__name__, name)
+
+    def __dir__() -> list[str]:
+        return __all__

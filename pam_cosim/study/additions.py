@@ -42,8 +42,8 @@ def add(
     """The Modelica text of a model with effects, or with what a diagnosis or a fit found; ``output`` is its file.
 
     ```python
-    pam.add(["LinearBladder"], to="Isotonic", output="Better.mo")
-    pam.add(pam.diagnose(data), output="Better.mo")  # with the fitted values: compare shows what the verdict said
+    pam.add(diagnosis, output="Better.mo")  # with the fitted values: compare shows what the verdict said
+    pam.add(["LinearBladder"], to="Isotonic", output="Better.mo")  # with default values
     ```
 
     Args:

@@ -21,8 +21,8 @@ from pam_cosim.cosimulation.ssp_read import read_ssp
 from pam_cosim.cosimulation.ssp_write import write_ssp
 from pam_cosim.cosimulation.toml_read import Written, read_toml
 from pam_cosim.errors import InputError
-from pam_cosim.fmu import read_interface
-from pam_cosim.fmu.read import feedthrough
+from pam_cosim.fmu.own import is_own
+from pam_cosim.fmu.read import feedthrough, read_interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation import models
@@ -117,7 +117,12 @@ def couple(
 def _part(name: str, model: str, files: models.Paths) -> CoupledFmu:
     path = models.build(model, files=files)
     return CoupledFmu(
-        name, model, path, read_interface(path), *feedthrough(path), foreign=is_fmu(model)
+        name,
+        model,
+        path,
+        read_interface(path),
+        *feedthrough(path),
+        foreign=is_fmu(model) and not is_own(path),
     )
 
 
@@ -229,13 +234,17 @@ def _from_ssp(
         raise problem if problem.file else InputError(problem.message, file) from problem
 
 
-def write_system(system: System, path: Path | str, *, ssp: str = "1.0") -> Path:
+def write_system(
+    system: System, path: Path | str, *, ssp: str = "1.0", connectors: bool = True
+) -> Path:
     """Writes a system as an archive of SSP, ``.ssp``, with its FMUs and parameter values.
 
     Args:
         system: the components and their connections.
         path: the archive.
         ssp: version of the standard, "1.0" or "2.0".
+        connectors: whether open inputs and all outputs are connectors of the system, by which other tools drive and
+            read it; libcosim and ecos cannot open a system that has connectors.
 
     Raises:
         InputError: a controller in Python, which an archive cannot hold; the file cannot be written; no such version.
@@ -243,4 +252,4 @@ def write_system(system: System, path: Path | str, *, ssp: str = "1.0") -> Path:
     file = Path(path)
     if file.suffix != ".ssp":
         raise InputError("a system is written as SSP: name a file that ends in .ssp", file)
-    return write_ssp(system, file, version=ssp)
+    return write_ssp(system, file, version=ssp, connectors=connectors)

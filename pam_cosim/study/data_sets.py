@@ -50,10 +50,11 @@ def read(
             without the samples that it set aside.
         model: default: the bench of the data set.
         files: further Modelica files.
-        roles: "fit" or "holdout" by run, where it shall be another one than the data set says.
+        roles: "fit" or "holdout" by run, where it shall be another one than the data set says. A pattern such as
+            "test*" in the place of a run, here, for ``cuts`` and for ``starts``: all runs that have no own value.
         cuts: the first and the last time of a run, by run, instead of ``from`` and ``to`` of the data set: [s] of the
             file's own clock or texts with a unit; None: as it was recorded. Where it begins elsewhere then, its start
-            is chosen anew. "*" in the place of a run: all that have no name here.
+            is chosen anew.
         starts: "rest", "steady", "measured" or "estimated" by run, likewise, where it shall begin otherwise than the
             data set says.
 
@@ -146,7 +147,7 @@ def new(
         columns: names of columns, or formulas, by inputs, outputs or "time".
         parameters: what is known of all runs, with units.
         recording: keys of ``[recording]`` of ``experiment.toml``, as far as files do not show them.
-        roles: "fit" or "holdout", by the names of recordings without their endings.
+        roles: "fit" or "holdout", by the names of recordings without their endings, or by patterns.
         files: further Modelica files.
 
     Raises:

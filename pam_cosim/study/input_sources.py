@@ -1,4 +1,7 @@
-"""Inputs of a model from arrays, a file, a frame, functions or formulas of time."""
+"""Inputs of a model from arrays, a file, a frame, functions or formulas of time.
+
+What reads measurements and formulas is loaded where a source needs it.
+"""
 
 from __future__ import annotations
 
@@ -11,14 +14,10 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.compiler.elementwise import elementwise, with_place
 from pam_cosim.errors import InputError, ModelError
-from pam_cosim.measurement import read_recording
-from pam_cosim.measurement.table import since_first
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import value_of
 from pam_cosim.simulation import Inputs, Trajectory
-from pam_cosim.study.read_limits import check_course
 from pam_cosim.units import UnitError, convert
 from pam_cosim.wording import did_you_mean
 
@@ -51,6 +50,8 @@ def inputs_of(
         raise InputError("the inputs are an empty text; name a CSV file, or write 'u_in = 0.25'")
     if isinstance(source, (str, Path)) and not is_formulas(str(source)):
         return read_inputs(Path(source), interface)
+    from pam_cosim.study.read_limits import check_course
+
     inputs = _unchecked(source, interface, times)
     check_course(inputs, interface)
     return inputs
@@ -78,6 +79,8 @@ def is_formulas(text: str) -> bool:
 
 def _of_formulas(text: str, interface: Interface, time: Array) -> Inputs:
     """Inputs that formulas in time [s] give, in SI."""
+    from pam_cosim.compiler.elementwise import elementwise, with_place
+
     values: dict[str, Array] = {}
     for part in filter(str.strip, text.split(";")):
         head, _, formula = part.partition("=")
@@ -107,6 +110,9 @@ def read_inputs(file: Path, interface: Interface) -> Inputs:
     Raises:
         InputError: the file cannot be read, has no input column, or a value that the model does not allow.
     """
+    from pam_cosim.measurement import read_recording
+    from pam_cosim.study.read_limits import check_course
+
     recording = read_recording(file, interface)
     if not recording.inputs:
         known = ", ".join(interface.inputs) or "none"
@@ -148,6 +154,8 @@ def _time(columns: dict[str, Any]) -> Array | None:
         return None
     values = np.asarray(columns.pop(head))
     if values.dtype.kind == "M":  # times of day
+        from pam_cosim.measurement.table import since_first
+
         return since_first(values)
     if values.dtype.kind == "m":
         return np.asarray(values / np.timedelta64(1, "s"), dtype=float)

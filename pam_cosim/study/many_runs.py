@@ -51,7 +51,7 @@ def sweep(
         scalars={"filling time": "time_to(p, 90 %)", "peak temperature": "max(T)"},
         output="filling.nc",
     )
-    swept.dataset()["filling time"].sel(p_supply=138e3)
+    swept.to_xarray()["filling time"].sel(p_supply=138e3)
     ```
 
     Args:

@@ -75,7 +75,7 @@ def predict(
     if isinstance(product, Problem):
         files = (*as_paths(files), *product.files)
         product = fit(product)
-    needed = "a fit, a diagnosis or a problem is needed"
+    needed = "a fit, a problem or a diagnosis is needed"
     check_kind(product, (Fit, Diagnosis), needed, "make one, or load it by pam.load(FILE.npz)")
     samples, seed = checked_samples(samples), checked_seed(seed)
     fitted, data = (

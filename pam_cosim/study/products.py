@@ -17,15 +17,14 @@ from typing import Any, get_args
 
 import numpy as np
 from cattrs import Converter
-from cattrs.gen import make_dict_structure_fn, make_dict_unstructure_fn, override
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation, Tracking
+from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_ending, check_writable, read_file, write_bytes
-from pam_cosim.fitting import Fit, GlobalSearch, HoldoutUncertainty, PredictiveBands, Profiles
+from pam_cosim.fitting import Fit, HoldoutUncertainty, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
 from pam_cosim.simulation import Trajectory
 from pam_cosim.study.saved_content import arrays_in, check_plain, plain_value
@@ -45,11 +44,10 @@ Product = (
     | LinearCourse
     | FrequencyResponse
     | Observation
-    | Tracking
 )
 _KINDS: dict[str, type[Any]] = {kind.__name__: kind for kind in get_args(Product)}
 _TEXT = "product"
-_VERSION = 1  # of the form of the file; every earlier one is read (docs/versions.md)
+_VERSION = 1  # of the form of the file
 _DAMAGED = "is no saved product of a study, or was damaged"
 
 
@@ -96,7 +94,7 @@ def load(path: Path | str) -> Any:
     try:
         arrays = arrays_in(content)
         document = json.loads(bytes(arrays.pop(_TEXT)).decode())
-        _check_version(document.get("version", _VERSION), source)
+        _check_version(document["version"], source)
         check_plain(document["content"], arrays)
         with _at_hand(arrays):
             product = _converter().structure(document["content"], _KINDS[document["kind"]])
@@ -174,25 +172,7 @@ def _converter() -> Converter:
     converter.register_structure_hook(Path, lambda text, _: Path(text))
     for kind in (str, float, int, bool):
         converter.register_structure_hook(kind, plain_value)
-    read_search = make_dict_structure_fn(GlobalSearch, converter)
-    converter.register_structure_hook(
-        GlobalSearch, lambda search, kind: read_search(_named_search(search), kind)
-    )
-    saved_name = override(rename="leeway")  # the key in version 1 of the file
-    converter.register_unstructure_hook(
-        Fit, make_dict_unstructure_fn(Fit, converter, holdout_uncertainty=saved_name)
-    )
-    converter.register_structure_hook(
-        Fit, make_dict_structure_fn(Fit, converter, holdout_uncertainty=saved_name)
-    )
     return converter
-
-
-def _named_search(search: dict[str, Any]) -> dict[str, Any]:
-    """A search with its name, which that of a swarm lacks in the first files of version 1."""
-    if "name" in search:
-        return search
-    return {**search, "name": f"swarm of {search['particles']} particles"}
 
 
 def _is_array(kind: Any) -> bool:

@@ -10,7 +10,6 @@ from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation import Inputs, Trajectory
-from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 from pam_cosim.simulation.models import Paths, opened
 from pam_cosim.study.input_sources import Source, inputs_of
 from pam_cosim.units import UnitError, seconds
@@ -64,6 +63,8 @@ def simulate(
         course, times = _course(interface, inputs, stop_time, interval)
         values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
         if engine == "fmpy":
+            from pam_cosim.simulation.fmpy_engine import run_with_fmpy
+
             return run_with_fmpy(
                 simulator.path, times, parameters=values, inputs=course, outputs=kept
             )

@@ -20,8 +20,8 @@ from numpy.typing import NDArray
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 
-_MARK = "pam-cosim sweep 1"
-_LONGEST_REASON = 500  # bytes of why a run failed
+_MARK = "pam-cosim sweep 2"
+_LONGEST_REASON = 1000  # bytes of why a run failed, and of its warnings
 _LONGEST_HEAD = 10_000_000
 
 
@@ -34,12 +34,14 @@ class RunResult:
         scalars: (scalars,); NaN where the run failed.
         values: (outputs, times) or None where they are not kept.
         failure: why it failed; empty where it did not.
+        warnings: of the model.
     """
 
     run: int
     scalars: Array
     values: Array | None
     failure: str = ""
+    warnings: tuple[str, ...] = ()
 
 
 class Records:
@@ -71,6 +73,7 @@ class Records:
             [
                 ("run", "<i8"),
                 ("failure", f"S{_LONGEST_REASON}"),
+                ("warnings", f"S{_LONGEST_REASON}"),
                 ("scalars", "<f8", (scalars,)),
                 ("values", "<f8", (outputs, times)),
             ]
@@ -148,6 +151,7 @@ class Records:
         records = np.zeros(len(rows), self.kind)
         for record, row in zip(records, rows, strict=True):
             record["run"], record["failure"] = row.run, _cut(row.failure)
+            record["warnings"] = _cut("\n".join(row.warnings))
             record["scalars"] = row.scalars
             record["values"] = np.nan if row.values is None else row.values
         try:
@@ -196,8 +200,15 @@ class SweepRuns:
 
     def failures(self) -> list[str]:
         """Of all runs."""
+        return self._texts("failure")
+
+    def warnings(self) -> list[list[str]]:
+        """Of the model, in each run."""
+        return [text.splitlines() for text in self._texts("warnings")]
+
+    def _texts(self, field: str) -> list[str]:
         return [
-            text.decode("utf-8", "replace") for text in self.records["failure"][self.place].tolist()
+            text.decode("utf-8", "replace") for text in self.records[field][self.place].tolist()
         ]
 
     def scalars(self) -> Array:

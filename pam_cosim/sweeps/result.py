@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from html import escape
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.exports import library
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
@@ -18,6 +18,7 @@ from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import SweepRuns
 from pam_cosim.sweeps.scalars import Scalar
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed, distinct_warnings, look_first
 
 if TYPE_CHECKING:
     import pandas
@@ -28,7 +29,7 @@ _FEW = 8  # runs that a notebook shows
 
 
 @dataclass(frozen=True)
-class SweepPoint:
+class SweepPoint(Printed):
     """One run of a sweep.
 
     Attributes:
@@ -43,8 +44,13 @@ class SweepPoint:
     scalars: dict[str, float]
     failure: str | None = None
 
+    def __str__(self) -> str:
+        values = {**self.parameters, **self.scalars}
+        lines = [", ".join(f"{name} = {value:.6g}" for name, value in values.items())]
+        return "\n".join([*lines, *filter(None, [self.failure])])
 
-class Sweep:
+
+class Sweep(Printed):
     """Runs in the order of the design; a sequence of ``SweepPoint``.
 
     Attributes:
@@ -114,18 +120,27 @@ class Sweep:
         """Why runs failed, by their numbers, from 0."""
         return {i: text for i, text in enumerate(self.table.failures()) if text}
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """The distinct warnings of the model, each with its runs by their numbers, from 0."""
+        return distinct_warnings(
+            {f"run {i}": texts for i, texts in enumerate(self.table.warnings())}
+        )
+
     def column(self, scalar: str) -> Array:
         """(runs,) one number of every run [its unit]."""
         return self.table.scalars()[:, [s.name for s in self.scalars].index(scalar)]
 
-    def dataset(self) -> xarray.Dataset:
+    def to_xarray(self) -> xarray.Dataset:
         """All of it, labelled and with units: what was varied are the axes of a grid, or coordinates along "run"."""
+        library("xarray")
         from pam_cosim.sweeps.labelled import dataset
 
         return dataset(self)
 
-    def frame(self) -> pandas.DataFrame:
+    def to_frame(self) -> pandas.DataFrame:
         """A row for each run: what was varied, scalars, and why a run failed; ``attrs["units"]`` has the units."""
+        library("pandas")
         from pam_cosim.sweeps.labelled import frame
 
         return frame(self)
@@ -147,10 +162,11 @@ class Sweep:
             self.partial = None
         return Path(path)
 
-    def __repr__(self) -> str:
+    def __str__(self) -> str:
         names = [f"{name} {self._span(i)}" for i, name in enumerate(self.design.names)]
         varied = ", ".join(names)
         lines = [f"{len(self)} runs of {self.interface.model} ({self.design.kind}): {varied}"]
+        lines += look_first(self.warnings)
         lines += [f"  {line}" for line in self.summary_lines()]
         if self.failed:
             lines.append(
@@ -187,8 +203,8 @@ class Sweep:
         return low if low == high else f"from {low} to {high}"
 
     def _repr_html_(self) -> str:
-        head = self.frame().head(_FEW)
-        return f"<pre>{escape(repr(self))}</pre>{head.to_html(escape=True)}"
+        head = self.to_frame().head(_FEW)
+        return f"{super()._repr_html_()}{head.to_html(escape=True)}"
 
     def summary(self) -> dict[str, Any]:
         """Plain data: model, settings, number of runs and of failures."""

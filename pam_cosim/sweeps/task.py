@@ -109,7 +109,7 @@ def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, flo
             run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed"
         )
     values = np.stack([made[name] for name in job.outputs]) if job.keep else None
-    return RunResult(run, _numbers(job, made), values)
+    return RunResult(run, _numbers(job, made), values, warnings=made.warnings)
 
 
 def _numbers(job: SweepJob, made: Trajectory) -> Array:

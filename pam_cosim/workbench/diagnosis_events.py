@@ -126,7 +126,7 @@ def ranking(
 def _judged(judged: Judged, domain: Domain, **more: object) -> Json:
     verdict = judged.verdict
     rows = [
-        selected(row, "what named", share=row.probability, percent=percent(row.probability))
+        selected(row, "what named share=probability", percent=percent(row.probability))
         for row in probability_rows(verdict)
     ]
     return event(

@@ -206,7 +206,7 @@ def _quantities(interface: Interface) -> Json:
     return {
         "names": [_quantity(v, input=v.name in interface.inputs) for v in quantities],
         "parameters": [
-            _quantity(v, value=selected(v, "start", v.unit)["start"])
+            _quantity(v, **selected(v, "value=start", v.unit))
             for v in interface.parameters.values()
         ],
     }

@@ -11,7 +11,7 @@ study: state ("open", or "drop" before there is a data set), title, folder; wher
     benches, methods (of a fit).
 steps: steps, a line ``{"text"}`` each; saved: whether the study was saved as it is.
 scores: version, scores (levels by role and signal), runs (rms by run and signal), ladder (rungs; the last is the
-    standing model), values (of parameters).
+    standing model), values (of parameters), warnings (of the model, each with its runs).
 where: version, rules that hold most of the error: signal, rule, error_share, time_share, ranges (of time, by run).
 starts: version, runs: run, mode (of ``modes``, or "periodic", "by hand"), text, warning (the model cannot begin there),
     modes, values.
@@ -54,7 +54,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.files import plain
+from pam_cosim.files import plain, plain_fields
 from pam_cosim.units import readable_factor
 
 Json = dict[str, Any]
@@ -74,20 +74,19 @@ def event(kind: str, /, **fields: object) -> Json:
     return {"event": kind, **plain(fields)}
 
 
-def selected(product: object, names: str, si_unit: str = "", /, **others: object) -> Json:
+def selected(product: object, keys: str, si_unit: str = "", /, **others: object) -> Json:
     """A record of a message: fields of a product, and others with them.
 
     Args:
         product: any object.
-        names: of its attributes, and of methods without arguments.
+        keys: of the fields, in the form of ``Plain.json_keys``.
         si_unit: of the fields, if they are quantities: these are converted to the readable unit.
         others: further fields.
     """
-    factor, record = readable_factor(si_unit), Json()
-    for name in names.split():
-        value = getattr(product, name)
-        value = value() if callable(value) else value
-        record[name] = value * factor if si_unit and value is not None else value
+    record = plain_fields(product, keys)
+    if si_unit:
+        factor = readable_factor(si_unit)
+        record = {key: value and value * factor for key, value in record.items()}
     return record | others
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping, Sequence
 from pathlib import PureWindowsPath
 
-from pam_cosim.comparison import Comparison, Rule, SignalScore, score
+from pam_cosim.comparison import Comparison, Rule, SignalScore, score, warnings_of
 from pam_cosim.compiler.names import last
 from pam_cosim.files import plain
 from pam_cosim.fitting import METHODS, Estimate, Free
@@ -66,8 +66,7 @@ def steps_event(state: State, saved: bool) -> Json:
 def _run(run: Run) -> Json:
     return selected(
         run,
-        "name role describe",
-        static=run.is_static,
+        "name role describe static=is_static",
         along=f"{run.along.name} [{unit_text(run.along.unit) or '1'}]" if run.along else "",
         begins=run.time[0],
         ends=run.time[-1],
@@ -103,8 +102,7 @@ def interval(estimate: Estimate | None, unit: str) -> Json:
         estimate.determined and math.isfinite(estimate.high - estimate.low)
     ):
         return {"low95": None, "high95": None}
-    ends = selected(estimate, "low high", unit)
-    return {f"{end}95": value for end, value in ends.items()}
+    return selected(estimate, "low95=low high95=high", unit)
 
 
 def rung_of(label: str, comparison: Comparison) -> Json:
@@ -151,6 +149,7 @@ def scores_event(state: State, opened: Opened, comparison: Comparison, version: 
         values={
             f.name: value_of(f, state) * readable_factor(f.unit) for f in opened.parameters.values()
         },
+        warnings=warnings_of(comparison.runs),
     )
 
 

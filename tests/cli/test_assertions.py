@@ -33,7 +33,12 @@ def test_a_warning_is_told_once_and_the_run_goes_on(
     (place / "Rising.mo").write_text(MODEL)
     outcome = command("simulate", "Rising.mo", "--stop-time", "1.9", "-o", "out.csv")
     assert outcome.status == 0 and (place / "out.csv").exists()
-    assert outcome.err.count("at time 1 s: x has passed one") == 1
+    assert (
+        outcome.out.count(
+            "LOOK FIRST: an assertion of the model fails at time 1 s: x has passed one"
+        )
+        == 1
+    )
 
 
 def test_a_condition_on_a_condition(place: Path, command: Callable[..., Outcome]) -> None:

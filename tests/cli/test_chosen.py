@@ -85,6 +85,8 @@ def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place:
         (["fit", "--output", "better.mo"], "'pam-cosim add --from' writes a model"),
         (["fit", "--role", "one=judge"], "no role"),
         (["compare", "--role", "one=holdout"], "no run would be left"),
+        (["compare", "--role", "o*=holdout"], "no run would be left"),
+        (["diagnose", "--role", "test*=holdout"], "no run 'test*'"),
         (["compare", "--set", "orifice.C_x=1"], "did you mean 'orifice.C_d'"),
         (["compare", "--cut", "one=5"], "write RUN=FROM:TO"),
         (["compare", "--cut", "one=0:1 kPa"], "to=1 kPa"),

@@ -84,7 +84,8 @@ def test_values_that_have_no_place_are_told(command: Command, data: Path) -> Non
     description.write_text(description.read_text() + '[runs.parameters]\n"orifice.d" = "2.7 mm"\n')
     Path("p.json").write_text('{"orifice.d": 0.002, "tank.n": 1.2}')
     said = done(command("compare", "data", "--params", "p.json")).err
-    assert "p.json: orifice.d: the runs state values of their own" in said
-    Path("p.json").write_text('{"tank.n": 1.2, "tank.n@run-99": 1.3}')
+    assert "the data set states orifice.d, and its value is used instead of that of p.json" in said
+    Path("p.json").write_text('{"tank.n": 1.2, "tank.n@run-99": 1.3, "tank.V/stated": 1.1}')
     said = done(command("add", "--from", "p.json", "--to", "VesselOrifice", "-o", "A.mo")).err
-    assert "p.json: tank.n@run-99: of the data and not of the model" in said
+    assert "p.json: tank.V/stated: of the data and not of the model" in said
+    assert "tank.n@run-99 = 1.3" in Path("A.mo").read_text()

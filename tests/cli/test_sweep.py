@@ -123,7 +123,7 @@ def test_random_runs_with_scalars_as_netcdf_and_picture(
         (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is asked for twice"]),
         (["--no-trajectories"], ["needs a scalar"]),
         (["--keep", "valve.inlet.mflow"], ["no variable 'valve.inlet.mflow'", "did you mean"]),
-        (["--output", "valve.inlet.mflow"], ["-o names 2 files", "--keep"]),
+        (["--output", "valve.inlet.mflow"], ["--output is given 2 times; it takes one value"]),
         (["--stop-time", "3 kg"], ["the stop time", "'kg'"]),
         (["--interval", "0"], ["steps of 0 s"]),
     ],

@@ -96,6 +96,24 @@ def test_a_sensor_that_is_not_connected_is_told() -> None:
     assert asked(compared(np.full_like(TIME, 3.0), np.full_like(TIME, 4.0))) == []
 
 
+def test_warnings_of_the_model_come_first_and_each_once() -> None:
+    """With its runs; where its numbers differ, those of the first of them."""
+    measured = np.full_like(TIME, 3.0)
+    names = ("run-01", "run-02", "run-03")
+    times = ((1.5, 2.5), (), (2e-3,))
+    runs = [
+        replace(
+            compared(measured + k, PRESSURE, name=name),
+            warnings=tuple(f"fails at time {t:g} s: p = {t} Pa" for t in own) + ("always",),
+        )
+        for k, (name, own) in enumerate(zip(names, times, strict=True))
+    ]
+    first, second, *others = asked(*runs)
+    assert first.text == "run-01, run-03: fails at time 1.5 s: p = 1.5 Pa (in run-01)"
+    assert second == Doubt("warning", "", "every run: always")
+    assert others and "warning" not in {doubt.kind for doubt in others}
+
+
 def test_a_copy_under_another_name_is_told() -> None:
     measured = noisy(PRESSURE)
     one, other = compared(measured, PRESSURE), compared(measured, PRESSURE, name="run-02")

@@ -11,7 +11,7 @@ import pytest
 from pam_cosim.comparison import chi2_reduced, compare, score, simulate_run
 from pam_cosim.comparison.scores import score_signal
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_json
+from pam_cosim.files import plain, write_json
 from pam_cosim.starts import start_time
 from tests.comparison.fake import FakeSimulator, data_set, run
 
@@ -96,7 +96,7 @@ def test_numbers_that_do_not_exist() -> None:
     data = data_set([run("one", TIME, x=[2.0, 2.0, 2.0, 2.0])], {"x": 0.5})
     s = compare(_simulator(), data).scores["all"]["x"]
     assert s.rmse == 2.0
-    shown = s.as_dict()
+    shown = plain(s)
     assert [shown[k] for k in ("nrmse", "correlation")] == [None] * 2
 
 

@@ -177,7 +177,7 @@ def test_controller_is_called_once_for_every_sample() -> None:
         "lift": lift,
     }
     system = pam.couple(parts, [*CUT, "muscle.x -> lift.x", "lift.u_in -> gas.u_in"])
-    assert "lift: lift, every 0.02 s" in repr(system)
+    assert "lift: lift, every 0.02 s" in str(system)
     for settings in ({"step": "3 ms"}, {"tolerance": 1e-4}):
         calls.clear()
         run = system.simulate(0.5, **settings)  # type: ignore[arg-type]
@@ -424,9 +424,9 @@ def test_run_that_cannot_be_made(settings: dict[str, Any], message: str) -> None
 
 def test_shows_itself() -> None:
     system = halves(muscle__load__m="5 kg")
-    assert "gas: CoSimulation.ValveAndGas" in repr(system) and "  gas.p -> muscle.p" in repr(system)
+    assert "gas: CoSimulation.ValveAndGas" in str(system) and "  gas.p -> muscle.p" in str(system)
     run = system.simulate(0.1, step="10 ms", outputs=["muscle.load.v"])
-    assert repr(run).startswith(
+    assert str(run).startswith(
         "gauss-seidel up to 0.1 s: 10 steps of 0.01 s; steps of the components: gas 10"
     )
     assert (

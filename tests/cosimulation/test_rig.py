@@ -57,12 +57,12 @@ def test_input_that_steps_stands_twice_and_is_held() -> None:
 
 def test_shows_itself() -> None:
     with pam.start("Isotonic") as rig:
-        assert repr(rig.step(0.5)) in repr(rig)
-        assert repr(rig).startswith(
+        assert str(rig.step(0.5)) in str(rig)
+        assert str(rig).startswith(
             "PneumaticMuscle.Benches.Isotonic at 0.5 s: p = "
-        ) and " kPa, x = " in repr(rig)
+        ) and " kPa, x = " in str(rig)
         assert rig.read("muscle.braid.L", "mm") == pytest.approx(1e3 * rig["muscle.braid.L"])
-    assert "at 0.5 s, ended: p = " in repr(rig)
+    assert "at 0.5 s, ended: p = " in str(rig)
     with pytest.raises(InputError, match="has ended"):
         rig.step(0.1)
 

@@ -181,5 +181,6 @@ def test_a_parameter_that_data_do_not_determine_is_named(tmp_path: Path) -> None
 
 def test_an_fmu_has_no_place_for_effects(tmp_path: Path) -> None:
     vessel(tmp_path / "rig")
+    fmu = str(pam.build("VesselOrifice", tmp_path / "Some.fmu"))
     with pytest.raises(InputError, match="Modelica model only"):
-        pam.check(pam.read(tmp_path / "rig"), "Some.fmu")
+        pam.check(pam.read(tmp_path / "rig"), fmu)

@@ -21,7 +21,6 @@ def copy(tmp_path: Path) -> Path:
     for place in (*(p.file for p in versions.PLACES), "CHANGELOG.md"):
         (tmp_path / place).parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(ROOT / place, tmp_path / place)
-    (tmp_path / "tests" / "saved" / versions.version()).mkdir(parents=True)
     return tmp_path
 
 
@@ -40,7 +39,7 @@ def test_a_place_that_says_otherwise_is_found(copy: Path) -> None:
 def test_a_new_version_is_written_to_every_place(copy: Path) -> None:
     versions.set_version("7.8.9", copy)
     assert versions.version(copy) == "7.8.9"
-    assert versions.faults(copy) == ["tests/saved/7.8.9 is missing: python -m tests.saved.write"]
+    assert versions.faults(copy) == []
     assert "`pam-cosim demo`" in versions.notes("7.8.9", copy), (
         "what was not released is the new section"
     )

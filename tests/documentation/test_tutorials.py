@@ -5,6 +5,8 @@ from __future__ import annotations
 import os
 import re
 import shlex
+import subprocess
+import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,6 +17,7 @@ from tests.cli.test_commands import done
 from tests.documentation.pages import ROOT, unsaid
 
 __all__ = ["command", "place"]
+SCRIPT = {"capture_output": True, "text": True, "check": True}
 PAGES = sorted((ROOT / "docs" / "tutorials").glob("*.md"))
 
 
@@ -26,8 +29,13 @@ def test_tutorial(page: Path, command: Callable[..., Outcome], place: Path) -> N
         r"^```sh\n(.*?)^```", page.read_text(encoding="utf-8"), re.DOTALL | re.MULTILINE
     )
     lines = [shlex.split(line) for block in blocks for line in block.splitlines()]
-    assert len(lines) >= 2 and {words[0] for words in lines} == {"pam-cosim"}
-    said = "\n".join(done(command(*words[1:])).out for words in lines)
+    assert len(lines) >= 2 and {words[0] for words in lines} <= {"pam-cosim", "python"}
+    said = "\n".join(
+        done(command(*words[1:])).out
+        if words[0] == "pam-cosim"
+        else subprocess.run([sys.executable, *words[1:]], **SCRIPT).stdout
+        for words in lines
+    )
     assert unsaid(f"tutorials/{page.name}", said) == []
     asked = {
         words[i + 1]

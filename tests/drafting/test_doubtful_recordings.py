@@ -260,6 +260,11 @@ def test_a_file_in_which_the_time_begins_anew_holds_several_runs(tmp_path: Path)
     assert [len(run.time) for run in made.data.runs] == [300, 300, 300]
     assert [run.inputs["p_set"].max() for run in made.data.runs] == pytest.approx([1e5, 2e5, 3e5])
     assert [run.role for run in made.data.runs] == ["fit", "holdout", "fit"]
+    roles = {"all part 2": "holdout", "all part*": "fit"}
+    again = pam.new(tmp_path / "again", [file], roles=roles)
+    assert [run.role for run in again.data.runs] == ["fit", "holdout", "fit"]
+    with pytest.raises(pam.InputError, match=r"there is no recording 'test\*'"):
+        pam.new(tmp_path / "none", [file], roles={"test*": "fit"})
     assert "because the time goes back" in (tmp_path / "rig" / "experiment.toml").read_text()
 
 

@@ -9,6 +9,7 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.errors import SimulationFailure
+from pam_cosim.files import plain
 from pam_cosim.fitting import FitOptions, fit
 from pam_cosim.fitting.free import Free, base_parameters
 from pam_cosim.fitting.methods.particle_swarm import (
@@ -180,7 +181,7 @@ def test_only_the_product_or_ratio_is_claimed_where_only_that_is_known(
     assert pair.low < 0.3 < pair.high and pair.high - pair.low < 0.03
     assert pair.unit == ("s2" if kind == "product" else "1")
     assert f"only the {kind} is determined" in str(result)
-    assert result.as_dict()["combinations"] == [pair.as_dict()]
+    assert result.as_dict()["combinations"] == [plain(pair)]
 
 
 def test_a_sum_is_no_product(tmp_path) -> None:  # type: ignore[no-untyped-def]

@@ -102,7 +102,7 @@ def test_dependencies_are_exact() -> None:
         "y": ["x_start"],
         "feed": ["u", "x_start"],
     }
-    assert _dependencies(models.fmu(models.algebraic), "Outputs") == {"y": ["u", "time"]}
+    assert _dependencies(models.fmu(models.algebraic), "Outputs") == {"y": ["u"]}
 
 
 def _kinds(path: Path, part: str) -> dict[str, dict[str, str]]:
@@ -164,7 +164,7 @@ def test_unknown_version_of_fmi(tmp_path: Path) -> None:
 def test_state_that_is_output_and_derivative() -> None:
     path = models.fmu(models.oscillator)
     names = [v.attrib["name"] for v in _tree(path).iter("ScalarVariable")]
-    assert names == ["s", "der(s)", "der(s,2)", "F", "k", "m", "E", "T", "time"]
+    assert names == ["s", "der(s)", "der(s,2)", "F", "k", "m", "E", "T"]
     assert _dependencies(path, "Outputs") == {"s": ["s"], "F": ["s"]}
     assert _dependencies(path, "Derivatives") == {"der(s)": ["der(s)"], "der(s,2)": ["s"]}
 

@@ -31,7 +31,7 @@ from pam_cosim.cache import cache_dir
 from pam_cosim.compiler import compile_model
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import build_fmu, build_model
-from pam_cosim.fmu.compile import PLATFORMS, native_platform
+from pam_cosim.fmu.platforms import PLATFORMS, native_platform
 from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, Simulator
 from pam_cosim.study import add
@@ -175,7 +175,8 @@ def test_rebuilt_from_its_own_sources_it_gives_the_same_numbers(fmi: str, tmp_pa
     binary.unlink()
     target = PLATFORMS[native_platform()].target
     shared = ["-shared", "-fPIC"] if not binary.name.endswith(".dll") else ["-shared"]
-    command = [sys.executable, "-m", "ziglang", "cc", "-target", target, "-O2", *shared, "-I.", "-o", str(binary),
+    command = [sys.executable, "-m", "ziglang", "cc", "-target", target, "-O2", *shared,
+               f"-DFMI{fmi[0]}_OVERRIDE_FUNCTION_PREFIX", "-I.", "-o", str(binary),
                *_listed_sources(folder, fmi), "-lm"]  # fmt: skip
     zig = str(cache_dir() / "zig")
     environment = os.environ | {"ZIG_GLOBAL_CACHE_DIR": zig, "ZIG_LOCAL_CACHE_DIR": zig}

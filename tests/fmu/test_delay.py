@@ -140,7 +140,6 @@ def test_directional_derivatives() -> None:
         assert fmu.getReal([vr["echo"]]) == pytest.approx([4.0 * 0.2])
         assert fmu.getDirectionalDerivative(unknown, [vr["u"]], [1.0]) == [0.0, 0.0]
         assert fmu.getDirectionalDerivative(unknown, [vr["T"]], [1.0]) == [-8.0, -4.0]
-        assert fmu.getDirectionalDerivative(unknown, [vr["time"]], [1.0]) == [8.0, 4.0]
         assert fmu.getRealOutputDerivatives([vr["echo"]], [1]) == [4.0]
 
 

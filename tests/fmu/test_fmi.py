@@ -72,14 +72,14 @@ def test_bad_arguments_are_refused() -> None:
         _refused(fmu.getReal, [99])
         _refused(fmu.setReal, [99], [1.0])
         _refused(fmu.setReal, [vr["u"]], [float("nan")])
-        _refused(fmu.setReal, [vr["y"]], [1.0])
-        _refused(fmu.setReal, [vr["time"]], [1.0])
+        _refused(fmu.setReal, [vr["feed"]], [1.0])
         _refused(fmu.getInteger, [0])
         _refused(fmu.setBoolean, [0], [True])
         _refused(fmu.setupExperiment, 0.0, 0.0)
         _refused(fmu.setupExperiment, 1e-6, 1.0, 0.5)
         _initialise(fmu)
-        _refused(fmu.setReal, [vr["tau"]], [1.0])
+        _refused(fmu.setReal, [vr["x_start"]], [1.0])
+        fmu.setReal([vr["x_start"]], [0.0])  # the value that it has
         _refused(fmu.setRealInputDerivatives, [vr["x"]], [1], [1.0])
         _refused(fmu.setRealInputDerivatives, [vr["u"]], [2], [1.0])
         _refused(fmu.doStep, 0.5, 0.1)
@@ -142,7 +142,7 @@ def test_state_saved_inside_a_pending_step() -> None:
         frozen = fmu.serializeFMUState(state)
         first = _march(fmu, vr["v"], times[20:])
         fmu.setFMUState(state)
-        assert fmu.getReal([vr["time"]]) == [times[20]]
+        assert fmu.getRealStatus(2) == times[20]
         assert _march(fmu, vr["v"], times[20:]) == first
         fmu.freeFMUState(state)
         foreign = other.deserializeFMUState(frozen)
@@ -266,3 +266,48 @@ def test_master_that_sets_values_and_slopes_at_every_step() -> None:
     t = times[1:]
     assert reached == pytest.approx(0.3 * (t - 0.5 + 0.5 * np.exp(-t / 0.5)), abs=1e-8)
     assert numbers[0] < 60 and numbers[4] == 1, list(numbers)
+
+
+def test_a_parameter_that_changes_in_a_run_takes_effect_there() -> None:
+    """x' = (u - x)/tau from x = 1: tau is 0.5 s up to 0.3 s and 2 s from there."""
+    exact = np.exp(-0.3 / 0.5 - 0.4 / 2.0)
+    with instance(models.lag) as (fmu, vr):
+        fmu.setReal([vr["x_start"]], [1.0])
+        _initialise(fmu, 1e-10)
+        fmu.doStep(0.0, 0.3)
+        fmu.setReal([vr["tau"]], [2.0])
+        fmu.doStep(0.3, 0.4)
+        assert fmu.getReal([vr["x"]])[0] == pytest.approx(exact, rel=1e-8)
+    with instance(models.lag, FMU2Model) as (fmu, vr):
+        _initialise(fmu)
+        fmu.enterContinuousTimeMode()
+        _refused(fmu.setReal, [vr["tau"]], [2.0])
+        fmu.enterEventMode()
+        fmu.setReal([vr["tau"]], [2.0])
+        fmu.enterContinuousTimeMode()
+        fmu.setReal([vr["u"]], [3.0])
+        assert fmu.getReal([vr["der(x)"]]) == [1.5]
+
+
+def test_messages_name_the_variable_and_need_no_arguments() -> None:
+    told: list[tuple[int, bytes, bytes]] = []
+    with instance(models.oscillator) as (fmu, vr):
+        functions = fmpy.fmi2.fmi2CallbackFunctions()
+        functions.logger = fmpy.fmi2.fmi2CallbackLoggerTYPE(
+            lambda _, instance, status, category, message: told.append((status, category, message))
+        )
+        functions.allocateMemory = fmpy.fmi2.fmi2CallbackAllocateMemoryTYPE(fmpy.fmi2.calloc)
+        functions.freeMemory = fmpy.fmi2.fmi2CallbackFreeMemoryTYPE(fmpy.fmi2.free)
+        first = fmu.component
+        fmu.instantiate(callbacks=functions, loggingOn=True)
+        fmu.setReal([vr["k"]], [1e9])
+        fmu.setReal([vr["k"]], [2e9])
+        _initialise(fmu)
+        fmu.doStep(0.0, 1e-6)
+        fmu.setReal([vr["m"]], [2.0])
+        fmu.fmi2FreeInstance(fmu.component)
+        fmu.component = first
+    warning, event = told
+    assert warning[:2] == (1, b"logStatusWarning") and event[:2] == (0, b"logEvents")
+    assert warning[2].startswith(b"k = 1e+09 N/m is outside the range of the model, at least 0 N/m")
+    assert event[2] == b"at time 1e-06 s: m = 2 kg"

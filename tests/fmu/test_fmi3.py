@@ -91,7 +91,7 @@ def test_bad_arguments_are_refused() -> None:
         _refused(fmu.enterInitializationMode, 0.0)
         _refused(fmu.enterInitializationMode, 1e-6, 1.0, 0.5)
         _initialise(fmu)
-        _refused(fmu.setFloat64, [vr["tau"]], [1.0])
+        _refused(fmu.setFloat64, [vr["x_start"]], [1.0])
         _refused(fmu.doStep, 0.5, 0.1)
         _refused(fmu.doStep, 0.0, 0.0)
         _refused(fmu.doStep, 0.0, float("inf"))
@@ -264,7 +264,6 @@ def test_step_that_cannot_be_completed_is_discarded_in_fmi_2() -> None:
         assert step(fmu.component, 0.0, 1.0, 1) == 2
         assert fmu.getRealStatus(2) == pytest.approx(_BREAKDOWN, abs=1e-5)
         assert not fmu.getBooleanStatus(3)
-        assert fmu.getReal([vr["time"]]) == [fmu.getRealStatus(2)]
         assert step(fmu.component, fmu.getRealStatus(2), 0.1, 1) == 3
         fmu.setFMUState(state)
         fmu.setReal([vr["floor"]], [-100.0])

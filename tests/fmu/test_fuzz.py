@@ -15,7 +15,7 @@ import pytest
 
 from pam_cosim.cache import cache_dir
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.compile import PLATFORMS, native_platform
+from pam_cosim.fmu.platforms import PLATFORMS, native_platform
 from tests.fmu import models
 
 _FUZZ = Path(__file__).with_name("fuzz.c")
@@ -59,6 +59,7 @@ def _program(path: Path, sanitizer: str, fmi: str, folder: Path) -> Path:
         *compiler,
         *_COMMON,
         f"-DFMI={fmi[0]}",
+        f"-DFMI{fmi[0]}_OVERRIDE_FUNCTION_PREFIX",
         f'-DGUID="{guid}"',
         f"-I{folder / 'sources'}",
         str(_FUZZ),

@@ -10,8 +10,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.integrate import solve_ivp
 
-from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.compile import compile_library
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.platforms import native_platform
 from pam_cosim.resources import fmu_runtime
 from tests.fmu.models import forced
 

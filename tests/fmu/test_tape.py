@@ -17,10 +17,10 @@ from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fmu import build_source
 from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
+from pam_cosim.fmu.read import TABLES
 from pam_cosim.fmu.tape import OPERATIONS, tape_of
 from pam_cosim.resources import fmu_runtime
 from pam_cosim.simulation import Inputs, Simulator
-from pam_cosim.simulation.tape import is_taped
 from tests.fmu import models
 from tests.library.shelf import on_bench
 
@@ -48,7 +48,7 @@ def both() -> Both:
             cached_taped_model("key", lambda: ode),
             cached_lean_model("key", lambda: ode),
         )
-        assert is_taped(taped) and not is_taped(compiled)
+        assert (taped / TABLES).exists() and not (compiled / TABLES).exists()
         assert (
             cached_taped_model("key", lambda: ode) == compiled
         )  # which is faster, once it is there
@@ -148,7 +148,7 @@ def test_an_effect_on_its_bench(effect: str) -> None:
         path = build_source(
             composition.name, composition.text, sensitivities=own, lean=True, brief=brief
         )
-        assert is_taped(path) == brief
+        assert (path / TABLES).exists() == brief
         with Simulator(path) as simulator:
             inputs = Inputs([0.0, 1.0, 2.0], {"u_in": [0.35, 0.3, 0.0], "u_out": [0.0, 0.0, 0.3]})
             outcomes.append(simulator.run(TIMES, inputs=inputs).values)

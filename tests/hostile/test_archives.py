@@ -1,4 +1,4 @@
-"""Archives of others: documents that would take all memory, contents that are damaged, files that are named often."""
+"""Archives of others: documents that would take all memory, contents that are damaged."""
 
 from __future__ import annotations
 
@@ -10,9 +10,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import MOST_OF_DOCUMENT, read_interface
-from pam_cosim.fmu.related_files import FOLDER, related_files
 
-MANIFEST = FOLDER + "fmi-ls-manifest.xml"
 LARGE = b"<x>" + b" " * MOST_OF_DOCUMENT
 SAID = "20 MB; 20 MB can be taken"
 DEFLATED, LZMA = zipfile.ZIP_DEFLATED, zipfile.ZIP_LZMA
@@ -53,13 +51,6 @@ def test_description_of_an_fmu_that_is_a_folder(tmp_path: Path) -> None:
     assert caught.value.file == file
 
 
-def test_manifest(tmp_path: Path) -> None:
-    file = archive(tmp_path / "large.fmu", {MANIFEST: LARGE})
-    with pytest.raises(InputError, match=f"fmi-ls-manifest.xml' in it has {SAID}") as caught:
-        related_files(file)
-    assert caught.value.file == file
-
-
 def test_description_of_a_system(tmp_path: Path) -> None:
     file = archive(tmp_path / "large.ssp", {"SystemStructure.ssd": LARGE})
     with pytest.raises(InputError, match=f"'SystemStructure.ssd' in it has {SAID}") as caught:
@@ -68,35 +59,8 @@ def test_description_of_a_system(tmp_path: Path) -> None:
 
 
 @pytest.mark.parametrize("compression", [DEFLATED, LZMA])
-def test_damaged_manifest(tmp_path: Path, compression: int) -> None:
-    file = archive(tmp_path / "damaged.fmu", {MANIFEST: b"<fmiReferences/>" * 50}, compression)
-    with pytest.raises(InputError, match="is no FMU that can be read"):
-        related_files(damaged(file, MANIFEST))
-
-
-@pytest.mark.parametrize("compression", [DEFLATED, LZMA])
 def test_damaged_system(tmp_path: Path, compression: int) -> None:
     name = "SystemStructure.ssd"
     file = archive(tmp_path / "damaged.ssp", {name: b"<description/>" * 50}, compression)
     with pytest.raises(InputError, match="is not an SSP archive"):
         pam.read_system(damaged(file, name))
-
-
-def test_a_file_that_is_named_often_is_read_once(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    elements = "".join(f'<Related source="a.csv" role="role {i}"/>' for i in range(40))
-    manifest = f"<fmiReferences>{elements}</fmiReferences>".encode()
-    file = archive(tmp_path / "often.fmu", {MANIFEST: manifest, FOLDER + "a.csv": b"t\n0\n"})
-    names: list[str] = []
-    read = zipfile.ZipFile.read
-
-    def counted(content: zipfile.ZipFile, name: str) -> bytes:
-        names.append(name)
-        return read(content, name)
-
-    monkeypatch.setattr(zipfile.ZipFile, "read", counted)
-    found = related_files(file)
-    assert [one.role for one in found] == [f"role {i}" for i in range(40)]
-    assert {one.content for one in found} == {b"t\n0\n"}
-    assert names == [MANIFEST, FOLDER + "a.csv"]

@@ -13,7 +13,8 @@ import pytest
 from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.compile import compile_library
+from pam_cosim.fmu.platforms import native_platform
 from pam_cosim.fmu.read import read_interface
 from pam_cosim.processes.memory import MOST_MEMORY
 from pam_cosim.simulation import IsolatedSimulator

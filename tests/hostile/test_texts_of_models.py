@@ -22,8 +22,9 @@ from pam_cosim.compiler import compile_model
 from pam_cosim.compiler.names import identifier, last, parent, parts
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_string
-from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.compile import compile_library
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.platforms import native_platform
 from pam_cosim.reporting import plot_trajectory
 from pam_cosim.simulation import Simulator, Trajectory
 from pam_cosim.simulation.failure import RunFailure

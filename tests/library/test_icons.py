@@ -9,7 +9,7 @@ import pytest
 
 from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.syntax import Reference
-from scripts.icons import SQUARE, Pictures, Placed, diagram, gallery
+from pam_cosim.fmu.drawing import SQUARE, Pictures, Placed, diagram, gallery
 from tests.library.shelf import benches, check_each, tree
 
 PICTURES = Pictures()

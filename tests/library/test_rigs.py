@@ -15,8 +15,8 @@ from pam_cosim.catalogue.place import is_signal
 from pam_cosim.compiler import compile_model, read_library, read_structure
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
+from pam_cosim.fmu.drawing import Pictures
 from pam_cosim.simulation import Inputs, Simulator
-from scripts.icons import Pictures
 from tests.library.rigs import choices, held, rig, run, written
 from tests.library.shelf import effects, tree
 

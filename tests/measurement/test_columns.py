@@ -173,7 +173,7 @@ def test_the_documents_examples_are_valid(tmp_path):
         file.write_text(
             block if "[[runs]]" in block else block + '[[runs]]\nfile = "a.csv"\n', encoding="utf-8"
         )
-        assert read_experiment(file).content.runs
+        assert read_experiment(file).runs
     text = next(block for block in re.findall(r"```\n(Mea.*?)```", page, re.DOTALL))
     (tmp_path / "run.csv").write_text(text)
     columns = read_table(tmp_path / "run.csv").columns

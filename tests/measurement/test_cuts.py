@@ -116,6 +116,27 @@ def test_a_run_without_samples_is_none(read: Callable[..., DataSet]) -> None:
         read(rows=ROWS + "2,0,\n2.1,0,\n", cuts={"run": (2, None)})
 
 
+def test_a_pattern_means_the_runs_that_match_it(read: Callable[..., DataSet]) -> None:
+    run = read(cuts={"r*": ("0.5 s", None), "ru*": ("0.7 s", None)}, starts={"r*n": "steady"}).runs[
+        0
+    ]
+    assert run.time[0] == 0.7 and run.start.mode == "steady"
+    with pytest.raises(InputError, match=r"has no run 'test\*'; .*Known: run"):
+        read(starts={"test*": "rest"})
+
+
+def test_a_pattern_gives_roles_to_the_runs_without_an_own_one(read: Callable[..., DataSet]) -> None:
+    rows = ROWS + "".join(f"{t:g},0,100\n" for t in TIMES + 50)
+    data = read('gaps = "split"', rows=rows)
+    assert [run.name for run in data.runs] == ["run piece 1", "run piece 2"]
+    for roles in ({"run piece 1": "fit", "run*": "holdout"}, {"*": "fit", "*2": "holdout"}):
+        assert [run.role for run in data.with_roles(roles).runs] == ["fit", "holdout"]
+    with pytest.raises(InputError, match=r"has no run 'test\*'"):
+        data.with_roles({"test*": "holdout"})
+    with pytest.raises(InputError, match="no run would be left to fit"):
+        data.with_roles({"*": "holdout"})
+
+
 def test_a_star_stands_for_all_runs_that_are_not_named(read: Callable[..., DataSet]) -> None:
     run = read(cuts={"*": ("0.5 s", None)}, starts={"*": "steady"}).runs[0]
     assert run.time[0] == 0.5 and run.start.mode == "steady"

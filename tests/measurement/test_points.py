@@ -244,6 +244,7 @@ NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n !=
                 ("from", '"1 s"'),
                 ("to", "3"),
                 ("gaps", '"split"'),
+                ("interpolation", '"linear"'),
                 ("start", '"rest"'),
                 ("lead", '"1 s"'),
                 ("periodic", "false"),

@@ -11,8 +11,9 @@ import pytest
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run, StatedSignal, condensed, read_data_set
 from pam_cosim.measurement.condensing import MOST_ROWS
-from pam_cosim.measurement.recording import Averaged, Recording
+from pam_cosim.measurement.recording import Recording
 from pam_cosim.measurement.resampling import noise_of_mean, resampled, with_noise_of_means
+from pam_cosim.measurement.signal import Averaged
 from tests.measurement.bench import MODEL, describe
 
 STEPS = (3.0005, 7.1235)  # [s], between samples

@@ -8,8 +8,9 @@ from functools import cache
 from pathlib import Path
 
 from pam_cosim.fmu.build import runtime
-from pam_cosim.fmu.compile import compile_library, native_platform
+from pam_cosim.fmu.compile import compile_library
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.platforms import native_platform
 from pam_cosim.fmu.read import read_description
 from pam_cosim.resources import fmu_runtime
 from tests.fmu import models

@@ -183,7 +183,7 @@ def test_a_run_goes_elsewhere(reference: pam.Trajectory, tmp_path: Path) -> None
     )
     pam.draw(reference, tmp_path / "r.png")
     assert (
-        repr(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()
+        str(reference).startswith("2 signals at ") and "<pre>2 signals" in reference._repr_html_()
     )
 
 

@@ -51,7 +51,7 @@ def test_each_run_is_what_simulate_makes_of_its_inputs(step: Path) -> None:
     assert (
         swept.column("highest").reshape(3, 2)[2] > 1.1 * lasts[2]
     ).all()  # what was let out again
-    assert "inputs of 3 patterns" in repr(swept)
+    assert "inputs of 3 patterns" in str(swept)
 
 
 def test_formulas_are_inputs_over_time() -> None:
@@ -66,7 +66,7 @@ def test_formulas_are_inputs_over_time() -> None:
         MODEL, {"inputs": [text, "u_in=0.3"]}, scalars=SCALARS, stop_time=2, workers=1
     )
     assert swept.column("last")[0] == told["p"][-1]
-    assert list(swept.frame()["inputs"]) == [text, "u_in=0.3"]
+    assert list(swept.to_frame()["inputs"]) == [text, "u_in=0.3"]
 
 
 @pytest.mark.parametrize(
@@ -91,7 +91,7 @@ def test_results_have_the_names_of_the_patterns(step: Path, tmp_path: Path, kind
     file = tmp_path / f"result.{kind}"
     swept = pam.sweep(MODEL, vary, scalars=SCALARS, stop_time=4, output=file, workers=1)
     names = ["a step", "a step", "a ramp", "a ramp"]
-    assert list(swept.frame()["inputs"]) == names
+    assert list(swept.to_frame()["inputs"]) == names
     if kind == "nc":
         with xarray.open_dataset(file) as data:
             assert (

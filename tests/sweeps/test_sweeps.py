@@ -56,7 +56,7 @@ def test_times_of_runs_that_have_not_settled_are_missing_and_said_to_be() -> Non
     )
     slow, fast = full.column("filling time")
     assert np.isnan(slow) and fast == pytest.approx(21.03, abs=0.01)
-    assert "filling time: 1 run has not settled" in repr(full)
+    assert "filling time: 1 run has not settled" in str(full)
 
 
 @pytest.mark.parametrize("workers", [2, None])
@@ -106,7 +106,7 @@ def test_nobody_at_the_address() -> None:
 
 
 def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:
-    data = reference.dataset()
+    data = reference.to_xarray()
     assert dict(data.sizes) == {"u_in": 4, "p_supply": 2, "time": len(reference.time)}
     assert data["p"].attrs["units"] == "Pa" and data["u_in"].attrs["units"] == "A"
     one = data.sel(p_supply=207e3).isel(u_in=2)
@@ -117,7 +117,7 @@ def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:
 def test_what_is_written_reads_back(reference: pam.Sweep, tmp_path: Path) -> None:
     with xarray.open_dataset(reference.save(tmp_path / "s.nc")) as read:
         xarray.testing.assert_equal(
-            read.drop_vars("failure").load(), reference.dataset().drop_vars("failure")
+            read.drop_vars("failure").load(), reference.to_xarray().drop_vars("failure")
         )
         assert read["p"].attrs["units"] == "Pa" and json.loads(read.attrs["settings"]) == {}
     csv = pandas.read_csv(reference.save(tmp_path / "s.csv"))
@@ -176,7 +176,7 @@ def test_a_list_keeps_its_order() -> None:
     made = pam.sweep(MODEL, points, design="list", stop_time=1.0, scalars=["final(p)"], workers=1)
     assert [point.parameters for point in made] == points
     assert made.column("final(p)")[0] == made.column("final(p)")[2] != made.column("final(p)")[1]
-    assert dict(made.dataset().sizes) == {"run": 3}
+    assert dict(made.to_xarray().sizes) == {"run": 3}
 
 
 class _Stop(Exception):
@@ -270,11 +270,11 @@ def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
 
 
 def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
-    first = repr(reference).splitlines()[0]
+    first = str(reference).splitlines()[0]
     assert first.startswith(
         "8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A"
     )
-    assert "last pressure: from" in repr(reference)
+    assert "last pressure: from" in str(reference)
     assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
 
 

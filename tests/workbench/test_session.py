@@ -51,6 +51,15 @@ def test_a_slider_moves_curves_and_errors_as_the_public_call_says(
     assert window.last("scores")["values"]["valve.C_A"] == 0.71
 
 
+def test_a_warning_of_the_model_stands_with_the_scores(folder: Path, window: Window) -> None:
+    assert window.last("scores")["warnings"] == []
+    file = folder / "experiment.toml"
+    file.write_text(file.read_text() + '[parameters]\n"muscle.fibres" = 300\n')
+    with Session(folder) as session:
+        (warning,) = Window(session).last("scores")["warnings"]
+    assert warning.startswith("every run: ") and "muscle.fibres = 300" in warning
+
+
 def test_the_curves_come_before_the_scores_of_them(window: Window) -> None:
     window.forget()
     window.do(do="set", values={"valve.C_A": 0.65})

@@ -18,7 +18,8 @@ equation
   V = muscle.braid.V;
   V_flow = der(V);
   A = muscle.A;
-  annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
+  annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8),
+    __PamCosim(terminals="gas: p, V, V_flow, A"), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), (16)-(17), (68)-(71). Of the outputs none
 depends at once on the pressure: they follow from position and speed of the load. Alone, without pressure, the mass
 rests on the stop.</p>

@@ -45,7 +45,8 @@ equation
     annotation (Line(points={{55,-60}, {65,-60}}, color={190,30,0}));
   p = gas.p - ambient.p;
   T = gas.T;
-  annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8), Documentation(info="<html>
+  annotation (experiment(StopTime=1, Interval=0.01, Tolerance=1e-8),
+    __PamCosim(terminals="gas: p, V, V_flow, A"), Documentation(info="<html>
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (59)-(60), (62), (44). Of the outputs none
 depends at once on an input: pressure is a state, and temperature follows from it. Alone, with the volume held, it fills
 a vessel of the volume of a muscle at rest.</p>

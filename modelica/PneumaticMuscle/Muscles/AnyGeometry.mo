@@ -1,12 +1,16 @@
 within PneumaticMuscle.Muscles;
 model AnyGeometry "Muscle of Doumit and Pardoel by any measures that determine its sleeve"
-  extends Physical(usual=false, final L0=L, final D0=D, final turns=n, final t_wall=sleeve.t_wall);
+  extends Physical(usual=false, final L0=L, final D0=D, final turns=n, final t_wall=sleeve.t_wall,
+    fibres(min=0) = 0,
+    final N=if fibres > 0 then fibres else dp.fibres*(L0*D0/sqrt(L0^2 + (turns*Constants.pi*D0)^2)/w)
+      /(dp.L0*dp.D0/sqrt(dp.L0^2 + (dp.turns*Constants.pi*dp.D0)^2)/dp.t_fibre));
   replaceable record Sleeve = Data.SleeveData(L0=0.24, D0=0.02, turns=2) constrainedby Data.SleeveData
     "Measures of the sleeve"
     annotation (choicesAllMatching=true);
   Sleeve sleeve "Measures of the sleeve; three of L0, D0, turns, b and alpha_0, the others zero";
 protected
   constant Real tolerance(unit="1") = 0.02 "How far measures may disagree";
+  final parameter Data.MuscleData dp = Data.Latex() "Muscle of DP Table 1, whose fibres fill the usual share";
   constant Real least = 1e-9 "Keeps what is not stated out of denominators";
   final parameter Real stated = (if sleeve.L0 > 0 then 1 else 0) + (if sleeve.D0 > 0 then 1 else 0)
     + (if sleeve.turns > 0 then 1 else 0) + (if sleeve.b > 0 then 1 else 0) + (if sleeve.alpha_0 > 0 then 1 else 0)
@@ -42,19 +46,17 @@ equation
     + "but stated are L0 = " + String(sleeve.L0) + " m, fittings = " + String(sleeve.fittings) + " m, D0 = "
     + String(sleeve.D0) + " m, turns = " + String(sleeve.turns) + ", b = " + String(sleeve.b) + " m, alpha_0 = "
     + String(sleeve.alpha_0) + " rad; set to 0 what shall follow from the others");
-  assert(A_fibre >= 0 and A_fibre < Constants.pi*D0*L0,
-    "the fibres do not fit on the sleeve: by DP (48) they cover " + String(1e4*A_fibre) + " cm2 of "
-    + String(1e4*Constants.pi*D0*L0) + " cm2, so that no heat passes; state fibres, w and z",
-    AssertionLevel.warning);
   annotation (defaultComponentName="muscle", Documentation(info="<html>
 <p>L0 - fittings = b cos(alpha_0), n pi D0 = b sin(alpha_0), the cylinder of
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1): <code>sleeve</code> states any three of L0, D0,
 turns, b and alpha_0 with D0 or turns among them, and the others, which are zero, follow. More may be stated if they
 agree within 2 %; the angle is then taken from alpha_0 before b, and from b before turns. A run ends at its start with a
 message where they do not agree, or do not determine the sleeve.</p>
-<p>Number and width of the fibres do not follow: the defaults are those of
-<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 1. A run warns where such fibres would cover
-more than the sleeve, DP (46)-(48).</p>
+<p>A fibre of width w at alpha_0 to the axis takes w/cos(alpha_0) of the circumference; the N/2 fibres of one
+direction fill the share f = N w/(2 pi D0 cos(alpha_0)) of it. Unless <code>fibres</code> states N (0: not stated), f
+is assumed to be that of the muscle of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> Table 1,
+0.49, where N = 216; N need not be a whole number. By DP (46)-(48) the fibres then cover 2 f - f^2 sin(alpha_0)
+cos(alpha_0) z/w &lt; 1 of any sleeve. A run warns where fibres that are stated cover more.</p>
 <p>Fittings count in the length that a ruler measures and do not contract: the contraction ratio is that of the rest. In
 a muscle whose fittings are not known the effect
 <a href=\"modelica://PneumaticMuscle.Effects.EndShape.TonduEnds\">TonduEnds</a> finds them, fittings = L0 (1 - 1/k).</p>

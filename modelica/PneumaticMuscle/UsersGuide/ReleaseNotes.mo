@@ -18,8 +18,7 @@ what they were.</li>
 <a href=\"modelica://PneumaticMuscle.Mechanics.Components\">Mechanics.Components</a>; transducers in
 <a href=\"modelica://PneumaticMuscle.Instruments.Sensors\">Instruments.Sensors</a>, tables of muscles in
 <a href=\"modelica://PneumaticMuscle.Muscles.Data\">Muscles.Data</a>, models of what papers found in
-<a href=\"modelica://PneumaticMuscle.Examples.Validation\">Examples.Validation</a>. Former names mean the same classes:
-<a href=\"modelica://PneumaticMuscle.UsersGuide.FormerNames\">FormerNames</a>.</li>
+<a href=\"modelica://PneumaticMuscle.Examples.Validation\">Examples.Validation</a>.</li>
 <li>Every connection is drawn and every component has its place, also in muscles, valves, vessels and the parts of a
 rig. Names of classes and the first mention of a work are links. New pages
 <a href=\"modelica://PneumaticMuscle.UsersGuide.Conventions\">Conventions</a> and ReleaseNotes.</li>
@@ -53,7 +52,8 @@ before the inlet, <a href=\"modelica://PneumaticMuscle.Interfaces.Feed\">Interfa
 their films and that of <a href=\"modelica://PneumaticMuscle.Effects.GasEnergy.FlexibleGas\">FlexibleGas</a> are meant
 at ambient pressure and temperature, also in a vessel that starts elsewhere.
 <a href=\"modelica://PneumaticMuscle.Muscles.AirMuscle\">Muscles.AirMuscle</a> has no friction, and
-<a href=\"modelica://PneumaticMuscle.Muscles.AnyGeometry\">AnyGeometry</a> warns of fibres that do not fit on it.</li>
+<a href=\"modelica://PneumaticMuscle.Muscles.AnyGeometry\">AnyGeometry</a> has as many fibres as its sleeve takes,
+unless they are stated. All muscles of DP warn of fibres that do not fit on them.</li>
 </ul>
 <p><b>0.1.0</b></p>
 <ul>

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from pathlib import Path
 from typing import Annotated
 
@@ -10,11 +9,7 @@ import typer
 
 from pam_cosim import study
 from pam_cosim.cli.arguments import fmu_files
-from pam_cosim.cli.commands.common import (
-    FilesOption,
-    check_results,
-)
-from pam_cosim.errors import InputError
+from pam_cosim.cli.commands.common import FilesOption, check_results
 
 
 def build(
@@ -37,31 +32,8 @@ def build(
             "--sensitivity", help="A parameter; the outputs' derivatives by it become outputs too."
         ),
     ] = None,
-    with_data: Annotated[
-        Path | None,
-        typer.Option(
-            "--with-data", help="A data set that goes into the FMU, and that it is judged by."
-        ),
-    ] = None,
-    fit: Annotated[
-        Path | None, typer.Option("--fit", help="With --with-data: fitted values, of 'fit -o'.")
-    ] = None,
-    diagnosis: Annotated[
-        Path | None,
-        typer.Option(
-            "--diagnosis", help="With --with-data: effects and verdict, of 'diagnose --save'."
-        ),
-    ] = None,
 ) -> None:
     """Modelica to FMU."""
-    if with_data is not None:
-        return _with_data(
-            with_data, models or [], output, fit, diagnosis, files or [], platforms, fmi
-        )
-    if fit or diagnosis:
-        raise InputError(
-            "--fit and --diagnosis go into an FMU together with the recordings: name them by --with-data"
-        )
     targets = fmu_files(models or study.benches(), output)
     check_results(
         *(target for _, target in targets),
@@ -78,34 +50,3 @@ def build(
             sensitivities=sensitivities or [],
         )
         typer.echo(made)
-
-
-def _with_data(
-    data: Path,
-    models: Sequence[str],
-    output: Path,
-    fit: Path | None,
-    diagnosis: Path | None,
-    files: Sequence[Path],
-    platforms: Sequence[str] | None,
-    fmi: str,
-) -> None:
-    """One FMU with the recordings that it was judged by."""
-    if len(models) > 1 or output.suffix.lower() != ".fmu":
-        raise InputError(
-            "recordings go into one FMU: name it with -o NAME.fmu, and one model at most"
-        )
-    check_results(
-        output, sources=[data, *models, *files, *filter(None, (fit, diagnosis))], new_folder=True
-    )
-    made = study.build_with_data(
-        data,
-        output,
-        model=models[0] if models else None,
-        fit=fit,
-        diagnosis=diagnosis,
-        files=files,
-        platforms=platforms or ["native"],
-        fmi=fmi,
-    )
-    typer.echo(made)

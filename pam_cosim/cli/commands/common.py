@@ -15,7 +15,6 @@ import typer
 from rich.console import Console
 from rich.markup import escape
 
-from pam_cosim import renamed
 from pam_cosim.files import (
     JSON,
     PAGE,
@@ -29,7 +28,7 @@ from pam_cosim.files import (
 )
 
 if TYPE_CHECKING:
-    from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation, Tracking
+    from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation
     from pam_cosim.diagnosis import Event, Message
     from pam_cosim.fitting import PredictiveBands
     from pam_cosim.measurement import DataSet
@@ -74,19 +73,21 @@ SetOption = Annotated[
 RoleOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--role", help="RUN=fit or RUN=holdout, other than the data set says; may be repeated."
+        "--role", help="RUN=fit or RUN=holdout, other than the data set says; 'test*': these runs."
     ),
 ]
 CutOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--cut", help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "*": of all runs.'
+        "--cut",
+        help='RUN=FROM:TO, such as run-03="2.5 s:": what is kept of it; "test*": of these runs.',
     ),
 ]
 BeginOption = Annotated[
     list[str] | None,
     typer.Option(
-        "--begin", help="RUN=rest, steady, measured or estimated: how it begins; '*': all runs."
+        "--begin",
+        help="RUN=rest, steady, measured or estimated: how it begins; 'test*': these runs.",
     ),
 ]
 FreeOption = Annotated[
@@ -133,12 +134,6 @@ KeepOption = Annotated[
 Data = Annotated[
     Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")
 ]
-DataOrFmu = Annotated[
-    Path,
-    typer.Argument(
-        help="Folder of a data set, what 'diagnose --save' wrote, or an .fmu of 'build --with-data'."
-    ),
-]
 
 
 def check_results(
@@ -167,11 +162,6 @@ def check_results(
         results[path] = identity(path)
     check_distinct(named)
     check_spared(named, [source for source in sources if source is not None])
-
-
-def say_renamed(option: str) -> None:
-    """Answers an option that has another name now with that."""
-    print(f"pam-cosim: {renamed.OPTIONS[option].message(option)}", file=sys.stderr)
 
 
 def say_used_with(files: Iterable[Path]) -> None:
@@ -259,7 +249,7 @@ def say_written(path: Path | None) -> None:
 
 
 def tell_and_write(
-    product: LinearModel | FrequencyResponse | Observation | PredictiveBands | Tracking,
+    product: LinearModel | FrequencyResponse | Observation | PredictiveBands,
     output: Path | None,
     json: Path | None,
     plot: Path | None,

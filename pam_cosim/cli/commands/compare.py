@@ -9,11 +9,10 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     BeginOption,
     CutOption,
-    DataOrFmu,
+    Data,
     FilesOption,
     JsonOption,
     ModelOption,
@@ -29,18 +28,16 @@ from pam_cosim.cli.commands.common import (
     say_written,
 )
 from pam_cosim.comparison import Comparison, ConditionTable, check_conditions, write_tables
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
 from pam_cosim.measurement import Run
-from pam_cosim.model.references import is_fmu
 from pam_cosim.problems import Problem
 from pam_cosim.study.tables import against_lines, read_comparison
 from pam_cosim.wording import listed
 
 
 def compare(
-    data: DataOrFmu,
+    data: Data,
     model: ModelOption = None,
     params: ParamsOption = None,
     against: Annotated[
@@ -78,30 +75,14 @@ def compare(
         json=json, report=report, tables=[table_csv], pictures=[table_plot], sources=sources
     )
     earlier = [(path.stem, read_comparison(path)) for path in against]
-    repeated = True
-    if is_fmu(str(data)):
-        if roles or cuts or begins:
-            raise InputError("recordings in an FMU are compared as they were judged", data)
-        carried = study.evidence(data)
-        typer.echo(f"{carried}\n")
-        named = model or str(data)
-        kept = carried.values if model is None else {}
-        stated = parse_pairs(settings or [])
-        problem = study.problem(carried.data, named, values={**kept, **stated}, files=files)
-        comparison = _compared(problem, table, timeout)
-        if model in (None, str(data)) and not stated:
-            repeated = _say_repeated(carried.deviation(comparison))
-    else:
-        read = read_data(data, model, files, roles, cuts, begins)
-        problem = problem_of(read, model, files, settings, params=params, values=values)
-        comparison = _compared(problem, table, timeout)
+    read = read_data(data, model, files, roles, cuts, begins)
+    problem = problem_of(read, model, files, settings, params=params, values=values)
+    comparison = _compared(problem, table, timeout)
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = _tables(comparison, table) if table else []
     _write(comparison, tables, json, report)
     _write_tables(tables, table_csv, table_plot)
-    if not repeated:
-        raise typer.Exit(1)
 
 
 def _tables(comparison: Comparison, parameters: tuple[str, str]) -> list[ConditionTable]:
@@ -151,14 +132,3 @@ def _notes(runs: Sequence[Run]) -> list[str]:
         for note in run.notes:
             of.setdefault(note, []).append(run.name)
     return [f"{listed(dict.fromkeys(names))}: {note}" for note, names in of.items()]
-
-
-def _say_repeated(deviation: float) -> bool:
-    """Says whether the errors are those that the FMU states."""
-    repeated = deviation <= CRITERIA.run.repeated
-    if repeated:
-        typer.echo("The judgement is repeated: these are the errors that the FMU states.")
-    else:
-        differs = f"an error differs by {100 * deviation:.2g} % from what the FMU states"
-        typer.echo(f"The judgement is NOT repeated: {differs}.")
-    return repeated

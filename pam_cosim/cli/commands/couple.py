@@ -18,7 +18,6 @@ from pam_cosim.cli.commands.common import (
     TimeoutOption,
     check_results,
     console,
-    say_renamed,
     say_written,
 )
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
@@ -27,6 +26,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.study import coupling
 from pam_cosim.study.input_sources import read_inputs
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import look_first
 
 Value = TypeVar("Value")
 _ADAPTIVE = 1e-3  # relative error of a step, where nobody says another
@@ -71,7 +71,6 @@ def couple(
         ),
     ] = None,
     keep: KeepOption = None,
-    formerly: Annotated[list[str] | None, typer.Option("--observe", hidden=True)] = None,
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")
     ] = None,
@@ -81,12 +80,14 @@ def couple(
         str | None,
         typer.Option("--ssp-version", help="Of that archive: 1.0 (the default) or 2.0."),
     ] = None,
+    ssp_connectors: Annotated[
+        bool,
+        typer.Option(help="Open inputs and all outputs are connectors of that system."),
+    ] = True,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
     """Several FMUs, coupled."""
-    if formerly:
-        say_renamed("couple --observe VARIABLE")
     if ssp_version is not None and ssp is None:
         raise InputError("--ssp-version is of the archive that --ssp FILE writes; name one")
     files, controllers = files or [], controllers or []
@@ -103,7 +104,7 @@ def couple(
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
-        coupling.write_system(read, ssp, ssp=ssp_version or "1.0")
+        coupling.write_system(read, ssp, ssp=ssp_version or "1.0", connectors=ssp_connectors)
         say_written(ssp)
     columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
@@ -114,7 +115,7 @@ def couple(
                 step=step,
                 tolerance=_ADAPTIVE if adaptive and tolerance is None else tolerance,
                 inputs=course,
-                outputs=[*(keep or []), *(formerly or [])],
+                outputs=keep or [],
                 progress=lambda time, stop: progress.update(task, completed=time, total=stop),
                 **options,
             )
@@ -128,13 +129,15 @@ def couple(
 
 def _tell(run: CoupledRun) -> None:
     """A line for each variable: between which values it lies, and where it ends."""
+    for line in look_first(run.trajectory.warnings):
+        typer.echo(line.strip())
     for name, values in run.trajectory.values.items():
         unit = run.trajectory.units[name]
         low, high, last = (
             format_quantity(float(v), unit) for v in (values.min(), values.max(), values[-1])
         )
         typer.echo(f"{name}: from {low} to {high}, at the end {last}")
-    typer.echo(repr(run))
+    typer.echo(str(run))
 
 
 def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:

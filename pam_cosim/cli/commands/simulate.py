@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim import reporting, study
-from pam_cosim.cli.arguments import file_and_variables, parse_pairs
+from pam_cosim.cli.arguments import parse_pairs
 from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
@@ -16,10 +16,10 @@ from pam_cosim.cli.commands.common import (
     SetOption,
     TimeoutOption,
     check_results,
-    say_renamed,
     say_written,
 )
 from pam_cosim.exports import check_table_ending
+from pam_cosim.wording import look_first
 
 
 def simulate(
@@ -33,7 +33,7 @@ def simulate(
         str | None, typer.Option(help="Time between two rows of the result, such as '1 ms'.")
     ] = None,
     output: Annotated[
-        list[str] | None,
+        Path | None,
         typer.Option(
             "--output",
             "-o",
@@ -49,30 +49,27 @@ def simulate(
 ) -> None:
     """One run of a model."""
     sources = [model, inputs, *(files or [])]
-    check_results(*map(Path, output or []), pictures=[plot], sources=sources)
-    file, formerly = file_and_variables(output or [], lambda: study.describe(model, files or []))
-    if file:
-        check_table_ending(file)
-    if formerly:
-        say_renamed("simulate --output VARIABLE")
+    check_results(output, pictures=[plot], sources=sources)
+    if output:
+        check_table_ending(output)
     trajectory = study.simulate(
         model,
         parse_pairs(settings or []),
         inputs,
-        outputs=[*(keep or []), *formerly],
+        outputs=keep or [],
         stop_time=stop_time,
         interval=interval,
         engine=engine,
         files=files or [],
         timeout=timeout,
     )
-    for warning in filter(None, (trajectory.solver, *trajectory.warnings)):
-        typer.echo(f"pam-cosim: {warning}", err=True)
-    if file:
-        trajectory.save(file)
+    if trajectory.solver:
+        typer.echo(f"pam-cosim: {trajectory.solver}", err=True)
+    if output:
+        trajectory.save(output)
     if plot:
         reporting.plot_trajectory(trajectory, plot)
-    for line in repr(trajectory).splitlines()[1:]:
+    for line in [*look_first(trajectory.warnings), *str(trajectory).splitlines()[1:]]:
         typer.echo(line.strip())
-    say_written(file)
+    say_written(output)
     say_written(plot)

@@ -17,7 +17,6 @@ from rich.progress import (
 
 from pam_cosim import study
 from pam_cosim.cli.arguments import (
-    file_and_variables,
     parse_named,
     parse_pairs,
     parse_varied,
@@ -31,14 +30,13 @@ from pam_cosim.cli.commands.common import (
     check_results,
     console,
     remarks,
-    say_renamed,
     say_written,
 )
-from pam_cosim.errors import InputError
 from pam_cosim.exports import check_table_ending
 from pam_cosim.files import check_writable
 from pam_cosim.sweeps import DESIGNS, FUNCTIONS, Sweep, partial_of
 from pam_cosim.sweeps.patterns import INPUTS
+from pam_cosim.wording import look_first
 
 _MOST_FAILURES = 20  # that are told one by one
 _COLUMNS = (
@@ -61,7 +59,7 @@ def sweep(
         ),
     ],
     output: Annotated[
-        list[str],
+        Path,
         typer.Option(
             "--output", "-o", metavar="FILE", help="Write the result: CSV, .nc (NetCDF), .parquet."
         ),
@@ -112,15 +110,10 @@ def sweep(
     """
     varied = parse_varied(vary)
     sources = [model, inputs, *varied.get(INPUTS, []), *(files or [])]
-    check_results(*map(Path, output), pictures=[plot], sources=sources)
-    file, formerly = file_and_variables(output, lambda: study.describe(model, files or []))
-    if file is None:
-        raise InputError("name the file of the result with -o")
-    check_table_ending(file)
-    if formerly:
-        say_renamed("sweep --output VARIABLE")
-    check_writable(partial_of(file))
-    remarks.append(lambda: _kept(file))
+    check_results(output, pictures=[plot], sources=sources)
+    check_table_ending(output)
+    check_writable(partial_of(output))
+    remarks.append(lambda: _kept(output))
     with Progress(*_COLUMNS, console=console, disable=not console.is_terminal) as progress:
         task = progress.add_task("sweep", total=None)
         made = study.sweep(
@@ -128,7 +121,7 @@ def sweep(
             varied,
             parameters=parse_pairs(settings or []),
             inputs=inputs,
-            outputs=[*(keep or []), *formerly],
+            outputs=keep or [],
             scalars=parse_named(scalars or []),
             trajectories=trajectories,
             design=design,
@@ -136,7 +129,7 @@ def sweep(
             seed=seed,
             stop_time=stop_time,
             interval=interval,
-            output=file,
+            output=output,
             executor=dask,
             workers=workers,
             files=files or [],
@@ -146,7 +139,7 @@ def sweep(
     if plot:
         study.draw(made, plot)
     _tell(made)
-    say_written(file)
+    say_written(output)
     say_written(plot)
     if len(made.failed) == len(made):
         raise typer.Exit(1)
@@ -172,5 +165,5 @@ def _tell(made: Sweep) -> None:
             f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each"
         )
     typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
-    for line in made.summary_lines():
+    for line in [*look_first(made.warnings), *made.summary_lines()]:
         typer.echo(line)

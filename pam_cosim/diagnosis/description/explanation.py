@@ -27,12 +27,10 @@ from pam_cosim.ledger import Ledger, keep_ledger
 class LearnedModel:
     """A formula for a missing term, and the model with it, refitted: a description, no cause."""
 
+    json_keys = "*term model"
+
     term: LearnedTerm
     model: Candidate
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return {**self.term.as_dict(), "model": self.model.as_dict()}
 
 
 def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | None:

@@ -62,6 +62,8 @@ class LearnedTerm:
         parameters: by how much the free parameters of the model are off, as far as the term shows it [SI].
     """
 
+    json_keys = "name balance formula unit score fit_score parameters modelica=modelica_source"
+
     name: str
     balance: str
     formula: str
@@ -71,19 +73,6 @@ class LearnedTerm:
     score: float
     fit_score: float
     parameters: dict[str, float]
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return {
-            "name": self.name,
-            "balance": self.balance,
-            "formula": self.formula,
-            "unit": self.unit,
-            "score": self.score,
-            "fit_score": self.fit_score,
-            "parameters": self.parameters,
-            "modelica": self.modelica_source,
-        }
 
     def __str__(self) -> str:
         return f"{self.formula}  (explains {100 * self.score:.0f} % in runs that were not asked)"

@@ -6,14 +6,14 @@ import math
 from dataclasses import dataclass, replace
 
 from pam_cosim.comparison import SignalScore
-from pam_cosim.files import plain
 from pam_cosim.fitting import Estimate, Fit, WithoutPriors, without_priors
 from pam_cosim.measurement import ROLES
 from pam_cosim.units import format_quantity
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Candidate:
+class Candidate(Printed):
     """The model with one more effect, fitted to the data.
 
     Attributes:
@@ -34,6 +34,12 @@ class Candidate:
         general_before: one of these is a general member.
     """
 
+    failure = None  # in the place of that of a ``FailedTrial``
+    json_keys = (
+        "effect family balance effects delta_bic probability failure *_roles "
+        "parameters=fit.parameters own_parameters"
+    )
+
     effect: str
     family: str
     balance: str
@@ -48,6 +54,9 @@ class Candidate:
     without_priors: WithoutPriors = WithoutPriors()
     parameters_before: tuple[str, ...] = ()
     general_before: bool = False
+
+    def __str__(self) -> str:
+        return f"{' + '.join(self.effects)}: {describe_fit(self.fit)}"
 
     @property
     def parameters(self) -> dict[str, Estimate]:
@@ -71,18 +80,9 @@ class Candidate:
             return self
         return replace(self, fit=self.fit.without_linear(), without_priors=without_priors(self.fit))
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content: dict[str, object] = {
-            **_tried(self),
-            "delta_bic": self.delta_bic,
-            "probability": self.probability,
-            "failure": None,
-            **{role: role_summary(self.fit, role) for role in ROLES},
-            "parameters": self.fit.parameters,
-            "own_parameters": self.own_parameters,
-        }
-        return dict(plain(content))
+    @property
+    def _roles(self) -> dict[str, object]:
+        return {role: role_summary(self.fit, role) for role in ROLES}
 
 
 @dataclass(frozen=True)
@@ -94,28 +94,18 @@ class FailedTrial:
         failure: why not.
     """
 
+    delta_bic, probability = None, 0.0  # in the place of those of a ``Candidate``
+    json_keys = "effect family balance effects delta_bic probability failure"
+
     effect: str
     family: str
     balance: str
     effects: tuple[str, ...]
     failure: str
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return {**_tried(self), "delta_bic": None, "probability": 0.0, "failure": self.failure}
-
 
 Attempt = Candidate | FailedTrial
 """What comes of trying an effect."""
-
-
-def _tried(c: Candidate | FailedTrial) -> dict[str, object]:
-    return {
-        "effect": c.effect,
-        "family": c.family,
-        "balance": c.balance,
-        "effects": list(c.effects),
-    }
 
 
 def role_summary(fit: Fit, role: str) -> dict[str, object] | None:
@@ -124,7 +114,7 @@ def role_summary(fit: Fit, role: str) -> dict[str, object] | None:
     if not scores:
         return None
     chi2 = fit.comparison.chi2_reduced(role)
-    return {"chi2_reduced": chi2, "signals": {n: s.as_dict() for n, s in scores.items()}}
+    return {"chi2_reduced": chi2, "signals": scores}
 
 
 def describe_fit(fit: Fit) -> str:

@@ -12,10 +12,11 @@ from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.verdict import Verdict
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger
+from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class Event:
+class Event(Printed):
     """Something that happened; as text a line, or nothing where there is no line about it.
 
     Attributes:
@@ -23,9 +24,6 @@ class Event:
     """
 
     detail: ClassVar[bool] = False
-
-    def __str__(self) -> str:
-        return ""
 
     @property
     def message(self) -> Message:
@@ -64,7 +62,7 @@ class DoubtRaised(Event):
     doubt: Doubt
 
     def __str__(self) -> str:
-        return f"look first: {self.doubt.text}"
+        return f"LOOK FIRST: {self.doubt.text}"
 
 
 @dataclass(frozen=True)

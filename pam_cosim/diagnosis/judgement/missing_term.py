@@ -8,7 +8,6 @@ import numpy as np
 
 from pam_cosim.comparison import Rule
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit
 
 
@@ -40,10 +39,6 @@ class MissingTerm:
     balance: str | None
     signals: dict[str, LeftInSignal]
     where: tuple[Rule, ...]
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return plain_fields(self)
 
 
 def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:

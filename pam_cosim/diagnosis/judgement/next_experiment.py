@@ -13,7 +13,6 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.prediction import Hypothesis
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain_fields
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
@@ -50,10 +49,6 @@ class NextExperiment:
     def decides(self) -> bool:
         """Whether the run is expected to be very strong evidence for one of the rivals."""
         return self.evidence >= CRITERIA.evidence.very_strong
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return plain_fields(self)
 
 
 RivalPlan = tuple[Candidate, NextExperiment | None]

@@ -23,7 +23,6 @@ from pam_cosim.diagnosis.judgement.evidence import (
     refuted_by_unfitted_signals,
 )
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
-from pam_cosim.files import plain, plain_fields
 from pam_cosim.fitting import Fit
 
 
@@ -41,10 +40,6 @@ class Explanation:
     evidence: float
     probability: float
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return plain_fields(self)
-
 
 @dataclass(frozen=True)
 class Posterior:
@@ -55,6 +50,8 @@ class Posterior:
         something_else: probability of what no effect describes; NaN: not known.
         doubts: what made that more probable, some of ``DOUBTS``.
     """
+
+    json_keys = "explanations families=by_family something_else doubts"
 
     explanations: tuple[Explanation, ...] = ()
     something_else: float = nan
@@ -68,16 +65,6 @@ class Posterior:
             for family in one.families:
                 sums[family] = sums.get(family, 0.0) + one.probability
         return dict(sorted(sums.items(), key=lambda entry: (-entry[1], entry[0])))
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        content = {
-            "explanations": self.explanations,
-            "families": self.by_family,
-            "something_else": self.something_else,
-            "doubts": self.doubts,
-        }
-        return dict(plain(content))
 
 
 DOUBTS = ("structure", "form_open", "nothing", "unchecked", "several", "general")

@@ -25,16 +25,16 @@ from pam_cosim.diagnosis.judgement.evidence import (
 from pam_cosim.diagnosis.judgement.implausible import implausible
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
-from pam_cosim.files import plain_fields
+from pam_cosim.files import Plain
 from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import listed
+from pam_cosim.wording import Printed, listed
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
 
 
 @dataclass(frozen=True)
-class Verdict:
+class Verdict(Printed, Plain):
     """The answer to "which effect is missing?".
 
     Attributes:
@@ -64,6 +64,24 @@ class Verdict:
     implausible: tuple[str, ...] = ()
     posterior: Posterior = Posterior()
 
+    @property
+    def summary(self) -> str:
+        """Kind, families, effects and probability in a line."""
+        what = f": {' and '.join(self.families)} ({', '.join(self.effects)})"
+        probability = (
+            "" if isnan(self.probability) else f", probability {100 * self.probability:.0f} %"
+        )
+        return f"{self.kind}{what * bool(self.families)}{probability}"
+
+    @property
+    def sentences(self) -> list[str]:
+        """The reason, models that nobody expects, and what else may be missing."""
+        otherwise = [f"Otherwise: {self.otherwise}"] * bool(self.otherwise)
+        return [self.reason, *self.implausible, *otherwise]
+
+    def __str__(self) -> str:
+        return "\n  ".join([self.summary, *self.sentences])
+
     def names(self, families: Collection[str]) -> bool:
         """Whether it says that just these families are missing, or may be."""
         if self.kind == "ambiguous":
@@ -90,10 +108,6 @@ class Verdict:
             else "something else"
         )
         return ", ".join([*texts, f"{other} {100 * self.posterior.something_else:.0f} %"])
-
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        return plain_fields(self)
 
 
 _MOST_LISTED = 3  # sets of families

@@ -10,22 +10,28 @@ from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.comparison import warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark, listened
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.planning.hypothetical_measurements import Option, with_all_outputs
-from pam_cosim.diagnosis.planning.identifiability import DetectableEffect, Identifiability, Rows
+from pam_cosim.diagnosis.planning.identifiability import (
+    DetectableEffect,
+    Identifiability,
+    ParameterPrecision,
+    Rows,
+)
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain, plain_fields
+from pam_cosim.files import Plain
 from pam_cosim.fitting import base_parameters, linearised, rows_of_series
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet
 from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 
 @dataclass(frozen=True)
@@ -40,6 +46,8 @@ class Help:
         sharper: factor on the expected deviation of the free parameters, geometric mean.
     """
 
+    json_keys = "kind=option.kind what=option.text shows tells_apart determines sharper"
+
     option: Option
     shows: tuple[str, ...]
     tells_apart: tuple[tuple[str, str], ...]
@@ -51,14 +59,9 @@ class Help:
         """How many questions it settles."""
         return len(self.shows) + len(self.tells_apart) + len(self.determines)
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON."""
-        measures = {name: value for name, value in plain_fields(self).items() if name != "option"}
-        return {"kind": self.option.kind, "what": self.option.text, **measures}
-
 
 @dataclass(frozen=True)
-class Check(Printed):
+class Check(Printed, Plain):
     """What a data set can tell, and what would help.
 
     Attributes:
@@ -68,7 +71,14 @@ class Check(Printed):
         no_place: families whose effects find no place in the model.
         helps: further measurements, the most useful first; none that would bring nothing.
         failed: effects that could not be simulated.
+        warnings: of the model at its start values.
     """
+
+    json_keys = (
+        "title=data.title model parameters=_parameters confused=identifiability.confused "
+        "effects=identifiability.effects visible=identifiability.visible "
+        "alike=identifiability.alike hidden=identifiability.hidden no_place helps failed warnings?"
+    )
 
     data: DataSet
     model: str
@@ -76,31 +86,17 @@ class Check(Printed):
     no_place: tuple[str, ...]
     helps: tuple[Help, ...]
     failed: tuple[FailedTrial, ...] = ()
+    warnings: tuple[str, ...] = ()
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "title": self.data.title,
-            "model": self.model,
-            "parameters": {
-                k.name: {**plain_fields(k), "determined": k.determined}
-                for k in self.identifiability.parameters
-            },
-            "confused": self.identifiability.confused,
-            "effects": self.identifiability.effects,
-            "visible": sorted(self.identifiability.visible),
-            "alike": self.identifiability.alike,
-            "hidden": self.identifiability.hidden,
-            "no_place": self.no_place,
-            "helps": self.helps,
-            "failed": self.failed,
-        }
-        return dict(plain(content))
+    @property
+    def _parameters(self) -> dict[str, ParameterPrecision]:
+        return {known.name: known for known in self.identifiability.parameters}
 
     def __str__(self) -> str:
         lines = [
             f"{self.model} and {self.data.title}: what these data can tell, by the model at its start values"
         ]
+        lines += look_first(self.warnings)
         lines += (
             [*self.data.starts, *self._about_parameters()]
             + self._about_families()
@@ -255,7 +251,10 @@ def check(
             simulator, possible.data, possible.data.fit_runs, free, None, tolerance
         )
         count = _row_count(objective, data)
-        base = linearised(objective, np.array([f.to_z(f.start) for f in free]), count)
+        start = np.array([f.to_z(f.start) for f in free])
+        objective.residuals(start)
+        warnings = warnings_of(objective.latest_runs)
+        base = linearised(objective, start, count)
     if base is None:
         raise SimulationFailure(objective.first_failure)
     say(
@@ -284,6 +283,7 @@ def check(
         ),
         helps=tuple(_helps(rows, identifiability)),
         failed=tuple(search.failed),
+        warnings=warnings,
     )
 
 

@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.arrays import Array
+from pam_cosim.comparison import warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
@@ -95,6 +96,7 @@ def plan(
         units | {n: diagnosis.data.signals[n].unit for n in sigma},
         sigma,
         search.tried,
+        warnings_of(diagnosis.final.comparison.runs),
     )
 
 

@@ -36,6 +36,8 @@ class ParameterPrecision:
         span: between its bounds [unit].
     """
 
+    json_keys = "name unit start deviation span determined"
+
     name: str
     unit: str
     start: float

@@ -9,9 +9,9 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.files import plain
+from pam_cosim.exports import Columns, Tabular
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, listed
+from pam_cosim.wording import Printed, listed, look_first
 
 NO_EFFECT = "no effect"
 """Name of the model without effects among rivals."""
@@ -52,6 +52,8 @@ class PlannedRun:
         predicted: by rival and signal (n,) [SI].
     """
 
+    json_keys = "parameters table separations chi2 at_random"
+
     parameters: dict[str, float]
     table: dict[str, list[float]]
     separations: tuple[Separation, ...]
@@ -84,7 +86,7 @@ class PlannedRun:
 
 
 @dataclass(frozen=True)
-class RunPlan(Printed):
+class RunPlan(Printed, Tabular):
     """Runs that would decide between the models that a diagnosis leaves, or test the one that it names.
 
     Attributes:
@@ -98,7 +100,13 @@ class RunPlan(Printed):
         units: by name of an input, a parameter or a signal.
         sigma: noise of each signal [SI].
         tried: courses that were simulated.
+        warnings: of the model that the verdict is about, in the recorded runs.
     """
+
+    json_keys = (
+        "title model verdict rivals explanations families chi2 decides expectation separations "
+        "tried units runs warnings?"
+    )
 
     title: str
     model: str
@@ -110,6 +118,7 @@ class RunPlan(Printed):
     units: dict[str, str]
     sigma: dict[str, float]
     tried: int
+    warnings: tuple[str, ...] = ()
 
     @property
     def separations(self) -> tuple[Separation, ...]:
@@ -175,28 +184,19 @@ class RunPlan(Printed):
             else ""
         )
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        content = {
-            "title": self.title,
-            "model": self.model,
-            "verdict": self.verdict,
-            "rivals": self.rivals,
-            "explanations": self.explanations,
-            "families": self.families,
-            "chi2": self.chi2,
-            "decides": self.decides,
-            "expectation": self.expectation,
-            "separations": self.separations,
-            "tried": self.tried,
-            "units": self.units,
-            "runs": [_run(one) for one in self.runs],
+    def frame_columns(self) -> Columns:
+        """A row for each point of each run, numbered from 1."""
+        tables = [run.table for run in self.runs]
+        numbers = np.repeat(range(1, len(tables) + 1), [len(table["time"]) for table in tables])
+        return {"run": (numbers, "")} | {
+            name: (np.concatenate([table[name] for table in tables]), self.units.get(name, "s"))
+            for name in tables[0]
         }
-        return dict(plain(content))
 
     def __str__(self) -> str:
         lines = [
             f"{self.title}: the verdict is {self.verdict}; {self._left}",
+            *look_first(self.warnings),
             self.expectation,
         ]
         lines += [
@@ -214,16 +214,6 @@ def _named(models: Sequence[str]) -> str:
     """The best law of an explanation, and the others that fit as well."""
     best, *others = models
     return f"{best} (or {', '.join(others)})" if others else best
-
-
-def _run(run: PlannedRun) -> dict[str, object]:
-    return {
-        "parameters": run.parameters,
-        "table": run.table,
-        "separations": run.separations,
-        "chi2": run.chi2,
-        "at_random": run.at_random,
-    }
 
 
 def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> str:

@@ -18,7 +18,6 @@ from pam_cosim.diagnosis.judgement.verdict import Verdict
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.files import plain_fields
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Signal
 from pam_cosim.model.references import is_ratio
@@ -38,6 +37,8 @@ class Folds:
             middle one of the folds.
         worst: the largest one, and the runs that were left out then, by signal.
     """
+
+    json_keys = "count needed unbelievable rmse worst=_worst"
 
     count: int
     needed: Mapping[str, int]
@@ -65,12 +66,9 @@ class Folds:
         ]
         return f"Not named, though it helped: {listed(reasons)}." if reasons else ""
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        worst = {
-            name: {"rmse": rmse, "runs": list(runs)} for name, (rmse, runs) in self.worst.items()
-        }
-        return {**plain_fields(self), "worst": worst}
+    @property
+    def _worst(self) -> dict[str, object]:
+        return {name: {"rmse": rmse, "runs": runs} for name, (rmse, runs) in self.worst.items()}
 
 
 @dataclass(frozen=True)

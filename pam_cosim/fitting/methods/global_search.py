@@ -6,11 +6,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 
 from pam_cosim.arrays import Array
+from pam_cosim.files import Plain
 from pam_cosim.fitting.objective import Objective
 
 
 @dataclass(frozen=True)
-class GlobalSearch:
+class GlobalSearch(Plain):
     """A search by generation, for reports.
 
     Attributes:
@@ -20,6 +21,11 @@ class GlobalSearch:
         chi2_reduced: the lowest so far: of the first points, then after each generation.
         evaluations: simulations of the set of fit runs that it took.
     """
+
+    json_keys = (
+        "name best_point=_best_point chi2_reduced=_lowest chi2_by_generation=chi2_reduced "
+        "generations evaluations"
+    )
 
     name: str
     parameters: dict[str, float]
@@ -32,18 +38,13 @@ class GlobalSearch:
         """After the first points."""
         return len(self.chi2_reduced) - 1
 
-    def as_dict(self) -> dict[str, object]:
-        """Plain data for JSON, SI units."""
-        return {
-            "name": self.name,
-            "best_point": {
-                n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()
-            },
-            "chi2_reduced": self.chi2_reduced[-1],
-            "chi2_by_generation": list(self.chi2_reduced),
-            "generations": self.generations,
-            "evaluations": self.evaluations,
-        }
+    @property
+    def _best_point(self) -> dict[str, object]:
+        return {n: {"value": v, "unit": self.units[n]} for n, v in self.parameters.items()}
+
+    @property
+    def _lowest(self) -> float:
+        return self.chi2_reduced[-1]
 
     def __str__(self) -> str:
         first, last = (f"{c:.4g}" for c in (self.chi2_reduced[0], self.chi2_reduced[-1]))

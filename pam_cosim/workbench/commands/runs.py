@@ -9,6 +9,7 @@ import numpy as np
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.run_names import stated_of
 from pam_cosim.wording import shown
 from pam_cosim.workbench.checks import is_number, one_of, text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
@@ -22,7 +23,8 @@ def roles(study: StudyWithJobs, roles: Mapping[str, str]) -> None:
     if not isinstance(roles, Mapping):
         raise InputError("roles wants fit or holdout by run")
     data = study.state.data.with_roles(roles)
-    step = Step("roles", {"roles": {str(name): str(role) for name, role in roles.items()}})
+    stated = {run.name: run.role for run in data.runs if stated_of(run.name, roles) is not None}
+    step = Step("roles", {"roles": stated})
     study.enter(study.state.after(step, data=data, rungs=(), before=None))
 
 

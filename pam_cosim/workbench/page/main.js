@@ -93,6 +93,8 @@ const hear = {
     parts.ladder.show(event);
     parts.runs.show(event);
     parts.parameters.values(event.values);
+    const warnings = (event.warnings ?? []).map((text) => make("p", { class: "caution" }, `LOOK FIRST: ${text}`));
+    byId("look-first").replaceChildren(...warnings);
     for (const { run, text } of event.failed ?? []) alert({ text: `${run}: ${text}`, run });
     if (!event.failed?.length && byId("alert").dataset.of === "run") byId("alert").hidden = true;
   },

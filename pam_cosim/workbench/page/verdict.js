@@ -16,7 +16,7 @@ export function verdictParts(v, take, addLearned) {
     said(v.probability),
     probabilities(v.probabilities),
     said([v.reason, v.compared].filter(Boolean).join(" ")),
-    ...(v.doubts ?? []).map((doubt) => said(`Look first: ${doubt}`, "p", { class: "caution" })),
+    ...(v.doubts ?? []).map((doubt) => said(`LOOK FIRST: ${doubt}`, "p", { class: "caution" })),
     said(v.not_tried, "p", { class: "soft" }),
     v.complete ? make("p", { class: "steps-on" }, takeButton(v, take), reportLink()) : "",
   ];

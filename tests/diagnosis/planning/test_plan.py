@@ -57,6 +57,11 @@ def test_it_separates_the_rivals_better_than_chance(plan: RunPlan) -> None:
     assert "should decide between LinearBladder, MaxwellCreep" in plan.expectation
     assert run.table["time"][-1] == 3.0 and 2.0 <= run.parameters["load.m"] <= 4.0
     assert min(run.table["u_in"]) >= 0.0 and max(run.table["u_in"]) <= 0.35
+    frame = plan.to_frame()
+    assert list(frame["u_in"]) == list(run.table["u_in"]) and set(frame.index) == {1}
+    assert frame.attrs["units"] == {
+        "run": "", "time": "s", "u_in": "A", "u_out": "A", "p_supply": "Pa"
+    }  # fmt: skip
 
 
 @pytest.mark.full

@@ -25,11 +25,16 @@ partial model FibreSleeve "A sleeve of crossed fibres with its friction; default
     "Friction between fibres and bladder"
     annotation (Placement(transformation(extent={{50,-10},{70,10}})));
 protected
-  final parameter Real crossings = 2*turns*(fibres/2)^2 - fibres/2 "Number of crossings (q), DP (47)";
-  final parameter Types.Area A_fibre = w*(fibres*sqrt(L0^2 + (turns*Constants.pi*D0)^2) - z*crossings/2)
+  parameter Real N(unit="1") = fibres "Number of fibres that friction and heat are calculated with";
+  final parameter Real crossings = 2*turns*(N/2)^2 - N/2 "Number of crossings (q), DP (47)";
+  final parameter Types.Area A_fibre = w*(N*sqrt(L0^2 + (turns*Constants.pi*D0)^2) - z*crossings/2)
     "Area of contact between fibres and bladder, DP (48)";
   Types.Area A_q = max(0, Constants.pi*braid.D*braid.L - A_fibre) "Area that exchanges heat with the gas";
 equation
+  assert(A_fibre >= 0 and A_fibre < Constants.pi*D0*L0,
+    "the fibres do not fit on the sleeve: by DP (48) they cover " + String(1e4*A_fibre) + " cm2 of "
+    + String(1e4*Constants.pi*D0*L0) + " cm2, so that no heat passes; state fibres, w and z",
+    AssertionLevel.warning);
   connect(port, braid.port)
     annotation (Line(points={{-100,0}, {-10,0}}, color={0,90,160}));
   connect(port, fibreFriction.port)
@@ -52,7 +57,7 @@ equation
 <p>Force <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (1), friction DP (68)-(71), geometry as in
 <a href=\"modelica://PneumaticMuscle.Interfaces.Braid\">Interfaces.Braid</a>. The area that exchanges heat is what the
 fibres leave free, DP (46)-(49), A_q = max(0, pi D L - w (b N - z q/2)), q = 2 n (N/2)^2 - N/2; w and z are not
-tabulated, the fibre thickness is taken for both.</p>
+tabulated, the fibre thickness is taken for both. A run warns where the fibres cover more than the sleeve at rest.</p>
 <p>Left to the extending class: the gas. The port is a pressure tap as far as the sleeve goes.</p>
 </html>"));
 end FibreSleeve;

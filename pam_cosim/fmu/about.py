@@ -1,0 +1,33 @@
+"""Who made the model of an FMU, under which licence, and when the FMU was made."""
+
+from __future__ import annotations
+
+import os
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, metadata
+
+from pam_cosim.compiler.ode import Ode
+from pam_cosim.fmu.description import TOOL
+from pam_cosim.resources import modelica_root
+
+
+def identity(ode: Ode) -> dict[str, str]:
+    """Author, licence and version, as far as they are known: those of the library for its classes."""
+    package = ode.interface.model.split(".")[0]
+    version = dict(ode.libraries).get(package)
+    found = {"version": version} if version else {}
+    if not (modelica_root() / package).is_dir():
+        return found
+    try:
+        of = metadata(TOOL)
+    except PackageNotFoundError:
+        return found
+    author, licence = str(of["Author"]), str(of["License-Expression"])
+    return {"author": author, "license": licence, "copyright": f"(c) {author}", **found}
+
+
+def date() -> str:
+    """The present time, or that of ``SOURCE_DATE_EPOCH``, as FMI writes it."""
+    epoch = os.environ.get("SOURCE_DATE_EPOCH", "")
+    time = datetime.fromtimestamp(int(epoch), UTC) if epoch.isdigit() else datetime.now(UTC)
+    return time.strftime("%Y-%m-%dT%H:%M:%SZ")

@@ -1,0 +1,123 @@
+"""What a cell of a text table holds: a number, a number with a unit, a date with a time of day, a word of a switch.
+
+Dates are written as ISO 8601 has them: ``2024-03-12 14:05:00.01``, ``2024-03-12T14:05:00Z``. The words for the two
+states of a switch are those of controllers and their engineers.
+"""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterable, Sequence
+from datetime import datetime
+from functools import lru_cache
+
+from pam_cosim.measurement.table import is_unit
+
+NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
+_MEASURED = re.compile(rf"(?:{NUMBER.pattern})\s*(?P<unit>[A-Za-zµμ%°][^\s\d]*)", re.ASCII)
+EXAMPLE = "2024-03-12 14:05:00.01"
+_DATE_TIME = re.compile(
+    r"\d{4}-\d\d-\d\d[T ]\d\d:\d\d(:\d\d([.,]\d+)?)?(Z|[+-]\d\d(:?\d\d)?)?", re.ASCII
+)
+_TIME_OF_DAY = re.compile(r"(.*\D)?\d{1,2}:\d\d(:\d\d([.,]\d+)?)?(\D.*)?", re.ASCII)
+_DATE = re.compile(r"\d{1,2}([./-])\d{1,2}\1(\d{2}|\d{4})|\d{4}([./-])\d{1,2}\3\d{1,2}", re.ASCII)
+_ON = [
+    "on",
+    "true",
+    "open",
+    "high",
+    "ein",
+    "an",
+    "auf",
+    "offen",
+    "wahr",
+    "ouvert",
+    "vrai",
+    "marche",
+]
+_OFF = [
+    "off",
+    "false",
+    "closed",
+    "low",
+    "aus",
+    "zu",
+    "geschlossen",
+    "falsch",
+    "fermé",
+    "ferme",
+    "faux",
+    "arrêt",
+]
+SWITCH_WORDS = {word: float(word in _ON) for word in (*_ON, *_OFF)}
+"""1 or 0 by the word in small letters."""
+
+
+def is_number(cell: str) -> bool:
+    """Whether a cell can be read as a number: it is one, or a date with a time of day."""
+    return bool(NUMBER.fullmatch(cell)) or is_date_time(cell)
+
+
+def is_date(cell: str) -> bool:
+    """Whether a cell is written as a day alone, in whatever order: ``12.03.2024``, ``2024-03-12``."""
+    return _DATE.fullmatch(cell) is not None
+
+
+def is_date_time(cell: str) -> bool:
+    """Whether a cell is written so, be there such a day or not."""
+    return _DATE_TIME.fullmatch(cell) is not None
+
+
+def says_time_of_day(cell: str) -> bool:
+    """Whether a text holds a time of day in whatever way, as ``12.03.2024 14:05`` does."""
+    return _TIME_OF_DAY.fullmatch(cell) is not None
+
+
+def date_time(cell: str) -> datetime | None:
+    """The date and time; None: it is not written so, or there is no such day."""
+    if not is_date_time(cell):
+        return None
+    try:
+        return datetime.fromisoformat(cell)
+    except ValueError:
+        return None
+
+
+def seconds_between(first: datetime, later: datetime) -> float | None:
+    """Seconds from one to the other; None: one of them alone says its time zone."""
+    try:
+        return (later - first).total_seconds()
+    except TypeError:
+        return None
+
+
+def are_switch_words(cells: Iterable[str]) -> bool:
+    """Whether there are cells, and each is a word for a state of a switch."""
+    small = [cell.casefold() for cell in cells]
+    return bool(small) and all(cell in SWITCH_WORDS for cell in small)
+
+
+_is_known = lru_cache(maxsize=256)(is_unit)
+
+
+def unit_behind(cell: str) -> str:
+    """The unit behind the number in a cell; "" where it is no number with a unit."""
+    match = _MEASURED.fullmatch(cell)
+    return match["unit"] if match and _is_known(match["unit"]) else ""
+
+
+def unit_of(cells: Sequence[str]) -> str:
+    """The one unit behind the number in each of the cells; "" where there is none, or are several."""
+    first = unit_behind(cells[0]) if cells else ""
+    return first if first and all(unit_behind(cell) == first for cell in cells) else ""
+
+
+def is_measured(cell: str) -> bool:
+    """Whether a cell holds a number, be it with a unit."""
+    return is_number(cell) or bool(unit_behind(cell))
+
+
+def is_measured_row(cells: list[str]) -> bool:
+    """A row that begins with a number and its unit, and holds nothing else than such and numbers."""
+    filled = [cell for cell in cells if cell]
+    return len(cells) > 1 and bool(unit_behind(cells[0])) and all(map(is_measured, filled))
