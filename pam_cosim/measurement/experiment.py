@@ -18,7 +18,7 @@ from pam_cosim.measurement.experiment_tables import (
     Experiment,
 )
 from pam_cosim.measurement.text_file import read_text
-from pam_cosim.measurement.toml_text import line_of, parse_toml
+from pam_cosim.toml_text import line_of, parse_toml
 
 FILE_NAME = "experiment.toml"
 
