@@ -7,7 +7,7 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -112,8 +112,7 @@ def controller(
 Component = CoupledFmu | Controller
 
 
-@dataclass(frozen=True)
-class Port:
+class Port(NamedTuple):
     """A variable of a component."""
 
     component: str
@@ -182,9 +181,10 @@ def joined(source: Port, target: Port, components: Mapping[str, Component]) -> C
     if (
         not given.unit
         or not taken.unit
+        or given.unit == taken.unit
         or (is_dimensionless(given.unit) and is_dimensionless(taken.unit))
     ):
-        return Connection(source, target)  # one of them does not say what it is
+        return Connection(source, target)  # of one unit, or one of them does not say what it is
     try:
         low, high = convert(np.array([0.0, 1.0]), given.unit, taken.unit)
     except UnitError as problem:
