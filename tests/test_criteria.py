@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import ast
+import importlib
 import re
 from pathlib import Path
 
 import pytest
 
-from pam_cosim.criteria import VERDICT, every_criterion
-from pam_cosim.reporting.criteria_page import criteria_page
+from pam_cosim.reporting.criteria_page import criteria_page, criteria_table
 
 ROOT = Path(__file__).parents[1]
 FITTING = ("combinations", "estimate", "fit", "solve")
@@ -30,63 +30,127 @@ DECIDING = (
     ROOT / "pam_cosim/measurement/white_noise.py",
 )
 DECIDE_NOTHING = {
-    "_CLIPPED_VARIANCE": "follows from the clip",
-    "_IDLE": "how long a process without work stays",
-    "_BETWEEN": "how often tasks are interrupted",
-    "_GRACE": "how long interrupted tasks may take to clean up",
-    "_LOOK": "how often a worker looks whether its study still lives",
-    "_REACH": "bounds that a learned coefficient is given",
-    "_SPEEDS": "forms on the shelf",
-    "_GROWTHS": "forms on the shelf",
-    "_WAVES": "forms on the shelf",
-    "_NOTHING_NEW": "rank of a matrix, far from what noise leaves",
-    "_WEAK": "the same",
-    "_ZEROS": "the atmosphere and the ice point",
-    "_ROUNDS": "how often a linear problem is solved again from where it led",
-    "_INSIDE": "keeps a step off the samples beside it",
-    "_FINE": "accuracy of a table",
-    "_CENTRE": "keeps a quotient off nought by nought",
-    "_TAIL": "the end of a sum",
-    "_SHARES": "anywhere between bounds will do",
-    "_NODES": "accuracy of a table",
-    "_MOST_LISTED": "length of a line",
-    "STEP": "a difference, far below what noise shows",
-    "_ELSEWHERE": "where the same is seen from",
-    "_CORRECTIONS": "rounds of a linear problem",
-    "MEDIAN_TO_SIGMA": "a property of the normal distribution",
-    "_LEAST": "a vacuum and absolute zero",
-    "_MEMORIES": "finer than a likelihood tells",
-    "_AROUND": "accuracy of a grid",
-    "_UNLIKELY": "accuracy of a grid",
-    "_SINGLE": "accuracy of a spectrum",
-    "_BAND": "accuracy of a spectrum",
-    "_RATIOS": "all that two variances may be",
-    "_SEARCH": "accuracy of a maximum",
-    "_TINY": "keeps a logarithm off nought",
-    "_SAME": "digits in which two values of a run are one condition of a table",
+    "comparison/coloured_noise": (
+        "accuracy of a likelihood, a spectrum and a maximum",
+        "_MEMORIES _RATIOS _AROUND _SEARCH _UNLIKELY _SINGLE _BAND _TINY",
+    ),
+    "comparison/condition_table": ("digits of a condition in a table", "_SAME"),
+    "comparison/error_regions": (
+        "describes where the error sits",
+        "_FEWEST_SAMPLES _LEAST_VALUE _MOST_RULES",
+    ),
+    "comparison/plausibility": (
+        "advice to look at the data first; physical constants",
+        "_LARGE_ERROR _NOISE_LIMIT _REMAINING_ERROR _SAME_FACTOR BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
+        "_MOST_SAMPLES _ZEROS _LEAST FEWEST_SAMPLES ATMOSPHERES STANDARD_ATMOSPHERE",
+    ),
+    "comparison/rounding": ("accuracy of a table", "_FINE _CENTRE _TAIL _NODES"),
+    "comparison/sample_conditions": (
+        "describes where the error sits",
+        "_BANDS _REST_RATE _ZERO_EDGE",
+    ),
+    "comparison/outliers": ("a property of the normal distribution", "MEDIAN_TO_SIGMA"),
+    "diagnosis/description/explanation": ("describes the missing term", "_FACTORS"),
+    "diagnosis/description/learning": (
+        "describes the missing term",
+        "_MOST_FORMS LEAST_GAIN _LEAST_GAIN_OF_TERM _DESCRIBED_ERROR BLOCKS _MOST_WEIGHT _SHAPE_SPAN INTERVAL "
+        "_INTERVAL",
+    ),
+    "diagnosis/description/learning_direct": (
+        "describes the missing term",
+        "_MOST_RAMPS _REST_SPAN BLOCKS LEAST_GAIN",
+    ),
+    "diagnosis/description/learning_library": (
+        "describes the missing term",
+        "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION _SPEEDS _GROWTHS _WAVES",
+    ),
+    "diagnosis/description/learning_text": ("bounds of a learned coefficient", "_REACH"),
+    "diagnosis/judgement/missing_term": ("length of a list", "_MOST_RULES"),
+    "diagnosis/judgement/next_experiment": ("proposes a run", "FACTORS _PACES _MOST_JOINED"),
+    "diagnosis/judgement/verdict": (
+        "proposes a run; length of a line",
+        "MOST_RIVALS _MOST_LISTED",
+    ),
+    "diagnosis/search/expectation": ("rank of a matrix", "_NOTHING_NEW _WEAK"),
+    "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
+    "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
+    "diagnosis/search/step_times": (
+        "accuracy of times and slopes",
+        "_ROUNDS _INSIDE DIFFERENCE_TOLERANCE",
+    ),
+    "diagnosis/search/trial": ("time of a compiler", "MOST_ROWS_UNCOMPILED"),
+    "fitting/combinations": (
+        "names parameters that the data confuse",
+        "_PARALLEL_SLOPES _EXCHANGE_FACTOR _UNCHANGED_RMS INTERVAL",
+    ),
+    "fitting/estimate": ("an interval that is printed", "INTERVAL"),
+    "fitting/fit": ("names parameters that the data confuse", "STRONG_CORRELATION"),
+    "ledger/estimate": ("the ledger describes; the verdict is the same without it", "_NOISE_LEVEL"),
+    "ledger/sensor": (
+        "the same",
+        "_GAIN _OFFSET _LAGS _ROUNDS_WITH_FAULT _PROMISING_SHARE _SETTLED_CHANGE",
+    ),
+    "measurement/white_noise": (
+        "properties of the normal distribution",
+        "MEDIAN_TO_SIGMA _CLIPPED_VARIANCE",
+    ),
 }
+"""The constants of each module that decides, own or imported, on which no verdict depends: why, and their names."""
 # 12: a rectangular distribution has a twelfth of its squared width as variance, as that of rounding
 ARITHMETIC = (0, 0.5, 1, 2, 3, 12)
 ROUNDING = 1e-9  # what is smaller is about the last digits of numbers, and divisions by zero
-BY_NAME = {c.name: c for c in every_criterion()}
+TABLE = criteria_table()
+QUOTED = (
+    ("fitting.md", "{:g} are named", "fitting.fit.STRONG_CORRELATION"),
+    ("fitting.md", "by {:g} the 95 % interval ends", "fitting.profile.INTERVAL_RISE"),
+    ("how-it-works.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
+    ("speed.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
+    ("one-more-run.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
+    ("one-more-run.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
+    ("one-more-run.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
+    *(
+        (page, "{:g} s of processor time and {:g} s more", "simulation.simulator.LONGEST_RUN")
+        for page in ("own-fmu.md", "runs.md", "trust.md")
+    ),
+    ("predictions.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
+    ("predictions.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
+    ("runs.md", "{:g} of its change", "sweeps.scalars._SETTLED_CHANGE"),
+    ("runs.md", "{:g} of the run", "sweeps.scalars._STEADY_PART"),
+    ("static-data.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
+    ("static-data.md", "{:g} of its range are one", "measurement.curves._LEVEL"),
+)
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
 
 
+def name_of(file: Path) -> str:
+    return file.relative_to(ROOT / "pam_cosim").with_suffix("").as_posix()
+
+
 def test_every_number_has_a_reason() -> None:
-    assert len(BY_NAME) > 90
-    for c in BY_NAME.values():
-        assert c.unit and c.reason and c.source, c.name
+    for name, texts in TABLE.items():
+        assert len(texts) == 4 and all(texts), name
 
 
 def test_a_verdict_depends_on_fewer_than_a_hundred() -> None:
-    assert {c.group for c in BY_NAME.values()} > {*VERDICT}
-    assert sum(c.group in VERDICT for c in BY_NAME.values()) < 100
+    assert 90 < len(TABLE) < 100
 
 
-@pytest.mark.parametrize("file", DECIDING, ids=lambda f: f"{f.parent.name}/{f.stem}")
+@pytest.mark.parametrize("file", DECIDING, ids=name_of)
 def test_no_number_decides_elsewhere(file: Path) -> None:
-    """No module that judges has a constant of its own, nor compares with a number that is not plain arithmetic."""
-    assert numbers_that_decide(ast.parse(file.read_text())) == []
+    """No module that judges has a constant that is not listed, nor compares with more than plain arithmetic."""
+    tree = ast.parse(file.read_text())
+    names = sorted([*constants(tree), *imported_numbers(tree)])
+    assert names == sorted(DECIDE_NOTHING.get(name_of(file), ("", ""))[1].split())
+    assert numbers_compared(tree) == []
+
+
+def test_only_modules_that_decide_are_listed() -> None:
+    assert {*DECIDE_NOTHING} <= {name_of(file) for file in DECIDING}
+
+
+def test_an_imported_number_is_seen() -> None:
+    text = "from pam_cosim.measurement.free_parameter import INTERVAL, FreeParameter"
+    assert imported_numbers(ast.parse(text)) == ["INTERVAL"]
 
 
 @pytest.mark.parametrize(
@@ -112,28 +176,43 @@ def test_no_number_decides_elsewhere(file: Path) -> None:
         ("def f(s):\n    return s > 1 + 1e-12", False),
         ("def f(s):\n    width = 0.37 * s\n    return width", False),
         ("LIMIT = CRITERIA.fit.dead / 7", False),
-        ("_NODES = 7", False),
+        ("NODES = 7", True),
     ],
 )
 def test_a_number_that_decides_is_seen(text: str, decides: bool) -> None:
-    assert bool(numbers_that_decide(ast.parse(text))) is decides
+    tree = ast.parse(text)
+    assert bool(constants(tree) or numbers_compared(tree)) is decides
 
 
-def numbers_that_decide(tree: ast.Module) -> list[str]:
-    """Constants of a module, and numbers that something is compared with, be it by a name of the same function."""
+def constants(tree: ast.Module) -> list[str]:
+    """Constants of a module that have a number and do not follow from a criterion."""
     found = []
     for node in tree.body:
         if isinstance(node, ast.Assign | ast.AnnAssign) and not isinstance(node.value, ast.Lambda):
             inside = [] if node.value is None else [*ast.walk(node.value)]
-            asked = any(isinstance(n, ast.Name) and n.id == "CRITERIA" for n in inside)
-            if (
-                any(_number(n) for n in inside)
-                and not asked
-                and not {*_names(node)} <= {*DECIDE_NOTHING}
-            ):
-                found.append(f"line {node.lineno}: {', '.join(_names(node))}")
+            names = {n.id for n in inside if isinstance(n, ast.Name)}
+            if any(_number(n) for n in inside) and "CRITERIA" not in names:
+                found += _names(node)
+    return found
+
+
+def imported_numbers(tree: ast.Module) -> list[str]:
+    """Numbers, or tuples of them, that a module imports from another of the package."""
+    found = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("pam_cosim."):
+            for name in (alias.name for alias in node.names if alias.name.lstrip("_").isupper()):
+                value = getattr(importlib.import_module(node.module or ""), name)
+                values = value if isinstance(value, tuple) and value else (value,)
+                if all(isinstance(v, int | float) for v in values):
+                    found.append(name)
+    return found
+
+
+def numbers_compared(tree: ast.Module) -> list[str]:
+    """Numbers that something is compared with, be it by a name of the same function."""
     compared = [node for node in ast.walk(tree) if isinstance(node, ast.Compare)]
-    found += [f"line {c.lineno} compares with {n}" for c in compared for n in _limits(*_sides(c))]
+    found = [f"line {c.lineno} compares with {n}" for c in compared for n in _limits(*_sides(c))]
     for scope in ast.walk(tree):
         if isinstance(scope, ast.FunctionDef | ast.Lambda):
             inside = [n for side in _sides(*ast.walk(scope)) for n in ast.walk(side)]
@@ -204,6 +283,14 @@ def test_documents_quote_the_numbers_in_force() -> None:
     quoted = 0
     for page in sorted((ROOT / "docs").glob("*.md")):
         for text, name in LINK.findall(page.read_text()):
-            assert text == BY_NAME[name].text, f"{page.name} says {text} for {name}"
+            assert text == TABLE[name][0], f"{page.name} says {text} for {name}"
             quoted += 1
     assert quoted > 10
+
+
+@pytest.mark.parametrize(("page", "text", "name"), QUOTED)
+def test_documents_quote_the_constants_in_force(page: str, text: str, name: str) -> None:
+    module, _, constant = name.rpartition(".")
+    value = getattr(importlib.import_module(f"pam_cosim.{module}"), constant)
+    written = text.format(*(value if isinstance(value, tuple) else (value,)))
+    assert re.search(rf"(?<![\d.]){re.escape(written)}", (ROOT / "docs" / page).read_text())

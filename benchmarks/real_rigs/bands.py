@@ -22,10 +22,10 @@ from benchmarks.real_rigs.folders import ROLES, Array
 from benchmarks.real_rigs.rows import library_of
 from benchmarks.real_rigs.table import RIGS
 from pam_cosim.comparison import RunComparison
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import Band, Discrepancy, discrepancies
+from pam_cosim.fitting.discrepancy import TAIL
 from pam_cosim.measurement import DataSet, Run
 
 SAMPLES = 100
@@ -151,9 +151,7 @@ def line(name: str, found: Sequence[Share]) -> str:
 
 def main(folder: Path, names: Sequence[str]) -> None:
     """Some rigs (default: those of the table that have runs over time)."""
-    print(
-        f"band: {100 * (1 - 2 * CRITERIA.uncertainty.tail):.0f} %, {SAMPLES} samples of the parameters"
-    )
+    print(f"band: {100 * (1 - 2 * TAIL):.0f} %, {SAMPLES} samples of the parameters")
     for name in names or [n for n in RIGS if n != "tunnel-out"]:  # one diagnosis of both speeds
         about = json.loads((folder / name / "rig.json").read_text(encoding="utf-8"))
         if not about["static"]:

@@ -20,10 +20,13 @@ from pam_cosim.comparison.sample_conditions import (
     phases,
     times,
 )
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Variable
+
+_FEWEST_SAMPLES = 2  # of a rule: one sample may be off by chance
+_LEAST_VALUE = 0.02  # share of the error times its excess over the share of time; less is chance
+_MOST_RULES = 3  # of each signal, as many as are read
 
 
 @dataclass(frozen=True)
@@ -109,18 +112,18 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
     left = samples.excess.copy()
     total, count = float(left.sum()), len(left)
     rules: list[Rule] = []
-    for _ in range(CRITERIA.where.rules_per_signal):
+    for _ in range(_MOST_RULES):
         best: tuple[float, str, Mask] | None = None
         for text, mask in candidates:
             own = int(mask.sum())
-            if own < CRITERIA.where.least_samples:
+            if own < _FEWEST_SAMPLES:
                 continue
             time_share = own / count
             gain = float(left[mask].sum()) / total
             value = gain * (gain - time_share)
             if gain > time_share and (best is None or value > best[0]):
                 best = (value, text, mask)
-        if best is None or best[0] < CRITERIA.where.least_value:
+        if best is None or best[0] < _LEAST_VALUE:
             break
         _, text, mask = best
         rules.append(

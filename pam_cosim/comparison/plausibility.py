@@ -17,11 +17,21 @@ from scipy.spatial import KDTree
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison, warnings_of
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Run, Signal
-from pam_cosim.measurement.markers import input_marker_of, marker_of
+from pam_cosim.measurement.markers import FEWEST_SAMPLES, input_marker_of, marker_of
 from pam_cosim.units import convert, format_quantity
+from pam_cosim.units.grammar import ATMOSPHERES, STANDARD_ATMOSPHERE
 from pam_cosim.wording import listed
+
+_LARGE_ERROR = 0.5  # of what a signal moves: rms error of a model that explains little
+_NOISE_LIMIT = 5.0  # sd of the noise, that a doubtful error exceeds
+_REMAINING_ERROR = 0.3  # of an error, that remains at most where a simple mistake explains it
+_SAME_FACTOR = 0.02  # of a factor or an offset, by which it may differ from a usual mistake
+# of a signal's span, beyond zero or a limit of the model, that counts as passed
+BEYOND_LIMIT = 0.03
+_OPPOSITE_CHANGE = 0.02  # of a signal's span, by which runs differ in the data and in the model
+_SAME_INPUTS = 0.02  # of the spans of the inputs, between samples at the same inputs
+_MOST_SAMPLES = 2000  # of a run that are compared with another
 
 _UNITS = {
     "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
@@ -31,14 +41,14 @@ _UNITS = {
 }
 """Units that loggers write, the usual ones first, by the base unit of what is measured."""
 _ZEROS = {
-    "Pa": (101325.0, "absolute and gauge pressure mixed up"),
+    "Pa": (STANDARD_ATMOSPHERE, "absolute and gauge pressure mixed up"),
     "K": (273.15, "degrees Celsius and kelvin mixed up"),
 }
 _CAUSES = (
     "a size of the muscle or a load that is not the rig's does this, "
     "and so does a wrong unit or factor of the instrument"
 )
-_LEAST = {"Pa": (-101325.0, "a vacuum, gauge"), "K": (0.0, "absolute zero")}
+_LEAST = {"Pa": (-STANDARD_ATMOSPHERE, "a vacuum, gauge"), "K": (0.0, "absolute zero")}
 """What no reading of an instrument is below, by its unit."""
 
 
@@ -97,7 +107,7 @@ def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
     for r in runs:
         for name, values in r.run.measurements.items():
             samples = values[np.isfinite(values)]
-            if len(samples) < CRITERIA.doubts.fewest or not np.ptp(samples):
+            if len(samples) < FEWEST_SAMPLES or not np.ptp(samples):
                 continue
             first = seen.setdefault((name, samples.tobytes()), r.run.name)
             if first != r.run.name:
@@ -162,7 +172,7 @@ def _marker(name: str, unit: str, value: float, courses: Sequence[tuple[Run, Arr
 def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
     """A signal that is one number in every sample, as of a sensor that is not connected, where the model moves."""
     moves = float(np.ptp(modelled))
-    if len(measured) < CRITERIA.doubts.fewest or np.ptp(measured) or moves < signal.sigma:
+    if len(measured) < FEWEST_SAMPLES or np.ptp(measured) or moves < signal.sigma:
         return
     value, span = (
         format_quantity(float(measured[0]), signal.unit),
@@ -181,7 +191,7 @@ def _impossible(
 ) -> Iterator[Doubt]:
     """Readings below a vacuum or absolute zero; where the model has them too, it is of a difference."""
     least, name = _LEAST.get(signal.unit, (-math.inf, ""))
-    below = least - CRITERIA.doubts.beyond_noise * signal.sigma
+    below = least - _NOISE_LIMIT * signal.sigma
     count = int(np.sum(measured < below))
     if not count or modelled.min() < least:
         return
@@ -221,11 +231,7 @@ def _far_off(
 ) -> Iterator[Doubt]:
     """A model that misses a signal by much of what it moves, and what would mend it at once."""
     error, moves = _rms(measured - modelled), _rms(measured - measured.mean())
-    if (
-        not np.ptp(measured)
-        or error < CRITERIA.doubts.far_off * moves
-        or error < CRITERIA.doubts.beyond_noise * signal.sigma
-    ):
+    if not np.ptp(measured) or error < _LARGE_ERROR * moves or error < _NOISE_LIMIT * signal.sigma:
         return
     span = format_quantity(float(np.ptp(measured)), signal.unit)
     text = (
@@ -245,7 +251,7 @@ def _mended(
     signal: Signal, measured: Array, modelled: Array, error: float, inputs: Callable[[], str]
 ) -> str:
     """The simple mistake that explains most of an error, in words; "" where none does."""
-    enough = CRITERIA.doubts.mended * error
+    enough = _REMAINING_ERROR * error
     offset = float(np.mean(measured - modelled))
     zero, why = _ZEROS.get(signal.unit, (math.inf, ""))
     if signal.unit == "Pa" and _from_atmosphere(measured, modelled):
@@ -254,7 +260,7 @@ def _mended(
         )
         return f"It goes from {lowest} to {highest}, one atmosphere above the model: {why}"
     if _rms(measured - modelled - offset) < enough:
-        mixed = abs(abs(offset) - zero) < CRITERIA.doubts.alike * zero
+        mixed = abs(abs(offset) - zero) < _SAME_FACTOR * zero
         likely = why if mixed else "its zero is wrong, or a start value"
         return f"It would fit if {format_quantity(offset, signal.unit)} were taken off: {likely}"
     if _rms(measured + modelled) < enough:
@@ -296,11 +302,11 @@ def _from_atmosphere(measured: Array, modelled: Array) -> bool:
 
     Where the start of the model was estimated from the same reading, no constant is what the two differ by.
     """
-    low, high = CRITERIA.recognition.atmosphere
-    above, atmosphere = float(measured.max() - modelled.max()), _ZEROS["Pa"][0]
+    low, high = ATMOSPHERES
+    above = float(measured.max() - modelled.max())
     return bool(
         low <= measured.min() <= high
-        and abs(above - atmosphere) < CRITERIA.doubts.alike * atmosphere
+        and abs(above - STANDARD_ATMOSPHERE) < _SAME_FACTOR * STANDARD_ATMOSPHERE
     )
 
 
@@ -308,7 +314,7 @@ def _as_units(unit: str, gain: float) -> str:
     """Two units whose ratio a factor is, in words; "" where it is none."""
     for written, read in itertools.permutations(_UNITS.get(unit, ()), 2):
         ratio = float(convert(1.0, read, written))
-        if abs(gain / ratio - 1) < CRITERIA.doubts.alike:
+        if abs(gain / ratio - 1) < _SAME_FACTOR:
             return f", as if what was written in {written} were read as {read}"
     return ""
 
@@ -316,8 +322,8 @@ def _as_units(unit: str, gain: float) -> str:
 def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
     """A measurement that never passes zero, where the model does by far."""
     room = max(
-        CRITERIA.doubts.passed * float(np.ptp(measured)),
-        CRITERIA.doubts.beyond_noise * signal.sigma,
+        BEYOND_LIMIT * float(np.ptp(measured)),
+        _NOISE_LIMIT * signal.sigma,
     )
     for sign, least, beyond in ((1.0, "falls below", "down to"), (-1.0, "rises above", "up to")):
         own, model = sign * measured, sign * modelled
@@ -338,7 +344,7 @@ def _contradictions(
     runs: Sequence[RunComparison], signal: Signal, span: float, units: Mapping[str, str]
 ) -> Iterator[Doubt]:
     """Pairs of runs whose one difference acts the other way than in the model."""
-    name, least = signal.name, CRITERIA.doubts.opposite * span
+    name, least = signal.name, _OPPOSITE_CHANGE * span
     measured = [r for r in runs if r.run.sample_count(name)]
     for a, b in itertools.combinations(measured, 2):
         parameter = _only_difference(a, b)
@@ -378,25 +384,26 @@ def _alike(
 
     Inputs say what it does where samples of one run at nearly the same inputs are nearly the same in the model.
     """
-    near, few = CRITERIA.doubts.near, CRITERIA.doubts.fewest
     both = {name: np.concatenate([v, b.run.inputs[name]]) for name, v in a.run.inputs.items()}
     span = {name: max(float(np.ptp(v)), 1e-300) for name, v in both.items()}
     samples, places = [], []
-    if min(len(a.run.time), len(b.run.time)) < few:
+    if min(len(a.run.time), len(b.run.time)) < FEWEST_SAMPLES:
         return None
     for r in (a, b):
-        at = np.arange(0, len(r.run.time), math.ceil(len(r.run.time) / CRITERIA.doubts.most))
+        at = np.arange(0, len(r.run.time), math.ceil(len(r.run.time) / _MOST_SAMPLES))
         where = _places(r, span)[at]
         distance, other = KDTree(where).query(where, k=2)
         model = r.model[signal][at]
-        apart = np.abs(model - model[other[:, 1]])[distance[:, 1] < near]
-        if len(apart) < few or _rms(apart) > near * float(np.ptp(model)):
+        apart = np.abs(model - model[other[:, 1]])[distance[:, 1] < _SAME_INPUTS]
+        if len(apart) < FEWEST_SAMPLES or _rms(apart) > _SAME_INPUTS * float(np.ptp(model)):
             return None
         samples.append(at)
         places.append(where)
     distance, other = KDTree(places[1]).query(places[0])
-    first = np.flatnonzero((distance < near) & np.isfinite(a.run.measurements[signal][samples[0]]))
-    return (samples[0][first], samples[1][other[first]]) if len(first) >= few else None
+    first = np.flatnonzero(
+        (distance < _SAME_INPUTS) & np.isfinite(a.run.measurements[signal][samples[0]])
+    )
+    return (samples[0][first], samples[1][other[first]]) if len(first) >= FEWEST_SAMPLES else None
 
 
 def _places(r: RunComparison, span: Mapping[str, float]) -> Array:

@@ -9,11 +9,14 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison.residuals import RunComparison
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import readable_factor, readable_unit
+
+_BANDS = 4  # of each output, few enough to remember
+_REST_RATE = 0.02  # of the fastest rate: slower samples are at rest
+_ZERO_EDGE = 1e-3  # of the range: an edge of a band as near to zero is zero
 
 Mask = NDArray[np.bool_]
 
@@ -46,7 +49,7 @@ def phases(
         return []
     output, (_, rising, resting, falling) = dividing
     slope = present.of([_slope(r.run.time, r.model[output]) for r in present.parts])
-    limit = CRITERIA.where.still * float(np.max(np.abs(slope), initial=0.0))
+    limit = _REST_RATE * float(np.max(np.abs(slope), initial=0.0))
     return [(rising, slope > limit), (resting, np.abs(slope) <= limit), (falling, slope < -limit)]
 
 
@@ -89,7 +92,7 @@ def imposed_speed(r: RunComparison, output: str) -> Array:
 
 def moving(name: str, speed: Array) -> list[tuple[str, Mask]]:
     """Direction, and fast or slow by the typical speed of what moves."""
-    limit = CRITERIA.where.still * float(np.max(np.abs(speed), initial=0.0))
+    limit = _REST_RATE * float(np.max(np.abs(speed), initial=0.0))
     if not limit > 0:
         return []
     fast = float(np.median(np.abs(speed[np.abs(speed) > limit])))
@@ -139,14 +142,13 @@ def bands_of(name: str, variable: Variable, values: Array) -> list[tuple[str, Ma
     low, high = float(values.min()), float(values.max())
     if not high > low:
         return []
-    edges = np.linspace(low, high, CRITERIA.where.bands + 1)
+    edges = np.linspace(low, high, _BANDS + 1)
     factor, unit = readable_factor(variable.unit), readable_unit(variable.unit)
     bands: list[tuple[str, Mask]] = []
-    for i in range(CRITERIA.where.bands):
-        inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == CRITERIA.where.bands - 1))
+    for i in range(_BANDS):
+        inside = (values >= edges[i]) & ((values < edges[i + 1]) | (i == _BANDS - 1))
         first, last = (
-            0.0 if abs(e) < CRITERIA.where.edge_at_zero * (high - low) else e
-            for e in (edges[i], edges[i + 1])
+            0.0 if abs(e) < _ZERO_EDGE * (high - low) else e for e in (edges[i], edges[i + 1])
         )
         text = f"{first * factor:.3g} {unit} < {name} < {last * factor:.3g} {unit}"
         bands.append((text.replace("  ", " "), inside))

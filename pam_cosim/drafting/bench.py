@@ -13,17 +13,18 @@ from pam_cosim.catalogue.bench_parts import rig_parts
 from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.bench_choice import choose
 from pam_cosim.drafting.feeding import MECHANICAL, BenchChoice, meaning_of
 from pam_cosim.drafting.file_names import Muscle, muscle_in
 from pam_cosim.drafting.folder import copy_files
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.requests import DraftRequests, ReadRecordings
+from pam_cosim.drafting.zeros import NO_PRESSURE
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH, is_file
 from pam_cosim.units import convert
+from pam_cosim.units.grammar import STANDARD_ATMOSPHERE
 from pam_cosim.wording import listed
 
 _SUFFIX = "Rig"
@@ -124,11 +125,11 @@ def _possible(ready: Sequence[Ports], known: ReadRecordings, tree: ClassTree) ->
 
 def _empties(column: RecordedColumn) -> bool:
     """Whether a pressure falls in every recording from its largest to next to none."""
-    outside = CRITERIA.recognition.ambient if column.absolute else 0.0
+    outside = STANDARD_ATMOSPHERE if column.absolute else 0.0
     ends = []
     for values in column.values.values():
         gauge = convert(values[np.isfinite(values)], column.unit, "Pa") - outside
-        least = CRITERIA.recognition.unloaded * float(gauge.max())
+        least = NO_PRESSURE * float(gauge.max())
         ends.append(gauge[0] > gauge[-1] and abs(float(gauge[-1])) <= least)
     return bool(column.unit) and all(ends)
 

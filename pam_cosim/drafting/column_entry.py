@@ -7,7 +7,6 @@ from collections.abc import Mapping
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.contraction import contraction_entry
 from pam_cosim.drafting.direction import words_of
 from pam_cosim.drafting.feeding import meaning_of
@@ -18,8 +17,7 @@ from pam_cosim.drafting.vocabulary import fits
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
-
-_C = CRITERIA.recognition
+from pam_cosim.units.grammar import STANDARD_ATMOSPHERE
 
 
 def unit_to_state(column: RecordedColumn) -> str | None:
@@ -85,7 +83,7 @@ def _gauge_pressure(
     name: str, column: RecordedColumn, numbers: dict[int, Array], ambient: RecordedColumn | None
 ) -> tuple[ColumnEntry, dict[int, Array]]:
     """A gauge pressure that was recorded as an absolute one [Pa]."""
-    outside, source = _C.ambient, ""
+    outside, source = STANDARD_ATMOSPHERE, ""
     if ambient is not None:
         mean = float(np.nanmean(convert(ambient.every, ambient.unit, "Pa")))
         outside, source = mean, f", the mean of {ambient.name}"

@@ -11,7 +11,11 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.white_noise import estimate_noise
 
-_C = CRITERIA.recognition
+REST_BAND = 0.005  # of the range: means at rest differ by less, where the noise is smaller
+PIECE = 4000  # samples of each piece of a long recording that its noise is estimated from
+PIECES = 5  # of a long recording, at even distances
+LEAST_CORRELATION = 0.5  # absolute correlation above which one column follows another
+NOISE_SPAN = 10.0  # sd: span of a column that is noise alone
 
 
 def span(values: Array) -> float:
@@ -22,13 +26,9 @@ def span(values: Array) -> float:
 
 def noise_of(time: Array, values: Array) -> float:
     """Standard deviation as ``estimate_noise`` has it, of pieces of a long recording; 0: not known."""
-    count, most = len(values), _C.noise_samples
-    starts = (
-        [0]
-        if count <= most * _C.noise_pieces
-        else np.linspace(0, count - most, _C.noise_pieces).astype(int)
-    )
-    size = count if len(starts) == 1 else most
+    count = len(values)
+    starts = [0] if count <= PIECE * PIECES else np.linspace(0, count - PIECE, PIECES).astype(int)
+    size = count if len(starts) == 1 else PIECE
     found = [estimate_noise(time[s : s + size], values[s : s + size]) for s in starts]
     known = [one for one in found if isfinite(one)]
     return float(np.median(known)) if known else 0.0
@@ -51,7 +51,7 @@ def _deviations(signal: Mapping[int, Array], recordings: Sequence[int]) -> Array
 def is_constant(values: Array) -> bool:
     """Whether a column is noise about one value."""
     count = np.arange(len(values), dtype=float)
-    return span(values) <= _C.constant * noise_of(count, values)
+    return span(values) <= NOISE_SPAN * noise_of(count, values)
 
 
 def is_switch(values: Array) -> bool:
@@ -65,15 +65,19 @@ def is_switch(values: Array) -> bool:
 
 def is_repeated(values: Array) -> bool:
     """Whether most numbers are those before them, without any noise."""
-    return float(np.mean(np.diff(values[np.isfinite(values)]) == 0.0)) >= _C.stepwise
+    return float(np.mean(np.diff(values[np.isfinite(values)]) == 0.0)) >= CRITERIA.noise.stepwise
 
 
 def is_held(values: Array) -> bool:
     """Whether a column keeps its value between steps, and takes some, each within one sample."""
     if span(values) == 0.0:
         return False
-    changed = np.abs(np.diff(values[np.isfinite(values)])) > _C.still * span(values)
+    changed = np.abs(np.diff(values[np.isfinite(values)])) > REST_BAND * span(values)
     count = int(changed.sum())
     in_a_row = int((changed[1:] & changed[:-1]).sum())
     mostly_within_one_sample = 2 * (count - in_a_row) > count
-    return count > 0 and float(np.mean(~changed)) >= _C.stepwise and mostly_within_one_sample
+    return (
+        count > 0
+        and float(np.mean(~changed)) >= CRITERIA.noise.stepwise
+        and mostly_within_one_sample
+    )

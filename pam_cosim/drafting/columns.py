@@ -29,7 +29,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
 
-_C = CRITERIA.recognition
+_SUPPLY_RANGE = 0.3  # of its mean, by which a supply pressure varies at most
+
 
 _SHARES = ("command", "ratio")  # need no unit: what is written there, such as on/off, is none
 _SCALES = {
@@ -245,13 +246,17 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
 def _feeds(one: Array, other: Array) -> bool:
     """Whether one pressure stays above another and varies little."""
     steady = float(np.nanmin(one)) > 0.0 and _varies_little(one)
-    return steady and float(np.mean(one >= other)) > _C.stepwise and span(other) > span(one)
+    return (
+        steady
+        and float(np.mean(one >= other)) > CRITERIA.noise.stepwise
+        and span(other) > span(one)
+    )
 
 
 def _varies_little(values: Array) -> bool:
     """Whether values span a small part of their mean; those of an empty column do."""
     present = values[np.isfinite(values)]
-    return not present.size or span(present) < _C.steady * float(np.mean(present))
+    return not present.size or span(present) < _SUPPLY_RANGE * float(np.mean(present))
 
 
 def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:

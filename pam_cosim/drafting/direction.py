@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.column_statistics import LEAST_CORRELATION
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import direction_word, split_words
-from pam_cosim.measurement.curves import directions
+from pam_cosim.measurement.curves import ROWS_PER_CURVE, directions
 from pam_cosim.measurement.points import CONTRACTS
 
 # What a contracting muscle does to a quantity, most telling first: what is imposed as a rule comes first.
@@ -70,7 +70,7 @@ def _trend(column: RecordedColumn, other: RecordedColumn, value: float) -> float
 
 
 def _sign(trend: float) -> int:
-    return 0 if abs(trend) < CRITERIA.recognition.follows else 1 if trend > 0 else -1
+    return 0 if abs(trend) < LEAST_CORRELATION else 1 if trend > 0 else -1
 
 
 def _by_size(values: Sequence[float]) -> dict[float, int]:
@@ -86,7 +86,7 @@ def words_of(column: RecordedColumn) -> dict[str, str]:
 
 def goes_up_and_down(inputs: Mapping[str, Array], units: Mapping[str, str]) -> bool:
     """Whether the rows go up and come back: then their order tells the direction of each."""
-    ways, fewest = _directions_of_rows(inputs, units), CRITERIA.static.fewest
+    ways, fewest = _directions_of_rows(inputs, units), ROWS_PER_CURVE
     return int(np.sum(ways > 0)) >= fewest and int(np.sum(ways < 0)) >= fewest
 
 

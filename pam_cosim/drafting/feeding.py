@@ -7,8 +7,7 @@ from contextlib import suppress
 from dataclasses import dataclass
 
 from pam_cosim.catalogue.ports import Ports
-from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import correlation, span
+from pam_cosim.drafting.column_statistics import LEAST_CORRELATION, correlation, span
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning, read_variable
 from pam_cosim.model.interface import Variable
@@ -252,4 +251,4 @@ def _held(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
     """Whether a column is held, and not just at rest where the pressure is."""
     if not column.held or pressure is None:
         return column.held
-    return abs(correlation(pressure.values, column.values)) < CRITERIA.recognition.follows
+    return abs(correlation(pressure.values, column.values)) < LEAST_CORRELATION

@@ -9,10 +9,11 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import Meaning, folded, kinds_of, known_unit, says_no_load
 from pam_cosim.units import convert
+
+_LONGEST_CONTRACTION = 0.1  # [m], of a length in a file's name that is taken as a contraction
 
 # A hyphen behind a letter, a digit or a closing sign separates; behind a sign that separates, it is a minus.
 _SIGN = r"(?P<sign>(?:(?<![^\s=_@:;,(\[-])-|\N{MINUS SIGN})?)"
@@ -129,11 +130,10 @@ def _imposed(own: Sequence[Said], each: Sequence[Sequence[Said]]) -> list[Said]:
     texts = [{one.text for one in other} for other in each]
     everywhere = set.intersection(*texts) if len(texts) > 1 else set()
     left = [one for one in own if one.text not in everywhere]
-    most = CRITERIA.recognition.longest
     return [
         one
         for one in left
-        if one.kind == "length" or convert(abs(one.value), one.unit, "m") <= most
+        if one.kind == "length" or convert(abs(one.value), one.unit, "m") <= _LONGEST_CONTRACTION
     ]
 
 

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.compiler import ClassTree
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting import open_parameters, values
 from pam_cosim.drafting.bench import Bench, class_name, take_bench
 from pam_cosim.drafting.column_statistics import is_held, is_repeated, is_switch, span
@@ -43,6 +42,9 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.data_set import FILE_NAME
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity
+
+_MOST_ROWS = 20000  # rows of a run, above which means over several rows are proposed
+_NOMINAL_TOLERANCE = 0.05  # of the nominal length: a longest length as near to it is that at rest
 
 
 def draft(
@@ -124,7 +126,7 @@ def _with_length(recorded: ReadRecordings, bench: Bench) -> ReadRecordings:
         return recorded
     length = bench.muscle.length
     nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
-    if longest is not None and abs(longest - nominal) <= CRITERIA.recognition.nominal * nominal:
+    if longest is not None and abs(longest - nominal) <= _NOMINAL_TOLERANCE * nominal:
         length = text_of(longest, "m")  # As it was measured.
     return replace(recorded, stated={**recorded.stated, name: length})
 
@@ -293,9 +295,9 @@ def _is_read(column: RecordedColumn) -> bool:
 def _means(courses: Sequence[MappedRecording]) -> str:
     """An interval that leaves as many rows as a fit needs; "" where there are no more."""
     longest = max(courses, key=lambda one: len(one.time))
-    if len(longest.time) <= CRITERIA.recognition.long:
+    if len(longest.time) <= _MOST_ROWS:
         return ""
-    interval = float(np.ptp(longest.time)) / CRITERIA.recognition.long
+    interval = float(np.ptp(longest.time)) / _MOST_ROWS
     return f"{float(f'{1e3 * interval:.1g}'):g} ms"
 
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import replace
 
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.model.interface import Interface, Variable
 
-_C = CRITERIA.recognition
+_DATA_SHEET_TOLERANCE = 0.3  # of its value: bounds of a parameter of the fibres in a fit
+
 
 # What a rule, scales, a thermometer or a gauge tells, or the maker's drawing: it is stated, not fitted.
 _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
@@ -103,8 +103,8 @@ def _nearby(variable: Variable) -> Variable:
     """The variable with bounds about its value: those of a measure that may be zero, not stated, are no help."""
     assert variable.start is not None
     low, high = (
-        variable.start * (1.0 - _C.near_data_sheet),
-        variable.start * (1.0 + _C.near_data_sheet),
+        variable.start * (1.0 - _DATA_SHEET_TOLERANCE),
+        variable.start * (1.0 + _DATA_SHEET_TOLERANCE),
     )
     return replace(variable, min=low, max=high)
 

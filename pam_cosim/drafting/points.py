@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.direction import (
     common_direction,
@@ -18,14 +17,17 @@ from pam_cosim.drafting.direction import (
     order_tells_direction,
 )
 from pam_cosim.drafting.mapped import MappedRecording
+from pam_cosim.drafting.roles import HELD_OUT_SHARE
 from pam_cosim.drafting.stated_value import text_of
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.curves import curves, levels
+from pam_cosim.measurement.curves import ROWS_PER_LEVEL, curves, levels
+from pam_cosim.measurement.points import VALUE_TOLERANCE
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import readable_unit
 
-_C = CRITERIA.recognition
+_LEVELS_TO_HOLD_OUT = 4  # values of an imposed quantity, at least, of which some are held out
+_POINTS_TO_HOLD_OUT = 8  # the same along a single curve, which needs most of its points
 
 
 @dataclass(frozen=True)
@@ -107,15 +109,15 @@ def _held_out(
         inputs, {n: v for n, v in outputs.items() if len(v) == len(next(iter(inputs.values())))}
     )
     along = found[0].along
-    least = dict.fromkeys(found[0].at, _C.levels_to_hold_out) | {along: _C.points_to_hold_out}
+    least = dict.fromkeys(found[0].at, _LEVELS_TO_HOLD_OUT) | {along: _POINTS_TO_HOLD_OUT}
     if len(found) > 1:
-        least[along] = _C.levels_to_hold_out
+        least[along] = _LEVELS_TO_HOLD_OUT
     every = {name: _levels(inputs[name]) for name in least}
     able = {name: values for name, values in every.items() if len(values) >= least[name]}
     if not able:
         return {}
     name, values = max(able.items(), key=lambda one: len(one[1]))
-    count = max(1, round(_C.held_out * len(values)))
+    count = max(1, round(HELD_OUT_SHARE * len(values)))
     places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
     return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
 
@@ -123,9 +125,9 @@ def _held_out(
 def _levels(values: Array) -> list[float]:
     """The levels that readings repeat, each as it was read; none where the readings do not cluster."""
     exact = np.unique(values)
-    near = CRITERIA.static.near * span(values)
+    near = VALUE_TOLERANCE * span(values)
     is_apart = float(np.diff(exact).min(initial=np.inf)) > near
-    if is_apart and CRITERIA.static.shared * len(exact) <= len(values):
+    if is_apart and ROWS_PER_LEVEL * len(exact) <= len(values):
         return [float(value) for value in exact]
     number = levels(values)
     if number is None:

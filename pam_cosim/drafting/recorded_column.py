@@ -9,15 +9,17 @@ from functools import cached_property
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import is_constant, is_held, is_switch, span
 from pam_cosim.drafting.vocabulary import Meaning, usual_unit
 from pam_cosim.drafting.words import USUAL_UNITS
 from pam_cosim.measurement.curves import levels
+from pam_cosim.measurement.recording import EMPTY_SHARE
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
 
-_C = CRITERIA.recognition
+# of the range of all runs: a column that moves less within a run is constant there
+IMPOSED_RANGE = 0.2
+
 _LARGEST_COMMAND = USUAL_UNITS["command"][-1][0]
 _REFERABLE = re.compile(r"[^'\\\n]+")
 
@@ -83,7 +85,7 @@ class RecordedColumn:
             return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
         whole = span(self.every)
         own = max(span(one) for one in self.values.values())
-        if whole == 0.0 or own <= _C.imposed * whole:
+        if whole == 0.0 or own <= IMPOSED_RANGE * whole:
             return True
         return all(is_held(one) or is_constant(one) for one in self.values.values())
 
@@ -97,7 +99,7 @@ class RecordedColumn:
     @cached_property
     def whole(self) -> bool:
         """It lacks so few samples that it may be meant as an input."""
-        return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= _C.gaps
+        return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= EMPTY_SHARE
 
     def text_of(self, value: float) -> str:
         """One of its numbers, or the word that it stands for."""

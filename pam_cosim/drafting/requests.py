@@ -13,7 +13,6 @@ import numpy as np
 from pydantic import ValidationError
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.clock_columns import even_interval
 from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns, with_known_units
@@ -29,6 +28,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.place import Stated
 from pam_cosim.units import convert
+from pam_cosim.units.grammar import ATMOSPHERES
 from pam_cosim.wording import did_you_mean, shown
 
 
@@ -76,7 +76,7 @@ class ReadRecordings:
     @property
     def ambient_pressure(self) -> RecordedColumn | None:
         """A column that holds it, near that of the standard atmosphere; None: there is none."""
-        low, high = CRITERIA.recognition.atmosphere
+        low, high = ATMOSPHERES
         for column in self.columns:
             if column.of("pressure", "ambient") and column.unit:
                 values = convert(column.every, column.unit, "Pa")

@@ -10,11 +10,22 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import noise_of, span
+from pam_cosim.drafting.column_statistics import (
+    NOISE_SPAN,
+    PIECE,
+    PIECES,
+    REST_BAND,
+    noise_of,
+    span,
+)
 from pam_cosim.measurement.noise import record_step
 from pam_cosim.measurement.white_noise import estimate_noise
 
-_C = CRITERIA.recognition
+_WINDOW = 0.01  # of the samples: length of the means that distinguish rest from motion
+_MOST_IN_WINDOW = 30  # samples; a longer mean misses short rests
+_FEWEST_IN_WINDOW = 5  # samples of such a mean
+_NOISE_BAND = 4.0  # sd of the difference of two means, below which it is noise
+_COMPUTED_SCATTER = 1e-5  # of the range: smaller scatter is that of computed numbers
 
 
 @dataclass(frozen=True)
@@ -33,7 +44,7 @@ class Rest:
 def moving(time: Array, values: Array) -> np.ndarray:
     """(n,) whether a signal moves there: means over neighbouring windows differ by more than noise lets them."""
     count = len(values)
-    window = max(_C.fewest_in_window, min(round(_C.window * count), _C.most_in_window))
+    window = max(_FEWEST_IN_WINDOW, min(round(_WINDOW * count), _MOST_IN_WINDOW))
     moves = np.zeros(count, dtype=bool)
     if count < 2 * window or span(values) == 0.0:
         return moves
@@ -41,9 +52,7 @@ def moving(time: Array, values: Array) -> np.ndarray:
     sums = np.concatenate([[0.0], np.cumsum(filled - filled[0])])
     means = (sums[window:] - sums[:-window]) / window
     change = np.abs(means[window:] - means[:-window])
-    band = max(
-        _C.still_noise * noise_of(time, filled) * sqrt(2.0 / window), _C.still * span(filled)
-    )
+    band = max(_NOISE_BAND * noise_of(time, filled) * sqrt(2.0 / window), REST_BAND * span(filled))
     edges = np.zeros(count + 1)
     at = np.flatnonzero(change > band)
     half = (
@@ -62,7 +71,7 @@ def rests(time: Array, columns: Sequence[Array]) -> list[Rest]:
     edges = np.flatnonzero(np.diff(np.concatenate([[False], still, [False]]).astype(int)))
     ends = [Rest(int(a), int(b)) for a, b in zip(edges[::2], edges[1::2], strict=True)]
     known = [
-        (_from_lowest(values), noise_of(time, values), _C.still * span(values))
+        (_from_lowest(values), noise_of(time, values), REST_BAND * span(values))
         for values in columns
     ]
     return [level for one in ends for level in _levels(one, known)]
@@ -75,9 +84,9 @@ def _from_lowest(values: Array) -> Array:
 
 def begins_still(time: Array, columns: Sequence[Array]) -> bool:
     """Whether nothing moves in the first samples, be they too few to tell noise by."""
-    count = _C.fewest_in_window
     return all(
-        span(values[:count]) <= max(_C.still * span(values), _C.constant * noise_of(time, values))
+        span(values[:_FEWEST_IN_WINDOW])
+        <= max(REST_BAND * span(values), NOISE_SPAN * noise_of(time, values))
         for values in columns
     )
 
@@ -88,7 +97,7 @@ def _levels(rest: Rest, columns: Sequence[tuple[Array, float, float]]) -> list[R
         return []
     middle = (rest.start + rest.stop) // 2
     halves = Rest(rest.start, middle), Rest(middle, rest.stop)
-    band = _C.still_noise * 2.0 / sqrt(rest.count)
+    band = _NOISE_BAND * 2.0 / sqrt(rest.count)
     for values, noise, least in columns:
         one, other = (values[half.start : half.stop] for half in halves)
         if not (np.isfinite(one).any() and np.isfinite(other).any()):
@@ -100,7 +109,7 @@ def _levels(rest: Rest, columns: Sequence[tuple[Array, float, float]]) -> list[R
 
 def noise_at_rest(time: Array, values: Array, rest: Rest) -> tuple[float, float]:
     """Standard deviation at rest and the step of the record (0: none); 0 where the samples show neither."""
-    most = _C.noise_samples * _C.noise_pieces
+    most = PIECE * PIECES
     inside = slice(rest.start, min(rest.stop, rest.start + most))
     step = record_step(values[:most])
     sigma = estimate_noise(time[inside], values[inside])
@@ -108,7 +117,7 @@ def noise_at_rest(time: Array, values: Array, rest: Rest) -> tuple[float, float]
         steps = np.diff(values[inside])
         sigma = sqrt(float(np.nanmean(steps**2)) / 2.0) if np.isfinite(steps).any() else 0.0
     sigma = max(sigma, step / sqrt(12.0))
-    return (sigma, step) if sigma > _C.noiseless * span(values) else (0.0, 0.0)
+    return (sigma, step) if sigma > _COMPUTED_SCATTER * span(values) else (0.0, 0.0)
 
 
 def _filled(values: Array) -> Array:

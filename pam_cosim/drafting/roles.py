@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.column_statistics import is_constant, span
 from pam_cosim.drafting.mapped import MappedRecording
+from pam_cosim.drafting.recorded_column import IMPOSED_RANGE
 from pam_cosim.drafting.sources import RecordingSource, places_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
@@ -19,7 +19,9 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import shown
 
-_C = CRITERIA.recognition
+_SAME_TRAIT = 0.02  # of the largest value: smaller differences do not distinguish runs
+HELD_OUT_SHARE = 0.25  # share of the runs, or of the values of a table, that are held out
+_RUNS_TO_HOLD_OUT = 3  # at least; fewer runs are all needed for the fit
 
 
 @dataclass(frozen=True)
@@ -58,7 +60,7 @@ def roles(
     """
     count = len(courses)
     made = [Role("fit") for _ in courses]
-    if count < _C.runs_to_hold_out:
+    if count < _RUNS_TO_HOLD_OUT:
         return made
     traits = [
         t
@@ -70,7 +72,7 @@ def roles(
         return made
     scaled = np.array([(t.values - t.values.min()) / span(t.values) for t in traits]).T
     left = list(range(count))
-    for _ in range(max(1, round(_C.held_out * count))):
+    for _ in range(max(1, round(HELD_OUT_SHARE * count))):
         order = sorted((_outside(scaled, left, i), -_apart(scaled, left, i), i) for i in left)
         outside, _, chosen = order[0]
         left.remove(chosen)
@@ -114,7 +116,7 @@ def _all_held(values: Sequence[Array | None]) -> bool:
     """Whether a signal moves in no recording by more than a small part of what it differs by between them."""
     recorded = [v for v in values if v is not None]
     whole = span(np.concatenate(recorded))
-    return all(span(v) <= _C.imposed * whole or is_constant(v) for v in recorded)
+    return all(span(v) <= IMPOSED_RANGE * whole or is_constant(v) for v in recorded)
 
 
 def _pace(time: Array, values: Array) -> float:
@@ -130,7 +132,7 @@ def _each(values: Sequence[Array | None], number: Callable[[Array], float]) -> A
 
 
 def _differ(values: Array) -> bool:
-    return span(values) > _C.alike * float(np.max(np.abs(values)))
+    return span(values) > _SAME_TRAIT * float(np.max(np.abs(values)))
 
 
 def _outside(scaled: Array, left: Sequence[int], one: int) -> float:

@@ -9,15 +9,12 @@ from math import sqrt
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import correlation
+from pam_cosim.drafting.column_statistics import LEAST_CORRELATION, correlation
 from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.scaling import scaled_entry
 from pam_cosim.model.interface import Variable
-
-_C = CRITERIA.recognition
 
 
 def signed_entry(
@@ -55,10 +52,10 @@ def _why_reversed(
 ) -> str:
     """Why a contraction counts the other way; "" where it does not. The pull is asked where no pressure moves it."""
     together = correlation(pressure, values)
-    if together < -_C.follows:
+    if together < -LEAST_CORRELATION:
         return "it falls where the pressure rises: its sign is turned round"
-    is_moved = together > _C.follows
-    if pull is None or is_moved or _at_equal(pressure, pull, values) <= _C.follows:
+    is_moved = together > LEAST_CORRELATION
+    if pull is None or is_moved or _at_equal(pressure, pull, values) <= LEAST_CORRELATION:
         return ""
     return "the pull rises with it at equal pressure: its sign is turned round"
 

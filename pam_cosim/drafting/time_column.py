@@ -26,10 +26,12 @@ from pam_cosim.drafting.words import (
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.cell_kinds import EXAMPLE
 from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.measurement.wrapped_clocks import LONGEST_STEP
 from pam_cosim.units import seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
-_C = CRITERIA.recognition
+_MOST_POINTS = 2000  # rows of a static table, which limits the run time
+
 NO_UNIT = "no unit is written"
 _LABVIEW = re.compile(r"x[ _]?values?([ _.]?\d+)?", re.IGNORECASE)
 
@@ -174,7 +176,7 @@ def _runs(column: RecordedColumn) -> bool:
     """Whether numbers of which nobody knows what they are rise in every row, and about evenly: as a clock does."""
     steps = [np.diff(one) for one in column.values.values() if len(one) > 1]
     return bool(steps) and all(
-        bool((one > 0.0).all()) and float(one.max()) <= _C.uneven * float(np.median(one))
+        bool((one > 0.0).all()) and float(one.max()) <= LONGEST_STEP * float(np.median(one))
         for one in steps
     )
 
@@ -302,4 +304,4 @@ def may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[Recording
     is_driven = bool(kinds & {"command", "current"})
     has_pressure = any(c.of("pressure") or c.of("pressure", "set") for c in columns)
     rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
-    return has_pressure and not is_driven and rows <= _C.most_points
+    return has_pressure and not is_driven and rows <= _MOST_POINTS

@@ -17,10 +17,11 @@ from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.rest import begins_still
 from pam_cosim.drafting.time_column import NO_UNIT
 from pam_cosim.drafting.vocabulary import Meaning
-from pam_cosim.drafting.zeros import ABSOLUTE_GAUGE
+from pam_cosim.drafting.zeros import ABSOLUTE_GAUGE, NO_PRESSURE
 from pam_cosim.measurement.markers import input_marker_of, marker_of
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
+from pam_cosim.units.grammar import ATMOSPHERES
 from pam_cosim.wording import listed, runs_in_words, shown
 
 _FEWEST_ROWS = 2  # that a recording may have
@@ -155,7 +156,7 @@ def _never_at_rest(made: Draft, mapped: Mapped) -> Iterator[str]:
     pressures = _pressures(made.interface, mapped)
     if not counted or not pressures.size:
         return
-    least = CRITERIA.recognition.unloaded * float(np.nanmax(pressures))
+    least = NO_PRESSURE * float(np.nanmax(pressures))
     if float(np.nanmin(pressures)) > least:
         yield (
             f"{listed(counted)} is counted from the longest length that was recorded, and in no row is the muscle "
@@ -173,7 +174,7 @@ def _below_zero(made: Draft, mapped: Mapped) -> Iterator[str]:
             continue
         values = np.concatenate([c.every[name] for c in mapped.courses if name in c.every])
         least = float(np.nanmin(values))
-        if least < -CRITERIA.recognition.offset * span(values):
+        if least < -CRITERIA.starts.offset * span(values):
             reading = format_quantity(least, variables[name].unit)
             yield (
                 f"{name} goes down to {reading}, as if the muscle were longer than at rest: its zero is that of "
@@ -186,15 +187,14 @@ def _absolute_points(made: Draft, mapped: Mapped) -> Iterator[str]:
     if made.points is None:
         return
     outputs = made.interface.outputs
-    low, high = CRITERIA.recognition.atmosphere
+    low, high = ATMOSPHERES
     pressures = _pressures(made.interface, mapped)
     if not pressures.size or not low <= float(np.nanmin(pressures)) <= high:
         return
     least = pressures <= high
     read = [n for n in outputs if all(n in c.every for c in mapped.courses)]
     shown_by = {n: np.abs(np.concatenate([c.every[n] for c in mapped.courses])) for n in read}
-    unloaded = CRITERIA.recognition.unloaded
-    if any(np.nanmax(v[least]) <= unloaded * np.nanmax(v) for v in shown_by.values()):
+    if any(np.nanmax(v[least]) <= NO_PRESSURE * np.nanmax(v) for v in shown_by.values()):
         reading = format_quantity(float(np.nanmin(pressures)), "Pa")
         yield (
             f"the least pressure is {reading}, and the muscle does nothing there: if the gauge is an absolute one, "

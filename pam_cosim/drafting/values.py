@@ -8,8 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import is_constant, noise_of, span
+from pam_cosim.drafting.column_statistics import REST_BAND, is_constant, noise_of, span
 from pam_cosim.drafting.feeding import meaning_of
 from pam_cosim.drafting.mapped import Mapped, MappedRecording
 from pam_cosim.drafting.recorded_column import RecordedColumn
@@ -20,7 +19,8 @@ from pam_cosim.drafting.words import UNITS
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import convert, parse_quantity
 
-_C = CRITERIA.recognition
+NONZERO_READING = 5.0  # sd of the noise: a larger reading at rest is not zero
+
 _NUMBER = r"\d+(?:[.,]\d+)?"
 _LOAD = re.compile(
     rf"(?<![A-Za-z0-9])(?:(?P<number>{_NUMBER})[ _-]?(?P<unit>[A-Za-z]+)|(?P<first>kg|lbs?)[ _-]?(?P<behind>{_NUMBER}))"
@@ -43,7 +43,7 @@ def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedVal
         part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
         first, usual = float(np.nanmean(part)), parameter.start or 0.0
         low = -np.inf if parameter.min is None else parameter.min
-        least = max(_C.still * span(values), _C.away * noise_of(course.time, values))
+        least = max(REST_BAND * span(values), NONZERO_READING * noise_of(course.time, values))
         if abs(first - usual) > least and first >= low:
             told[name] = StatedValue(text_of(first, unit), first, f"{signal} begins so", True)
     return told

@@ -10,14 +10,17 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import noise_of, span
+from pam_cosim.drafting.column_statistics import REST_BAND, noise_of, span
 from pam_cosim.drafting.feeding import BenchChoice, meaning_of
 from pam_cosim.drafting.mapped import ColumnEntry, MappedRecording
+from pam_cosim.drafting.values import NONZERO_READING
 from pam_cosim.drafting.vocabulary import Meaning
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import format_quantity
+from pam_cosim.units.grammar import ATMOSPHERES
 
-_C = CRITERIA.recognition
+NO_PRESSURE = 0.05  # of the largest pressure; the muscle counts as without pressure below
+
 SET_PRESSURE = Meaning("pressure", frozenset({"set"}))
 ABSOLUTE_GAUGE = "as a gauge of absolute pressure does"
 
@@ -71,7 +74,9 @@ def _is_measured_absolute(interface: Interface, courses: Sequence[MappedRecordin
 
 def _reason_of_unloaded(meaning: Meaning, begin: _Begin) -> str:
     """Why what is read of a muscle without pressure gets a zero; "" where it needs none."""
-    small_force = meaning.kind == "force" and abs(begin.reading) <= _C.offset * begin.largest
+    small_force = (
+        meaning.kind == "force" and abs(begin.reading) <= CRITERIA.starts.offset * begin.largest
+    )
     if meaning.kind == "contraction" or small_force:
         return "it begins at rest, without pressure, with {reading}"
     return ""
@@ -102,19 +107,22 @@ class _Begin:
 def _begin(name: str, courses: Sequence[MappedRecording]) -> _Begin:
     at_rest = [_at_rest(course, course.every[name]) for course in courses]
     moved = max((span(course.every[name]) for course in courses), default=0.0)
-    low, high = _C.atmosphere
+    low, high = ATMOSPHERES
     errors = [_error(course, name) for course in courses]
     reading = max(at_rest, key=abs)
     lowest = min((float(np.nanmin(course.every[name])) for course in courses), default=0.0)
     magnitudes = [float(np.nanmax(np.abs(course.every[name]))) for course in courses]
     return _Begin(
         reading=reading,
-        far=any(abs(one) > _C.away * e for one, e in zip(at_rest, errors, strict=True)),
-        slight=all(abs(one) <= _C.offset * moved for one in at_rest),
+        far=any(abs(one) > NONZERO_READING * e for one, e in zip(at_rest, errors, strict=True)),
+        slight=all(abs(one) <= CRITERIA.starts.offset * moved for one in at_rest),
         absolute=moved > 0.0 and all(low <= one <= high for one in at_rest),
         common=moved > 0.0
-        and reading - lowest <= _C.offset * moved
-        and all(abs(one - reading) <= _C.away * e for one, e in zip(at_rest, errors, strict=True)),
+        and reading - lowest <= CRITERIA.starts.offset * moved
+        and all(
+            abs(one - reading) <= NONZERO_READING * e
+            for one, e in zip(at_rest, errors, strict=True)
+        ),
         largest=max(magnitudes, default=0.0),
     )
 
@@ -131,7 +139,7 @@ def _error(course: MappedRecording, name: str) -> float:
     assert course.first_rest is not None
     return max(
         noise_of(course.time, values) / sqrt(course.first_rest.count),
-        _C.still * span(values) / _C.away,
+        REST_BAND * span(values) / NONZERO_READING,
     )
 
 
@@ -144,7 +152,7 @@ def _unloaded(
     with_pressure = [i for i in having if i in pressure]
     largest = max((span(pressure[i]) for i in with_pressure), default=0.0)
     offsets = [_at_rest(courses[i], pressure[i] - np.nanmin(pressure[i])) for i in with_pressure]
-    return largest > 0.0 and all(offset <= _C.unloaded * largest for offset in offsets)
+    return largest > 0.0 and all(offset <= NO_PRESSURE * largest for offset in offsets)
 
 
 def _times(course: MappedRecording) -> tuple[float, float]:

@@ -10,10 +10,15 @@ from math import exp
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.estimate import Estimate, standard_deviations
 from pam_cosim.fitting.objective import Objective
+from pam_cosim.measurement.free_parameter import INTERVAL
 from pam_cosim.units import product, quotient
+
+# relative difference of the slopes of two parameters, below which a test of both pays
+_PARALLEL_SLOPES = 1e-3
+_EXCHANGE_FACTOR = 1.2  # factor on one parameter, and divisor of the other, in that test
+_UNCHANGED_RMS = 0.02  # sd, rms change of the residuals, below which only the product is determined
 
 
 @dataclass(frozen=True)
@@ -74,7 +79,7 @@ def combinations(
     for i, j in itertools.combinations(open_ones, 2):
         for kind, sign in (("product", 1.0), ("ratio", -1.0)):
             apart = np.linalg.norm(by_logarithm[:, i] - sign * by_logarithm[:, j])
-            is_parallel = apart < CRITERIA.uncertainty.parallel * size[i]
+            is_parallel = apart < _PARALLEL_SLOPES * size[i]
             if is_parallel and _changes_nothing(objective, z, i, j, -sign):
                 others = [j, *(k for k in open_ones if k != i)]
                 deviation = spread * _deviation(by_logarithm, i, others)
@@ -85,17 +90,15 @@ def combinations(
 def _changes_nothing(objective: Objective, z: Array, i: int, j: int, power: float) -> bool:
     """Whether the residuals stay where parameter i grows by a factor and j by that factor to ``power``."""
     low, high = objective.bounds
-    for stretch in (
-        CRITERIA.uncertainty.exchange,
-        1 / CRITERIA.uncertainty.exchange,
-    ):  # whichever stays within the bounds
+    # Whichever stays within the bounds.
+    for stretch in (_EXCHANGE_FACTOR, 1 / _EXCHANGE_FACTOR):
         moved = z.copy()
         for k, factor in ((i, stretch), (j, stretch**power)):
             free = objective.free[k]
             moved[k] = free.to_z(free.to_value(float(z[k])) * factor)
         if np.all((moved >= low) & (moved <= high)):
             change = objective.residuals(moved) - objective.residuals(z)
-            return bool(np.sqrt(np.mean(change**2)) < CRITERIA.uncertainty.unchanged)
+            return bool(np.sqrt(np.mean(change**2)) < _UNCHANGED_RMS)
     return False
 
 
@@ -112,6 +115,6 @@ def _combination(
 ) -> Combination:
     (first, a), (second, b) = parameters[i], parameters[j]
     value = a.value * b.value if kind == "product" else a.value / b.value
-    reach = exp(min(CRITERIA.uncertainty.interval * deviation, 700.0))
+    reach = exp(min(INTERVAL * deviation, 700.0))
     unit = (product if kind == "product" else quotient)(a.unit, b.unit)
     return Combination((first, second), kind, value, value / reach, value * reach, unit)

@@ -20,6 +20,8 @@ from pam_cosim.comparison import RunComparison, autocorrelation
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import Signal
 
+TAIL = 0.025  # of the samples, on either side of a 95 % band
+
 
 @dataclass(frozen=True)
 class Discrepancy:
@@ -41,7 +43,7 @@ class Discrepancy:
 
     def reach(self, duration: float = 0.0) -> float:
         """Half width of the 95 % interval of its mean over so many seconds; 0: of its value [unit of the signal]."""
-        factor = float(stdtrit(self.pieces, 1.0 - CRITERIA.uncertainty.tail))
+        factor = float(stdtrit(self.pieces, 1.0 - TAIL))
         return factor * self.sd * sqrt(_of_mean(duration / self.memory))
 
 

@@ -11,6 +11,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.free import Free
 from pam_cosim.measurement import Prior
+from pam_cosim.measurement.free_parameter import INTERVAL
 
 
 @dataclass(frozen=True)
@@ -97,7 +98,7 @@ def estimates(
         deviation[i] = spread * standard_deviations(jacobian[:, [*inner, i]])[-1]
     by_name = {}
     for i, f in enumerate(free):
-        reach = CRITERIA.uncertainty.interval * deviation[i]
+        reach = INTERVAL * deviation[i]
         value = f.to_value(float(z[i]))
         lower = f.to_value(float(max(z[i] - reach, low[i])))
         upper = f.to_value(float(min(z[i] + reach, high[i])))

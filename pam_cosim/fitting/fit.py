@@ -38,6 +38,8 @@ from pam_cosim.measurement import ROLES, DataSet
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.wording import Printed
 
+STRONG_CORRELATION = 0.95  # absolute correlation of two estimates that is named
+
 
 @dataclass(frozen=True)
 class Fit(Printed, Tabular):
@@ -170,10 +172,7 @@ class Fit(Printed, Tabular):
         sentences = []
         for i, j in zip(*np.triu_indices(len(self.correlation), 1), strict=True):
             r = self.correlation[i, j]
-            if (
-                abs(r) > CRITERIA.uncertainty.confused
-                and frozenset((names[i], names[j])) not in stated
-            ):
+            if abs(r) > STRONG_CORRELATION and frozenset((names[i], names[j])) not in stated:
                 way = "raised together" if r > 0 else "one raised and the other lowered"
                 sentences.append(
                     f"{names[i]} and {names[j]} are hardly told apart: {way}, they fit alike ({r:+.3f})"

@@ -8,6 +8,7 @@ from math import exp, log, sqrt
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, FreeParameter, Prior, Run, Transform
+from pam_cosim.measurement.free_parameter import INTERVAL
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_ratio, parameter_of
 from pam_cosim.wording import did_you_mean
@@ -52,7 +53,7 @@ class Free:
 
     def with_typical_range(self, low: float, high: float) -> Free:
         """The same with a prior: 95 % of its distribution, normal as it is searched, lie between these ends [unit]."""
-        width = 2 * CRITERIA.uncertainty.interval
+        width = 2 * INTERVAL
         if self.logarithmic:
             return replace(
                 self, prior=Prior(sqrt(low * high), log(high / low) / width, logarithmic=True)

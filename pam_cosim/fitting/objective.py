@@ -31,6 +31,8 @@ from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.starts import EliminatedStarts, measured_signals
 
+_MOST_FAILURES = 10  # messages that are kept
+
 DIFFERENCE_TOLERANCE = 1e-7  # of the solver, where slopes are differences, which magnify its error
 _DIFFERENCE_STEP = 1e-3  # in search coordinates: far above the solver's error
 
@@ -309,7 +311,7 @@ class Objective:
         return self.failures[0] if self.failures else "the model gives no finite result"
 
     def _note_failure(self, failure: SimulationFailure) -> None:
-        if len(self.failures) < CRITERIA.run.failures_kept:
+        if len(self.failures) < _MOST_FAILURES:
             self.failures.append(str(failure))
 
     def _weighted(self, run: RunComparison, i: int) -> Array:

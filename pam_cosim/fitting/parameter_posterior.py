@@ -8,7 +8,6 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting.fit import Fit, spread_of
 from pam_cosim.fitting.free import Free
@@ -16,6 +15,9 @@ from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.truncated_normal import truncated_normal
 from pam_cosim.measurement import DataSet
 from pam_cosim.simulation import AnySimulator
+
+_WIDTH = 1.5  # of the proposal, in sd of the linearised posterior
+_PRIOR_WIDTH = 10.0  # distances of the bounds: sd of a weak prior, which keeps an undetermined parameter finite
 
 
 @dataclass(frozen=True)
@@ -91,9 +93,9 @@ def parameter_posterior(
     scale[: objective.size] = 1.0 / spread_of(fit.residuals["fit"])
     slopes = objective.jacobian(z, residuals) * scale[:, None]
     # what no sample depends on is left to the bounds, far within which this is flat
-    precision = slopes.T @ slopes + np.diag(1.0 / (CRITERIA.uncertainty.unseen * (high - low)) ** 2)
+    precision = slopes.T @ slopes + np.diag(1.0 / (_PRIOR_WIDTH * (high - low)) ** 2)
     mean = z - np.linalg.solve(precision, slopes.T @ (residuals * scale))
-    wider, rng = precision / CRITERIA.uncertainty.wider**2, np.random.default_rng(seed)
+    wider, rng = precision / _WIDTH**2, np.random.default_rng(seed)
     drawn = (
         truncated_normal(mean, wider, (low, high), z, count, rng) if names else np.zeros((count, 0))
     )

@@ -11,15 +11,17 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run, warnings_of
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.exports import Exported, Table, headed
-from pam_cosim.fitting.discrepancy import Discrepancy
+from pam_cosim.fitting.discrepancy import TAIL, Discrepancy
 from pam_cosim.fitting.parameter_posterior import ParameterPosterior
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.free_parameter import INTERVAL
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, look_first
+
+_LEAST_EFFECTIVE = 20.0  # samples of equal weight; the ends of a band are rough below
 
 
 @dataclass(frozen=True)
@@ -106,7 +108,7 @@ class PredictiveBands(Printed, Exported):
             f"{self.model}, {self.run}: predicted with {count} samples of {len(self.posterior.names)} parameters"
         ]
         lines += look_first(self.warnings)
-        if effective < CRITERIA.uncertainty.least_effective:
+        if effective < _LEAST_EFFECTIVE:
             lines.append(
                 f"  they say as much as {effective:.0f} of equal weight: the bands are rough; take more samples"
             )
@@ -195,20 +197,19 @@ def _band(
     off: Discrepancy | None,
 ) -> Band:
     """Quantiles over the weighted samples; to each of them a reading adds model error and noise."""
-    signal, reach = data.signals[name], CRITERIA.uncertainty.interval
-    tail = CRITERIA.uncertainty.tail
-    low, high = _quantile(drawn, weights, tail), _quantile(drawn, weights, 1 - tail)
+    signal = data.signals[name]
+    low, high = _quantile(drawn, weights, TAIL), _quantile(drawn, weights, 1 - TAIL)
     centre = weights @ drawn
     spread = weights @ (drawn - centre) ** 2
     noise = np.broadcast_to(signal.sigma_at(best), best.shape) ** 2
-    around = np.sqrt(reach**2 * (spread + noise) + (off.reach() if off else 0.0) ** 2)
+    around = np.sqrt(INTERVAL**2 * (spread + noise) + (off.reach() if off else 0.0) ** 2)
     measured = run.measurements.get(name, np.zeros(0))
     readings = measured if np.isfinite(measured).any() else np.zeros(0)
     # the mean over time: noise goes out of it by the number of readings, the model error by its memory
     share = _shares(run.time)
     means = drawn @ share
     middle = float(weights @ means)
-    squares = reach**2 * (float(weights @ (means - middle) ** 2) + float(share**2 @ noise))
+    squares = INTERVAL**2 * (float(weights @ (means - middle) ** 2) + float(share**2 @ noise))
     of_mean = sqrt(squares + (off.reach(float(np.ptp(run.time))) if off else 0.0) ** 2)
     return Band(
         signal.unit,

@@ -21,6 +21,14 @@ from pam_cosim.fitting.levenberg_marquardt import levenberg_marquardt
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.wording import Printed
 
+INTERVAL_RISE = 3.84  # of chi-square at the ends of a 95 % interval (chi-square distribution)
+_FLAT_RISE = 0.1  # rise of chi-square, below which other parameters compensate fully
+_STEP = 0.7  # sd: three or four steps reach the end of the interval
+_POINTS = 8  # on each side, at most
+_EVALUATIONS = 12  # of each point, which starts at the fit of the point before
+_LEAST_POWER = 0.1  # of one parameter that another follows along a flat profile
+_SCATTER = 0.1  # of its range, by which the other parameter may deviate from that power
+
 
 @dataclass(frozen=True)
 class Profile:
@@ -57,16 +65,16 @@ class Profile:
     def followers(self) -> dict[str, float]:
         """Other parameters that follow a power of this one along its profile, with the power; by their logarithms."""
         powers = {}
-        flat = self.rise < CRITERIA.uncertainty.profile_rise
+        flat = self.rise < INTERVAL_RISE
         x = self.values[flat]
         if len(x) > 2 and np.all(x > 0) and np.ptp(np.log(x)) > 0:
             for name, y in self.others.items():
                 if np.all(y[flat] > 0):
                     power, start = np.polyfit(np.log(x), np.log(y[flat]), 1)
                     off = np.log(y[flat]) - start - power * np.log(x)
-                    if abs(power) > CRITERIA.uncertainty.follows and np.ptp(
-                        off
-                    ) < CRITERIA.uncertainty.off_course * np.ptp(np.log(y[flat])):
+                    if abs(power) > _LEAST_POWER and np.ptp(off) < _SCATTER * np.ptp(
+                        np.log(y[flat])
+                    ):
                         powers[name] = float(power)
         return powers
 
@@ -81,7 +89,7 @@ class Profile:
                 s for s, v in (("below", self.low), ("above", self.high)) if not np.isfinite(v)
             ]
             return text + (f"; these data do not limit it {sides[0]}" if sides else "")
-        fitting = self.values[self.rise < CRITERIA.uncertainty.profile_rise]
+        fitting = self.values[self.rise < INTERVAL_RISE]
         span = f"{fitting[0]:.4g} to {fitting[-1]:.4g}{unit}"
         text = f"these data do not determine {self.name}: anything from {span} fits"
         follows = [f"{name} as its power {power:.2g}" for name, power in self.followers().items()]
@@ -171,12 +179,10 @@ def _side(
     """Points away from the optimum on one side, with the rise at each, until the interval or the bounds end."""
     low, high = objective.bounds
     room = (high[i] - z[i]) if sign > 0 else (z[i] - low[i])
-    step = min(
-        CRITERIA.uncertainty.profile_step * deviation, room / CRITERIA.uncertainty.profile_points
-    )
+    step = min(_STEP * deviation, room / _POINTS)
     points: list[tuple[Array, float]] = []
     at, before = z, 0.0
-    for _ in range(CRITERIA.uncertainty.profile_points):
+    for _ in range(_POINTS):
         left = (high[i] - at[i]) if sign > 0 else (at[i] - low[i])
         if step <= 0 or left <= 0:
             break
@@ -185,14 +191,9 @@ def _side(
         if not np.isfinite(rise):
             break
         points.append((at, rise))
-        if rise > CRITERIA.uncertainty.profile_rise:
+        if rise > INTERVAL_RISE:
             break
-        step *= (
-            2
-            if rise - before
-            < CRITERIA.uncertainty.profile_rise / CRITERIA.uncertainty.profile_points
-            else 1
-        )
+        step *= 2 if rise - before < INTERVAL_RISE / _POINTS else 1
         before = rise
     return points
 
@@ -218,7 +219,7 @@ def _refitted(objective: Objective, at: Array, i: int, value: float) -> Array:
         at[kept],
         (low[kept], high[kept]),
         CRITERIA.fit.precision,
-        CRITERIA.uncertainty.profile_evaluations,
+        _EVALUATIONS,
     )
     return whole(solution.z)
 
@@ -230,14 +231,14 @@ def _end(
 
     Between two points the root of the rise is taken as straight, which it is for a parabola.
     """
-    limit = float(np.sqrt(CRITERIA.uncertainty.profile_rise))
+    limit = float(np.sqrt(INTERVAL_RISE))
     points = [(z, 0.0), *side]
     for (a, low), (b, high) in zip(points[:-1], points[1:], strict=True):
         if np.sqrt(high) >= limit > np.sqrt(low):
             free = [
                 rise for p, rise in side if rise < high and not _at_new_bound(objective, z, p, i)
             ]
-            if _at_new_bound(objective, z, b, i) and free and max(free) < CRITERIA.uncertainty.flat:
+            if _at_new_bound(objective, z, b, i) and free and max(free) < _FLAT_RISE:
                 return None
             share = (limit - np.sqrt(low)) / (np.sqrt(high) - np.sqrt(low))
             return objective.free[i].to_value(float(a[i] + (b[i] - a[i]) * share))

@@ -7,10 +7,10 @@ from collections.abc import Mapping, Sequence
 import numpy as np
 
 from pam_cosim.comparison import RunComparison, simulate_run
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting.estimate import Estimate
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.free_parameter import INTERVAL
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import AnySimulator
 
@@ -22,7 +22,7 @@ def start_estimates(objective: Objective) -> dict[str, Estimate]:
     for one in objective.starts.by_run.values():
         if not len(one.slopes):  # its run could not be simulated
             continue
-        reach = (CRITERIA.uncertainty.interval * one.deviations()).tolist()
+        reach = (INTERVAL * one.deviations()).tolist()
         values, determined = one.values.tolist(), one.determined().tolist()
         still = [(name, value, 0.0, False) for name, value in one.still.items()]
         for name, value, half, is_told in [

@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
+
+_DISCARDED_SAMPLES = 20  # first samples, which depend on the start of the chain
+_MOST_REFLECTIONS = 1000  # of a sample at the bounds
+_SAME_HIT = 1e-9  # quarter periods, within which two hits of a wall are one
 
 
 def truncated_normal(
@@ -35,25 +38,23 @@ def truncated_normal(
     low, high = bounds
     walls = np.vstack([factor, -factor])
     offsets = np.concatenate([mean - low, high - mean])
-    inside = CRITERIA.uncertainty.same_hit * (
+    inside = _SAME_HIT * (
         high - low
     )  # a particle that begins on a wall may fall through it by rounding
     w = np.asarray(
         np.linalg.solve(factor, np.clip(start, low + inside, high - inside) - mean), dtype=float
     )
     samples = []
-    for _ in range(count + CRITERIA.uncertainty.discarded_samples):
+    for _ in range(count + _DISCARDED_SAMPLES):
         w = _moved(w, rng.standard_normal(len(w)), walls, offsets)
         samples.append(mean + factor @ w)
-    return np.clip(
-        np.array(samples[CRITERIA.uncertainty.discarded_samples :]).reshape(count, -1), low, high
-    )
+    return np.clip(np.array(samples[_DISCARDED_SAMPLES:]).reshape(count, -1), low, high)
 
 
 def _moved(w: Array, speed: Array, walls: Array, offsets: Array) -> Array:
     """Where a particle is after a quarter of a period; it stays where it may be: ``walls @ w + offsets >= 0``."""
     left, last = 0.5 * np.pi, -1
-    for _ in range(CRITERIA.uncertainty.reflections):
+    for _ in range(_MOST_REFLECTIONS):
         times = _times_of_hits(walls @ w, walls @ speed, offsets, last)
         first = int(np.argmin(times))
         time = min(float(times[first]), left)
@@ -77,10 +78,6 @@ def _times_of_hits(places: Array, speeds: Array, offsets: Array, last: int) -> A
     reached = size > np.abs(offsets)
     angle = np.arccos(-offsets[reached] / size[reached])
     times[reached] = np.mod(angle - phase[reached], 2 * np.pi)
-    if (
-        last >= 0
-        and reached[last]
-        and min(times[last], 2 * np.pi - times[last]) < CRITERIA.uncertainty.same_hit
-    ):
+    if last >= 0 and reached[last] and min(times[last], 2 * np.pi - times[last]) < _SAME_HIT:
         times[last] = np.inf
     return times

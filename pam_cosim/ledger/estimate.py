@@ -40,6 +40,8 @@ from pam_cosim.ledger.term_series import term_series
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_fmu, sources_of
 
+_NOISE_LEVEL = 1.3  # noise variances: mean square of residuals that need no explanation
+
 
 def keep_ledger(
     data: DataSet,
@@ -98,11 +100,11 @@ class _Estimation:
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
-        is_open = best > CRITERIA.ledger.at_noise
+        is_open = best > _NOISE_LEVEL
         replaced = (
             self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
         )
-        plain = replaced is not None and replaced.deviance < CRITERIA.ledger.at_noise * samples
+        plain = replaced is not None and replaced.deviance < _NOISE_LEVEL * samples
         beside = self._beside() if is_open and not plain else None
         return self._judged(SmoothedModels(unaugmented, augmented, replaced, beside, samples))
 
@@ -191,7 +193,7 @@ class _Estimation:
             entries=tuple(sorted(entries, key=lambda e: (-e.share, -e.explains, e.balance))),
             readings=tuple(sensor_readings(rivals)),
             failing=tuple(sorted(failing, key=lambda balance: -losses[balance])),
-            closed=bool(after <= CRITERIA.ledger.at_noise),
+            closed=bool(after <= _NOISE_LEVEL),
             before=unaugmented.chi2 / rivals.samples,
             after=float(after),
             parameters=dict(zip(self.explainer.free, map(float, free), strict=True)),

@@ -8,7 +8,6 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.ledger.augmented import AugmentedModel, UnknownInput
 from pam_cosim.ledger.grid import Grid, make_grid
@@ -24,6 +23,15 @@ from pam_cosim.ledger.smoothing_problem import (
 )
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
+
+_SPACING = 0.04  # [s], of the nodes of a run of middle length, at most
+_FEWEST_NODES = 50  # of a short run
+_MOST_NODES = 400  # of a long run, which limits the run time
+_ACCURACY = 2e-4  # of the range of a state, in one step
+_REFINEMENTS = 3  # of a grid, at most
+_GRID_ERROR = 0.2  # sd of a sample: a finer grid must change the outputs by more
+_PARALLEL_TERMS = 1e-6  # squared sine, below which two terms act alike and are one
+_RANGE_IN_DEVIATIONS = 5.0  # sd of the prior of a free parameter
 
 
 class Explainer:
@@ -100,7 +108,7 @@ class Explainer:
             measured[:, self.signals.index(hidden)] = np.nan
             grid = replace(grid, measured=measured)
         model = Model(augmented.ode, [u.parameter for u in unknown_inputs], self.free, self.signals)
-        prior_deviation = (self.high - self.low) / CRITERIA.ledger.free_prior
+        prior_deviation = (self.high - self.low) / _RANGE_IN_DEVIATIONS
         none = SmoothingProblem(
             model,
             grid,
@@ -122,11 +130,10 @@ class Explainer:
 
     def _spacing(self) -> float:
         """Between the nodes of a grid [s]."""
-        numbers = CRITERIA.ledger
         longest = max(float(run.time[-1] - run.time[0]) for run in self.data.runs)
-        if longest >= numbers.spacing * numbers.most_nodes:
-            return longest / numbers.most_nodes
-        return min(numbers.spacing, longest / numbers.fewest_nodes)
+        if longest >= _SPACING * _MOST_NODES:
+            return longest / _MOST_NODES
+        return min(_SPACING, longest / _FEWEST_NODES)
 
     def _grid(self, augmented: AugmentedModel) -> Grid:
         """The grid of an augmented model, fine enough for the model by itself: a finer one changes nothing."""
@@ -148,8 +155,8 @@ class Explainer:
         p = with_free(grid.parameters, model, self.start, self.acts)
         states = integrate(model, grid, p)
         further = [np.zeros(0) for _ in grid.runs]
-        for _ in range(CRITERIA.ledger.refinements):
-            new = further_nodes(model, grid, p, states, CRITERIA.ledger.accuracy)
+        for _ in range(_REFINEMENTS):
+            new = further_nodes(model, grid, p, states, _ACCURACY)
             further = [np.union1d(a, b) for a, b in zip(further, new, strict=True)]
             finer = make_grid(*args, further)
             states_of_finer = integrate(model, finer, p)
@@ -172,7 +179,7 @@ class Explainer:
         for r in range(len(coarse[0].runs)):
             common[run_of_fine == r] = np.isin(time_of_fine[run_of_fine == r], time[run == r])
         difference = (few - many[common]) / self.sigma
-        return bool(np.sqrt(np.mean(difference**2)) < CRITERIA.ledger.far_below)
+        return bool(np.sqrt(np.mean(difference**2)) < _GRID_ERROR)
 
     def explain(
         self,
@@ -233,4 +240,4 @@ def _parallel(a: Array, b: Array) -> bool:
     felt = (np.linalg.norm(a, axis=1) > 0) | (np.linalg.norm(b, axis=1) > 0)
     dot = np.abs(np.einsum("ki,ki->k", a, b))[felt]
     norms = (np.linalg.norm(a, axis=1) * np.linalg.norm(b, axis=1))[felt]
-    return bool((dot >= (1 - CRITERIA.ledger.parallel) * norms).all() and (norms > 0).all())
+    return bool((dot >= (1 - _PARALLEL_TERMS) * norms).all() and (norms > 0).all())

@@ -12,10 +12,16 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.ledger.grid import Grid
 from pam_cosim.ledger.radau import integrate
 from pam_cosim.ledger.smoothing_problem import LinearisedProblem, Point, SmoothingProblem, linearise
+
+_GAIN = 0.1  # prior sd of the relative error of the factor of an instrument
+_OFFSET = 0.1  # of the range: prior sd of the offset of an instrument
+_LAGS = 12  # time constants that are tried, in equal ratios
+_ROUNDS_WITH_FAULT = 3  # in which the free parameters are adapted to a fault, at most
+_PROMISING_SHARE = 0.5  # of chi-square, that a fault may leave to be adapted to
+_SETTLED_CHANGE = 1.0  # change of the deviance that ends these rounds, far below strong evidence
 
 
 @dataclass(frozen=True)
@@ -75,10 +81,9 @@ def try_sensors(
     none = linearised.least_squares()
     measured = [j for j in range(len(signals)) if np.isfinite(problem.grid.measured[:, j]).any()]
     faults = sorted((_fault(linearised, signals[j], j) for j in measured), key=lambda f: f.deviance)
-    for _ in range(
-        CRITERIA.ledger.sensor_rounds
-    ):  # the free parameters move when an instrument is believed no more
-        if not faults or faults[0].chi2 > CRITERIA.ledger.sensor_promising * none.chi2:
+    # The free parameters move when an instrument is believed no more.
+    for _ in range(_ROUNDS_WITH_FAULT):
+        if not faults or faults[0].chi2 > _PROMISING_SHARE * none.chi2:
             break
         j = [name for name, _ in signals].index(faults[0].signal)
         free = np.array(faults[0].free)
@@ -89,7 +94,7 @@ def try_sensors(
             signals[j],
             j,
         )
-        settled = abs(better.deviance - faults[0].deviance) < CRITERIA.ledger.sensor_settled
+        settled = abs(better.deviance - faults[0].deviance) < _SETTLED_CHANGE
         faults[0] = better
         if settled:
             break
@@ -122,8 +127,8 @@ def fault_beside(
         rows = (
             np.column_stack(
                 [
-                    np.full(len(y), CRITERIA.ledger.sensor_offset * span),
-                    CRITERIA.ledger.sensor_gain * (y - np.mean(lagged)),
+                    np.full(len(y), _OFFSET * span),
+                    _GAIN * (y - np.mean(lagged)),
                 ]
             )
             / sigma
@@ -135,18 +140,18 @@ def fault_beside(
         deviance = (
             chi2
             + float((change**2).sum() + np.linalg.slogdet(matrix)[1])
-            + 2 * float(np.log(CRITERIA.ledger.sensor_lags + 1))
+            + 2 * float(np.log(_LAGS + 1))
         )
         tried.append((deviance, chi2, lag, change, np.sqrt(np.diag(np.linalg.inv(matrix)))))
     deviance, chi2, lag, change, spread = min(tried, key=lambda t: t[0])
-    offset, gain = CRITERIA.ledger.sensor_offset * span, CRITERIA.ledger.sensor_gain
+    offset = _OFFSET * span
     return SensorFault(
         signal[0],
         signal[1],
         float(change[0]) * offset,
         float(spread[0]) * offset,
-        float(change[1]) * gain,
-        float(spread[1]) * gain,
+        float(change[1]) * _GAIN,
+        float(spread[1]) * _GAIN,
         float(lag),
         deviance,
         chi2,
@@ -156,9 +161,7 @@ def fault_beside(
 
 def _lags(grid: Grid) -> Array:
     longest = float(grid.step.sum()) / len(grid.runs) / 2
-    return np.geomspace(
-        min(float(np.median(grid.step)), longest / 2), longest, CRITERIA.ledger.sensor_lags
-    )
+    return np.geomspace(min(float(np.median(grid.step)), longest / 2), longest, _LAGS)
 
 
 @dataclass(frozen=True)
@@ -195,12 +198,8 @@ class _Linearised:
             residual[:, j] = (problem.grid.measured[:, j] - course[:, 0]) / problem.sigma[j]
             slopes[:, j] = course[:, 1:]
             extra = np.zeros((*slopes.shape[:2], 2))
-            extra[:, j, 0] = CRITERIA.ledger.sensor_offset * span / problem.sigma[j]
-            extra[:, j, 1] = (
-                CRITERIA.ledger.sensor_gain
-                * (course[:, 0] - np.mean(course[:, 0]))
-                / problem.sigma[j]
-            )
+            extra[:, j, 0] = _OFFSET * span / problem.sigma[j]
+            extra[:, j, 1] = _GAIN * (course[:, 0] - np.mean(course[:, 0])) / problem.sigma[j]
         kept = np.isfinite(residual)
         rows, r = np.concatenate([slopes, extra], axis=2)[kept], residual[kept]
         prior = np.zeros(rows.shape[1])
@@ -253,10 +252,10 @@ def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFa
     return SensorFault(
         signal=signal[0],
         unit=signal[1],
-        offset=float(best.change[q]) * CRITERIA.ledger.sensor_offset * span,
-        offset_deviation=float(best.deviation[q]) * CRITERIA.ledger.sensor_offset * span,
-        gain=float(best.change[q + 1]) * CRITERIA.ledger.sensor_gain,
-        gain_deviation=float(best.deviation[q + 1]) * CRITERIA.ledger.sensor_gain,
+        offset=float(best.change[q]) * _OFFSET * span,
+        offset_deviation=float(best.deviation[q]) * _OFFSET * span,
+        gain=float(best.change[q + 1]) * _GAIN,
+        gain_deviation=float(best.deviation[q + 1]) * _GAIN,
         lag=lag,
         deviance=best.deviance + 2 * float(np.log(len(tried))),
         chi2=best.chi2,

@@ -13,7 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
+
+_LEVEL = 0.02  # of the range: nearer values are one level
+ROWS_PER_LEVEL = 2.0  # on average, at least; other values vary continuously
+CONSTANT_RANGE = 1e-6  # of its size: an input that varies less is constant
+_TURN_RANGE = 0.05  # of the range: a smaller reversal of a pressure is noise
+ROWS_PER_CURVE = 3  # on average, at least; fewer rows are scattered points
 
 Indices = NDArray[np.int64]
 _NOTHING: Mapping[str, Array] = {}
@@ -39,16 +44,13 @@ def levels(values: Array) -> Indices | None:
     order = np.argsort(values, kind="stable")
     ordered = values[order]
     span = float(ordered[-1] - ordered[0])
-    if span <= CRITERIA.static.constant * float(np.abs(ordered).max(initial=0.0)):
+    if span <= CONSTANT_RANGE * float(np.abs(ordered).max(initial=0.0)):
         return np.zeros(len(values), dtype=np.int64)
-    apart = np.diff(ordered) > CRITERIA.static.level * span
+    apart = np.diff(ordered) > _LEVEL * span
     number = np.concatenate([[0], np.cumsum(apart)])
-    if number[-1] and len(values) < CRITERIA.static.shared * (number[-1] + 1):
+    if number[-1] and len(values) < ROWS_PER_LEVEL * (number[-1] + 1):
         return None
-    wide = any(
-        np.ptp(ordered[number == k]) > 2 * CRITERIA.static.level * span
-        for k in range(int(number[-1]) + 1)
-    )
+    wide = any(np.ptp(ordered[number == k]) > 2 * _LEVEL * span for k in range(int(number[-1]) + 1))
     if wide:
         return None
     found = np.empty(len(values), dtype=np.int64)
@@ -73,9 +75,7 @@ def curves(
     count = len(inputs[along])
     key = np.column_stack([np.zeros(count), *apart, *dividing.values()])
     rows = [np.flatnonzero((key == one).all(axis=1)) for one in np.unique(key, axis=0)]
-    if (
-        count < CRITERIA.static.fewest * len(rows) and dividing
-    ):  # points that stand alone are no curves
+    if count < ROWS_PER_CURVE * len(rows) and dividing:  # points that stand alone are no curves
         return curves(
             {along: inputs[along]}, {**measured, **{name: inputs[name] for name in dividing}}, apart
         )
@@ -103,7 +103,7 @@ def _dividing(level_of: Mapping[str, Indices | None], names: Iterable[str]) -> d
 
 def _level(values: Array, chosen: Indices) -> float:
     """The value of some rows, no finer than levels are told apart."""
-    step = 10.0 ** np.floor(np.log10(CRITERIA.static.level * float(np.ptp(values)) / 2))
+    step = 10.0 ** np.floor(np.log10(_LEVEL * float(np.ptp(values)) / 2))
     return float(np.round(np.median(values[chosen]) / step) * step)
 
 
@@ -159,7 +159,7 @@ def directions(
     key = np.column_stack([np.zeros(count), *others])
     cuts = [0, *(np.flatnonzero(np.any(np.diff(key, axis=0) != 0, axis=1)) + 1), count]
     values = inputs[along]
-    least = CRITERIA.static.turn * float(np.ptp(values))
+    least = _TURN_RANGE * float(np.ptp(values))
     ways = [_ways(values[a:b], least) for a, b in zip(cuts[:-1], cuts[1:], strict=True)]
     return np.concatenate(ways), along
 

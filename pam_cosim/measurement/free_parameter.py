@@ -6,8 +6,9 @@ from dataclasses import dataclass
 from math import exp, log
 from typing import Literal
 
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.model.references import parameter_of
+
+INTERVAL = 1.96  # sd: half width of a 95 % interval of a normal distribution
 
 Transform = Literal["log", "linear"]
 
@@ -29,12 +30,12 @@ class Prior:
     @property
     def low(self) -> float:
         """Lower end of the range that holds 95 % of the values."""
-        return self._at(-CRITERIA.uncertainty.interval)
+        return self._at(-INTERVAL)
 
     @property
     def high(self) -> float:
         """Upper end of that range."""
-        return self._at(CRITERIA.uncertainty.interval)
+        return self._at(INTERVAL)
 
     def _at(self, deviations: float) -> float:
         if self.logarithmic:

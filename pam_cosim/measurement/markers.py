@@ -5,13 +5,14 @@ from __future__ import annotations
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
+
+FEWEST_SAMPLES = 20  # that are compared with each other
 
 
 def marker_of(values: Array) -> float | None:
     """The one number that is farther from all others than these are apart; None: there is none."""
     known = values[np.isfinite(values)]
-    if len(known) < CRITERIA.doubts.fewest:
+    if len(known) < FEWEST_SAMPLES:
         return None
     for value in (known.min(), known.max()):
         rest = known[known != value]

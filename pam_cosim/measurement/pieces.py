@@ -19,6 +19,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.table import TIME, Table
 
+_PLACES_LISTED = 3  # at which time goes back
+
 Gaps = Literal["split", "through"]
 PAUSES = "it pauses"
 """How a note on pauses of a recording begins."""
@@ -33,7 +35,7 @@ def with_time_going_on(table: Table, gaps: Gaps | None) -> Table:
     if not back.size or not np.isfinite(column.values).all():
         return table
     time = going_on(column.values, gaps)
-    places = ", ".join(f"{column.values[i]:g}" for i in back[: CRITERIA.recognition.pauses_listed])
+    places = ", ".join(f"{column.values[i]:g}" for i in back[:_PLACES_LISTED])
     meant = (
         "a piece of its own begins there" if gaps == "split" else "it goes on one interval later"
     )
@@ -49,7 +51,7 @@ def going_on(time: Array, gaps: Gaps) -> Array:
     """(n,) the time, which where it goes back goes on a pause later (``split``), or one usual step."""
     steps = np.diff(time)
     usual = usual_step(steps) or 1.0
-    pause = usual * (2.0 * CRITERIA.recognition.pause if gaps == "split" else 1.0)
+    pause = usual * (2.0 * CRITERIA.starts.pause if gaps == "split" else 1.0)
     return np.asarray(
         time[0] + np.concatenate([[0.0], np.cumsum(np.where(steps < 0.0, pause, steps))])
     )
@@ -69,11 +71,7 @@ def pauses(time: Array) -> NDArray[np.intp]:
     """Rows after which a recording pauses."""
     steps = np.diff(time)
     usual = usual_step(steps)
-    return (
-        np.flatnonzero(steps > CRITERIA.recognition.pause * usual)
-        if usual
-        else np.zeros(0, np.intp)
-    )
+    return np.flatnonzero(steps > CRITERIA.starts.pause * usual) if usual else np.zeros(0, np.intp)
 
 
 def pieces_of(run: Run, gaps: Gaps | None) -> list[Run]:

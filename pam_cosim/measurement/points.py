@@ -9,9 +9,8 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.curves import Curve, curves, directions
+from pam_cosim.measurement.curves import CONSTANT_RANGE, Curve, curves, directions
 from pam_cosim.measurement.experiment_tables import RunTable
 from pam_cosim.measurement.recording import (
     Recording,
@@ -26,6 +25,8 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed, shown
+
+VALUE_TOLERANCE = 0.01  # of the range: a held-out value as near to one of the file is the same
 
 WORDS = {"up": 1.0, "down": -1.0, "none": 0.0}
 """Directions of a branch in words: contraction, extension, not known."""
@@ -209,8 +210,8 @@ def _held_out(
             raise place.error(message)
         column, unit = imposed[name], interface.inputs[name].unit
         near = max(
-            CRITERIA.static.near * float(np.ptp(column)),
-            CRITERIA.static.constant * float(np.abs(column).max()),
+            VALUE_TOLERANCE * float(np.ptp(column)),
+            CONSTANT_RANGE * float(np.abs(column).max()),
         )
         for value in values:
             wanted = value.quantity(unit)

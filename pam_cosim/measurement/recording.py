@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.signal import Averaged
@@ -17,6 +16,8 @@ from pam_cosim.measurement.table import LEFT_OUT, TIME, Table
 from pam_cosim.model.interface import Interface
 from pam_cosim.units import LARGEST, UnitError, convert
 from pam_cosim.wording import did_you_mean, listed, shown
+
+EMPTY_SHARE = 0.1  # of the rows: a column with more keeps its value, or is a slower measurement
 
 
 @dataclass(frozen=True)
@@ -99,7 +100,7 @@ def with_held_values(table: Table, held: Iterable[str]) -> Table:
     notes = []
     for name in held:
         empty = np.isnan(columns[name].values) if name in columns else np.zeros(1, dtype=bool)
-        if np.mean(empty) <= CRITERIA.recognition.gaps:
+        if np.mean(empty) <= EMPTY_SHARE:
             continue
         if empty[0]:
             message = (

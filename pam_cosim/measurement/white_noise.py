@@ -23,9 +23,8 @@ from numpy.typing import ArrayLike
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 
-MEDIAN_TO_SIGMA = (
-    1.4826022185056018  # standard deviation over the median deviation, of a normal distribution
-)
+# standard deviation over the median deviation, of a normal distribution
+MEDIAN_TO_SIGMA = 1.4826022185056018
 _CLIP = CRITERIA.noise.clip
 _CLIPPED_VARIANCE = 1.0 - 2.0 * _CLIP * exp(-(_CLIP**2) / 2.0) / sqrt(2.0 * pi) / erf(
     _CLIP / sqrt(2.0)
@@ -81,7 +80,7 @@ def _without_held(time: Array, values: Array) -> tuple[Array, Array]:
     if len(rows) < CRITERIA.noise.fewest_samples or float(np.median(rows)) < 2.0:
         return time, values
     alike = float(np.mean(np.abs(rows - np.median(rows)) <= 1))  # or one row more, or less
-    return (time[new], values[new]) if alike >= CRITERIA.recognition.stepwise else (time, values)
+    return (time[new], values[new]) if alike >= CRITERIA.noise.stepwise else (time, values)
 
 
 def quantum_of(values: Array) -> float:

@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.table import Column, Table
+
+LONGEST_STEP = 3.0  # median steps: a clock has no longer step
 
 WRAPPED = "a counter was full"
 """How a note on a clock that began anew begins."""
@@ -48,7 +49,7 @@ def _bits_of(values: Array) -> int | None:
     steps = np.diff(values)
     falls, others = steps[steps < 0.0], steps[steps >= 0.0]
     usual = float(np.median(others)) if others.size else 0.0
-    if not falls.size or not 0.0 < others.max(initial=0.0) <= CRITERIA.recognition.uneven * usual:
+    if not falls.size or not 0.0 < others.max(initial=0.0) <= LONGEST_STEP * usual:
         return None
     spread = float(np.ptp(others))
     fits = (bits for bits in _BITS if np.all(np.abs(falls + 2.0**bits - usual) <= spread))

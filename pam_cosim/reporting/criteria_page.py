@@ -3,42 +3,52 @@
 from __future__ import annotations
 
 import sys
-from itertools import groupby
+from dataclasses import fields
 from pathlib import Path
 
-from pam_cosim.criteria import VERDICT, Criteria, Criterion, every_criterion
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.files import write_text
 
 _HEAD = """\
 # Every number that decides
 
-What a study says depends on these numbers. They stand in `pam_cosim/criteria.py`, from which this page is made
-(`python -m pam_cosim.reporting.criteria_page docs/criteria.md`). *Chosen* means that neither theory nor a measurement
-fixes the number; *blind score* that cases of the [blind score](hidden-effects/report.md) showed which value serves.
-Excess is the mean square of residuals beyond the noise; sd are standard deviations.
+These {count} numbers decide which effect a diagnosis names. They are the constants of `pam_cosim/criteria.py`, from
+which this page is made (`python -m pam_cosim.reporting.criteria_page docs/criteria.md`). *Chosen* means that neither
+theory nor a measurement fixes the number; *blind score* that cases of the [blind score](hidden-effects/report.md)
+showed which value serves. Excess is the mean square of residuals beyond the noise; sd are standard deviations.
 
-Which effect is said to be missing depends on {deciding} of the {all} numbers, those under
-{groups}.
-The others draft data sets, and describe, plan and draw.
+Numbers that draft a data set, describe a missing term, plan an experiment or draw are constants of the module that uses
+them, with a comment.
 """
+
+
+def criteria_table() -> dict[str, tuple[str, ...]]:
+    """The text of the value, the unit, the reason and the source of each criterion, by "group.name"."""
+    table = {}
+    for group in fields(CRITERIA):
+        for criterion in fields(type(members := getattr(CRITERIA, group.name))):
+            value = getattr(members, criterion.name)
+            values = value if isinstance(value, tuple) else (value,)
+            text = ", ".join(f"{v:g}" for v in values)
+            table[f"{group.name}.{criterion.name}"] = (text, *criterion.metadata.values())
+    return table
 
 
 def criteria_page() -> str:
     """The page as Markdown."""
-    every = list(every_criterion())
-    deciding = [c for c in every if c.group in VERDICT]
-    groups = ", ".join(f"`{name}`" for name in VERDICT)
-    parts = [_HEAD.format(deciding=len(deciding), all=len(every), groups=groups)]
-    for group, members in groupby(every, key=lambda c: c.group):
-        title = (type(getattr(Criteria(), group)).__doc__ or "").rstrip(".")
+    table = criteria_table()
+    parts = [_HEAD.format(count=len(table))]
+    for group in fields(CRITERIA):
+        title = (type(getattr(CRITERIA, group.name)).__doc__ or "").rstrip(".")
         parts.append(f"## {title}\n\n| | value | unit | reason | source |\n|---|---|---|---|---|")
-        parts.append("\n".join(map(_row, members)) + "\n")
+        rows = [_row(name, *c) for name, c in table.items() if name.startswith(f"{group.name}.")]
+        parts.append("\n".join(rows) + "\n")
     return "\n".join(parts)
 
 
-def _row(c: Criterion) -> str:
-    unit = "" if c.unit == "1" else c.unit
-    return f'| <a id="{c.name}"></a>`{c.name}` | {c.text} | {unit} | {c.reason} | {c.source} |'
+def _row(name: str, value: str, unit: str, reason: str, source: str) -> str:
+    unit = "" if unit == "1" else unit
+    return f'| <a id="{name}"></a>`{name}` | {value} | {unit} | {reason} | {source} |'
 
 
 if __name__ == "__main__":

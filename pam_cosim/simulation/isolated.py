@@ -20,9 +20,8 @@ from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess, ProcessFailur
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.trajectory import Trajectory
 
-TIME_LIMIT = (
-    60.0  # [s] without progress: loading and each call of an FMU take milliseconds as a rule
-)
+# [s] without progress: loading and each call of an FMU take milliseconds as a rule
+TIME_LIMIT = 60.0
 
 
 class IsolatedSimulator:
@@ -39,7 +38,7 @@ class IsolatedSimulator:
         path: an FMU of FMI 2.0 or 3.0.
         timeout: [s] without progress, after which the FMU is ended: to load it, or in any one call such as a step.
             A run that goes on may last as long as it likes. None: ``TIME_LIMIT``; infinite: no limit. By model exchange
-            a run may also take no more processor time than this; None: than ``CRITERIA.run.longest``.
+            a run may also take no more processor time than this; None: than ``LONGEST_RUN``.
 
     Raises:
         InputError: not such an FMU, or no such limit.

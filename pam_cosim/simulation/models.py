@@ -14,6 +14,9 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, model_name
 from pam_cosim.simulation import IsolatedSimulator, Simulator
 
+# fitted or compared rows, up to which compiling takes longer; measured: docs/speed.md
+MOST_ROWS_UNCOMPILED = 10_000
+
 Paths = Sequence[Path | str]
 
 
@@ -75,7 +78,7 @@ def opened(
     """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
 
     A Modelica model tells its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model ends
-    after so much processor time (None: ``CRITERIA.run.longest``); an FMU that makes no progress for so long is ended
+    after so much processor time (None: ``LONGEST_RUN``); an FMU that makes no progress for so long is ended
     (None: the default of ``IsolatedSimulator``). ``brief``: a Modelica model is for a few runs, and made without a
     compiler.
     """

@@ -16,7 +16,6 @@ from fmpy.fmi1 import FMICallException
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import interface_of, read_description, real_variables
 from pam_cosim.model.interface import Interface
@@ -46,6 +45,9 @@ from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import did_you_mean
+
+# [s] of processor time, and for each row: a thousand times what a run needs
+LONGEST_RUN = (30.0, 1e-2)
 
 _OTHER_TOOLS = "FMUs of other tools do not find"
 _REMEDY = "look at the values of its parameters, or give it a longer time limit (--timeout)"
@@ -80,7 +82,7 @@ class Simulator:
     simulations: ClassVar[int] = 0
 
     def __init__(self, path: Path) -> None:
-        self.limit: tuple[float, float] | None = CRITERIA.run.longest
+        self.limit: tuple[float, float] | None = LONGEST_RUN
         self.path = Path(path)
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)

@@ -68,7 +68,7 @@ class FirstOffset:
         """
         if not self.exceeds_noise:
             return False
-        is_large = abs(self.offset) > CRITERIA.recognition.offset * self.span
+        is_large = abs(self.offset) > CRITERIA.starts.offset * self.span
         return is_large or (common is not None and abs(self.offset - common) > self.noise)
 
     def text(self, value: float) -> str:

@@ -157,7 +157,7 @@ def first_samples(time: Array, values: Array, sigma: float, start: float) -> Fir
     if not there.size:
         return None
     t, first = time[there] - start, float(values[there[0]])
-    if len(t) > 1 and t[0] > CRITERIA.recognition.pause * float(np.median(np.diff(t))):
+    if len(t) > 1 and t[0] > CRITERIA.starts.pause * float(np.median(np.diff(t))):
         return None  # a line through such samples says what the signal did then, not where it was
     if len(there) < _LEAST or not sigma:
         return FirstSamples(first, sigma)

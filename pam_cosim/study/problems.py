@@ -7,7 +7,6 @@ from pathlib import Path
 
 from pam_cosim.catalogue import qualified
 from pam_cosim.compiler import ClassTree, names, read_library, read_structure
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_TEXT, read_file
 from pam_cosim.fitting import with_starts
@@ -17,7 +16,7 @@ from pam_cosim.model.settings import Setting
 from pam_cosim.problems import ModelValues, Problem, corrections_in
 from pam_cosim.problems import problem as _problem
 from pam_cosim.problems.corrections import KEY
-from pam_cosim.simulation.models import Paths, as_paths, describe, opened
+from pam_cosim.simulation.models import MOST_ROWS_UNCOMPILED, Paths, as_paths, describe, opened
 from pam_cosim.starts import starts_are_open
 from pam_cosim.wording import shown
 
@@ -101,7 +100,7 @@ def check_kind(given: object, kinds: type | tuple[type, ...], needed: str, hint:
 
 def few_rows(data: DataSet) -> bool:
     """Whether simulating all runs once or twice takes less time than a compiler does."""
-    return sum(len(run.time) for run in data.runs) <= CRITERIA.run.rows_without_compiler
+    return sum(len(run.time) for run in data.runs) <= MOST_ROWS_UNCOMPILED
 
 
 def data_with_starts(problem: Problem, timeout: float | None = None) -> DataSet:

@@ -10,7 +10,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import place_in
-from pam_cosim.criteria import CRITERIA
+from pam_cosim.comparison.plausibility import BEYOND_LIMIT
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import Interface, Variable
@@ -57,7 +57,7 @@ def _beyond(data: DataSet, interface: Interface) -> Iterator[tuple[Run, str]]:
 
 def _message(variable: Variable, values: Array, place: Callable[[int], str]) -> str:
     """What is wrong with an input; "" where nothing is."""
-    room = CRITERIA.doubts.passed * float(np.ptp(values))
+    room = BEYOND_LIMIT * float(np.ptp(values))
     limits = (("below the least", variable.min, -1.0), ("above the greatest", variable.max, 1.0))
     for words, limit, sign in limits:
         if limit is None:

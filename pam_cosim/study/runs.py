@@ -50,7 +50,7 @@ def simulate(
         engine: "own", or "fmpy": FMPy drives the same FMU, in this process.
         files: further Modelica files.
         timeout: [s] of processor time, after which a run of a Modelica model fails; default:
-            ``CRITERIA.run.longest``. An FMU that makes no progress for so long is ended; default: a minute.
+            ``LONGEST_RUN``. An FMU that makes no progress for so long is ended; default: a minute.
 
     Raises:
         InputError: an unknown model or name, a value that cannot be used, an input given both ways.

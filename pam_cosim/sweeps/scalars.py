@@ -9,12 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.units import UnitError, parse_quantity, product
 from pam_cosim.wording import did_you_mean, shown
+
+_STEADY_PART = 0.1  # last part of a run, over which a steady value is averaged
+_SETTLED_CHANGE = 0.002  # of the whole change: what moves more in the last part has not settled
 
 _FORM = re.compile(
     r"\s*(?P<function>\w+)\s*\(\s*(?P<variable>[^()]+(?:\([^()]*\))?[^()]*?)\s*\)\s*"
@@ -33,8 +35,8 @@ class _Function:
 
 def _settled(t: Array, y: Array) -> bool:
     """Whether a variable is where it will stay, as far as the last part of a run tells."""
-    last = y[t >= t[-1] - CRITERIA.run.steady_part * (t[-1] - t[0])]
-    return bool(np.ptp(last) <= CRITERIA.run.settled * abs(y[-1] - y[0]))
+    last = y[t >= t[-1] - _STEADY_PART * (t[-1] - t[0])]
+    return bool(np.ptp(last) <= _SETTLED_CHANGE * abs(y[-1] - y[0]))
 
 
 def _time_to(t: Array, y: Array, share: float) -> float:
@@ -74,7 +76,7 @@ FUNCTIONS: dict[str, _Function] = {
     "steady": _Function(
         _steady,
         "the mean over the last part of the run, 10 % if not said",
-        argument=CRITERIA.run.steady_part,
+        argument=_STEADY_PART,
     ),
     "min": _Function(lambda t, y, a: float(y.min()), "the lowest value"),
     "max": _Function(lambda t, y, a: float(y.max()), "the highest value"),

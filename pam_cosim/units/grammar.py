@@ -19,6 +19,10 @@ from pam_cosim.cache import cached_folder, digest
 from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 
+# [Pa], lowest and highest reading of a gauge of absolute pressure at rest
+ATMOSPHERES = (90e3, 108e3)
+STANDARD_ATMOSPHERE = 101325.0  # [Pa]
+
 _ALIASES = {
     "%": "percent",
     "Ohm": "ohm",

@@ -9,9 +9,9 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.cli.app import main
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
 from pam_cosim.simulation.models import opened
+from pam_cosim.simulation.simulator import LONGEST_RUN
 
 CHATTERING = """model Chatter "Changes its mind k times a second"
   parameter Real k = 1e7;
@@ -55,7 +55,7 @@ def test_a_sweep_goes_on(model: str, capfd: pytest.CaptureFixture[str]) -> None:
 
 def test_every_run_has_a_limit(model: str) -> None:
     with opened(model) as simulator:
-        assert simulator.limit == CRITERIA.run.longest
+        assert simulator.limit == LONGEST_RUN
     with (
         pytest.raises(InputError, match="a time limit must be larger than zero"),
         opened(model, timeout=-1.0),

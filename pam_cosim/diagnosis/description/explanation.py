@@ -7,7 +7,6 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, refitted, try_learned
 from pam_cosim.diagnosis.description.learning_direct import (
     RESIDUALS,
@@ -21,6 +20,8 @@ from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import Ledger, keep_ledger
+
+_FACTORS = (1.0, 0.1)  # on the spline of first order; a model may break down with all of it
 
 
 @dataclass(frozen=True)
@@ -83,7 +84,7 @@ def directly_learned(search: Search, effects: Sequence[str], present: Fit) -> Le
     direct = learn_directly(search, effects, present)
     if direct is None:
         return None
-    for part in CRITERIA.learning.parts_to_start_from:
+    for part in _FACTORS:
         term = with_coefficients(direct, search.tree, part)
         attempt = _fitted(search, term, effects, present)
         if isinstance(attempt, FailedTrial):

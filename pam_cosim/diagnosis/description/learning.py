@@ -19,7 +19,6 @@ from scipy.optimize import minimize_scalar
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import compose, effect_classes
 from pam_cosim.compiler import ClassTree, read_library
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.description.learning_library import Form, forms, quantities
 from pam_cosim.diagnosis.description.learning_text import MISSING, formula_text, modelica_text
 from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate
@@ -28,8 +27,17 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import write_text
 from pam_cosim.ledger import BalanceEntry, Ledger
 from pam_cosim.measurement import DataSet
+from pam_cosim.measurement.free_parameter import INTERVAL
 
-_INTERVAL = 2 * CRITERIA.uncertainty.interval  # standard deviations in the interval of an estimate
+_MOST_FORMS = 4  # addends; more describe the measurement and no term
+LEAST_GAIN = 0.03  # of the remaining error of left-out runs, that an addend must take away
+_LEAST_GAIN_OF_TERM = 0.005  # the same, of the whole term
+_DESCRIBED_ERROR = 0.3  # variances of the term: mean square that is its own uncertainty
+BLOCKS = 4  # parts of a single run, which replace runs in the cross-validation
+_MOST_WEIGHT = 3.0  # of a sample, times that of the median, so that few samples do not dominate
+_SHAPE_SPAN = 3.0  # factor up and down, within which the shape number of a form is sought
+
+_INTERVAL = 2 * INTERVAL  # standard deviations in the interval of an estimate
 
 
 @dataclass(frozen=True)
@@ -224,7 +232,7 @@ def _samples(entry: BalanceEntry) -> TermSamples:
     group, roles, count = [], [], 0
     single = sum(c.role == "fit" for c in courses) == 1
     for c in courses:
-        parts = CRITERIA.learning.blocks if single and c.role == "fit" else 1
+        parts = BLOCKS if single and c.role == "fit" else 1
         group.append(count + np.arange(len(c.time)) * parts // len(c.time))
         roles += [c.role] * parts
         count += parts
@@ -234,7 +242,7 @@ def _samples(entry: BalanceEntry) -> TermSamples:
         [np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses]
     )
     used = np.any(imitated != 0, axis=0)
-    weight = 1 / np.maximum(deviation, np.median(deviation) / CRITERIA.learning.certain)
+    weight = 1 / np.maximum(deviation, np.median(deviation) / _MOST_WEIGHT)
     return TermSamples(
         value=np.concatenate([c.value for c in courses]) * weight,
         weight=weight,
@@ -277,10 +285,10 @@ class FittedForms:
 
 
 def select_forms(samples: TermSamples, library: Sequence[Form]) -> list[Form]:
-    """At most ``CRITERIA.learning.most_forms`` forms, in order of selection."""
+    """At most ``_MOST_FORMS``, in order of selection."""
     picked: list[Form] = []
     left = first = _cross_validation_error(samples, [])
-    while len(picked) < CRITERIA.learning.most_forms and left > CRITERIA.learning.described:
+    while len(picked) < _MOST_FORMS and left > _DESCRIBED_ERROR:
         best, error = _best_next_form(samples, picked, library)
         if not _is_worthwhile(left, error, first):
             break
@@ -294,7 +302,7 @@ def select_forms_jointly(samples: TermSamples, library: Sequence[Form], most: in
     picked: list[Form] = []
     left = first = _cross_validation_error(samples, [])
     columns = {f.text: samples.column(f) for f in library}
-    while len(picked) < most and left > CRITERIA.learning.described:
+    while len(picked) < most and left > _DESCRIBED_ERROR:
         own = [columns[f.text] for f in picked]
         others = [f for f in library if f not in picked]
         steps: list[tuple[Form, ...]] = [(f,) for f in others]
@@ -314,10 +322,7 @@ def select_forms_jointly(samples: TermSamples, library: Sequence[Form], most: in
 
 
 def _is_worthwhile(left: float, error: float, first: float) -> bool:
-    return (
-        error < (1 - CRITERIA.learning.worth) * left
-        and left - error > CRITERIA.learning.least * first
-    )
+    return error < (1 - LEAST_GAIN) * left and left - error > _LEAST_GAIN_OF_TERM * first
 
 
 def _best_next_form(
@@ -335,10 +340,7 @@ def _best_next_form(
 
 def _is_needed(samples: TermSamples, picked: Sequence[Form], i: int, left: float) -> bool:
     others = [samples.column(f) for k, f in enumerate(picked) if k != i]
-    return (
-        len(picked) == 1
-        or _cross_validation_error(samples, others) > (1 + CRITERIA.learning.worth) * left
-    )
+    return len(picked) == 1 or _cross_validation_error(samples, others) > (1 + LEAST_GAIN) * left
 
 
 def _with_best_shape(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
@@ -352,8 +354,8 @@ def _with_best_shape(samples: TermSamples, picked: Sequence[Form], form: Form) -
         return _cross_validation_error(samples, [*own, samples.column(form, float(np.exp(z)))])
 
     bounds = (
-        np.log(max(shape.low, shape.value / CRITERIA.learning.shape_span)),
-        np.log(min(shape.high, shape.value * CRITERIA.learning.shape_span)),
+        np.log(max(shape.low, shape.value / _SHAPE_SPAN)),
+        np.log(min(shape.high, shape.value * _SHAPE_SPAN)),
     )
     optimum = minimize_scalar(
         error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25}

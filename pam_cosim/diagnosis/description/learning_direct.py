@@ -30,6 +30,8 @@ from pam_cosim.comparison import simulate_run
 from pam_cosim.compiler import ClassTree, compile_model, read_library
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.description.learning import (
+    BLOCKS,
+    LEAST_GAIN,
     FittedAddend,
     LearnedTerm,
     TermSamples,
@@ -51,6 +53,9 @@ from pam_cosim.ledger import BalanceEntry
 from pam_cosim.ledger.augmented import TERM
 from pam_cosim.model.interface import Variable
 from pam_cosim.simulation import Simulator
+
+_MOST_RAMPS = 8  # addends of a spline: two variables with a line and three bends each
+_REST_SPAN = 1e-15  # [SI unit]: a variable that spans less is at rest
 
 RESIDUALS = "the model's mean square error"
 """What the score of a term that was learned directly is a part of."""
@@ -118,11 +123,11 @@ def _in_balance(
     # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
     largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
     library = [f for f in library if largest * float(np.max(np.abs(samples.column(f)))) > 1]
-    picked = select_forms_jointly(samples, library, CRITERIA.learning.most_ramps) if library else []
+    picked = select_forms_jointly(samples, library, _MOST_RAMPS) if library else []
     if not picked:
         return None
     fitted = coefficients_of(samples, picked)
-    if not fitted.score > CRITERIA.learning.worth:
+    if not fitted.score > LEAST_GAIN:
         return None
     terms = tuple(replace(t, reach=abs(t.coefficient)) for t in fitted.terms)
     learned = described(entry, terms, samples, fitted, search.tree, RESIDUALS)
@@ -156,7 +161,7 @@ def _variables_beside(
 
 
 def _is_moving(values: Array) -> bool:
-    return bool(np.all(np.isfinite(values)) and np.ptp(values) > CRITERIA.learning.still)
+    return bool(np.all(np.isfinite(values)) and np.ptp(values) > _REST_SPAN)
 
 
 def _simulated(
@@ -270,7 +275,7 @@ def _groups(search: Search, objective: Objective, series: NDArray[np.int_]) -> N
     if len(names) > 1:
         return run
     place = np.concatenate([np.arange(n) / n for n in np.bincount(series)])
-    return np.asarray(place * CRITERIA.learning.blocks, dtype=np.intp)
+    return np.asarray(place * BLOCKS, dtype=np.intp)
 
 
 __all__ = ["RESIDUALS", "DirectTerm", "learn_directly", "with_coefficients"]

@@ -12,7 +12,14 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.compiler import elementwise
-from pam_cosim.criteria import CRITERIA
+
+_ROUNDING = 0.03  # of the span of a variable: width of a bend, a tenth of the distance of two
+_BENDS = 3  # of a spline in each variable; a quarter of the samples lies between two
+_SIGNED_SHARE = 0.1  # of its size, that a variable reaches on both sides of zero to have a sign
+# on either side, beyond which values do not set the size of a variable
+_EXTREME_QUANTILE = 0.02
+_CONSTANT_RANGE = 1e-3  # of its size: a variable that varies less is left out
+_SAME_CORRELATION = 0.9995  # correlation of two variables of which one is enough
 
 _SPEEDS = (0.005, 0.02, 0.1)  # width of a rounded jump, over the size of the variable
 _GROWTHS = (0.25, 0.5, 1.0)  # what a variable grows by until an exponential is e times as large
@@ -80,19 +87,19 @@ def quantities(variables: Mapping[str, Array], units: Mapping[str, str]) -> list
     """What a term can depend on; of variables that say the same the first."""
     kept: list[Quantity] = []
     for name, z in variables.items():
-        size = float(np.quantile(np.abs(z), 1 - CRITERIA.learning.extreme))
-        if not size > 0 or np.ptp(z) < CRITERIA.learning.constant * size:
+        size = float(np.quantile(np.abs(z), 1 - _EXTREME_QUANTILE))
+        if not size > 0 or np.ptp(z) < _CONSTANT_RANGE * size:
             continue
-        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > CRITERIA.learning.same for q in kept):
+        if any(abs(np.corrcoef(z, variables[q.name])[0, 1]) > _SAME_CORRELATION for q in kept):
             continue
-        low, high = np.quantile(z, [CRITERIA.learning.extreme, 1 - CRITERIA.learning.extreme])
+        low, high = np.quantile(z, [_EXTREME_QUANTILE, 1 - _EXTREME_QUANTILE])
         digits = 10.0 ** np.floor(np.log10(size))
         kept.append(
             Quantity(
                 name,
                 units.get(name, ""),
                 float(f"{round(size / digits) * digits:.3g}"),
-                bool(min(-low, high) > CRITERIA.learning.signed * size),
+                bool(min(-low, high) > _SIGNED_SHARE * size),
             )
         )
     return kept
@@ -130,9 +137,8 @@ def ramps(known: Sequence[Quantity], variables: Mapping[str, Array]) -> list[For
 
 def _bends(q: Quantity, z: Array) -> list[Form]:
     """max(0, z - bend), rounded, for bends that divide the samples evenly."""
-    count = CRITERIA.learning.bends
-    places = np.unique(np.quantile(z, np.arange(1, count + 1) / (count + 1)) / q.size)
-    width = CRITERIA.learning.rounding * float(np.ptp(z)) / q.size
+    places = np.unique(np.quantile(z, np.arange(1, _BENDS + 1) / (_BENDS + 1)) / q.size)
+    width = _ROUNDING * float(np.ptp(z)) / q.size
     inside = (places > z.min() / q.size + width) & (places < z.max() / q.size - width)
     listed = []
     for place in places[inside].tolist():

@@ -7,8 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.comparison import Rule
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import Fit
+
+_MOST_RULES = 5  # of the error regions, as many as are read
 
 
 @dataclass(frozen=True)
@@ -61,5 +62,5 @@ def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:
     return MissingTerm(
         max(sorted(balance), key=lambda b: balance[b]) if balance else None,
         signals,
-        tuple(fit.comparison.where[: CRITERIA.next_experiment.listed_rules]),
+        tuple(fit.comparison.where[:_MOST_RULES]),
     )

@@ -17,6 +17,10 @@ from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import BRANCH
 from pam_cosim.simulation.inputs import Interpolation
 
+FACTORS = (0.5, 0.75, 1.25, 1.5)  # on inputs and loads, within reach of most rigs
+_PACES = (0.5, 2.0)  # factors on all times
+_MOST_JOINED = 3  # best changes of a run, two of which are combined
+
 
 @dataclass(frozen=True)
 class NextExperiment:
@@ -128,7 +132,7 @@ def _varied(data: DataSet) -> list[str]:
 def variations(
     data: DataSet,
     runs: Sequence[Run] | None = None,
-    factors: Sequence[float] = CRITERIA.next_experiment.factors,
+    factors: Sequence[float] = FACTORS,
 ) -> Iterator[tuple[Run, str]]:
     """Runs as they are, and with one thing changed that an experimenter sets; what was changed, in words.
 
@@ -143,7 +147,7 @@ def variations(
         for factor in factors:
             yield from _scaled(run, factor, varied)
         if run.inputs and not run.is_static:
-            for pace in CRITERIA.next_experiment.paces:
+            for pace in _PACES:
                 time = run.time[0] + (run.time - run.time[0]) * pace
                 yield (
                     replace(run, time=time),
@@ -175,9 +179,7 @@ def _combined_changes(scored: Sequence[tuple[float | None, Run, str]]) -> Iterat
         return
     usable.sort(key=lambda entry: -entry[0])
     name = usable[0][1].name
-    best = [(run, change) for _, run, change in usable if run.name == name][
-        : CRITERIA.next_experiment.joined
-    ]
+    best = [(run, change) for _, run, change in usable if run.name == name][:_MOST_JOINED]
     original = next(run for _, run, _ in scored if run.name == name)
     for i, (one, change) in enumerate(best):
         for two, other in best[:i]:

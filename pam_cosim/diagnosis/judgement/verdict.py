@@ -30,6 +30,8 @@ from pam_cosim.fitting import Fit
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed
 
+MOST_RIVALS = 4  # models that a run is designed for: six pairs
+
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
 
 
@@ -197,7 +199,7 @@ def nearest(
         best_of_each(fitted, scale, family, model_space).values(),
         key=lambda entry: (entry[0], entry[1].effects),
     )
-    return [c for _, c in each[: CRITERIA.next_experiment.rivals]]
+    return [c for _, c in each[:MOST_RIVALS]]
 
 
 def with_facts(
@@ -359,7 +361,7 @@ def _of_fitted_signals(fit: Fit) -> str:
 def _noise_excess(fit: Fit) -> str:
     """That the noise is more than it was thought to be, and by whom."""
     loud = fit.residuals["fit"].chi2_reduced
-    if loud <= CRITERIA.uncertainty.loud:
+    if loud <= CRITERIA.residuals.loud:
         return ""
     signals = fit.comparison.data.signals.values()
     sources = {s.source.partition(":")[0] for s in signals if s.fitted}

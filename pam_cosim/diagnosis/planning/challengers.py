@@ -8,10 +8,10 @@ from pathlib import Path
 
 from pam_cosim.catalogue.compose import Composition, compose
 from pam_cosim.compiler import read_library
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.planning.check import check
+from pam_cosim.diagnosis.judgement.verdict import MOST_RIVALS
+from pam_cosim.diagnosis.planning.check import LARGEST_STRENGTH, check
 from pam_cosim.diagnosis.planning.identifiability import DetectableEffect
 from pam_cosim.diagnosis.planning.members import laws_of
 from pam_cosim.errors import SimulationFailure
@@ -20,7 +20,7 @@ from pam_cosim.fmu import build_source
 from pam_cosim.model.references import is_ratio, sources_of
 from pam_cosim.simulation import Simulator
 
-_MOST = CRITERIA.next_experiment.rivals - 1
+_MOST = MOST_RIVALS - 1
 
 
 def challenged(diagnosis: Diagnosis, files: Sequence[Path] = ()) -> list[list[Candidate]]:
@@ -66,7 +66,7 @@ def _faintest(diagnosis: Diagnosis, files: Sequence[Path]) -> list[DetectableEff
     shown = [
         one
         for family, one in known.families.items()
-        if one.least <= CRITERIA.resolution.strongest
+        if one.least <= LARGEST_STRENGTH
         and family not in diagnosis.not_tried
         and not is_ratio(one.effect)
     ]

@@ -33,6 +33,10 @@ from pam_cosim.processes.workers import on_one_thread
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed, look_first
 
+_SHARPENING = 0.8  # factor on the sd of parameters; a measurement with a larger one helps little
+_MOST_LISTED = 5  # measurements that help
+LARGEST_STRENGTH = 1e3  # stated strengths, that a real effect has at most
+
 
 @dataclass(frozen=True)
 class Help:
@@ -167,10 +171,7 @@ class Check(Printed, Plain):
             ]
         return [
             "what would help most:",
-            *(
-                f"  {h.option.text}: {_benefit_text(h)}"
-                for h in self.helps[: CRITERIA.resolution.listed]
-            ),
+            *(f"  {h.option.text}: {_benefit_text(h)}" for h in self.helps[:_MOST_LISTED]),
         ]
 
 
@@ -197,7 +198,7 @@ def _distinct_digits(value: float, absent: float, unit: str) -> str:
 
 
 def _strength_range_text(least: float) -> str:
-    if least > CRITERIA.resolution.strongest:
+    if least > LARGEST_STRENGTH:
         return "whatever its strength"
     return f"up to {least:.2g} times that strength"
 
@@ -210,7 +211,7 @@ def _benefit_text(h: Help) -> str:
         parts.append(f"tells apart {listed([f'{a} from {b}' for a, b in h.tells_apart])}")
     if h.determines:
         parts.append(f"determines {listed(h.determines)}")
-    if h.sharper < CRITERIA.resolution.sharper:
+    if h.sharper < _SHARPENING:
         parts.append(f"the free parameters are known to {100 * h.sharper:.0f} % of the deviation")
     return "; ".join(parts)
 
@@ -301,7 +302,7 @@ def _row_count(objective: Objective, data: DataSet) -> int:
 def _helps(rows: Rows, now: Identifiability) -> list[Help]:
     """What each further measurement brings, the most useful first; none that brings nothing."""
     helps = [_help(option, now, rows.identifiability(option)) for option in rows.further]
-    useful = [h for h in helps if h.settles or h.sharper < CRITERIA.resolution.sharper]
+    useful = [h for h in helps if h.settles or h.sharper < _SHARPENING]
     return sorted(useful, key=lambda h: (-h.settles, h.sharper, h.option.text))
 
 

@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.planning.limits import Limits
+
+LEVELS = (2, 12)  # of the inputs in a drawn course, fewest and most: what a person can follow
 
 
 @dataclass(frozen=True)
@@ -37,9 +38,7 @@ class Course:
     @property
     def complexity(self) -> int:
         """Number of levels; a sine counts as as many as a person can follow."""
-        return len(self.knots) + CRITERIA.next_experiment.levels[1] * int(
-            np.count_nonzero(self.waves[:, 0])
-        )
+        return len(self.knots) + LEVELS[1] * int(np.count_nonzero(self.waves[:, 0]))
 
     def table(
         self, limits: Limits, interval: float | None = None

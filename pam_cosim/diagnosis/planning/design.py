@@ -10,7 +10,6 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import warnings_of
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import Remark
@@ -25,6 +24,13 @@ from pam_cosim.diagnosis.planning.run_plan import NO_EFFECT, PlannedRun, RunPlan
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.measurement import Run
 from pam_cosim.processes.workers import on_one_thread
+
+_DRAWN_COURSES = 40  # courses at random within the limits of a rig
+_IMPROVED_COURSES = 80  # courses derived from the best ones
+_PARENTS = 6  # best courses, from which others are derived
+_EQUIVALENT_SHARE = (
+    0.8  # of the chi-square of the best course, from which on a simpler one is preferred
+)
 
 
 @on_one_thread
@@ -121,22 +127,21 @@ class _Search:
 
     def best(self, names: Sequence[str]) -> PlannedRun:
         """The next run to make."""
-        criteria = CRITERIA.next_experiment
-        drawn = [self._scored(self.moves.drawn(self.rng)) for _ in range(criteria.drawn)]
+        drawn = [self._scored(self.moves.drawn(self.rng)) for _ in range(_DRAWN_COURSES)]
         scored = [*drawn, *(self._scored(one) for one in self.moves.recorded())]
         usable = [entry for entry in scored if entry is not None]
         if not usable:
             raise SimulationFailure(
                 "no course within the limits can be simulated with every model that is left"
             )
-        for _ in range(criteria.improved):
+        for _ in range(_IMPROVED_COURSES):
             usable.sort(key=lambda entry: -entry[0])
-            child = self._scored(self._child([course for _, course in usable[: criteria.parents]]))
+            child = self._scored(self._child([course for _, course in usable[:_PARENTS]]))
             usable += [child] if child is not None else []
         # what counts of a run is what it adds to those before it
         base = soft_minimum(self._total(np.zeros(len(self.rivals.pairs))))
         most = max(score for score, _ in usable) - base
-        nearly = [entry for entry in usable if entry[0] - base >= criteria.as_good * most]
+        nearly = [entry for entry in usable if entry[0] - base >= _EQUIVALENT_SHARE * most]
         course = min(nearly, key=lambda entry: (entry[1].complexity, -entry[0]))[1]
         chances = [entry[0] for entry in drawn if entry is not None]
         return self._planned(

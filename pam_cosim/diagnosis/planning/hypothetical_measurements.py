@@ -10,11 +10,14 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import simulate_run
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.judgement.next_experiment import variations
+from pam_cosim.diagnosis.judgement.next_experiment import FACTORS, variations
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run, Signal
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
+
+_ASSUMED_NOISE = 0.005  # of the span of a signal: noise of an instrument that does not exist yet
+REST_RANGE = 1e-9  # of its largest value: a signal that moves less is at rest
 
 
 @dataclass(frozen=True)
@@ -107,10 +110,8 @@ def _unmeasured(
         if name not in data.signals:
             every = np.concatenate([model[name] for model in modelled])
             span = float(every.max() - every.min())
-            if span > CRITERIA.resolution.still * float(np.abs(every).max()):
-                signals[name] = Signal(
-                    name, output.unit, CRITERIA.resolution.instrument * span, estimated=True
-                )
+            if span > REST_RANGE * float(np.abs(every).max()):
+                signals[name] = Signal(name, output.unit, _ASSUMED_NOISE * span, estimated=True)
     return signals
 
 
@@ -121,5 +122,5 @@ def _measurement_text(signal: Signal) -> str:
 def _varied_runs(data: DataSet) -> Iterator[tuple[Run, str]]:
     """The run with most samples, made once more with one thing changed as far as one would think of."""
     longest = max(data.fit_runs, key=lambda run: len(run.time))
-    factors = CRITERIA.next_experiment.factors
+    factors = FACTORS
     yield from variations(data, [longest], (min(factors), max(factors)))

@@ -18,9 +18,10 @@ from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.planning.hypothetical_measurements import AS_MEASURED, Option
+from pam_cosim.diagnosis.planning.hypothetical_measurements import AS_MEASURED, REST_RANGE, Option
 from pam_cosim.diagnosis.search.probing import StatedEffect, Strengths, detectable_strength
 from pam_cosim.fitting import Linear
+from pam_cosim.fitting.fit import STRONG_CORRELATION
 
 Confused = tuple[str, str, float]
 
@@ -211,7 +212,7 @@ class Rows:
         correlation = covariance / np.outer(deviation, deviation)
         pairs = zip(*np.triu_indices(len(names), 1), strict=True)
         confused = [(names[i], names[j], float(correlation[i, j])) for i, j in pairs]
-        return tuple(known), tuple(c for c in confused if abs(c[2]) > CRITERIA.uncertainty.confused)
+        return tuple(known), tuple(c for c in confused if abs(c[2]) > STRONG_CORRELATION)
 
     def _alike(
         self, result: Identifiability, moves: Mapping[str, Array], price: float
@@ -278,7 +279,7 @@ def _orthogonal_part(own: Array, columns: Array) -> Array:
 def _orthonormal(columns: Array) -> Array:
     """(m, j) directions of columns that are not small beside the longest one."""
     left, singular, _ = np.linalg.svd(columns, full_matrices=False)
-    return np.asarray(left[:, singular > CRITERIA.resolution.still * singular.max(initial=0.0)])
+    return np.asarray(left[:, singular > REST_RANGE * singular.max(initial=0.0)])
 
 
 def _detectable_at(needed: float, size: float) -> float:

@@ -6,6 +6,8 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 
+_MOST_LAWS = 3  # of each remaining explanation, that fit as well
+
 
 def members(diagnosis: Diagnosis) -> list[list[Candidate]]:
     """The models of each explanation that is left, best first.
@@ -39,7 +41,7 @@ def _alike(diagnosis: Diagnosis, best: Candidate, family: dict[str, str]) -> lis
         if _families(c, family) == own and len(c.fit.parameters) <= len(best.fit.parameters)
     ]
     near = sorted((c for c in near if _chi2(c) <= limit), key=lambda c: (_chi2(c), c.effects))
-    return near[: CRITERIA.next_experiment.members - 1]
+    return near[: _MOST_LAWS - 1]
 
 
 def _families(candidate: Candidate, family: dict[str, str]) -> list[str]:

@@ -8,10 +8,12 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.planning.course import Course
+from pam_cosim.diagnosis.planning.course import LEVELS, Course
 from pam_cosim.diagnosis.planning.limits import Limits, Range
 from pam_cosim.measurement import Run
+
+_RECORDED_LEVELS = 60  # of a recorded course that is improved, at most
+_CYCLES = (0.5, 20.0)  # in a run, of the slowest and the fastest sine
 
 Random = np.random.Generator
 
@@ -36,7 +38,7 @@ class Moves:
     def drawn(self, rng: Random) -> Course:
         """A staircase, ramps, a few steps or sines, at random."""
         kind = ("steps", "staircase", "ramps", "sines")[int(rng.integers(4))]
-        fewest, most = CRITERIA.next_experiment.levels
+        fewest, most = LEVELS
         if kind == "sines":
             count = 1
         elif kind == "steps":
@@ -92,9 +94,8 @@ class Moves:
         rows = np.unique(
             np.concatenate([[0], bends, bends - 1] if not is_stepped else [[0], bends])
         )
-        most = CRITERIA.next_experiment.recorded_levels
-        if len(rows) > most:
-            rows = rows[np.linspace(0, len(rows) - 1, most).astype(int)]
+        if len(rows) > _RECORDED_LEVELS:
+            rows = rows[np.linspace(0, len(rows) - 1, _RECORDED_LEVELS).astype(int)]
         rows = rows[seconds[rows] <= self.limits.seconds]
         constants = {
             n: _within(float(run.inputs[n][0]), self.limits.inputs[n]) for n in self.limits.constant
@@ -185,7 +186,7 @@ class Moves:
 
     def _wave(self, rng: Random) -> Array:
         """(4,) a sine, slow or fast, or one that gets faster or slower."""
-        slow, fast = np.log(CRITERIA.next_experiment.cycles)
+        slow, fast = np.log(_CYCLES)
         first, last = np.exp(rng.uniform(slow, fast, size=2))
         return np.array(
             [rng.uniform(0.1, 1.0), first, first if rng.random() < 0.5 else last, rng.uniform()]

@@ -20,6 +20,8 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.measurement import DataSet, Run, further_run
 from pam_cosim.model.interface import Interface
 
+_ROWS = 400  # of a course while courses are compared
+
 
 class Rivals:
     """Fitted models of different explanations; a context manager.
@@ -113,7 +115,7 @@ class Rivals:
 
     def thinned(self, course: Course) -> Array | None:
         """The separations of a course from fewer samples, each of which counts for several."""
-        interval = max(self.limits.interval, self.limits.seconds / CRITERIA.next_experiment.rows)
+        interval = max(self.limits.interval, self.limits.seconds / _ROWS)
         predictions = self.predictions(
             self.run_of(course, interval), CRITERIA.search.screening_tolerance
         )

@@ -33,6 +33,7 @@ from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import parameter_of
 from pam_cosim.simulation import Simulator
+from pam_cosim.simulation.models import MOST_ROWS_UNCOMPILED
 
 Result = TypeVar("Result")
 
@@ -159,10 +160,7 @@ def _attempted(
     own = [name for names in trial.composition.parameters.values() for name in names]
     free = tuple(dict.fromkeys([*trial.data.differentiated, *map(parameter_of, own)]))
     source, name = trial.composition.text, trial.composition.name
-    brief = (
-        brief
-        and sum(len(run.time) for run in trial.data.fit_runs) <= CRITERIA.run.rows_without_compiler
-    )
+    brief = brief and sum(len(run.time) for run in trial.data.fit_runs) <= MOST_ROWS_UNCOMPILED
     try:
         fmu = build_source(
             name,

@@ -10,8 +10,8 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import LogLocator, MaxNLocator
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import Fit, Profile, Profiles
+from pam_cosim.fitting.profile import INTERVAL_RISE
 from pam_cosim.reporting.account.labels import short_model
 from pam_cosim.reporting.account.wording import unit_text
 from pam_cosim.reporting.figures.bode import plain_decades
@@ -111,26 +111,27 @@ def profile_figure(made: Profiles) -> Figure:
 
 def _profile(axes: Axes, profile: Profile) -> None:
     """The rise of chi-square over one parameter, its estimate, and the ends of the interval."""
-    limit = CRITERIA.uncertainty.profile_rise
     factor, unit = readable_factor(profile.unit), unit_text(profile.unit)
     axes.plot(profile.values * factor, profile.rise, "o-", color=BLUE, ms=3)
-    axes.axhline(limit, color=SOFT, ls="--", lw=0.9)
+    axes.axhline(INTERVAL_RISE, color=SOFT, ls="--", lw=0.9)
     end = axes.get_yaxis_transform()
-    axes.text(1.0, limit, "95 %", transform=end, ha="right", va="bottom", color=SOFT, fontsize=7.5)
+    axes.text(
+        1.0, INTERVAL_RISE, "95 %", transform=end, ha="right", va="bottom", color=SOFT, fontsize=7.5
+    )
     for bound in (profile.low, profile.high):
         if isfinite(bound):
-            axes.plot([bound * factor] * 2, [0.0, limit], color=SOFT, ls=":", lw=1.2)
+            axes.plot([bound * factor] * 2, [0.0, INTERVAL_RISE], color=SOFT, ls=":", lw=1.2)
     axes.axvline(profile.best * factor, color=VERMILLION, lw=0.9)
     axes.plot(profile.best * factor, 0.0, "D", color=VERMILLION, ms=5, zorder=4)
     axes.text(
         profile.best * factor,
-        0.55 * limit,
+        0.55 * INTERVAL_RISE,
         " estimate",
         color=VERMILLION,
         va="center",
         fontsize=7.5,
     )
-    axes.set_ylim(-0.05 * limit, max(1.2 * limit, 0.1))
+    axes.set_ylim(-0.05 * INTERVAL_RISE, max(1.2 * INTERVAL_RISE, 0.1))
     axes.set_xlabel(f"{profile.name} [{unit}]" if unit else profile.name)
     axes.set_ylabel("rise of chi-square")
     axes.set_title("" if profile.determined else "not determined", loc="left", color=VERMILLION)
