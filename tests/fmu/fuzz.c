@@ -2,7 +2,7 @@
  * anything but OK, Warning, Discard or Error; afterwards a reset instance must repeat a run bit by bit.
  *
  * Compiled together with the sources of an FMU, with -DFMI=2 or 3 and -DGUID="...".
- * Arguments: seed, number of calls, number of variables, 1 where model exchange is there.
+ * Arguments: seed, number of calls, number of value references, 1 where model exchange is there.
  */
 #include <math.h>
 #include <stdint.h>
@@ -46,7 +46,7 @@ static double number(void) {
     return rarely() ? odd[below(6)] : (int)below(2001) * 1e-3 - 1.0;
 }
 
-static unsigned reference(void) { return rarely() ? 0xffffffffu - below(4) : below(n_variables + 1); }
+static unsigned reference(void) { return rarely() ? 0xffffffffu - below(4) : below(n_variables + 2); }
 
 static void check(const char *name, int status) {
     if (status < 0 || status > 3) {
@@ -89,11 +89,11 @@ static instance make(int exchange, const char *guid) {
 #endif
 
 static double time_of(instance c) {
-    unsigned vr = n_variables - 1; /* time is the last variable */
     double t = 0.0;
 #if FMI == 2
-    fmi2GetReal(c, &vr, 1, &t);
+    fmi2GetRealStatus(c, fmi2LastSuccessfulTime, &t);
 #else
+    unsigned vr = n_variables; /* time is the last variable */
     fmi3GetFloat64(c, &vr, 1, &t, 1);
 #endif
     return t;
@@ -235,13 +235,13 @@ static void run(instance c, int exchange, double *end) {
 #if FMI == 2
     bad |= fmi2SetupExperiment(c, 1, 1e-6, 0.0, 0, 0.0) | fmi2EnterInitializationMode(c) | fmi2ExitInitializationMode(c);
     for (int i = 0; !exchange && i < 10; i++) bad |= (int)fmi2DoStep(c, i * 0.01, 0.01, 1);
-    for (unsigned i = 0; i < n_variables; i++) bad |= (int)fmi2GetReal(c, &i, 1, &end[i]);
+    for (unsigned i = 1; i <= n_variables; i++) bad |= (int)fmi2GetReal(c, &i, 1, &end[i - 1]);
 #else
     boolean b;
     double t;
     bad |= fmi3EnterInitializationMode(c, 1, 1e-6, 0.0, 0, 0.0) | fmi3ExitInitializationMode(c);
     for (int i = 0; !exchange && i < 10; i++) bad |= (int)fmi3DoStep(c, i * 0.01, 0.01, 1, &b, &b, &b, &t);
-    for (unsigned i = 0; i < n_variables; i++) bad |= (int)fmi3GetFloat64(c, &i, 1, &end[i], 1);
+    for (unsigned i = 1; i <= n_variables; i++) bad |= (int)fmi3GetFloat64(c, &i, 1, &end[i - 1], 1);
 #endif
     if (bad) {
         fprintf(stderr, "a plain run fails\n");
