@@ -183,10 +183,11 @@ def plain(value: Any) -> Any:
 _PLAIN = (str, int, bool, type(None))
 
 
-def plain_fields(value: Any) -> dict[str, Any]:
-    """A data class as a dictionary: its fields or the keys of its ``json_keys``, each as ``plain`` returns it."""
+def plain_fields(value: Any, keys: str = "") -> dict[str, Any]:
+    """A data class as a dictionary: its fields, the keys of its ``json_keys`` or those stated in the same form, each as
+    ``plain`` returns it."""
     content: dict[str, Any] = {}
-    for key, path, optional in _json_keys(value.__class__):
+    for key, path, optional in _json_keys(value.__class__, keys):
         part = plain(reduce(_part, path, value))
         if key.startswith("*"):
             content |= part
@@ -196,9 +197,10 @@ def plain_fields(value: Any) -> dict[str, Any]:
 
 
 @cache
-def _json_keys(kind: Any) -> list[tuple[str, list[str], bool]]:
+def _json_keys(kind: Any, keys: str) -> list[tuple[str, list[str], bool]]:
     """Key, names of the attributes that lead to its value, and whether an empty value is left out."""
-    words = getattr(kind, "json_keys", "").split() or [field.name for field in fields(kind)]
+    keys = keys or getattr(kind, "json_keys", "")
+    words = keys.split() or [field.name for field in fields(kind)]
     parts = [(*word.rstrip("?").partition("="), word.endswith("?")) for word in words]
     return [
         (key, (path or key).strip("*").split("."), optional) for key, _, path, optional in parts

@@ -12,7 +12,7 @@ PACKAGE = Path(__file__).parents[1] / "pam_cosim"
 FLOORS = (
     ("arrays", "criteria", "lazy_names", "resources", "wording"),
     ("errors",),
-    ("files", "counts", "processes"),
+    ("files", "counts", "processes", "toml_text"),
     ("cache",),
     ("units",),
     ("exports", "model"),

@@ -26,6 +26,8 @@ from pam_cosim.comparison import RunComparison
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.curves import model_curves
 from pam_cosim.workbench.frames import frame
+from pam_cosim.workbench.open_study import scored_runs
+from pam_cosim.workbench.protocol import text_of_message
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.state_events import scores_event
 from scripts.browser import MISSING, chromium, serving
@@ -133,14 +135,14 @@ def on_the_server(folder: Path, moves: int) -> dict[str, list[float]]:
             return opened.simulators.run(state.data, moved(i).values)[0]
 
         runs = run(0)
-        comparison = session._scored(moved(0), opened, runs)
+        comparison = scored_runs(moved(0), opened, runs)
         parts: dict[str, Callable[[int], Any]] = {
             "simulation of six runs": run,
             "curves as a frame": lambda i: frame("model", i, model_curves(runs, state.data)),
-            "scores, after the curves": lambda i: session._scored(moved(i), opened, runs),
-            "scores as an event, likewise": lambda i: scores_event(
-                moved(i), opened, comparison, i
-            ).message(),
+            "scores, after the curves": lambda i: scored_runs(moved(i), opened, runs),
+            "scores as an event, likewise": lambda i: text_of_message(
+                scores_event(moved(i), opened, comparison, i)
+            ),
         }
         return {what: timed(part, moves) for what, part in parts.items()}
 

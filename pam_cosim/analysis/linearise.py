@@ -24,10 +24,9 @@ def linearise_at(
     rest: bool,
     free: Sequence[str],
     outputs: Sequence[str] | None,
-    time: float = 0.0,
 ) -> LinearModel:
     """The linear model at a given state, or at a rest; see ``go_to_state`` and ``go_to_rest``."""
-    model.restart(parameters, time)
+    model.restart(parameters)
     how = go_to_rest(model, conditions, free) if rest else go_to_state(model, conditions)
     return linear_model(model, outputs, REST if rest else GIVEN, how, parameters)
 

@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
@@ -101,7 +100,6 @@ class Network:
         loops: what is done about algebraic loops.
         order: of the components in a step.
         observed: further variables to read at every time.
-        start_time: [s].
 
     Raises:
         CouplingFailure: a component cannot be initialised.
@@ -120,7 +118,6 @@ class Network:
         loops: Loops = "refuse",
         order: Sequence[str] = (),
         observed: Sequence[Port] = (),
-        start_time: float = 0.0,
     ) -> None:
         self.components, self.steppers = components, steppers
         self.sampling = _sampling(components)
@@ -136,8 +133,8 @@ class Network:
         self._courses = InputLines(inputs)
         self._after = True  # at a time at which an input of the system jumps: its value is that after the jump
         self._read = _to_read(components, observed)
-        self._start = start_time
-        self.now = Moment(start_time, {}, {})
+        self._naming = {name: _Naming(self, name) for name in components}
+        self.now = Moment(0.0, {}, {})
         self._begin()
 
     def _begin(self) -> None:
@@ -148,10 +145,10 @@ class Network:
         for name in (*self.parts, *self._sampled_fmus):
             self._refresh(name, {})
         self._settle_all()
-        if self._sample(self._start):
+        if self._sample(0.0):
             self._settle_all()
         for name in (*self.parts, *self._sampled_fmus):
-            with self._naming(name):
+            with self._naming[name]:
                 self.steppers[name].initialised()
             self._refresh(name, {})
         self.now.slopes = dict.fromkeys(self.signals, 0.0)
@@ -176,7 +173,7 @@ class Network:
         for name in self.parts:
             inputs, slopes = self._over_step(name, duration, begin, advanced)
             self.work.component_steps[name] += 1
-            with self._naming(name):
+            with self._naming[name]:
                 values = self.steppers[name].advance(
                     duration, inputs, slopes, self._read[name], can_go_back
                 )
@@ -297,7 +294,7 @@ class Network:
         """What samples at this time acts; whether an output of it has changed."""
         changed = False
         for name, distance in self.sampling.items():
-            samples = (time - self._start) / distance
+            samples = time / distance
             if abs(samples - round(samples)) > _SAME_TIME * max(1.0, abs(samples)):
                 continue
             for output, value in self._acting(name, time, distance).items():
@@ -311,8 +308,8 @@ class Network:
         if isinstance(component, Controller):
             return sampled(name, component, time, inputs)
         stepper, names = self.steppers[name], self._read[name]
-        with self._naming(name):
-            if time == self._start:
+        with self._naming[name]:
+            if time == 0.0:
                 return dict(zip(names, stepper.read(names, inputs), strict=True))
             self.work.component_steps[name] += 1
             return dict(zip(names, stepper.advance(distance, inputs, None, names), strict=True))
@@ -323,7 +320,7 @@ class Network:
         """A state of the whole system."""
         states = {}
         for name in self.parts:
-            with self._naming(name):
+            with self._naming[name]:
                 states[name] = self.steppers[name].save()
         return SystemState(states, self.now.copy())
 
@@ -331,18 +328,18 @@ class Network:
         """Goes back to a saved state."""
         self.work.rollbacks += 1
         for name, number in saved.states.items():
-            with self._naming(name):
+            with self._naming[name]:
                 self.steppers[name].restore(number)
         self.now = saved.moment.copy()
 
     def forget(self, saved: SystemState) -> None:
         """Frees a saved state."""
         for name, number in saved.states.items():
-            with self._naming(name):
+            with self._naming[name]:
                 self.steppers[name].forget(number)
 
     def _refresh(self, name: str, inputs: Mapping[str, float]) -> None:
-        with self._naming(name):
+        with self._naming[name]:
             self._store(name, self.steppers[name].read(self._read[name], inputs))
 
     def _store(self, name: str, values: Sequence[float]) -> None:
@@ -350,16 +347,21 @@ class Network:
             {Port(name, n): v for n, v in zip(self._read[name], values, strict=True)}
         )
 
-    @contextmanager
-    def _naming(self, name: str) -> Iterator[None]:
-        """Around a call of a component: a failure names it and the time."""
-        try:
-            yield
-        except SimulationFailure as failure:
-            reason = str(failure).rstrip(". ")
-            raise CouplingFailure(
-                name, self.components[name].model, self.now.time, reason
-            ) from failure
+
+class _Naming:
+    """Around the calls of a component: a failure names it and the time."""
+
+    def __init__(self, network: Network, name: str) -> None:
+        self._network, self._name = network, name
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: object, failure: BaseException | None, place: object) -> None:
+        if isinstance(failure, SimulationFailure):
+            network, name = self._network, self._name
+            model, reason = network.components[name].model, str(failure).rstrip(". ")
+            raise CouplingFailure(name, model, network.now.time, reason) from failure
 
 
 def _sampling(components: Mapping[str, Component]) -> dict[str, float]:

@@ -7,14 +7,14 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, field
 from functools import partial
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from pam_cosim.cosimulation.rig import input_of
+from pam_cosim.cosimulation.rig import input_of, positive_seconds
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.units import UnitError, convert, is_dimensionless, seconds
+from pam_cosim.units import UnitError, convert, is_dimensionless
 from pam_cosim.wording import Printed, did_you_mean, listed, shown
 
 _NAME = re.compile(r"[A-Za-z_][A-Za-z0-9_-]*")
@@ -69,7 +69,7 @@ class Controller(Printed):
     seconds: float = field(init=False)
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "seconds", sample_time(self.interval))
+        object.__setattr__(self, "seconds", positive_seconds(self.interval))
         if not self.outputs:
             raise InputError("a controller needs an output at least")
 
@@ -112,8 +112,7 @@ def controller(
 Component = CoupledFmu | Controller
 
 
-@dataclass(frozen=True)
-class Port:
+class Port(NamedTuple):
     """A variable of a component."""
 
     component: str
@@ -138,21 +137,6 @@ class Connection:
     def __call__(self, value: float) -> float:
         """The input where the output has this value."""
         return self.factor * value + self.offset
-
-
-def sample_time(interval: float | str) -> float:
-    """Distance of the samples of a controller [s].
-
-    Raises:
-        InputError: not a time, or not longer than zero.
-    """
-    try:
-        distance = seconds(interval)
-    except UnitError as problem:
-        raise InputError(f"the interval of a controller: {problem}") from None
-    if not distance > 0:
-        raise InputError(f"the interval of a controller must be longer than zero, not {interval}")
-    return distance
 
 
 def port(text: str, components: Mapping[str, Component]) -> Port:
@@ -197,9 +181,10 @@ def joined(source: Port, target: Port, components: Mapping[str, Component]) -> C
     if (
         not given.unit
         or not taken.unit
+        or given.unit == taken.unit
         or (is_dimensionless(given.unit) and is_dimensionless(taken.unit))
     ):
-        return Connection(source, target)  # one of them does not say what it is
+        return Connection(source, target)  # of one unit, or one of them does not say what it is
     try:
         low, high = convert(np.array([0.0, 1.0]), given.unit, taken.unit)
     except UnitError as problem:

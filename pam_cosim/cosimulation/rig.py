@@ -138,7 +138,7 @@ class Rig(Printed):
             SimulationFailure: the step could not be made; the rig can go back to a saved state, and what was recorded
                 is kept.
         """
-        run, length = self._run(), _duration(duration)
+        run, length = self._run(), positive_seconds(duration, "the duration of a step")
         changed = self._resolved({**(settings or {}), **inputs})
         if any(not isclose(changed[name], self._held[name], rel_tol=_ROUNDING) for name in changed):
             self._held.update(changed)
@@ -283,19 +283,19 @@ def input_of(name: str, interface: Interface) -> Variable:
     )
 
 
-def _duration(value: float | str) -> float:
-    """[s].
+def positive_seconds(value: float | str, what: str = "the interval of a controller") -> float:
+    """A time [s].
 
     Raises:
-        InputError: not a time, or not a positive one.
+        InputError: not a time, or not longer than zero.
     """
     try:
-        length = seconds(value)
+        time = seconds(value)
     except UnitError as problem:
-        raise InputError(f"the duration of a step: {problem}") from None
-    if not length > 0:
-        raise InputError(f"a step must be longer than zero, not {length:g} s")
-    return length
+        raise InputError(f"{what}: {problem}") from None
+    if not time > 0:
+        raise InputError(f"{what} must be longer than zero, not {value}")
+    return time
 
 
 def _unpacked(state: bytes, interface: Interface) -> tuple[float, dict[str, float], bytes]:

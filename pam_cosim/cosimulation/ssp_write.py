@@ -23,7 +23,6 @@ _WIDTH, _HEIGHT, _GAP = 40.0, 30.0, 20.0  # of the boxes of a diagram
 def write_ssp(
     system: System,
     file: Path,
-    stop_time: float | None = None,
     version: str = "1.0",
     connectors: bool = True,
 ) -> Path:
@@ -32,7 +31,6 @@ def write_ssp(
     Args:
         system: the components and their connections.
         file: the archive.
-        stop_time: of the default experiment [s]; None: that of the system.
         version: of the standard, "1.0" or "2.0".
         connectors: whether open inputs and all outputs are connectors of the system.
 
@@ -59,7 +57,7 @@ def write_ssp(
         for name, some in system.values.items()
     }
     values = {name: some for name, some in values.items() if some}
-    stop = stop_time or system.stop_time or max(p.interface.stop_time for p in parts.values())
+    stop = system.stop_time or max(p.interface.stop_time for p in parts.values())
     files = {DESCRIPTION: _description(system, parts, ports, values, stop, version)}
     for name, part in parts.items():
         files[f"resources/{name}.fmu"] = part.path.read_bytes()

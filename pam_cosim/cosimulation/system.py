@@ -27,9 +27,9 @@ from pam_cosim.cosimulation.parts import (
     check_name,
     check_once,
     port,
-    sample_time,
 )
 from pam_cosim.cosimulation.recorder import Recorder
+from pam_cosim.cosimulation.rig import positive_seconds
 from pam_cosim.cosimulation.sampling import ControllerError
 from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError, SimulationFailure
@@ -156,7 +156,7 @@ class System(Printed):
                 raise InputError(
                     f"there is no FMU '{name}' in the system; {did_you_mean(name, known)}"
                 )
-            components[name] = replace(part, seconds=sample_time(interval))
+            components[name] = replace(part, seconds=positive_seconds(interval))
         return replace(self, components=components)
 
     def simulate(

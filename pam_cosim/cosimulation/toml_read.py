@@ -10,8 +10,8 @@ from typing import Any
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_TEXT, read_file
-from pam_cosim.measurement.toml_text import line_of, parse_toml
 from pam_cosim.model.settings import Setting
+from pam_cosim.toml_text import line_of, parse_toml
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 

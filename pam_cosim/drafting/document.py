@@ -15,8 +15,8 @@ from pam_cosim.drafting.roles import Role
 from pam_cosim.drafting.sources import Part
 from pam_cosim.drafting.stated_value import StatedValue, text_of
 from pam_cosim.measurement.experiment_tables import RecordingTable
-from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.toml_text import toml_key, toml_string
 
 _WIDTH = 110
 _DURATIONS = ("interval", "resample")

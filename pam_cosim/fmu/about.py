@@ -16,7 +16,7 @@ def identity(ode: Ode) -> dict[str, str]:
     package = ode.interface.model.split(".")[0]
     version = dict(ode.libraries).get(package)
     found = {"version": version} if version else {}
-    if not (modelica_root() / package).is_dir():
+    if package not in {folder.name for folder in modelica_root().iterdir()}:
         return found
     try:
         of = metadata(TOOL)

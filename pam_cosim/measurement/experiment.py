@@ -15,7 +15,7 @@ from pam_cosim.measurement.experiment_errors import complaint_of
 from pam_cosim.measurement.experiment_tables import Experiment, located
 from pam_cosim.measurement.place import Place
 from pam_cosim.measurement.text_file import read_text
-from pam_cosim.measurement.toml_text import line_of, parse_toml
+from pam_cosim.toml_text import line_of, parse_toml
 
 
 def error_in(folder: Path, message: str, *keys: str | int) -> InputError:

@@ -6,7 +6,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path, PureWindowsPath
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement.toml_text import line_of
+from pam_cosim.toml_text import line_of
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import shown
 

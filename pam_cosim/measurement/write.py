@@ -16,8 +16,8 @@ from pam_cosim.measurement.free_parameter import FreeParameter
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.start import Start
 from pam_cosim.measurement.table import TIME
-from pam_cosim.measurement.toml_text import toml_key, toml_string
 from pam_cosim.model.interface import Interface
+from pam_cosim.toml_text import toml_key, toml_string
 from pam_cosim.units import UnitError, convert, is_dimensionless
 
 

@@ -2,34 +2,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-
 from pam_cosim.comparison import Comparison, score
-from pam_cosim.measurement import ROLES
 from pam_cosim.reporting.account.diagnosis_rows import rule_rows
-from pam_cosim.reporting.account.labels import model_labels
 from pam_cosim.reporting.account.wording import NOTHING, listed, number, quantity_text
 from pam_cosim.reporting.figures.bars import where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
-from pam_cosim.reporting.figures.layer import rivals
+from pam_cosim.reporting.figures.layer import alone
 from pam_cosim.reporting.figures.residuals import residual_pictures
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 
 Row = dict[str, str]
 
 
-def comparison_report(comparison: Comparison, against: Sequence[Comparison] = ()) -> str:
-    """A self-contained HTML page of one model, beside others on the same data. Same input, same bytes."""
-    labels = model_labels([comparison, *against])
-    layers = rivals(comparison, against, labels)
+def comparison_report(comparison: Comparison) -> str:
+    """A self-contained HTML page of one model on its data. Same input, same bytes."""
+    layers = (alone(comparison),)
     return render(
         "comparison.html",
         title=comparison.data.title,
-        model=labels[0],
-        against=labels[1:],
+        model=layers[0].label,
         headline=_headline(comparison),
-        labels=labels,
-        beside=_beside([comparison, *against]) if against else [],
         scores=score_rows(comparison),
         curves=curve_pictures(layers),
         residuals=residual_pictures(layers),
@@ -58,20 +50,6 @@ def _headline(comparison: Comparison) -> str:
         if parts
         else "There is no sample to compare with."
     )
-
-
-def _beside(comparisons: Sequence[Comparison]) -> list[dict[str, object]]:
-    """The rms error of each signal and role, model beside model."""
-    rows: list[dict[str, object]] = []
-    for role in ROLES:
-        for name in comparisons[0].scores[role]:
-            scores = [c.scores.get(role, {}).get(name) for c in comparisons]
-            unit = comparisons[0].data.signals[name].unit
-            cells = [NOTHING if s is None else quantity_text(s.rmse, unit) for s in scores]
-            known = [s.rmse for s in scores if s is not None]
-            best = [s is not None and len(known) > 1 and s.rmse == min(known) for s in scores]
-            rows.append({"role": role, "name": name, "cells": list(zip(cells, best, strict=True))})
-    return rows
 
 
 def _run_rows(comparison: Comparison) -> list[dict[str, object]]:

@@ -17,7 +17,6 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import PICTURE, check_ending, check_writable, write_bytes
 from pam_cosim.fitting import Fit, PredictiveBands, Profiles
 from pam_cosim.ledger import Ledger
-from pam_cosim.reporting.account.labels import model_labels
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.banded import bands_figure
 from pam_cosim.reporting.figures.bode import bode, poles_along
@@ -26,7 +25,7 @@ from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.fitted import fit_figure, profile_figure
 from pam_cosim.reporting.figures.frequency import frequency_figure
-from pam_cosim.reporting.figures.layer import SPARSE, rivals
+from pam_cosim.reporting.figures.layer import SPARSE, alone
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.figures.observed import observation_figure
 from pam_cosim.reporting.figures.panels import panels
@@ -75,16 +74,14 @@ def _(product: Fit, path: Path | str) -> None:
 
 
 @draw.register
-def plot_comparison(
-    comparison: Comparison, path: Path | str, against: Sequence[Comparison] = ()
-) -> None:
+def plot_comparison(comparison: Comparison, path: Path | str) -> None:
     """Draws measured and modelled signals of all runs, one column a run, as PNG.
 
     Raises:
         InputError: the file cannot be written.
     """
     _check(path)
-    layers = rivals(comparison, against, model_labels([comparison, *against]))
+    layers = (alone(comparison),)
     few = max(len(r.run.time) for r in comparison.runs) <= SPARSE
     with drawing():
         signals = list(comparison.data.signals.values())

@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from fmpy.fmi1 import FMICallException
@@ -19,6 +18,19 @@ _SLOPES_BESIDE_FMI = (
     "pam_set_input_slopes"  # of our own FMUs of version 3.0, which has no slopes of inputs
 )
 _LAST_SUCCESSFUL_TIME = 2  # fmi2StatusKind
+
+
+class _Call:
+    """Around a call of an FMU; one for all, for they are many."""
+
+    def __init__(self, ended: Callable[[BaseException | None], None]) -> None:
+        self._ended = ended
+
+    def __enter__(self) -> None:
+        pass
+
+    def __exit__(self, kind: object, failure: BaseException | None, place: object) -> None:
+        self._ended(failure)
 
 
 class Stepper:
@@ -47,6 +59,7 @@ class Stepper:
         self._next = 0
         self._begun = False
         self._calls, self._active = 0, ""
+        self._call = _Call(self._ended)
         self.time = 0.0
 
     @property
@@ -236,19 +249,18 @@ class Stepper:
         if terminate or early:
             raise self._failure("fmi3DoStep", reached, "the FMU ends the simulation")
 
-    @contextmanager
-    def _calling(self, function: str) -> Iterator[None]:
+    def _calling(self, function: str) -> _Call:
         """Around a call of the FMU: tells what is done, and turns a bad status into a failure."""
         if not self._begun and not function.lower().endswith("freefmustate"):
             raise RunFailure(f"the run of {self._file} has ended")
         self._calls += 1
         self._active = function
-        try:
-            yield
-        except FMICallException:
+        return self._call
+
+    def _ended(self, failure: BaseException | None) -> None:
+        function, self._active = self._active, ""
+        if isinstance(failure, FMICallException):
             raise self._failure(function, self._reached(function)) from None
-        finally:
-            self._active = ""
 
     def _reached(self, function: str) -> float:
         """Where a step that failed has come to, as far as the FMU says."""

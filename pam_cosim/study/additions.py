@@ -12,9 +12,7 @@ from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_model_file, write_text
-from pam_cosim.fitting import (
-    Fit,
-)
+from pam_cosim.fitting import Fit
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, is_ratio, parameter_of, sources_of
 from pam_cosim.model.settings import Setting, resolve
@@ -75,20 +73,6 @@ def add(
         return _added(
             fitted, to, output, values or {}, [*as_paths(files), file], term.modelica_source
         )
-
-
-def add_fitted(fitted: FittedModel, output: Path, files: Paths = ()) -> str:
-    """As ``add``, of a model whose effects and values are known.
-
-    Args:
-        fitted: the model.
-        output: as in ``add``.
-        files: further Modelica files.
-
-    Raises:
-        InputError: as in ``add``.
-    """
-    return _added(fitted, None, output, {}, as_paths(files))
 
 
 def _added(

@@ -5,6 +5,7 @@ from __future__ import annotations
 import tempfile
 from collections.abc import Mapping, Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pam_cosim.cosimulation import (
     Connection,
@@ -17,15 +18,15 @@ from pam_cosim.cosimulation import (
     couple_values,
 )
 from pam_cosim.cosimulation.parts import Component, check_name, check_once
-from pam_cosim.cosimulation.ssp_read import read_ssp
-from pam_cosim.cosimulation.ssp_write import write_ssp
-from pam_cosim.cosimulation.toml_read import Written, read_toml
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.own import is_own
 from pam_cosim.fmu.read import feedthrough, read_interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation import models
+
+if TYPE_CHECKING:
+    from pam_cosim.cosimulation.toml_read import Written
 
 
 def start(
@@ -162,6 +163,8 @@ def _from_toml(
     timeout: float | None,
 ) -> System:
     """As ``couple``, step by step, so that whatever is wrong has its line."""
+    from pam_cosim.cosimulation.toml_read import read_toml
+
     written = read_toml(file)
     if not controllers.keys().isdisjoint(written.components):
         raise InputError(
@@ -209,6 +212,8 @@ def _from_ssp(
     parameters: Mapping[str, Setting],
     timeout: float | None,
 ) -> System:
+    from pam_cosim.cosimulation.ssp_read import read_ssp
+
     if controllers:
         raise InputError(
             "a controller in Python has no connections in an SSP archive; describe the system as .toml",
@@ -252,4 +257,6 @@ def write_system(
     file = Path(path)
     if file.suffix != ".ssp":
         raise InputError("a system is written as SSP: name a file that ends in .ssp", file)
+    from pam_cosim.cosimulation.ssp_write import write_ssp
+
     return write_ssp(system, file, version=ssp, connectors=connectors)

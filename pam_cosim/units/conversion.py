@@ -125,6 +125,9 @@ def number_and_unit(text: str) -> tuple[float, str] | None:
     return float(match.group(1)), unit
 
 
+_SECONDS = {"s": 1.0, "ms": 1e-3}  # for these the registry of all units need not be loaded
+
+
 def seconds(value: float | str) -> float:
     """A number [s], or a text such as "10 ms".
 
@@ -136,6 +139,9 @@ def seconds(value: float | str) -> float:
     except TypeError:
         raise UnitError(f"{shown(value)} is not a time; write for example '10 ms'") from None
     except ValueError:
+        parts = number_and_unit(str(value))
+        if parts and parts[1] in _SECONDS and abs(parts[0]) <= LARGEST:
+            return parts[0] * _SECONDS[parts[1]]
         return parse_quantity(value, "s")
     if not math.isfinite(number):
         raise UnitError(f"{shown(value)} is not a finite time")

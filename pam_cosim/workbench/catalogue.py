@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import re
 from collections.abc import Collection, Sequence
-from dataclasses import replace
 from html import unescape
 from pathlib import Path
 
@@ -24,7 +23,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import identity
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.study.fitted_model import FittedModel, compose_fitted
-from pam_cosim.workbench.protocol import ShownEffect
+from pam_cosim.workbench.protocol import Json, selected
 
 _EQUATIONS = re.compile(
     r"^\s*(?:initial\s+)?equation\s*$\n(.*?)(?=^\s*(?:annotation\b|end\s+\w+\s*;|protected\b))",
@@ -46,7 +45,7 @@ class Catalogue:
     def __init__(self, files: Sequence[Path]) -> None:
         self.files = tuple(files)
         self._trees: dict[tuple[object, ...], ClassTree] = {}
-        self._shown: dict[tuple[object, ...], tuple[ShownEffect, ...]] = {}
+        self._shown: dict[tuple[object, ...], list[Json]] = {}
 
     def sources(self, model: str) -> tuple[Path, ...]:
         """The Modelica files that a model needs."""
@@ -82,32 +81,29 @@ class Catalogue:
         sources = self.sources(fitted.model)
         return compose_fitted(self.tree(fitted.model), fitted, name, parameters, files=sources).text
 
-    def shown(self, model: str, on: Collection[str]) -> tuple[ShownEffect, ...]:
+    def shown(self, model: str, on: Collection[str]) -> list[Json]:
         """Every effect of the model's library, and whether it finds a place in it; none for an FMU."""
         if is_fmu(model):
-            return ()
+            return []
         key = (model, *self._key(model))
         if key not in self._shown:
             tree = self.tree(model)
             structure = read_structure(qualified(tree, model), files=self.sources(model))
-            self._shown[key] = tuple(
+            self._shown[key] = [
                 shown_effect(e, compose_on(tree, structure, (e.name,)) is not None)
                 for e in effect_classes(tree, origins(structure.parts))
-            )
-        return tuple(replace(e, on=e.name in on) for e in self._shown[key])
+            ]
+        return [e | {"on": e["name"] in on} for e in self._shown[key]]
 
 
-def shown_effect(effect: EffectClass, fits: bool) -> ShownEffect:
-    """An effect with what its class and its documentation say."""
-    return ShownEffect(
-        name=effect.name,
-        family=effect.family,
-        balance=effect.balance,
-        description=effect.description,
+def shown_effect(effect: EffectClass, fits: bool) -> Json:
+    """An effect with the equations of its class, and fingerprint and source of its documentation."""
+    return selected(
+        effect,
+        "name family balance description",
         equation=_equations(effect),
-        fingerprint=_said(effect.documentation, _FINGERPRINT),
-        source=_said(effect.documentation, _SOURCE),
-        on=False,
+        fingerprint=_part(effect.documentation, _FINGERPRINT),
+        source=_part(effect.documentation, _SOURCE),
         fits=fits,
     )
 
@@ -124,6 +120,6 @@ def _equations(effect: EffectClass) -> str:
     return "\n".join(line.strip() for part in parts for line in part.splitlines() if line.strip())
 
 
-def _said(documentation: str, part: re.Pattern[str]) -> str:
-    said = part.search(_LINK.sub("", documentation))
-    return "" if said is None else " ".join(unescape(_TAG.sub("", said.group(1))).split())
+def _part(documentation: str, part: re.Pattern[str]) -> str:
+    match = part.search(_LINK.sub("", documentation))
+    return "" if match is None else " ".join(unescape(_TAG.sub("", match.group(1))).split())

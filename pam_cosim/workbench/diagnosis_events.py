@@ -1,17 +1,15 @@
-"""What a diagnosis tells, as the events that a page shows: the same numbers and words as in the report."""
+"""What happens in a diagnosis as the events that a page shows: the same numbers and words as in the report."""
 
 from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
-from pam_cosim import diagnosis as rooms
 from pam_cosim.diagnosis import (
     BaseFitted,
+    Candidate,
     CandidateTried,
     Diagnosis,
     FailedTrial,
@@ -22,14 +20,11 @@ from pam_cosim.diagnosis import (
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.fitting import Fit
-from pam_cosim.ledger import BalanceEntry, binned
-from pam_cosim.ledger import Ledger as KeptLedger
-from pam_cosim.measurement import DataSet
+from pam_cosim.ledger import BalanceEntry, Ledger, binned
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account import (
     acting_balances,
     against_of,
-    balance_shares,
     candidate_row,
     compared_sentence,
     error_sentence,
@@ -44,7 +39,6 @@ from pam_cosim.reporting.account import (
     not_tried_sentence,
     parameter_rows,
     percent,
-    place_of,
     probability_rows,
     probability_sentence,
     summary_rows,
@@ -53,239 +47,154 @@ from pam_cosim.reporting.account import (
     words,
 )
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.curves import shown_instants
-from pam_cosim.workbench.protocol import (
-    CandidateEvent,
-    Json,
-    LedgerEvent,
-    PageEvent,
-    RankingEvent,
-    VerdictEvent,
-)
+from pam_cosim.workbench.curves import rounded
+from pam_cosim.workbench.protocol import Json, event, selected
 
-MOST_POINTS = 400  # of a missing term, each run
+MOST_POINTS = 800  # of a missing term over a variable
 _AGAINST = 2  # variables that a missing term is drawn over
 
 
 class Following:
-    """Follows a diagnosis: keeps what was tried, and ranks it as it comes.
+    """Follows a diagnosis: keeps the models that were tried, and ranks them as they come.
 
     Args:
-        data: the measurement.
+        domain: of the model.
     """
 
-    def __init__(self, data: DataSet) -> None:
-        self.data = data
+    def __init__(self, domain: Domain) -> None:
+        self.domain = domain
         self.base: Fit | None = None
-        self.tried: dict[tuple[str, ...], rooms.Candidate] = {}
+        self.tried: dict[tuple[str, ...], Candidate] = {}
         self.failed: list[FailedTrial] = []
 
-    def events(self, event: object) -> list[PageEvent]:
-        """What is to be shown of something that happened."""
-        if isinstance(event, BaseFitted):
-            self.base = event.fit
-        elif isinstance(event, SearchRestarted):
-            self.tried.clear()
-            self.failed.clear()
-        elif isinstance(event, CandidateTried):
-            return [self._candidate(event), self.ranking()]
-        elif isinstance(event, Judged):
-            return [
-                ranking(event.base, event.candidates, event.path, self.failed, final=True),
-                _judged(event, self.data.domain),
-            ]
-        elif isinstance(event, LedgerKept):
-            return [ledger_event(event.ledger, ())]
+    def events(self, happening: object) -> list[Json]:
+        """The events of what a diagnosis reports."""
+        match happening:
+            case BaseFitted():
+                self.base = happening.fit
+            case SearchRestarted():
+                self.tried.clear()
+                self.failed.clear()
+            case CandidateTried():
+                self._keep(happening.attempt)
+                return [event("candidate", effects=happening.attempt.effects), self.ranking()]
+            case Judged():
+                return [
+                    ranking(
+                        happening.base, happening.candidates, happening.path, self.failed, True
+                    ),
+                    _judged(happening, self.domain),
+                ]
+            case LedgerKept():
+                return [ledger_event(happening.ledger, ())]
         return []
 
-    def ranking(self) -> RankingEvent:
-        """What was fitted so far, best first."""
+    def ranking(self) -> Json:
+        """The models that were fitted so far, best first."""
         assert self.base is not None
         return ranking(self.base, rank(self.base, list(self.tried.values())), (), self.failed)
 
-    def _candidate(self, event: CandidateTried) -> CandidateEvent:
-        c, base = event.attempt, self.base
-        common: dict[str, Any] = {
-            "effects": c.effects,
-            "family": words(c.family),
-            "balance": words(place_of(c)),
-            "text": str(event),
-        }
-        if isinstance(c, FailedTrial) or base is None:
-            reason = c.failure if isinstance(c, FailedTrial) else ""
-            if isinstance(c, FailedTrial):
-                self.failed.append(c)
-            return CandidateEvent(
-                **common,
-                explained=None,
-                explained_text="",
-                delta_bic=None,
-                rms={},
-                brief=False,
-                state="failed",
-                reason=reason,
-            )
-        before = self.tried.get(c.effects)
-        if before is None or before.brief or not c.brief:
-            self.tried[c.effects] = c
-        share = explained(base, c.fit)
-        ranked = rank(base, [c])[0]
-        return CandidateEvent(
-            **common,
-            explained=share,
-            explained_text=percent(share),
-            delta_bic=ranked.delta_bic,
-            rms=shown_rms(
-                {n: s.rmse for n, s in c.fit.comparison.scores["fit"].items()}, self.data
-            ),
-            brief=c.brief,
-            state="fitted",
-            reason="",
-        )
-
-
-def shown_rms(rmse: dict[str, float], data: DataSet) -> dict[str, float]:
-    """Root mean square errors in shown units."""
-    return {n: value * readable_factor(data.signals[n].unit) for n, value in rmse.items()}
+    def _keep(self, attempt: Candidate | FailedTrial) -> None:
+        if isinstance(attempt, FailedTrial):
+            self.failed.append(attempt)
+            return
+        before = self.tried.get(attempt.effects)
+        if before is None or before.brief or not attempt.brief:
+            self.tried[attempt.effects] = attempt
 
 
 def ranking(
     base: Fit,
-    candidates: Sequence[rooms.Candidate],
-    path: Sequence[rooms.Candidate],
+    candidates: Sequence[Candidate],
+    path: Sequence[Candidate],
     failed: Sequence[FailedTrial],
     final: bool = False,
-) -> RankingEvent:
-    """All models that were fitted, as rows."""
-    rows = []
-    for place, c in enumerate(candidates):
-        numbers = {
-            "share": explained(base, c.fit),
-            "bic": c.delta_bic,
-            "number": place,
-            "brief": c.brief,
-        }
-        rows.append({**candidate_row(base, c, path), "effects": list(c.effects), **numbers})
-    reasons = {c.effects: c for c in failed}
-    return RankingEvent(
-        tuple(rows),
-        tuple(
-            {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure}
-            for c in reasons.values()
-        ),
-        final,
-    )
+) -> Json:
+    """The event of all models that were fitted, as rows."""
+    rows = [
+        candidate_row(base, c, path)
+        | selected(c, "effects brief", share=explained(base, c.fit), number=number)
+        for number, c in enumerate(candidates)
+    ]
+    reasons = {
+        c.effects: {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure}
+        for c in failed
+    }
+    return event("ranking", candidates=rows, failed=list(reasons.values()), final=final)
 
 
-def _judged(event: Judged, domain: Domain) -> VerdictEvent:
-    verdict = event.verdict
-    return VerdictEvent(
-        kind=verdict.kind,
+def _judged(judged: Judged, domain: Domain, **more: object) -> Json:
+    verdict = judged.verdict
+    rows = [
+        selected(row, "what named share=probability", percent=percent(row.probability))
+        for row in probability_rows(verdict)
+    ]
+    return event(
+        "verdict",
+        **selected(verdict, "kind reason"),
         kind_name=kind_name(verdict.kind),
-        headline="",
-        reason=verdict.reason,
         probability=probability_sentence(verdict),
-        probabilities=tuple(
-            {
-                "what": row.what,
-                "share": row.probability,
-                "percent": percent(row.probability),
-                "named": row.named,
-            }
-            for row in probability_rows(verdict)
-        ),
+        probabilities=rows,
         meaning=meaning(verdict, domain),
-        families=tuple(words(f) for f in verdict.families),
-        effects=tuple(c.effect for c in event.path),
+        families=[words(f) for f in verdict.families],
+        effects=[c.effect for c in judged.path],
         instrument=instrument_sentence(verdict, domain),
-        equations=event.path[-1].equations if event.path else "",
+        complete=bool(more),
+        **more,
     )
 
 
-def verdict_event(d: Diagnosis) -> VerdictEvent:
-    """The whole answer."""
-    base = Judged(d.verdict, d.base, d.candidates, d.path)
-    return replace(
-        _judged(base, d.data.domain),
+def diagnosis_events(d: Diagnosis) -> list[Json]:
+    """The events of a finished diagnosis."""
+    verdict = _judged(
+        Judged(d.verdict, d.base, d.candidates, d.path),
+        d.data.domain,
         headline=headline(d),
         error=error_sentence(d),
         compared=compared_sentence(d),
         not_tried=not_tried_sentence(d),
-        doubts=tuple(doubt.text for doubt in d.final.comparison.doubts),
-        summary=tuple(summary_rows(d)),
-        parameters=tuple(parameter_rows(d)),
+        doubts=[doubt.text for doubt in d.final.comparison.doubts],
+        summary=summary_rows(d),
+        parameters=parameter_rows(d),
         next=next_run(d.next_experiment),
         learned=learned_part(d),
         missing=missing_rows(d),
-        balance={words(name): share for name, share in balance_shares(d).items()},
-        complete=True,
     )
-
-
-def diagnosis_events(d: Diagnosis) -> list[PageEvent]:
-    """All that there is to be shown of a finished diagnosis."""
-    events: list[PageEvent] = [
-        ranking(d.base, d.candidates, d.path, d.failed, final=True),
-        verdict_event(d),
-    ]
+    events = [ranking(d.base, d.candidates, d.path, d.failed, True), verdict]
     if d.ledger is not None:
         events.append(ledger_event(d.ledger, acting_balances(d.path)))
     return events
 
 
-def ledger_event(ledger: KeptLedger, added: Sequence[str]) -> LedgerEvent:
-    """Which balance fails; ``added``: balances of the effects that were added."""
-    said = ledger_words(ledger, added)
-    return LedgerEvent(
-        said["sentence"],
-        tuple(said["rows"]),
-        tuple(said["meanings"]),
-        tuple(said["readings"]),
-        tuple(said["notes"]),
-        tuple(_courses(e, ledger.domain) for e in telling_entries(ledger)),
-    )
+def ledger_event(ledger: Ledger, added: Sequence[str]) -> Json:
+    """The event of which balance fails; ``added``: balances of the effects that were added."""
+    courses = [_course(e, ledger.domain) for e in telling_entries(ledger)]
+    return event("ledger", **ledger_words(ledger, added), courses=courses)
 
 
-def _courses(entry: BalanceEntry, domain: Domain) -> Json:
-    factor = readable_factor(entry.unit)
-    runs = []
-    for c in entry.courses:
-        kept = slice(None, None, math.ceil(len(c.time) / MOST_POINTS))
-        value, reach = c.value[kept] * factor, 2 * c.deviation[kept] * factor
-        runs.append(
-            {
-                "run": c.run,
-                "time": shown_instants(c.time[kept]),
-                "term": _list(value),
-                "low": _list(value - reach),
-                "high": _list(value + reach),
-            }
-        )
-    against = [_against(entry, name, factor) for name in against_of(entry, domain)[:_AGAINST]]
+def _course(entry: BalanceEntry, domain: Domain) -> Json:
+    names = against_of(entry, domain)[:_AGAINST]
     return {
         "balance": words(entry.balance),
         "unit": unit_text(entry.unit),
-        "runs": runs,
-        "against": against,
+        "against": [_against(entry, name) for name in names],
     }
 
 
-def _against(entry: BalanceEntry, name: str, factor: float) -> Json:
-    across = readable_factor(entry.units.get(name, ""))
+def _against(entry: BalanceEntry, name: str) -> Json:
+    unit = entry.units.get(name, "")
+    across, factor = readable_factor(unit), readable_factor(entry.unit)
     x = np.concatenate([c.against[name] for c in entry.courses]) * across
     y = np.concatenate([c.value for c in entry.courses]) * factor
-    kept = slice(None, None, math.ceil(len(x) / (2 * MOST_POINTS)))
+    kept = slice(None, None, math.ceil(len(x) / MOST_POINTS))
     bands = binned(entry, name)
+    mean, reach = (np.array([getattr(b, of) for b in bands]) for of in ("mean", "deviation"))
     return {
         "name": name,
-        "unit": unit_text(entry.units.get(name, "")),
-        "points": [_list(x[kept]), _list(y[kept])],
+        "unit": unit_text(unit),
+        "points": [rounded(x[kept], 5), rounded(y[kept], 5)],
         "at": [(b.low + b.high) / 2 * across for b in bands],
-        "mean": [b.mean * factor for b in bands],
-        "low": [(b.mean - 2 * b.deviation) * factor for b in bands],
-        "high": [(b.mean + 2 * b.deviation) * factor for b in bands],
+        "mean": mean * factor,
+        "low": (mean - 2 * reach) * factor,
+        "high": (mean + 2 * reach) * factor,
     }
-
-
-def _list(values: Any) -> list[float]:
-    return [float(f"{v:.5g}") for v in values]

@@ -9,12 +9,10 @@ from pam_cosim.errors import InputError
 from pam_cosim.study.tables import write_next_run
 from pam_cosim.workbench.script import python_of
 from pam_cosim.workbench.session import Session
-from pam_cosim.workbench.shell_script import commands_of
 
 NAMES = {
     "next.csv": "text/csv",
     "script.py": "text/x-python",
-    "commands.sh": "text/x-shellscript",
     "model.mo": "text/plain",
     "learned.mo": "text/plain",
     "report.html": "text/html",
@@ -28,12 +26,9 @@ def document(session: Session, name: str) -> str:
         InputError: there is nothing of the kind.
     """
     state, opened = session.state, session.opened
-    place = (state, session.first.model, session.folder, session.catalogue)
     diagnosis = state.diagnosis
     if name == "script.py":
-        return python_of(*place)
-    if name == "commands.sh":
-        return commands_of(*place)
+        return python_of(state, session.first.model, session.folder, session.catalogue)
     if name == "model.mo":
         if not opened.text:
             raise InputError("no effect is switched on: the model is the bench itself")

@@ -8,7 +8,7 @@ import shutil
 import tempfile
 from collections import Counter
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
@@ -19,15 +19,14 @@ from pam_cosim.drafting import NewDataSet
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.measurement import any_text
-from pam_cosim.model.interface import Interface
+from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
-from pam_cosim.workbench.commands.checks import names_of, text_of
-from pam_cosim.workbench.curves import shown_instants
-from pam_cosim.workbench.job_queue import failed_by
+from pam_cosim.workbench.checks import names_of, text_of
+from pam_cosim.workbench.curves import rounded, shown_instants
 from pam_cosim.workbench.paths import free_name, inside, safe_name
-from pam_cosim.workbench.protocol import DraftEvent, DroppedEvent, DroppedFile, Excerpt, Json
+from pam_cosim.workbench.protocol import Json, event, failure, selected
 from pam_cosim.workbench.state_events import short_name
 
 MOST_BYTES = 200_000_000  # of one file
@@ -54,13 +53,13 @@ class Drop:
     place: Path = field(default_factory=lambda: Path(tempfile.mkdtemp(prefix="pam-cosim-drop-")))
     recordings: list[Path] = field(default_factory=list)
     _names: dict[str, str] = field(default_factory=dict)  # here, by the name that each came with
-    _last: DraftEvent | None = None  # of which something could be made
+    _last: Json | None = None  # of which something could be made
 
     def close(self) -> None:
         """Removes what was dropped."""
         shutil.rmtree(self.place, ignore_errors=True)
 
-    def put(self, name: str, content: bytes | bytearray) -> DroppedEvent:
+    def put(self, name: str, content: bytes | bytearray) -> Json:
         """Takes a file; one that came by the same name is replaced.
 
         Raises:
@@ -81,7 +80,7 @@ class Drop:
             self.recordings = sorted([*self.recordings, target])
         return self.dropped()
 
-    def remove(self, names: Sequence[str]) -> DroppedEvent:
+    def remove(self, names: Sequence[str]) -> Json:
         """Takes files away again."""
         gone = {inside(self.place, name) for name in names_of(names, "remove")}
         for file in gone & set(self.recordings):
@@ -93,31 +92,38 @@ class Drop:
         self._names = {name: made for name, made in self._names.items() if made in here}
         return self.dropped()
 
-    def dropped(self) -> DroppedEvent:
+    def dropped(self) -> Json:
         """The files, with their first rows."""
-        return DroppedEvent(self.folder.name, tuple(_shown(file) for file in self.recordings))
+        return event("dropped", files=[_shown(file) for file in self.recordings])
 
-    def draft(self, wishes: Mapping[str, Any]) -> DraftEvent:
+    def draft(self, wishes: Mapping[str, Any]) -> Json:
         """What becomes of the files as they are, with what the person says; nothing is left of it."""
         with tempfile.TemporaryDirectory(prefix="pam-cosim-draft-") as scratch:
             try:
                 made = self._new(Path(scratch) / self.folder.resolve().name, wishes)
             except InputError as problem:
-                failed, excerpt = failed_by(problem), self._excerpt(problem)
-                return replace(self._fields(wishes), failed=failed, excerpt=excerpt)
+                failed = {"failed": failure(problem), "excerpt": self._excerpt(problem)}
+                return self._fields(wishes) | failed
             self._last = _drafted(made)
             return self._last
 
-    def _fields(self, wishes: Mapping[str, Any]) -> DraftEvent:
+    def _fields(self, wishes: Mapping[str, Any]) -> Json:
         """What can be said of the files though nothing could be made of them: of the bench that is asked for, or as
         it was when something could."""
         bench = str(wishes.get("model"))
-        last = self._last or DraftEvent(title=self.folder.resolve().name, benches=_benches())
-        fields = replace(last, guesses=(), starts=(), to_check=(), toml="", curves=())
-        other = bench in last.benches and bench != short_name(last.model)
-        return (
-            replace(fields, model=bench, **_quantities(study.describe(bench))) if other else fields
+        last = self._last or event(
+            "draft",
+            title=self.folder.resolve().name,
+            model="",
+            benches=study.benches(),
+            **dict.fromkeys(("runs", "names", "parameters"), ()),
         )
+        fields = (
+            last | dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
+        )
+        if bench in last["benches"] and bench != short_name(last["model"]):
+            fields |= {"model": bench, **_quantities(study.describe(bench))}
+        return fields
 
     def create(self, wishes: Mapping[str, Any]) -> None:
         """Writes the data set.
@@ -132,7 +138,7 @@ class Drop:
             raise InputError("drop at least one recording")
         return study.new(folder, self.recordings, files=self.files, **_checked(wishes))
 
-    def _excerpt(self, problem: InputError) -> Excerpt | None:
+    def _excerpt(self, problem: InputError) -> Json | None:
         """The place in a file that is wrong."""
         file = None if problem.file is None else inside(self.place, Path(str(problem.file)).name)
         if file not in self.recordings or problem.line is None:
@@ -142,7 +148,13 @@ class Drop:
         header = _header(lines)
         cells = [_cells(line, lines) for line in lines[first - 1 : problem.line + _AROUND]]
         column = next((i for i, name in enumerate(header) if _is_named(name, problem.column)), None)
-        return Excerpt(file.name, first, problem.line, column, tuple(header), tuple(cells))
+        return {
+            "first": first,
+            "line": problem.line,
+            "column": column,
+            "header": header,
+            "rows": cells,
+        }
 
 
 def _checked(wishes: Mapping[str, Any]) -> Json:
@@ -171,49 +183,37 @@ def _texts_by_name(value: Any, key: str) -> dict[str, str]:
     return {name: text for name, text in value.items() if text}
 
 
-def _drafted(made: NewDataSet) -> DraftEvent:
+def _drafted(made: NewDataSet) -> Json:
     data = made.data
-    text = (made.folder / "experiment.toml").read_text(encoding="utf-8")
-    quantities = _quantities(study.describe(data.model))
-    return DraftEvent(
+    return event(
+        "draft",
+        failed=None,
+        excerpt=None,
         title=data.title,
-        model=made.model,
-        guesses=tuple({"what": g.what, "taken_as": g.taken_as, "why": g.why} for g in made.guesses),
-        starts=made.starts,
-        to_check=made.to_check,
-        runs=tuple({"name": r.name, "role": r.role, "describe": r.describe()} for r in data.runs),
-        **quantities,
-        benches=_benches(),
-        toml=text,
-        curves=tuple(_curves(made)),
+        **selected(made, "model starts to_check"),
+        guesses=[selected(guess, "what taken_as why") for guess in made.guesses],
+        runs=[selected(run, "name role describe") for run in data.runs],
+        **_quantities(study.describe(data.model)),
+        benches=study.benches(),
+        toml=(made.folder / "experiment.toml").read_text(encoding="utf-8"),
+        curves=_curves(made),
     )
-
-
-def _benches() -> tuple[str, ...]:
-    return tuple(study.benches())
 
 
 def _quantities(interface: Interface) -> Json:
     """What a column can be taken for, and what can be stated, of a bench."""
-    names = tuple(
-        {
-            "name": n,
-            "unit": unit_text(v.unit),
-            "input": n in interface.inputs,
-            "description": v.description,
-        }
-        for n, v in {**interface.inputs, **interface.outputs}.items()
-    )
-    parameters = tuple(
-        {
-            "name": n,
-            "unit": unit_text(v.unit),
-            "description": v.description,
-            "value": None if v.start is None else v.start * readable_factor(v.unit),
-        }
-        for n, v in interface.parameters.items()
-    )
-    return {"names": names, "parameters": parameters}
+    quantities = {**interface.inputs, **interface.outputs}.values()
+    return {
+        "names": [_quantity(v, input=v.name in interface.inputs) for v in quantities],
+        "parameters": [
+            _quantity(v, **selected(v, "value=start", v.unit))
+            for v in interface.parameters.values()
+        ],
+    }
+
+
+def _quantity(variable: Variable, **others: object) -> Json:
+    return selected(variable, "name description", unit=unit_text(variable.unit), **others)
 
 
 def _curves(made: NewDataSet) -> list[Json]:
@@ -223,33 +223,28 @@ def _curves(made: NewDataSet) -> list[Json]:
         kept = np.unique(np.linspace(0, len(run.time) - 1, min(len(run.time), _POINTS)).astype(int))
         for name, values in run.measurements.items():
             unit = made.data.signals[name].unit
-            shown_values = values[kept] * readable_factor(unit)
             curves.append(
                 {
                     "run": run.name,
                     "signal": name,
                     "unit": unit_text(unit),
                     "time": shown_instants(run.time[kept]),
-                    "values": _numbers(shown_values),
+                    "values": rounded(values[kept] * readable_factor(unit), 6),
                 }
             )
     return curves
 
 
-def _numbers(values: Any) -> list[float | None]:
-    return [float(f"{v:.6g}") if np.isfinite(v) else None for v in values]
-
-
-def _shown(file: Path) -> DroppedFile:
+def _shown(file: Path) -> Json:
     """A file's first lines, in cells where it is a text."""
-    size = file.stat().st_size
-    if file.suffix.casefold() not in (".csv", ".txt", ".dat", ".tsv", ".asc", ""):
-        return DroppedFile(file.name, size, (), ())
-    lines = _lines(file)
-    header = _header(lines)
-    return DroppedFile(
-        file.name, size, tuple(header), tuple(_cells(line, lines) for line in lines[1 : 1 + _ROWS])
-    )
+    text = file.suffix.casefold() in (".csv", ".txt", ".dat", ".tsv", ".asc", "")
+    lines = _lines(file) if text else []
+    return {
+        "name": file.name,
+        "bytes": file.stat().st_size,
+        "header": _header(lines),
+        "rows": [_cells(line, lines) for line in lines[1 : 1 + _ROWS]],
+    }
 
 
 def _lines(file: Path) -> list[str]:
@@ -277,25 +272,21 @@ def _separator(lines: Sequence[str]) -> str:
     return max("\t;,", key=lambda one: counts[one]) if any(counts.values()) else ","
 
 
-def _cells(line: str, lines: Sequence[str]) -> tuple[str, ...]:
+def _cells(line: str, lines: Sequence[str]) -> list[str]:
     text, separator = line[:_LONGEST], _separator(lines)
     try:
         cells = next(csv.reader([text], delimiter=separator, skipinitialspace=True), [])
     except csv.Error:
         cells = text.split(separator)
-    return tuple(cell.strip() for cell in cells)
+    return [cell.strip() for cell in cells]
 
 
 def _header(lines: Sequence[str]) -> list[str]:
-    return list(_cells(lines[0], lines)) if lines else []
+    return _cells(lines[0], lines) if lines else []
 
 
 def _is_named(cell: str, column: int | str | None) -> bool:
     if not isinstance(column, str) or not column:
         return False
     bare = cell.strip().strip('"')
-    return (
-        bare == column
-        or bare.partition("[")[0].strip() == column
-        or bare.partition("(")[0].strip() == column
-    )
+    return column in (bare, *(bare.partition(mark)[0].strip() for mark in "[("))

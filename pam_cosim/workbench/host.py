@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
+from functools import partial
 from pathlib import Path
 from typing import Any
 
@@ -11,7 +12,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
 from pam_cosim.workbench.job_process import Worker
-from pam_cosim.workbench.protocol import DraftEvent, DroppedEvent, Json, StudyEvent
+from pam_cosim.workbench.protocol import Json, event
 from pam_cosim.workbench.session import Session
 from pam_cosim.workbench.windows import Listener, Windows
 
@@ -37,20 +38,18 @@ class Workbench:
         files: Sequence[Path] = (),
         worker: Worker | None = None,
     ) -> None:
-        self.folder, self.model, self.files = Path(folder), model, tuple(files)
+        self.folder = Path(folder)
         self.windows, self.worker = Windows(), worker or Worker()
+        self._session = partial(
+            Session, self.folder, model=model, files=files, windows=self.windows, worker=self.worker
+        )
         self.session: Session | None = None
         self.drop: Drop | None = None
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="drop")
         if is_to_be_made(self.folder):
-            self.drop = Drop(self.folder, self.files)
-            self.windows.tell(
-                StudyEvent(
-                    title=self.folder.resolve().name,
-                    folder=self.folder.resolve().name,
-                    state="drop",
-                )
-            )
+            self.drop = Drop(self.folder, tuple(files))
+            name = self.folder.resolve().name
+            self.windows.tell(event("study", title=name, folder=name, state="drop"))
             self.windows.tell(self.drop.dropped())
         else:
             self.session = self._session()
@@ -59,15 +58,6 @@ class Workbench:
         """Starts, and lets build, what will be needed for the first fit, while the person looks at the page."""
         if self.session is not None:
             self.session.submit(self.session.prepare)
-
-    def _session(self) -> Session:
-        return Session(
-            self.folder,
-            model=self.model,
-            files=self.files,
-            windows=self.windows,
-            worker=self.worker,
-        )
 
     def close(self) -> None:
         """Ends everything."""
@@ -103,7 +93,7 @@ class Workbench:
     def _put(self, name: str, content: bytes | bytearray) -> Json:
         dropped = self._dropping().put(name, content)
         self.windows.tell(dropped)
-        return {"files": [file.name for file in dropped.files]}
+        return {"files": [file["name"] for file in dropped["files"]]}
 
     def _dropping(self) -> Drop:
         if self.drop is None:
@@ -130,7 +120,7 @@ class Workbench:
 
     def _open(self, drop: Drop) -> None:
         self.session, self.drop = self._session(), None
-        self.windows.forget(DroppedEvent, DraftEvent)
+        self.windows.forget("dropped", "draft")
         drop.close()
         self.wake()
 

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
 
 from pam_cosim.files import write_text
 from pam_cosim.fitting import Free, base_parameters, model_parameter
-from pam_cosim.measurement import DataSet, FreeParameter
+from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import START_VALUES, is_ratio
 from pam_cosim.simulation import AnySimulator, models
 from pam_cosim.workbench.catalogue import Catalogue
@@ -20,27 +21,22 @@ class Opened:
     """A model ready to run.
 
     Attributes:
-        model: the base model. effects: what it has beside.
         name: what a call of the public API takes for the model with its effects: the base model, or a Modelica file.
         files: further Modelica files that such a call needs.
         simulators: of that.
         parameters: what may be moved by a slider or a fit, by name.
         origin: the effect that brought a parameter, by its name; none for those of the base model.
         text: Modelica source of the model with effects; "" without any.
-        declared: what the data set leaves free.
-        estimates_starts: it tells its slopes by start values, which some run's are estimated with.
+        made_for: model, effects, and what of the data set it was made for; see ``made_for``.
     """
 
-    model: str
-    effects: tuple[str, ...]
     name: str
     files: tuple[Path, ...]
     simulators: Simulators
     parameters: dict[str, Free]
     origin: dict[str, str]
     text: str
-    declared: tuple[tuple[str, FreeParameter], ...]
-    estimates_starts: bool = False
+    made_for: object
 
     @property
     def simulator(self) -> AnySimulator:
@@ -51,15 +47,6 @@ class Opened:
         """Frees the simulators."""
         self.simulators.close()
 
-    def is_of(self, data: DataSet, model: str, effects: Sequence[str]) -> bool:
-        """Whether it is this model, for these data."""
-        same = (self.model, self.effects, self.estimates_starts) == (
-            model,
-            tuple(effects),
-            data.estimates_starts,
-        )
-        return same and self.declared == tuple(data.fit.items())
-
     def start_values_in(self, values: Mapping[str, float]) -> dict[str, float]:
         """Those of the values that are where a run begins, by "state@run" [SI]."""
         states = self.simulator.interface.states
@@ -68,6 +55,11 @@ class Opened:
             for n, v in values.items()
             if n not in self.parameters and n.rpartition("@")[0] in states
         }
+
+
+def made_for(data: DataSet, model: str, effects: Sequence[str]) -> object:
+    """What an opened model depends on: it serves other data where this is the same."""
+    return model, tuple(effects), tuple(data.fit.items()), data.estimates_starts
 
 
 def open_model(
@@ -86,10 +78,8 @@ def open_model(
         file = scratch / f"{composition.name}.mo"
         write_text(file, text)
         name, needed = str(file), catalogue.sources(model)
-    slopes = [START_VALUES] * data.estimates_starts
-    simulators = Simulators(
-        models.opened(name, needed, slopes), lambda: models.opened(name, needed, slopes)
-    )
+    opened = partial(models.opened, name, needed, [START_VALUES] * data.estimates_starts)
+    simulators = Simulators(opened(), opened)
     simulator = simulators.first
     try:
         parameters = {free.name: free for free in base_parameters(data, simulator.interface)}
@@ -102,20 +92,8 @@ def open_model(
     except BaseException:
         simulators.close()
         raise
-    declared = tuple(data.fit.items())
-    estimates = data.estimates_starts
-    return Opened(
-        model,
-        tuple(effects),
-        name,
-        needed,
-        simulators,
-        parameters,
-        origin,
-        text,
-        declared,
-        estimates,
-    )
+    key = made_for(data, model, effects)
+    return Opened(name, needed, simulators, parameters, origin, text, key)
 
 
 def without_ratios(effects: Sequence[str]) -> tuple[str, ...]:

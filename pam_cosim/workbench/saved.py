@@ -1,42 +1,242 @@
-"""What a saved study may hold: its steps and everything beside them, checked by pydantic before any of it is used.
+"""A study as files of its folder: what is in them, checked by pydantic before any of it is used, written and read.
 
-The file may come from somebody else. Names become arguments of scripts and commands, so that each is of a known kind:
-unknown keys, steps and methods are errors that name their place.
+The files may come from somebody else. Names become arguments of scripts, so that each is of a known kind: unknown keys,
+steps and methods are errors that name their place.
 """
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+import hashlib
+import re
+import time
+import unicodedata
+from collections.abc import Collection, Mapping
+from contextlib import suppress
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+from tempfile import TemporaryDirectory
 from typing import Annotated, Any, Literal
 
 from pydantic import (
     AfterValidator,
-    BaseModel,
+    BeforeValidator,
     Field,
-    TypeAdapter,
+    FiniteFloat,
     ValidationError,
+    model_validator,
 )
 from pydantic_core import ErrorDetails
 
+from pam_cosim.diagnosis import Candidate, Diagnosis
+from pam_cosim.errors import InputError
+from pam_cosim.files import read_json, write_bytes, write_json
+from pam_cosim.fitting import METHODS, Fit, HoldoutUncertainty
+from pam_cosim.measurement import StartMode
 from pam_cosim.measurement.experiment_tables import CheckedTable
-from pam_cosim.wording import shown
-from pam_cosim.workbench.saved_steps import AnyStep
-from pam_cosim.workbench.saved_values import (
-    MOST,
-    Cuts,
-    Effects,
-    Name,
-    Number,
-    Roles,
-    Starts,
-    Text,
-    Values,
-    checked_bench,
-    checked_modelica_file,
-    checked_product_file,
-)
+from pam_cosim.model.references import is_file, is_ratio
+from pam_cosim.study.products import load, save
+from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.workbench.paths import inside, is_name_here
+from pam_cosim.workbench.protocol import selected
+from pam_cosim.workbench.state import State
+from pam_cosim.workbench.steps import Step
 
-_STEP: TypeAdapter[Any] = TypeAdapter(Annotated[AnyStep, Field(discriminator="do")])
+FILE = "workbench.json"
+LONGEST_NAME = 5000  # letters; quoted names of Modelica may be long
+MOST = 10_000  # steps, names or values in one list
+_FORMAT = "pam-cosim workbench 1"
+_SAME = "model effects values diagnosed milestone file cuts starts"  # in a file and in a state
+_CLASS = re.compile(r"\.?(?:[^\W\d]\w*|'(?:[^'\\]|\\.)+')(?:\.(?:[^\W\d]\w*|'(?:[^'\\]|\\.)+'))*")
+_PRODUCT = re.compile(
+    r"workbench-(fit|diagnosis)-[0-9a-f]{12}\.npz"
+)  # what a study may remove with itself
+
+
+def _legible(text: str, *, spaces: str = "Zs") -> str:
+    for c in text:
+        if not (c.isprintable() or unicodedata.category(c) == spaces):
+            raise ValueError(f"holds the character {ascii(c)}, which cannot be seen")
+    return text
+
+
+def _class_name(text: str) -> str:
+    if not _CLASS.fullmatch(text):
+        raise ValueError(f"{shown(text)} is no name of a Modelica class")
+    return text
+
+
+def _bench(text: str) -> str:
+    if is_file(text):
+        raise ValueError(f"{shown(text)} is a file; a saved study names classes only")
+    return _class_name(text)
+
+
+def _method(text: str) -> str:
+    if text not in METHODS:
+        raise ValueError(
+            f"there is no method {shown(text)} to fit with; {did_you_mean(text, METHODS)}"
+        )
+    return text
+
+
+def _file(text: str, *, ending: str, kind: str) -> str:
+    if not text.endswith(ending) or not is_name_here(text):
+        raise ValueError(f"{shown(text)} is no name of a {kind} the study's folder")
+    return text
+
+
+def _number(value: object) -> object:
+    """A number that JSON has as an integer of any length."""
+    if isinstance(value, bool) or not isinstance(value, int):
+        return value
+    try:
+        return float(value)
+    except OverflowError:
+        raise ValueError("the number is too large") from None
+
+
+_Many = Field(max_length=MOST)
+Number = Annotated[FiniteFloat, BeforeValidator(_number)]
+Text = Annotated[str, Field(max_length=LONGEST_NAME), AfterValidator(_legible)]
+Name = Annotated[
+    str, Field(min_length=1, max_length=LONGEST_NAME), AfterValidator(partial(_legible, spaces=""))
+]
+Names = Annotated[list[Name], _Many]
+Effects = Annotated[
+    list[
+        Annotated[Name, AfterValidator(lambda text: text if is_ratio(text) else _class_name(text))]
+    ],
+    _Many,
+]
+Values = Annotated[dict[Name, Number], _Many]
+Roles = Annotated[dict[Name, Literal["fit", "holdout"]], _Many]
+Ends = Annotated[list[Number | None], Field(min_length=2, max_length=2)]
+Cuts = Annotated[dict[Name, Ends], _Many]
+Starts = Annotated[dict[Name, StartMode], _Many]
+ModelicaFile = Annotated[
+    Name, AfterValidator(partial(_file, ending=".mo", kind="Modelica file of"))
+]
+Product = Annotated[Name, AfterValidator(partial(_file, ending=".npz", kind="product in"))]
+
+
+class SetStep(CheckedTable):
+    """Values were set by hand [SI]."""
+
+    do: Literal["set"]
+    values: Values
+
+
+class SwitchStep(CheckedTable):
+    """The model was given just these effects; ``values`` were kept [SI]."""
+
+    do: Literal["switch"]
+    effects: Effects
+    values: Values
+
+
+class ChooseStep(CheckedTable):
+    """Another base model was taken."""
+
+    do: Literal["choose"]
+    model: Annotated[Name, AfterValidator(_bench)]
+
+
+class FitStep(CheckedTable):
+    """Parameters were fitted, from these values [SI]; ``kept``: the others that it began with, where values had been
+    moved while it was stopped."""
+
+    do: Literal["fit"]
+    method: Annotated[Name, AfterValidator(_method)]
+    free: Names
+    start: Values
+    kept: Values = {}
+
+
+class DiagnoseStep(CheckedTable):
+    """The missing effect was looked for."""
+
+    do: Literal["diagnose"]
+    time_limit: Number | Name | None = None
+    exclude: Names = []
+    expect: Names = []
+    free: Names = []
+    start: Values = {}
+
+
+class TakeStep(CheckedTable):
+    """A model of the ranking was taken: its values, and those that were kept [SI]."""
+
+    do: Literal["take"]
+    effects: Effects
+    values: Values
+    kept: Values
+
+
+class AddStep(CheckedTable):
+    """The model with effects was written, with these values [SI]."""
+
+    do: Literal["add"]
+    effects: Effects
+    values: Values = {}
+    file: ModelicaFile
+
+
+class RolesStep(CheckedTable):
+    """Runs were fitted or held out."""
+
+    do: Literal["roles"]
+    roles: Roles
+
+
+class BeginStep(CheckedTable):
+    """How a run begins was chosen; how all runs begin since then, and the values that were kept [SI]."""
+
+    do: Literal["begin"]
+    run: Name
+    starts: Starts
+    values: Values
+
+
+class CutStep(CheckedTable):
+    """A run was cut; how all runs are cut and begin since then, and the values that were kept [SI]."""
+
+    do: Literal["cut"]
+    run: Name
+    cuts: Cuts
+    starts: Starts
+    values: Values
+
+    @model_validator(mode="after")
+    def _has_its_run(self) -> CutStep:
+        _check_names([self.run], self.cuts, "cuts")
+        return self
+
+
+class StartStep(CheckedTable):
+    """Start values were set by hand [SI]; ``moved``: these, and the others of their runs stayed where they were."""
+
+    do: Literal["start"]
+    values: Values
+    moved: Names
+
+    @model_validator(mode="after")
+    def _has_its_values(self) -> StartStep:
+        _check_names(self.moved, self.values, "values")
+        return self
+
+
+def _check_names(names: Collection[str], table: Mapping[str, object], what: str) -> None:
+    stray = next((name for name in names if name not in table), None)
+    if stray is not None:
+        raise ValueError(f"{what} lacks {shown(stray)}")
+
+
+AnyStep = Annotated[
+    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | RolesStep
+    | BeginStep | CutStep | StartStep,
+    Field(discriminator="do"),
+]  # fmt: skip
 
 
 class SavedLevel(CheckedTable):
@@ -53,14 +253,14 @@ class SavedRung(CheckedTable):
     """A rung of the ladder."""
 
     label: Text
-    fit: Annotated[dict[Name, SavedLevel], Field(max_length=MOST)]
-    holdout: Annotated[dict[Name, SavedLevel], Field(max_length=MOST)]
+    fit: Annotated[dict[Name, SavedLevel], _Many]
+    holdout: Annotated[dict[Name, SavedLevel], _Many]
     chi2_fit: Number | None
     chi2_holdout: Number | None
 
 
 class SavedContent(CheckedTable):
-    """The whole file, but for what each step holds."""
+    """The file of a study."""
 
     format: Literal["pam-cosim workbench 1"]
     model: Name
@@ -68,18 +268,18 @@ class SavedContent(CheckedTable):
     values: Values
     diagnosed: Effects
     milestone: Text
-    file: Annotated[Name, AfterValidator(checked_modelica_file)] | None
+    file: ModelicaFile | None
     roles: Roles
     cuts: Cuts = {}
     starts: Starts = {}
-    ladder: Annotated[list[SavedRung], Field(max_length=MOST)]
-    steps: Annotated[list[Annotated[AnyStep, Field(discriminator="do")]], Field(max_length=MOST)]
-    fit: Annotated[Name, AfterValidator(checked_product_file)] | None
-    diagnosis: Annotated[Name, AfterValidator(checked_product_file)] | None
+    ladder: Annotated[list[SavedRung], _Many]
+    steps: Annotated[list[AnyStep], _Many]
+    fit: Product | None
+    diagnosis: Product | None
     time: Number
 
 
-def checked_content(content: Any, models: Mapping[str, object] | set[str]) -> SavedContent:
+def checked_content(content: Any, models: Collection[str]) -> SavedContent:
     """The content of a saved study; ``models``: files that the person who opens it named.
 
     Raises:
@@ -91,28 +291,10 @@ def checked_content(content: Any, models: Mapping[str, object] | set[str]) -> Sa
         raise ValueError(_complaint(error)) from None
     if made.model not in models:
         try:
-            checked_bench(made.model)
+            _bench(made.model)
         except ValueError as problem:
             raise ValueError(f"model: {problem}") from None
     return made
-
-
-def checked_step(content: Any) -> dict[str, Any]:
-    """A step as plain data, of known keys and kinds alone.
-
-    Raises:
-        ValueError: it is none; names the place.
-    """
-    try:
-        made: BaseModel = _STEP.validate_python(content)
-    except ValidationError as error:
-        raise ValueError(_complaint(error)) from None
-    return plain_step(made)
-
-
-def plain_step(step: BaseModel) -> dict[str, Any]:
-    """A step as plain data: what was said of it, and nothing that was not."""
-    return step.model_dump(exclude_unset=True)
 
 
 def _complaint(error: ValidationError) -> str:
@@ -134,3 +316,126 @@ def _words(error: ErrorDetails) -> str:
             found = error["ctx"].get("tag", error["input"])
             return f"{shown(found)} is not possible; it is one of {expected}"
     return f"{shown(error['input'])}: {error['msg']}"
+
+
+def lean(diagnosis: Diagnosis) -> Diagnosis:
+    """A diagnosis without the curves of candidates that were not added: their scores and values stay."""
+    way = {c.effects for c in diagnosis.path}
+
+    def bare(c: Candidate) -> Candidate:
+        return c if c.effects in way else replace(c, fit=lean_fit(c.fit))
+
+    return replace(diagnosis, candidates=tuple(bare(c) for c in diagnosis.candidates))
+
+
+def lean_fit(fit: Fit) -> Fit:
+    """A fit without its curves: values, intervals and scores stay."""
+    comparison = replace(fit.comparison, data=replace(fit.comparison.data, runs=()), runs=())
+    return replace(
+        fit, comparison=comparison, linear=None, holdout_uncertainty=HoldoutUncertainty()
+    )
+
+
+def save_state(state: State, folder: Path) -> str:
+    """Writes a study into its folder: ``workbench.json``, and with it the last fit and the last diagnosis.
+
+    Returns:
+        The name of the file.
+
+    Raises:
+        InputError: the folder cannot be written.
+    """
+    target = inside(folder, FILE)
+    before = _products(target)
+    products = {what: _kept(getattr(state, what), folder, what) for what in ("fit", "diagnosis")}
+    content = {
+        "format": _FORMAT,
+        "roles": {run.name: run.role for run in state.data.runs},
+        "ladder": state.rungs,
+        "steps": state.steps,
+        "time": time.time(),
+    }
+    write_json(target, content | products | selected(state, _SAME))
+    for name in before - {*products.values()}:
+        with suppress(OSError, InputError):
+            inside(folder, name).unlink()
+    return target.name
+
+
+def _products(file: Path) -> set[str]:
+    """Names of the files that a saved study refers to."""
+    try:
+        content = read_json(file)
+    except InputError:
+        return set()
+    named = [content.get("fit"), content.get("diagnosis")] if isinstance(content, dict) else []
+    return {name for name in named if isinstance(name, str) and _PRODUCT.fullmatch(name)}
+
+
+def _kept(product: Fit | Diagnosis | None, folder: Path, what: str) -> str | None:
+    """Writes a product under a name that says what is in it: a study refers to what was there when it was saved."""
+    if product is None:
+        return None
+    with TemporaryDirectory(prefix="pam-cosim-") as scratch:
+        content = save(product, Path(scratch) / "product.npz").read_bytes()
+    name = f"workbench-{what}-{hashlib.sha256(content).hexdigest()[:12]}.npz"
+    write_bytes(inside(folder, name), content)
+    return name
+
+
+def load_state(folder: Path, first: State) -> State:
+    """The study that was saved in a folder, its data not yet cut; ``first``: as it was opened, with the data.
+
+    Raises:
+        InputError: there is none, it was damaged, or it is of other data.
+    """
+    target = inside(folder, FILE)
+    content = read_json(target)
+    if not isinstance(content, Mapping) or content.get("format") != _FORMAT:
+        raise InputError("is no study that the workbench saved", target)
+    try:
+        return _state(
+            checked_content(content, {first.model, first.data.model, first.data.bench}),
+            folder,
+            first,
+        )
+    except ValueError as problem:
+        raise InputError(f"the saved study was damaged: {problem}", target) from problem
+
+
+def _state(content: SavedContent, folder: Path, first: State) -> State:
+    roles = {run.name: run.role for run in first.data.runs}
+    if content.roles.keys() != roles.keys():
+        raise InputError(
+            "the saved study is of other runs than the data set has now", folder / FILE
+        )
+    runs = tuple(replace(run, role=content.roles[run.name]) for run in first.data.runs)
+    same = selected(content, _SAME)
+    return State(
+        data=first.data if content.roles == roles else replace(first.data, runs=runs),
+        fit=_product(content.fit, folder, Fit),
+        diagnosis=_product(content.diagnosis, folder, Diagnosis),
+        rungs=tuple(one.model_dump() for one in content.ladder),
+        steps=tuple(_step(one) for one in content.steps),
+        loaded=len(content.steps),
+        **same
+        | {
+            "effects": tuple(content.effects),
+            "diagnosed": tuple(content.diagnosed),
+            "cuts": {run: tuple(ends) for run, ends in content.cuts.items()},
+        },
+    )
+
+
+def _step(saved: CheckedTable) -> Step:
+    arguments = saved.model_dump(exclude_unset=True)
+    return Step(arguments.pop("do"), arguments)
+
+
+def _product(name: str | None, folder: Path, kind: type[Any]) -> Any:
+    if name is None:
+        return None
+    product = load(inside(folder, name))
+    if not isinstance(product, kind):
+        raise ValueError(f"{name} holds something else")
+    return product

@@ -2,153 +2,134 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from pam_cosim.model.references import is_modelica
+from pam_cosim.wording import printable
 from pam_cosim.workbench.catalogue import Catalogue
-from pam_cosim.workbench.standing import COMPOSING, READING, WITHOUT_SCORES, Standing, comment
+from pam_cosim.workbench.opened_model import without_ratios
 from pam_cosim.workbench.state import State
-from pam_cosim.workbench.steps import (
-    ADD,
-    BEGIN,
-    CHOOSE,
-    CUT,
-    DIAGNOSE,
-    FIT,
-    SET,
-    START,
-    SWITCH,
-    TAKE,
-    Step,
-)
+from pam_cosim.workbench.steps import Step
 
-_Arguments = Mapping[str, Any]
 _COMPARED = "comparison = pam.compare(data, model, values, files=files)"
-_DIAGNOSED = (
-    "time_limit",
-    "exclude",
-    "expect",
-    "free",
-    "start",
-)  # what may be stated of a diagnosis
 
 
 def python_of(state: State, base: str, folder: Path, catalogue: Catalogue) -> str:
     """The study as a script, from the base model that it began with."""
-    standing = Standing(base, catalogue)
+    script = _Script(base, catalogue)
     lines = [
-        f"# {comment(state.data.title)}: what was done in the workbench, to be done again.",
+        f"# {printable(state.data.title)}: what was done in the workbench, to be done again.",
         "import pam_cosim as pam",
         "",
         f"folder = {str(folder)!r}",
-        f"files = {standing.files!r}",
-        _read(standing),
+        f"files = {script.files!r}",
+        script.reading(),
         f"model = {base!r}",
         "values = {}",
         _COMPARED,
     ]
     for step in state.steps:
-        standing.advance(step)
-        lines += ["", f"# {comment(step)}", *_lines(step, standing)]
+        lines += ["", f"# {printable(str(step))}", *script.lines(step)]
     return "\n".join([*lines, "", "print(comparison)", ""])
 
 
-def _lines(step: Step, standing: Standing) -> list[str]:
-    own = _OWN.get(step.do)
-    values = _VALUES.get(step.do)
-    lines = [] if own is None else own(step.arguments, standing)
-    if step.do in COMPOSING:
-        lines += _compose(standing)
-    if step.do in READING:
-        lines.append(_read(standing))
-    if values is not None:
-        lines.append(values(step.arguments))
-    return lines if step.do in WITHOUT_SCORES else [*lines, _COMPARED]
+@dataclass
+class _Script:
+    """The lines of each step, and the state of the study that the next lines depend on."""
+
+    base: str
+    catalogue: Catalogue
+    effects: tuple[str, ...] = ()
+    diagnosed: tuple[str, ...] = ()
+    stated: dict[str, Any] = field(default_factory=dict)
+
+    @property
+    def files(self) -> list[str]:
+        """The user's further Modelica files."""
+        return [str(file) for file in self.catalogue.files]
+
+    def lines(self, step: Step) -> list[str]:
+        """The lines of a step."""
+        a = step.arguments
+        lines: list[str] = []
+        match step.do:
+            case "set" | "start":
+                lines = [f"values |= {_numbers(a['values'])}"]
+            case "switch":
+                lines = [*self._composing(a["effects"]), f"values = {_numbers(a['values'])}"]
+            case "choose":
+                self.base = a["model"]
+                lines = [*self._composing(()), self.reading(), "values = {}"]
+            case "roles":
+                self.stated["roles"] = self.stated.get("roles", {}) | a["roles"]
+                lines = [self.reading()]
+            case "cut" | "begin":
+                self.stated |= {name: a[name] for name in ("cuts", "starts") if name in a}
+                lines = [self.reading(), f"values = {_numbers(a['values'])}"]
+            case "fit":
+                options = f"method={a['method']!r}, free={a['free']!r}, {_stated(a, 'start')}"
+                kept = f"= {_numbers(a['kept'])} |" if "kept" in a else "|="
+                lines = [
+                    f"fit = pam.fit(data, model, {options}files=files)",
+                    f"values {kept} {_numbers(a['start'])} | fit.values",
+                ]
+            case "diagnose":
+                self.diagnosed = self.effects
+                options = _stated(a, *(name for name in _DIAGNOSED if a.get(name) not in _NOTHING))
+                return [
+                    f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)",
+                    "print(diagnosis)",
+                ]
+            case "take":
+                effects = tuple(a["effects"])
+                lines = [
+                    f"candidate = next(c for c in diagnosis.candidates if c.effects == {effects!r})",
+                    *self._composing((*self.diagnosed, *effects)),
+                    f"values = {_numbers(a['kept'])} | candidate.fit.values",
+                ]
+            case "add":
+                values = _numbers(a.get("values", {}))
+                return [
+                    f"pam.add({a['effects']!r}, to={self.base!r}, output={a['file']!r}, "
+                    f"values={values}, files=files)"
+                ]
+        return [*lines, _COMPARED]
+
+    def reading(self) -> str:
+        """The line that reads the data set."""
+        stated = {name: value for name, value in self.stated.items() if value}
+        options = "".join(
+            f", {name}={stated[name]!r}" for name in ("roles", "cuts", "starts") if name in stated
+        )
+        return f"data = pam.read(folder, model={self.base!r}, files=files{options})"
+
+    def _composing(self, effects: Sequence[str]) -> list[str]:
+        self.effects = tuple(effects)
+        on, base = list(without_ratios(effects)), self.base
+        if not on:
+            return [f"model, files = {base!r}, {self.files!r}"]
+        model = f"{self.catalogue.composed(base, on).name}.mo"
+        further = [*self.files, *([base] if is_modelica(base) else [])]
+        return [
+            f"files = {self.files!r}",
+            f"pam.add({on!r}, to={base!r}, output={model!r}, files=files)",
+            f"model, files = {model!r}, {further!r}",
+        ]
 
 
-def _fit(arguments: _Arguments, standing: Standing) -> list[str]:
-    options = f"method={arguments['method']!r}, free={arguments['free']!r}"
-    start = _numbers(arguments["start"])
-    return [f"fit = pam.fit(data, model, {options}, start={start}, files=files)"]
+_DIAGNOSED = ("time_limit", "exclude", "expect", "free", "start")  # if they were stated
+_NOTHING: tuple[Any, ...] = (None, [], (), {}, "")
 
 
-def _diagnose(arguments: _Arguments, standing: Standing) -> list[str]:
-    stated = {n: arguments[n] for n in _DIAGNOSED if arguments.get(n) or arguments.get(n) == 0}
-    options = "".join(
+def _stated(arguments: Mapping[str, Any], *names: str) -> str:
+    options = ((name, arguments[name]) for name in names)
+    return "".join(
         f"{name}={_numbers(value) if isinstance(value, Mapping) else repr(value)}, "
-        for name, value in stated.items()
+        for name, value in options
     )
-    return [
-        f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)",
-        "print(diagnosis)",
-    ]
-
-
-def _choose_candidate(arguments: _Arguments, standing: Standing) -> list[str]:
-    effects = tuple(arguments["effects"])
-    return [f"candidate = next(c for c in diagnosis.candidates if c.effects == {effects!r})"]
-
-
-def _add(arguments: _Arguments, standing: Standing) -> list[str]:
-    return [
-        f"pam.add({arguments['effects']!r}, to={standing.base!r}, output={arguments['file']!r}, "
-        f"values={_numbers(arguments.get('values', {}))}, files=files)"
-    ]
-
-
-_OWN: Mapping[str, Callable[[_Arguments, Standing], list[str]]] = {
-    FIT: _fit,
-    DIAGNOSE: _diagnose,
-    TAKE: _choose_candidate,
-    ADD: _add,
-}
-"""Lines that only a step of one kind has."""
-
-
-def _replaced(arguments: _Arguments) -> str:
-    return f"values = {_numbers(arguments['values'])}"
-
-
-def _updated(arguments: _Arguments) -> str:
-    return f"values |= {_numbers(arguments['values'])}"
-
-
-def _fitted(arguments: _Arguments) -> str:
-    stated = f"{_numbers(arguments['start'])} | fit.values"
-    if "kept" in arguments:
-        return f"values = {_numbers(arguments['kept'])} | {stated}"
-    return f"values |= {stated}"
-
-
-_VALUES: Mapping[str, Callable[[_Arguments], str]] = {
-    SET: _updated,
-    START: _updated,
-    SWITCH: _replaced,
-    CUT: _replaced,
-    BEGIN: _replaced,
-    CHOOSE: lambda _: "values = {}",
-    FIT: _fitted,
-    TAKE: lambda a: f"values = {_numbers(a['kept'])} | candidate.fit.values",
-}
-"""The values after a step of a kind, where it changes them."""
-
-
-def _read(standing: Standing) -> str:
-    stated = {"roles": standing.roles, "cuts": standing.cuts, "starts": standing.starts}
-    options = "".join(f", {name}={value!r}" for name, value in stated.items() if value)
-    return f"data = pam.read(folder, model={standing.base!r}, files=files{options})"
-
-
-def _compose(standing: Standing) -> list[str]:
-    base, model, effects = standing.base, standing.model, list(standing.composed_effects)
-    if not effects:
-        return [f"model, files = {base!r}, {standing.files!r}"]
-    return [
-        f"files = {standing.files!r}",
-        f"pam.add({effects!r}, to={base!r}, output={model!r}, files=files)",
-        f"model, files = {model!r}, {list(standing.further)!r}",
-    ]
 
 
 def _numbers(values: Mapping[str, float]) -> str:

@@ -29,8 +29,7 @@ from pam_cosim.workbench.drop import MOST_BYTES
 from pam_cosim.workbench.frames import is_model
 from pam_cosim.workbench.host import Workbench
 from pam_cosim.workbench.job_process import Worker
-from pam_cosim.workbench.job_queue import failed_by
-from pam_cosim.workbench.protocol import FailedEvent, answer
+from pam_cosim.workbench.protocol import answer, failure
 
 PAGE = Path(__file__).parent / "page"
 HOST = "127.0.0.1"
@@ -92,7 +91,7 @@ class Window:
                 if not isinstance(command, dict):
                     raise ValueError
             except (ValueError, RecursionError):
-                self.tell(answer(None, failed=FailedEvent("a command is a JSON object")))
+                self.tell(answer(None, failed={"text": "a command is a JSON object"}))
                 continue
             number = command.get("id")
             number = number if isinstance(number, (int, str)) else None
@@ -128,13 +127,11 @@ class Window:
 
 def _answer(done: Any, number: Any) -> str:
     if done.cancelled():
-        return answer(number, failed=FailedEvent("the workbench is being closed"))
+        return answer(number, failed={"text": "the workbench is being closed"})
     problem = done.exception()
-    return (
-        answer(number, done.result())
-        if problem is None
-        else answer(number, failed=failed_by(problem))
-    )
+    if problem is not None:
+        return answer(number, failed=failure(problem))
+    return answer(number, done.result())
 
 
 async def _send(socket: WebSocket, message: str | bytes) -> None:
@@ -191,7 +188,7 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
         except ClientDisconnect:
             return Response(status_code=400)
         except InputError as problem:
-            return JSONResponse({"failed": failed_by(problem).as_dict()}, 409)
+            return JSONResponse({"failed": failure(problem)}, 409)
         return JSONResponse(result)
 
     async def connect(socket: WebSocket) -> None:

@@ -25,21 +25,40 @@ class MeasurementSource:
     files: tuple[Path, ...] = ()
     _whole: dict[str, DataSet] = field(default_factory=dict)
 
-    def read(
-        self,
-        model: str | None,
-        roles: Mapping[str, str] | None = None,
-        cuts: Mapping[str, Ends] | None = None,
-        starts: Mapping[str, str] | None = None,
-    ) -> DataSet:
+    def read(self, model: str | None) -> DataSet:
         """The measurement for a model, with its noise and the start of every run; as ``study.read``.
 
         Raises:
-            InputError: the data set cannot be read, or not with these roles, cuts and starts.
+            InputError: the data set cannot be read.
         """
-        data = study.read(
+        return self._complete(study.read(self.folder, model=model, files=self.files), model)
+
+    def read_again(
+        self,
+        data: DataSet,
+        cuts: Mapping[str, Ends],
+        starts: Mapping[str, str],
+        model: str | None = None,
+    ) -> DataSet:
+        """The measurement with the roles that runs have now, cut and begun as chosen.
+
+        Args:
+            data: as it is now.
+            cuts: first and last time [s] of runs, by name.
+            starts: how runs begin, by name.
+            model: default: that of the data.
+
+        Raises:
+            InputError: the data set cannot be read with these.
+        """
+        model = model or data.unmapped or data.model
+        roles = {run.name: run.role for run in data.runs}
+        read = study.read(
             self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts
         )
+        return self._complete(read, model)
+
+    def _complete(self, data: DataSet, model: str | None) -> DataSet:
         return data_with_starts(problem(data, model, files=self.files))
 
     def whole(self, data: DataSet) -> DataSet:

@@ -16,8 +16,9 @@ from pam_cosim.reporting.account import unit_text
 from pam_cosim.starts import state_course
 from pam_cosim.units import format_quantity, readable_factor
 from pam_cosim.workbench.opened_model import Opened
-from pam_cosim.workbench.protocol import ShownStart, StartsEvent, StartValue
+from pam_cosim.workbench.protocol import Json, event
 from pam_cosim.workbench.state import State
+from pam_cosim.workbench.state_events import interval
 
 _ROOM = 0.5  # of what a state goes through in its run, that a slider goes beyond that on both sides
 
@@ -36,7 +37,7 @@ class StartsShown:
 
     def event(
         self, state: State, opened: Opened, begun: Mapping[str, Estimate], version: int
-    ) -> StartsEvent:
+    ) -> Json:
         """How each recording begins.
 
         Args:
@@ -46,51 +47,49 @@ class StartsShown:
             version: of what is drawn.
         """
         runs = [run for run in state.data.runs if not run.is_static]
-        return StartsEvent(version, tuple(self._run(run, state, opened, begun) for run in runs))
+        shown = [self._run(run, state, opened, begun) for run in runs]
+        return event("starts", version=version, runs=shown)
 
-    def _run(
-        self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]
-    ) -> ShownStart:
-        by_hand = f"@{run.name}" in {
-            name[name.rfind("@") :] for name in opened.start_values_in(state.values)
-        }
+    def _run(self, run: Run, state: State, opened: Opened, begun: Mapping[str, Estimate]) -> Json:
+        interface = opened.simulator.interface
+        by_hand = any(
+            name.endswith(f"@{run.name}") for name in opened.start_values_in(state.values)
+        )
         mode = (
             BY_HAND if by_hand else "periodic" if run.start.periodic else run.start.mode or "rest"
         )
-        warning = run.start.mode == "rest" and bool(run.start.reason) and not by_hand
+        shown = {"run": run.name, "mode": mode, "modes": _modes(opened)}
         try:
-            known = all(
-                f"{name}@{run.name}" in self._reach for name in opened.simulator.interface.states
-            )
+            known = all(f"{name}@{run.name}" in self._reach for name in interface.states)
             course = courses(run, state, opened, begun, only_start=known)
         except SimulationFailure as failure:
-            return ShownStart(run.name, mode, f"{run.name}: {failure}", True, _modes(opened), ())
-        variables = opened.simulator.interface.start_values
-        values = tuple(
-            self._value(run, variables[name], states, begun) for name, states in course.items()
-        )
-        return ShownStart(run.name, mode, _text(run, mode), warning, _modes(opened), values)
+            return shown | {"text": f"{run.name}: {failure}", "warning": True, "values": []}
+        return shown | {
+            "text": _text(run, mode),
+            "warning": run.start.mode == "rest" and bool(run.start.reason) and not by_hand,
+            "values": [
+                self._value(run, interface.start_values[name], states, begun)
+                for name, states in course.items()
+            ],
+        }
 
     def _value(
         self, run: Run, variable: Variable, course: Array, begun: Mapping[str, Estimate]
-    ) -> StartValue:
+    ) -> Json:
         name, factor = f"{variable.name}@{run.name}", readable_factor(variable.unit)
-        value, estimate = float(course[0]), begun.get(name)
+        value = float(course[0])
         low, high = self._reach.setdefault(name, _reach(variable, course))
-        if not low <= value <= high:
-            low, high = self._reach[name] = min(low, value), max(high, value)
-        known = estimate is not None and estimate.determined
-        return StartValue(
-            name,
-            variable.name,
-            unit_text(variable.unit),
-            value * factor,
-            low * factor,
-            high * factor,
-            variable.description,
-            estimate.low * factor if estimate is not None and known else None,
-            estimate.high * factor if estimate is not None and known else None,
-        )
+        low, high = self._reach[name] = min(low, value), max(high, value)
+        return {
+            **interval(begun.get(name), variable.unit),
+            "name": name,
+            "label": variable.name,
+            "unit": unit_text(variable.unit),
+            "value": value * factor,
+            "low": low * factor,
+            "high": high * factor,
+            "description": variable.description,
+        }
 
 
 def courses(

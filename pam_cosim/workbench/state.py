@@ -9,7 +9,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
-from pam_cosim.workbench.protocol import LadderStep
+from pam_cosim.workbench.protocol import Json
 from pam_cosim.workbench.steps import Step, with_step
 
 AS_STATED = "as stated"
@@ -43,7 +43,7 @@ class State:
     fit: Fit | None = None
     diagnosis: Diagnosis | None = None
     diagnosed: tuple[str, ...] = ()
-    rungs: tuple[LadderStep, ...] = ()
+    rungs: tuple[Json, ...] = ()
     milestone: str = AS_STATED
     cuts: Mapping[str, Ends] = field(default_factory=dict)
     starts: Mapping[str, str] = field(default_factory=dict)
@@ -68,6 +68,7 @@ def standing_label(state: State) -> str:
     return state.milestone or f"{label_of(state.effects)}, by hand"
 
 
-def with_rung(rungs: tuple[LadderStep, ...], rung: LadderStep) -> tuple[LadderStep, ...]:
-    """The ladder with one more rung; one of the same name directly below gives way."""
-    return (*(rungs[:-1] if rungs and rungs[-1].label == rung.label else rungs), rung)
+def with_rung(rungs: tuple[Json, ...], rung: Json) -> tuple[Json, ...]:
+    """The ladder with one more rung, which replaces a rung of the same name directly below."""
+    kept = rungs[:-1] if rungs and rungs[-1]["label"] == rung["label"] else rungs
+    return (*kept, rung)

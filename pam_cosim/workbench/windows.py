@@ -1,4 +1,4 @@
-"""Who looks at a session: each window is told all that there is when it opens, and from then on what happens."""
+"""The windows of a session: each is sent everything there is when it opens, and from then on every change."""
 
 from __future__ import annotations
 
@@ -6,14 +6,14 @@ import threading
 from collections.abc import Callable
 from contextlib import suppress
 
-from pam_cosim.workbench.protocol import PageEvent
+from pam_cosim.workbench.protocol import KEPT, LINES, Json, text_of_message
 
 Listener = Callable[[str | bytes], None]
-MOST_LINES = 2000  # of progress that a new window is told
+MOST_LINES = 2000  # of progress that a new window is sent
 
 
 class Windows:
-    """The listeners of a session, and what a new one has to know."""
+    """The listeners of a session, and the messages for a new one."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
@@ -22,7 +22,8 @@ class Windows:
         self._lines: list[str] = []
 
     def subscribe(self, listener: Listener) -> Callable[[], None]:
-        """Adds a window; returns what takes it away. The listener is called from other threads and must not wait."""
+        """Adds a window; returns the function that removes it. The listener is called from other threads and must not
+        wait."""
         with self._lock:
             for message in (*self._kept.values(), *self._lines):
                 listener(message)
@@ -34,37 +35,32 @@ class Windows:
 
         return end
 
-    def keep(self, event: PageEvent) -> None:
-        """What a window that opens later is told instead of the last event of this kind."""
+    def keep(self, event: Json) -> None:
+        """Replaces the event of this kind that a window is sent when it opens."""
         with self._lock:
-            self._kept[event.event] = event.message()
+            self._kept[event["event"]] = text_of_message(event)
 
-    def tell(self, event: PageEvent) -> None:
-        """Tells an event to all."""
-        self.send(event.message(), event.event if event.kept else None, every=event.every)
+    def tell(self, event: Json, *, line: bool = False) -> None:
+        """Sends an event to all; ``line``: to later windows too, as a line of progress."""
+        kind = event["event"]
+        keep_as = kind if kind in KEPT else None
+        self.send(text_of_message(event), keep_as, line=line or kind in LINES)
 
-    def send(
-        self, message: str | bytes, keep_as: str | None = None, *, every: bool = False
-    ) -> None:
-        """Sends a message to all, and to those that come later as long as no other is kept by this name."""
+    def send(self, message: str | bytes, keep_as: str | None = None, *, line: bool = False) -> None:
+        """Sends a message to all, and to later windows as long as no other is kept by this name."""
         with self._lock:
             if keep_as is not None:
                 self._kept.pop(keep_as, None)
                 self._kept[keep_as] = message
-            if every and isinstance(message, str):
+            if line and isinstance(message, str):
                 self._lines = [*self._lines[-MOST_LINES:], message]
             for listener in self._listeners:
                 listener(message)
 
-    def forget(self, *kinds: type[PageEvent], lines: bool = False) -> None:
-        """What these events said is no longer so: a window that opens later is not told."""
+    def forget(self, *kinds: str, lines: bool = False) -> bool:
+        """Keeps events or curves of these kinds no longer; returns whether there were any."""
         with self._lock:
-            for kind in kinds:
-                self._kept.pop(kind.event, None)
+            kept = [self._kept.pop(kind, None) for kind in kinds]
             if lines:
                 self._lines = []
-
-    def forget_frame(self, kind: str) -> bool:
-        """Curves of this kind are gone; whether there were any."""
-        with self._lock:
-            return self._kept.pop(kind, None) is not None
+        return any(kept)

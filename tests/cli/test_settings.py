@@ -263,7 +263,7 @@ def test_an_input_that_is_recorded_cannot_be_fitted(command: Command, place: Pat
     toml = filling(place / "data", {}) / "experiment.toml"
     free = 'u_in = { min = "0 A", max = "1 A" }'
     toml.write_text(toml.read_text().replace('"valve.C_A" = { min = 0.1, max = 2 }', free))
-    refused(command("fit", "data"), ["experiment.toml:11", "u_in", "free under [fit]"])
+    refused(command("fit", "data"), ["experiment.toml:12", "u_in", "free under [fit]"])
 
 
 # --- build -o

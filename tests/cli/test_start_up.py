@@ -24,6 +24,8 @@ PICTURES = {"matplotlib"}
 VESSEL = str(ROOT / "examples" / "tank-discharge")
 STATISTICS = {"scipy.stats"}  # half a second to load
 MEASUREMENTS = {"scipy", "pint", "pandas", "h5py", "xarray", "pam_cosim.measurement", *PICTURES}
+COMPILERS = {"pam_cosim.compiler", "pam_cosim.sweeps", "casadi", *MEASUREMENTS}
+FMU = "an .fmu that was built here"
 NUMBERS = {"numpy", "casadi", "fmpy", *MEASUREMENTS}
 
 
@@ -58,6 +60,7 @@ def test_the_workbench_loads_no_pictures(module: str) -> None:
         (["--version"], NUMBERS, 400),  # 317 when this was written
         (["describe", "TankFilling"], MEASUREMENTS, 700),  # 551
         (["simulate", "VesselOrifice"], PICTURES, 1500),  # 1389
+        (["simulate", FMU], COMPILERS, 600),  # 513
         *(
             pytest.param([word, VESSEL], {*PICTURES, *STATISTICS}, 1600, marks=pytest.mark.full)
             for word in ("compare", "fit", "predict")  # 1551 at most
@@ -67,7 +70,9 @@ def test_the_workbench_loads_no_pictures(module: str) -> None:
 )
 def test_a_command_loads_only_what_it_needs(words: list[str], without: set[str], most: int) -> None:
     for model in words[1:]:
-        study.build("VesselOrifice" if model == VESSEL else model)  # it is in the cache after that
-    modules = loaded(*words)
+        known = "VesselOrifice" if model in (VESSEL, FMU) else model
+        built = study.build(known)
+        study.describe(known)  # both are in the cache after that
+    modules = loaded(*(str(built) if word == FMU else word for word in words))
     assert not without & modules
     assert len(modules) < most

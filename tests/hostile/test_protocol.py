@@ -31,7 +31,7 @@ NAMES = (
     "",
 )
 KEYS = ("values", "effects", "model", "roles", "method", "free", "time_limit", "exclude", "expect", "file", "names",
-        "candidate", "learned", "rule", "do", "id", "self", "session", "__class__")  # fmt: skip
+        "candidate", "learned", "do", "id", "self", "study", "__class__")  # fmt: skip
 LONG = ("fit", "diagnose", "check")  # are tried with arguments that are refused, and elsewhere
 
 

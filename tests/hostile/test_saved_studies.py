@@ -4,9 +4,6 @@ from __future__ import annotations
 
 import ast
 import json
-import os
-import shutil
-import subprocess
 from collections.abc import Iterator
 from dataclasses import replace
 from pathlib import Path
@@ -16,9 +13,9 @@ import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
-from pam_cosim.workbench.saving import FILE, load_state, save_state
+from pam_cosim.workbench.protocol import text_of_message
+from pam_cosim.workbench.saved import FILE, load_state, save_state
 from pam_cosim.workbench.script import python_of
-from pam_cosim.workbench.shell_script import commands_of
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.state_events import steps_event
 from pam_cosim.workbench.steps import Step
@@ -91,28 +88,9 @@ def only_calls_of_the_library(script: str) -> None:
             }  # fmt: skip
 
 
-def run_as_a_person_would(commands: str, place: Path) -> None:
-    """Runs the commands in a shell whose ``pam-cosim`` does nothing: nothing else must happen."""
-    program = place / "bin" / "pam-cosim"
-    program.parent.mkdir(parents=True)
-    program.write_text("#!/bin/sh\nexit 0\n")
-    program.chmod(0o755)
-    shell = shutil.which("sh")
-    assert shell is not None
-    room = place / "room"
-    room.mkdir()
-    environment = {"PATH": f"{program.parent}:{os.environ['PATH']}", "HOME": str(room)}
-    made = subprocess.run(
-        [shell, "-c", commands], cwd=room, env=environment, capture_output=True, text=True
-    )
-    assert made.returncode == 0 and not made.stdout and not made.stderr, made
-    assert not list(room.iterdir())
-
-
-def printed(study: Session, state: State, place: Path) -> None:
-    about = (state, study.first.model, Path("/data/a b; touch MADE'"), study.catalogue)
-    only_calls_of_the_library(python_of(*about))
-    run_as_a_person_would(commands_of(*about), place)
+def printed(study: Session, state: State) -> None:
+    folder = Path("/data/a b; touch MADE'")
+    only_calls_of_the_library(python_of(state, study.first.model, folder, study.catalogue))
 
 
 @pytest.mark.parametrize("step", CORPUS["taken"], ids=lambda step: json.dumps(step)[:60])
@@ -124,26 +102,26 @@ def test_what_loads_is_printed_as_text(
         study.catalogue, "composed", lambda *_: composed
     )  # there are no effects of these names
     state = load_state(written(study, tmp_path / "s", steps=[step]), study.first)
-    printed(study, state, tmp_path)
-    message = json.loads(steps_event(state, True).message())
+    printed(study, state)
+    message = json.loads(text_of_message(steps_event(state, True)))
     assert all(line["text"].isprintable() for line in message["steps"])
 
 
 def test_what_was_never_checked_is_printed_as_text_too(
-    study: Session, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+    study: Session, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """The printers trust nothing: the steps that are refused are given to them past the check."""
+    """The printer trusts nothing: the steps that are refused are given to it past the check."""
     composed = type("Composition", (), {"name": "'x; touch MADE'"})()
     monkeypatch.setattr(study.catalogue, "composed", lambda *_: composed)
     tried = 0
-    for number, step in enumerate(CORPUS["refused"]):
+    for step in CORPUS["refused"]:
         if not isinstance(step, dict) or not isinstance(step.get("do"), str):
             continue
         state = replace(
             study.first, steps=(Step(step["do"], {k: v for k, v in step.items() if k != "do"}),)
         )
         try:
-            printed(study, state, tmp_path / str(number))
+            printed(study, state)
         except (KeyError, TypeError, ValueError, AttributeError):
             continue  # what has no form is not printed at all
         tried += 1

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set
-from pam_cosim.measurement.toml_text import line_of
+from pam_cosim.toml_text import line_of
 from pam_cosim.units import UnitError, convert, parse_quantity
 from tests.measurement.bench import EXPERIMENT, MODEL, RUN_01, RUN_02, describe
 from tests.measurement.test_columns import COLUMNS

@@ -15,26 +15,6 @@ def test_scores_stand_in_readable_units():
     assert f"holdout x {s.rmse * 1e3:.2f} mm 0.200 mm" in text
     assert "in x (noise 0.200 mm)" in text
     assert "valve.C_A 0.7000" in text
-    assert "Model beside model" not in text
-
-
-@pytest.mark.full
-def test_models_beside_each_other_with_the_best_marked():
-    data = make_data()
-    good, bad = make_comparison(data, 0.0, "A.Full"), make_comparison(data, 10.0, "A.Base")
-    html = comparison_report(good, [bad])
-    text = checked(html).text
-    assert "Comparison of Full with Base" in text
-    assert html.count('<td class="n best">') == 6
-    best = f'<td class="n best">{good.scores["fit"]["p"].rmse / 1e3:.3f}\u00a0kPa</td>'
-    assert best in html
-
-
-@pytest.mark.full
-def test_equal_names_are_numbered():
-    data = make_data()
-    text = checked(comparison_report(make_comparison(data, 0.0), [make_comparison(data, 5.0)])).text
-    assert "Isotonic (1)" in text and "Isotonic (2)" in text
 
 
 def test_deterministic_and_safe():

@@ -84,7 +84,7 @@ def test_the_ladder_figure_is_a_png_of_1350_pixels(tmp_path, kind, samples):
 @pytest.mark.full
 def test_a_comparison_as_png(tmp_path):
     data = make_data()
-    plot_comparison(make_comparison(data, 3.0), tmp_path / "c.png", [make_comparison(data, 0.0)])
+    plot_comparison(make_comparison(data, 3.0), tmp_path / "c.png")
     assert size(tmp_path / "c.png")[0] == 1650
 
 

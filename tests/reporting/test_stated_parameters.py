@@ -9,7 +9,6 @@ from pam_cosim.model.domain import WRONG_PARAMETER
 from pam_cosim.reporting import diagnosis_report
 from pam_cosim.reporting.account.diagnosis_rows import STATED, balance_shares, candidate_row
 from pam_cosim.workbench.diagnosis_events import diagnosis_events
-from pam_cosim.workbench.protocol import RankingEvent, VerdictEvent
 from tests.reporting.synthetic import make_candidate, make_data, make_diagnosis
 
 RATIO = "muscle.L0/stated"
@@ -29,7 +28,5 @@ def test_it_has_a_name_of_its_own(without_pictures: pytest.MonkeyPatch) -> None:
     assert [row["place"] for row in rows] == ["stated parameter", "mass balance"]
     assert balance_shares(made) == {STATED: 0.8, "mass": 0.2}
     assert "<td>sensor</td>" not in diagnosis_report(made)
-    ranking, verdict = diagnosis_events(made)
-    assert isinstance(ranking, RankingEvent) and isinstance(verdict, VerdictEvent)
-    assert [row["place"] for row in ranking.candidates] == ["stated parameter", "mass balance"]
-    assert verdict.balance == {"stated parameter": 0.8, "mass": 0.2}
+    ranking, _ = diagnosis_events(made)
+    assert [row["place"] for row in ranking["candidates"]] == ["stated parameter", "mass balance"]

@@ -14,9 +14,9 @@ from typing import Any
 import pytest
 
 from pam_cosim.workbench import Session
-from pam_cosim.workbench.frames import read_frame
 from rig.named import effect_of
 from rig.short import write_light_data
+from tests.workbench.frames_read import read_frame
 
 HIDDEN = "elasticity:linear"
 PATIENCE = 120.0  # s, on a machine that does other things too
@@ -109,7 +109,7 @@ def window(shared: Session) -> Iterator[Window]:
 def put_back(window: Window) -> None:
     """Takes everything back that was done."""
     session = window.session
-    if session.work.job is not None:
+    if session.job is not None:
         window.do(do="discard")
     while session.past:
         window.do(do="undo")

@@ -116,8 +116,9 @@ def test_what_the_model_cannot_begin_as_is_a_warning(window: Window) -> None:
     first, *others = session.state.data.runs
     stuck = replace(first, start=replace(first.start, mode="rest", reason=reason, chosen=True))
     state = replace(session.state, data=replace(session.state.data, runs=(stuck, *others)))
-    told = StartsShown().event(state, session.opened, {}, 1).runs
-    assert [(one.warning, one.text) for one in told][0] == (True, reason) and not told[1].warning
+    told = StartsShown().event(state, session.opened, {}, 1)["runs"]
+    assert [(one["warning"], one["text"]) for one in told][0] == (True, reason)
+    assert not told[1]["warning"]
 
 
 @pytest.mark.parametrize(
@@ -150,8 +151,7 @@ def test_a_study_with_cuts_and_starts_is_saved_printed_and_repeated(
         window.do(do="save")
         stood, held = chi2(window), chi2(window, "holdout")
         signals = scores(session)
-        for end in repeated(folder, session, tmp_path, monkeypatch):
-            same(signals, end)
+        same(signals, repeated(folder, session, tmp_path, monkeypatch))
     with Session(folder) as session:
         window = Window(session)
         assert chi2(window) == pytest.approx(stood, rel=1e-9) and chi2(

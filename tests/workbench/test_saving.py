@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import json
 import runpy
-import shlex
 import shutil
 from collections.abc import Iterator
 from dataclasses import replace
@@ -15,14 +14,12 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.commands.files import save
-from pam_cosim.workbench.saving import FILE, lean, load_state, save_state
+from pam_cosim.workbench.saved import FILE, lean, load_state, save_state
 from pam_cosim.workbench.script import python_of
-from pam_cosim.workbench.shell_script import commands_of
-from pam_cosim.workbench.steps import DIAGNOSE, Step
+from pam_cosim.workbench.steps import Step
 from tests.reporting.synthetic import make_data, make_diagnosis, make_fit
 from tests.workbench.conftest import Window
 
@@ -181,23 +178,13 @@ def test_what_is_added_compares_as_the_page_shows_it(window: Window, folder: Pat
     same(scores(window.session), json.loads(json.dumps(compared.as_dict()["signals"])))
 
 
-def repeated(
-    folder: Path, session: Session, place: Path, monkeypatch: pytest.MonkeyPatch
-) -> list[Any]:
-    """The signals' scores at the end of the script, and of the last comparison among the commands."""
+def repeated(folder: Path, session: Session, place: Path, monkeypatch: pytest.MonkeyPatch) -> Any:
+    """The signals' scores at the end of the script."""
     monkeypatch.chdir(place)
-    about = (session.state, session.first.model, folder, session.catalogue)
     script = place / "study.py"
-    script.write_text(python_of(*about))
+    script.write_text(python_of(session.state, session.first.model, folder, session.catalogue))
     made = runpy.run_path(str(script))
-    ends = [made["comparison"].as_dict()["signals"]]
-    for line in commands_of(*about).splitlines():
-        words = shlex.split(line, comments=True)
-        if words[:1] == ["pam-cosim"]:
-            more = ["--json", "end.json"] if words[1] == "compare" else []
-            assert main([*words[1:], *more]) == 0, line
-    ends.append(json.loads((place / "end.json").read_text())["signals"])
-    return [json.loads(json.dumps(end)) for end in ends]
+    return json.loads(json.dumps(made["comparison"].as_dict()["signals"]))
 
 
 def same(one: Any, other: Any) -> None:
@@ -210,7 +197,7 @@ def same(one: Any, other: Any) -> None:
 
 
 @pytest.mark.full
-def test_script_and_commands_repeat_it(
+def test_a_script_repeats_it(
     window: Window, folder: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     work_a_little(window)
@@ -222,17 +209,16 @@ def test_script_and_commands_repeat_it(
     window.do(do="set", values={"valve.C_A": 0.77})
     place = tmp_path / "elsewhere"
     place.mkdir()
-    for end in repeated(folder, window.session, place, monkeypatch):
-        same(scores(window.session), end)
+    same(scores(window.session), repeated(folder, window.session, place, monkeypatch))
 
 
 def test_a_title_cannot_leave_its_comment(shared: Session) -> None:
     state = shared.state
     evil = replace(state, data=replace(state.data, title='x\nimport os\r\n"""$(rm -rf /)\u2028y'))
     about = (evil, state.model, Path("a b'c"), shared.catalogue)
-    for text in (python_of(*about), commands_of(*about)):
-        lines = [line for line in text.splitlines() if "rm -rf" in line or "import os" in line]
-        assert len(lines) == 1 and lines[0].startswith("# ")
+    text = python_of(*about)
+    lines = [line for line in text.splitlines() if "rm -rf" in line or "import os" in line]
+    assert len(lines) == 1 and lines[0].startswith("# ")
 
 
 @pytest.mark.full
@@ -252,17 +238,17 @@ def test_a_whole_study_is_saved_and_repeated(
         assert fresh.last("study")["parameters"] == window.last("study")["parameters"]
     shutil.rmtree(tmp_path / "elsewhere", ignore_errors=True)
     (tmp_path / "elsewhere").mkdir()
-    for end in repeated(folder, window.session, tmp_path / "elsewhere", monkeypatch):
-        same(scores(window.session), end)
+    end = repeated(folder, window.session, tmp_path / "elsewhere", monkeypatch)
+    same(scores(window.session), end)
 
 
 def test_a_diagnosis_is_saved_with_what_its_page_shows(window: Window, folder: Path) -> None:
     """With a ranking that was made by hand: the search is tested elsewhere."""
     session = window.session
     diagnosis = make_diagnosis("ambiguous", session.state.data)
-    found = session.state.after(Step(DIAGNOSE, {}), diagnosis=lean(diagnosis))
+    found = session.state.after(Step("diagnose", {}), diagnosis=lean(diagnosis))
     window.in_its_thread(lambda: session.back(found))
-    session.work.tell_diagnosis()
+    session.tell_diagnosis()
     save(session)
     with Session(folder) as again:
         fresh = Window(again)

@@ -185,7 +185,6 @@ def test_downloads(client: TestClient) -> None:
     script = client.get("/download/script.py")
     assert script.status_code == 200 and "import pam_cosim as pam" in script.text
     assert script.headers["content-disposition"] == 'attachment; filename="script.py"'
-    assert "pam-cosim compare" in client.get("/download/commands.sh").text
     report = client.get("/download/report.html").text
     assert TITLE not in report and "&lt;img src=x" in report
     for name in ("next.csv", "learned.mo", "model.mo"):

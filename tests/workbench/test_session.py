@@ -172,7 +172,7 @@ def test_the_ladder_keeps_where_it_came_from(window: Window) -> None:
 
 def test_rules_say_where_the_error_is(window: Window) -> None:
     rules = window.until("where")["rules"]
-    runs = {run["name"]: run["duration"] for run in window.last("study")["runs"]}
+    runs = {run["name"]: run["ends"] for run in window.last("study")["runs"]}
     assert rules and all(rule["ranges"] for rule in rules)
     for rule in rules:
         for run, ranges in rule["ranges"].items():

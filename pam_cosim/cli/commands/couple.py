@@ -80,10 +80,13 @@ def couple(
         str | None,
         typer.Option("--ssp-version", help="Of that archive: 1.0 (the default) or 2.0."),
     ] = None,
-    ssp_connectors: Annotated[
+    no_connectors: Annotated[
         bool,
-        typer.Option(help="Open inputs and all outputs are connectors of that system."),
-    ] = True,
+        typer.Option(
+            "--no-ssp-connectors",
+            help="That system has no connectors, as libcosim and ecos need it.",
+        ),
+    ] = False,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -104,7 +107,7 @@ def couple(
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
-        coupling.write_system(read, ssp, ssp=ssp_version or "1.0", connectors=ssp_connectors)
+        coupling.write_system(read, ssp, ssp=ssp_version or "1.0", connectors=not no_connectors)
         say_written(ssp)
     columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
     with Progress(*columns, console=console, disable=not console.is_terminal) as progress:

@@ -57,7 +57,7 @@ def learned_term(
     if ledger is None:
         return None
     try:
-        term = learn(ledger, tree=search.tree)
+        term = learn(ledger, search.tree)
         if not term.terms:
             why = f"nothing explains the {term.balance} term"
             search.say(Remark(f"no formula could be found for what is missing: {why}").message)

@@ -86,10 +86,8 @@ class LearnedTerm:
         return f"{self.formula}  (explains {100 * self.score:.0f} % in runs that were not asked)"
 
 
-def learn(
-    ledger: Ledger, balance: str | None = None, *, tree: ClassTree | None = None
-) -> LearnedTerm:
-    """Describes the missing term of a balance (default: the one that fails most) by a sparse formula.
+def learn(ledger: Ledger, tree: ClassTree | None = None) -> LearnedTerm:
+    """Describes the missing term of the balance that fails most by a sparse formula.
 
     Forms are added one at a time, each time the one that lowers the error most in runs left out; the free
     parameters of the model may move along by what the term shows of them.
@@ -97,29 +95,32 @@ def learn(
     Raises:
         InputError: the ledger has no such term: nothing fails, or an instrument does.
     """
-    chosen = balance or next(
-        (b for b in ledger.failing if (e := ledger.entry(b)) and e.courses), None
-    )
-    entry = ledger.entry(chosen) if chosen else None
-    if entry is None or not entry.courses:
-        raise InputError(
-            f"there is no missing term to learn{f' in the balance {balance}' if balance else ''}"
-        )
+    failing = map(ledger.entry, ledger.failing)
+    entry = next((e for e in failing if e and e.courses), None)
+    if entry is None:
+        raise InputError("there is no missing term to learn")
     samples = _samples(entry)
     known = quantities(samples.variables, entry.units)
     picked = select_forms(samples, forms(known))
     fitted = coefficients_of(samples, picked)
-    title = f"Learned{entry.balance.capitalize()}"
-    terms = tuple(
-        FittedAddend(float(c), float(d), f)
-        for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
-    )
-    library = tree or read_library()
+    return described(entry, fitted.terms, samples, fitted, tree or read_library())
+
+
+def described(
+    entry: BalanceEntry,
+    terms: tuple[FittedAddend, ...],
+    samples: TermSamples,
+    fitted: FittedForms,
+    library: ClassTree,
+    *origin: str,
+) -> LearnedTerm:
+    """The term with its formula and its class, named after its balance; ``origin`` as in ``modelica_text``."""
+    name = f"Learned{entry.balance.capitalize()}"
     return LearnedTerm(
-        name=title,
+        name=name,
         balance=entry.balance,
         formula=formula_text(entry, terms),
-        modelica_source=modelica_text(library, title, entry, terms, fitted.score),
+        modelica_source=modelica_text(library, name, entry, terms, fitted.score, *origin),
         unit=entry.unit,
         terms=terms,
         score=fitted.score,
@@ -274,14 +275,20 @@ class FittedForms:
     fit_score: float
     left: float
 
+    @property
+    def terms(self) -> tuple[FittedAddend, ...]:
+        """The addends."""
+        return tuple(
+            FittedAddend(float(c), float(d), f)
+            for c, d, f in zip(self.coefficients, self.deviations, self.forms, strict=True)
+        )
 
-def select_forms(
-    samples: TermSamples, library: Sequence[Form], most: int = _MOST_FORMS
-) -> list[Form]:
-    """At most so many forms, in order of selection."""
+
+def select_forms(samples: TermSamples, library: Sequence[Form]) -> list[Form]:
+    """At most ``_MOST_FORMS``, in order of selection."""
     picked: list[Form] = []
     left = first = _cross_validation_error(samples, [])
-    while len(picked) < most and left > _DESCRIBED_ERROR:
+    while len(picked) < _MOST_FORMS and left > _DESCRIBED_ERROR:
         best, error = _best_next_form(samples, picked, library)
         if not _is_worthwhile(left, error, first):
             break

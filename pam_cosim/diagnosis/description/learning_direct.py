@@ -36,10 +36,11 @@ from pam_cosim.diagnosis.description.learning import (
     LearnedTerm,
     TermSamples,
     coefficients_of,
+    described,
     select_forms_jointly,
 )
 from pam_cosim.diagnosis.description.learning_library import Form, quantities, ramps
-from pam_cosim.diagnosis.description.learning_text import formula_text, modelica_text
+from pam_cosim.diagnosis.description.learning_text import modelica_text
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.trial import every_parameter
 from pam_cosim.errors import InputError, SimulationFailure
@@ -128,22 +129,8 @@ def _in_balance(
     fitted = coefficients_of(samples, picked)
     if not fitted.score > LEAST_GAIN:
         return None
-    terms = tuple(
-        FittedAddend(float(c), float(d), f, reach=float(abs(c)))
-        for c, d, f in zip(fitted.coefficients, fitted.deviations, fitted.forms, strict=True)
-    )
-    name = f"Learned{term.balance.capitalize()}"
-    learned = LearnedTerm(
-        name=name,
-        balance=term.balance,
-        formula=formula_text(entry, terms),
-        modelica_source=modelica_text(search.tree, name, entry, terms, fitted.score, RESIDUALS),
-        unit=own.unit,
-        terms=terms,
-        score=fitted.score,
-        fit_score=fitted.fit_score,
-        parameters=dict(zip(samples.free, fitted.free.tolist(), strict=True)),
-    )
+    terms = tuple(replace(t, reach=abs(t.coefficient)) for t in fitted.terms)
+    learned = described(entry, terms, samples, fitted, search.tree, RESIDUALS)
     return DirectTerm(learned, entry, fitted.left)
 
 

@@ -32,11 +32,11 @@ def number(value: float | None, digits: int = 3) -> str:
     return text.replace("-", "−")
 
 
-def fixed(value: float | None, decimals: int = 1) -> str:
-    """``value`` with so many decimals, where the distance from zero matters and small numbers do not."""
+def fixed(value: float | None) -> str:
+    """``value`` with one decimal, where the distance from zero matters and small numbers do not."""
     if value is None or not math.isfinite(value):
         return NOTHING
-    text = f"{value:.{decimals}f}"
+    text = f"{value:.1f}"
     return text.removeprefix("-") if float(text) == 0 else text.replace("-", "−")
 
 
@@ -54,13 +54,11 @@ def quantity_text(value: float | None, unit: str, digits: int = 3) -> str:
     return f"{number(value * readable_factor(unit), digits)}\u00a0{unit_text(unit)}".rstrip()
 
 
-def percent(share: float | None, digits: int = 0) -> str:
+def percent(share: float | None) -> str:
     """0.713 is "71 %"; just under the whole keeps a decimal, so that 99.7 % does not read as all."""
     if share is None or not math.isfinite(share):
         return NOTHING
-    if digits == 0 and 0.99 < share < 1:
-        digits = 1
-    text = f"{100 * share:.{digits}f}".replace("-", "−")
+    text = f"{100 * share:.{int(0.99 < share < 1)}f}".replace("-", "−")
     return f"{'0' if text == '−0' else text}\u00a0%"
 
 

@@ -7,6 +7,7 @@ from matplotlib.axis import Axis
 from matplotlib.figure import Figure
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
+from pam_cosim.analysis.frequency_response import phase
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.analysis.linear_course import LinearCourse
 from pam_cosim.arrays import Array
@@ -93,11 +94,6 @@ def plain_decades(axis: Axis) -> None:
     axis.set_major_locator(LogLocator(numticks=8))
     axis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
     axis.set_minor_formatter(NullFormatter())
-
-
-def phase(gain: Array) -> Array:
-    """In degrees, continuous."""
-    return np.asarray(np.degrees(np.unwrap(np.angle(gain))))
 
 
 def _with_unit(name: str, unit: str) -> str:

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.figure import Figure
 
-from pam_cosim.analysis import FrequencyResponse
+from pam_cosim.analysis.frequency_response import FrequencyResponse, phase
 from pam_cosim.reporting.account.wording import unit_text
-from pam_cosim.reporting.figures.bode import phase, plain_decades
+from pam_cosim.reporting.figures.bode import plain_decades
 from pam_cosim.reporting.style import AFTER, SOFT, VERMILLION, new_figure
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 

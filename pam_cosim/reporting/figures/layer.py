@@ -6,7 +6,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 from pam_cosim.comparison import Comparison, RunComparison
-from pam_cosim.reporting.style import AFTER, BEFORE, FURTHER
+from pam_cosim.reporting.account.labels import short_model
+from pam_cosim.reporting.style import AFTER, BEFORE
 
 COLUMNS = 6  # runs beside each other; more go to a further figure
 SPARSE = 60  # samples of a run up to which each is drawn large
@@ -39,15 +40,9 @@ def before_and_after(base: Comparison, final: Comparison | None, label: str) -> 
     return (before,) if final is None else (before, Layer(label, final, AFTER))
 
 
-def rivals(
-    comparison: Comparison, against: Sequence[Comparison], labels: Sequence[str]
-) -> tuple[Layer, ...]:
-    """A model solid and those it is compared with dashed; the first is drawn last, on top."""
-    others = [
-        Layer(label, c, FURTHER[i % len(FURTHER)], dashed=True)
-        for i, (label, c) in enumerate(zip(labels[1:], against, strict=True))
-    ]
-    return (*others, Layer(labels[0], comparison, AFTER))
+def alone(comparison: Comparison) -> Layer:
+    """A model with no other beside it."""
+    return Layer(short_model(comparison.model), comparison, AFTER)
 
 
 def pages(runs: Sequence[RunComparison]) -> list[Sequence[RunComparison]]:

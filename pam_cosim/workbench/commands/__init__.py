@@ -1,4 +1,4 @@
-"""The commands of a page: each a function of the session and of what the command holds."""
+"""The commands of a page: each a function of the study and of what the command holds."""
 
 from __future__ import annotations
 
@@ -6,31 +6,17 @@ from collections.abc import Callable
 from typing import Any
 
 from pam_cosim.workbench.commands.files import add, load, save, script
-from pam_cosim.workbench.commands.jobs import check, diagnose, discard, fit, resume, stop
-from pam_cosim.workbench.commands.models import choose, switch, take, undo, where
+from pam_cosim.workbench.commands.jobs import check, diagnose, fit
+from pam_cosim.workbench.commands.models import choose, switch, take, undo
 from pam_cosim.workbench.commands.parameters import reset, set_values
 from pam_cosim.workbench.commands.runs import begin, cut, roles
+from pam_cosim.workbench.job_queue import StudyWithJobs
 
-COMMANDS: dict[str, Callable[..., dict[str, Any] | None]] = {
-    "add": add,
-    "begin": begin,
-    "check": check,
-    "choose": choose,
-    "cut": cut,
-    "diagnose": diagnose,
-    "discard": discard,
-    "fit": fit,
-    "load": load,
-    "reset": reset,
-    "resume": resume,
-    "roles": roles,
-    "save": save,
-    "script": script,
-    "set": set_values,
-    "stop": stop,
-    "switch": switch,
-    "take": take,
-    "undo": undo,
-    "where": where,
-}
+_FUNCTIONS: tuple[Callable[..., Any], ...] = (
+    add, begin, check, choose, cut, diagnose, fit, load, reset, roles, save, script, switch, take, undo,
+    StudyWithJobs.stop, StudyWithJobs.resume, StudyWithJobs.discard,
+)  # fmt: skip
+COMMANDS = dict(
+    sorted([("set", set_values), *((function.__name__, function) for function in _FUNCTIONS)])
+)
 """By name."""

@@ -1,65 +1,58 @@
-"""What takes long: fit, diagnose, check; stopped, resumed and given up."""
+"""What takes long: fit, diagnose, check."""
 
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from pam_cosim.diagnosis import Check, Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import METHODS, Fit
 from pam_cosim.units import UnitError, seconds
-from pam_cosim.wording import did_you_mean, shown
-from pam_cosim.workbench.commands.checks import names_of
+from pam_cosim.wording import shown
+from pam_cosim.workbench.checks import names_of, one_of
 from pam_cosim.workbench.commands.runs import release_estimated
-from pam_cosim.workbench.protocol import CheckEvent
-from pam_cosim.workbench.saving import lean
-from pam_cosim.workbench.state import State, label_of
+from pam_cosim.workbench.job_queue import StudyWithJobs
+from pam_cosim.workbench.protocol import event
+from pam_cosim.workbench.saved import lean
+from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.state_events import value_of
-from pam_cosim.workbench.steps import DIAGNOSE, FIT, Step
-
-if TYPE_CHECKING:
-    from pam_cosim.workbench.session import Session
+from pam_cosim.workbench.steps import Step
 
 
-def fit(session: Session, method: str = "least-squares", free: Sequence[str] | None = None) -> None:
+def fit(
+    study: StudyWithJobs, method: str = "least-squares", free: Sequence[str] | None = None
+) -> None:
     """Fits parameters, all or those named, from where the sliders stand."""
-    if method not in METHODS:
-        raise InputError(
-            f"there is no method {shown(method)} to fit with; {did_you_mean(str(method), METHODS)}"
-        )
-    known = session.opened.parameters
-    chosen = list(known) if free is None else names_of(free, "fit")
-    stray = next((name for name in chosen if name not in known), None)
-    if stray is not None:
-        raise InputError(
-            f"there is no parameter {shown(stray)} to fit; {did_you_mean(stray, known)}"
-        )
+    one_of(method, METHODS, "method", " to fit with")
+    parameters = study.opened.parameters
+    chosen = list(parameters) if free is None else names_of(free, "fit")
+    for name in chosen:
+        one_of(name, parameters, "parameter", " to fit")
     if not chosen:
         raise InputError("nothing to fit: choose at least one parameter")
-    session.work.make_room()
-    release_estimated(session)
-    start, begun = moved(session), dict(session.state.values)
-    options = {"method": method, "free": chosen, "start": start}
+    start = _prepared(study)
+    options: dict[str, Any] = {"method": method, "free": chosen, "start": start}
+    begun = dict(study.state.values)
 
     def finish(result: Fit) -> None:
-        state = session.state
+        state = study.state
         # what was moved while it was stopped is no part of what it fitted
         kept = {} if state.values == begun else {"kept": begun}
-        session.enter(
+        study.enter(
             state.after(
-                Step(FIT, {**options, **kept}),
+                Step("fit", options | kept),
                 values={**begun, **start, **result.values},
                 fit=result,
                 milestone=f"{label_of(state.effects)}, fitted",
             )
         )
 
-    session.work.begin("fit", f"fitting {', '.join(chosen)}", options, finish)
+    study.begin_job("fit", f"fitting {', '.join(chosen)}", options, finish)
 
 
 def diagnose(
-    session: Session,
+    study: StudyWithJobs,
     time_limit: float | str | None = None,
     exclude: Sequence[str] = (),
     expect: Sequence[str] = (),
@@ -77,53 +70,41 @@ def diagnose(
         "exclude": names_of(exclude, "exclude"),
         "expect": names_of(expect, "expect"),
     }
-    if session.state.effects:
-        options["free"] = list(session.opened.parameters)
-    session.work.make_room()
-    release_estimated(session)
-    start = moved(session)
+    if study.state.effects:
+        options["free"] = list(study.opened.parameters)
+    start = _prepared(study)
     if start:
         options["start"] = start
 
     def finish(result: Diagnosis) -> None:
-        state = session.state
-        session.back(
-            state.after(Step(DIAGNOSE, options), diagnosis=lean(result), diagnosed=state.effects)
-        )
-        session.remember(state)
-        session.work.tell_diagnosis()
+        state = study.state
+        step = Step("diagnose", options)
+        study.back(state.after(step, diagnosis=lean(result), diagnosed=state.effects))
+        study.remember(state)
+        study.tell_diagnosis()
 
-    session.work.clear_diagnosis()
-    session.work.begin("diagnose", "refitting the base model", options, finish)
+    study.clear_diagnosis()
+    study.begin_job("diagnose", "refitting the base model", options, finish)
 
 
-def check(session: Session) -> None:
-    """Says what the data can tell about the standing model before any fit."""
+def check(study: StudyWithJobs) -> None:
+    """Computes what the data can determine about the standing model before any fit."""
 
     def finish(result: Check) -> None:
-        session.windows.tell(CheckEvent(str(result)))
+        study.windows.tell(event("checked", text=str(result)))
 
-    session.work.begin("check", "looking at what the data can tell", {}, finish)
-
-
-def stop(session: Session) -> None:
-    """Holds what is running where it is."""
-    session.work.stop()
+    study.begin_job("check", "looking at what the data can tell", {}, finish)
 
 
-def resume(session: Session) -> None:
-    """Lets what was stopped go on."""
-    session.work.resume()
-
-
-def discard(session: Session) -> None:
-    """Ends what is running, or was stopped, for good."""
-    session.work.discard()
-
-
-def moved(session: Session) -> dict[str, float]:
-    """Values [SI] of the parameters that do not stand where they begin, and start values that were set by hand."""
-    state: State = session.state
-    values = {f.name: (value_of(f, state), f.start) for f in session.opened.parameters.values()}
-    moved = {name: value for name, (value, start) in values.items() if value != start}
-    return moved | session.opened.start_values_in(state.values)
+def _prepared(study: StudyWithJobs) -> dict[str, float]:
+    """The start of a fit: values [SI] of the parameters that do not stand where they begin, and start values that were
+    set by hand; a job before it is given up."""
+    study.make_room()
+    release_estimated(study)
+    state = study.state
+    values = {
+        free.name: value_of(free, state)
+        for free in study.opened.parameters.values()
+        if value_of(free, state) != free.start
+    }
+    return values | study.opened.start_values_in(state.values)

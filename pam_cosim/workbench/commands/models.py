@@ -3,61 +3,58 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
 
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
-from pam_cosim.workbench.commands.checks import names_of, text_of
+from pam_cosim.workbench.checks import names_of, text_of
+from pam_cosim.workbench.job_queue import StudyWithJobs
 from pam_cosim.workbench.state import label_of
-from pam_cosim.workbench.steps import CHOOSE, SWITCH, TAKE, Step
-
-if TYPE_CHECKING:
-    from pam_cosim.workbench.session import Session
+from pam_cosim.workbench.steps import Step
 
 
-def switch(session: Session, effects: Sequence[str]) -> None:
+def switch(study: StudyWithJobs, effects: Sequence[str]) -> None:
     """Gives the model just these effects."""
-    session.work.make_room()
-    chosen, state = tuple(names_of(effects, "switch")), session.state
+    study.make_room()
+    chosen, state = tuple(names_of(effects, "switch")), study.state
     if chosen == state.effects:
         return
-    values = _kept(session, chosen)
-    session.enter(
+    values = _kept(study, chosen)
+    study.enter(
         state.after(
-            Step(SWITCH, {"effects": list(chosen), "values": values}),
+            Step("switch", {"effects": list(chosen), "values": values}),
             effects=chosen,
             values=values,
             milestone="",
             fit=None,
             file=None,
-            before=session.comparison if chosen else None,
+            before=study.comparison if chosen else None,
         )
     )
 
 
-def _kept(session: Session, effects: Sequence[str]) -> dict[str, float]:
+def _kept(study: StudyWithJobs, effects: Sequence[str]) -> dict[str, float]:
     """The values that a model with these effects keeps: those of its base, and of effects that it had before."""
-    origin = session.opened.origin
-    starts = session.opened.start_values_in(
-        session.state.values
-    )  # another model may have other states
-    kept = {name: value for name, value in session.state.values.items() if name not in starts}
-    return {name: value for name, value in kept.items() if origin.get(name) in (None, *effects)}
+    values, origin = study.state.values, study.opened.origin
+    starts = study.opened.start_values_in(values)  # another model may have other states
+    return {
+        name: value
+        for name, value in values.items()
+        if name not in starts and origin.get(name) in (None, *effects)
+    }
 
 
-def choose(session: Session, model: str) -> None:
+def choose(study: StudyWithJobs, model: str) -> None:
     """Takes another base model, without effects; the data set is read for it."""
-    session.work.make_room()
+    study.make_room()
     name = text_of(model, "choose")
     if "/" in name or "\\" in name or name.startswith("."):
         raise InputError("choose wants the name of a bench or of a Modelica class")
-    state = session.state
-    known = {run.name: run.role for run in state.data.runs}
-    data = session.source.read(name, known, state.cuts, state.starts)
+    state = study.state
+    data = study.source.read_again(state.data, state.cuts, state.starts, name)
     same = data.signals.keys() == state.data.signals.keys()
-    session.enter(
+    study.enter(
         state.after(
-            Step(CHOOSE, {"model": name}),
+            Step("choose", {"model": name}),
             data=data,
             model=name,
             effects=(),
@@ -71,64 +68,53 @@ def choose(session: Session, model: str) -> None:
             rungs=state.rungs if same else (),
         )
     )
-    session.work.tell_diagnosis()
+    study.tell_diagnosis()
 
 
-def candidate_of(session: Session, effects: Sequence[str]) -> Candidate | None:
+def candidate_of(study: StudyWithJobs, effects: Sequence[str]) -> Candidate | None:
     """The model of the last ranking with just these effects."""
-    diagnosis = session.state.diagnosis
-    return (
-        next((c for c in diagnosis.candidates if c.effects == tuple(effects)), None)
-        if diagnosis
-        else None
-    )
+    diagnosis = study.state.diagnosis
+    candidates = diagnosis.candidates if diagnosis else ()
+    return next((c for c in candidates if c.effects == tuple(effects)), None)
 
 
-def take(session: Session, candidate: Sequence[str] | int) -> None:
+def take(study: StudyWithJobs, candidate: Sequence[str] | int) -> None:
     """Makes a model of the ranking the standing one, at the values that were fitted: its effects, or its number."""
-    session.work.make_room()
-    diagnosis = session.state.diagnosis
+    study.make_room()
+    diagnosis = study.state.diagnosis
     if diagnosis is None:
         raise InputError("there is no ranking to take a model from: diagnose first")
     if isinstance(candidate, int) and not isinstance(candidate, bool):
-        chosen = (
-            diagnosis.candidates[candidate] if 0 <= candidate < len(diagnosis.candidates) else None
-        )
+        chosen = dict(enumerate(diagnosis.candidates)).get(candidate)
     else:
-        chosen = candidate_of(session, names_of(candidate, "take"))
+        chosen = candidate_of(study, names_of(candidate, "take"))
     if chosen is None:
         raise InputError("the ranking has no such model")
-    take_candidate(session, chosen)
+    take_candidate(study, chosen)
 
 
-def take_candidate(session: Session, chosen: Candidate) -> None:
+def take_candidate(study: StudyWithJobs, chosen: Candidate) -> None:
     """Makes a model of the ranking the standing one."""
-    state = session.state
+    state = study.state
     effects = (*state.diagnosed, *chosen.effects)
-    kept = _kept(session, ())
-    step = Step(TAKE, {"effects": list(chosen.effects), "values": chosen.fit.values, "kept": kept})
-    session.enter(
+    kept, fitted = _kept(study, ()), chosen.fit.values
+    study.enter(
         state.after(
-            step,
+            Step("take", {"effects": list(chosen.effects), "values": fitted, "kept": kept}),
             effects=effects,
-            values={**kept, **chosen.fit.values},
+            values={**kept, **fitted},
             fit=chosen.fit,
             file=None,
             milestone=f"{label_of(effects)}, fitted",
-            before=session.comparison,
+            before=study.comparison,
         )
     )
 
 
-def undo(session: Session) -> None:
+def undo(study: StudyWithJobs) -> None:
     """Takes the last step back."""
-    session.work.make_room()
-    if not session.past:
+    study.make_room()
+    if not study.past:
         raise InputError("there is no step to take back")
-    session.back(session.past.pop())
-    session.work.tell_diagnosis()
-
-
-def where(session: Session, rule: int) -> dict[str, Any]:
-    """Where a rule holds is told with the rules; this says that there is nothing more to ask for."""
-    return {"rule": rule}
+    study.back(study.past.pop())
+    study.tell_diagnosis()

@@ -48,7 +48,7 @@ const parts = {
   ladder: new Ladder(byId("ladder")),
   runs: new Runs(byId("run-list"), view, ask),
   starts: new Starts(byId("starts"), view, set, ask),
-  rules: new Rules(byId("rule-list"), view, ask),
+  rules: new Rules(byId("rule-list"), view),
   parameters: new Parameters(byId("parameters"), set, ask),
   effects: new Effects(byId("effects"), ask),
   diagnosis: new Diagnosis(byId("diagnosis"), ask),

@@ -93,8 +93,8 @@ export class Runs {
 }
 
 export class Rules {
-  constructor(host, view, ask) {
-    Object.assign(this, { host, view, ask, lit: null });
+  constructor(host, view) {
+    Object.assign(this, { host, view, lit: null });
     this.none("No run has been simulated yet.");
   }
 
@@ -130,13 +130,12 @@ export class Rules {
     return button;
   }
 
-  async press(button, rule, key) {
+  press(button, rule, key) {
     const on = button.getAttribute("aria-pressed") !== "true";
     for (const other of this.host.querySelectorAll("button")) other.setAttribute("aria-pressed", "false");
     button.setAttribute("aria-pressed", String(on));
     this.lit = on ? key : null;
-    const ranges = on ? (rule.ranges ?? (await this.ask("where", { rule: rule.id }))?.ranges) : null;
-    this.view.light(ranges);
+    this.view.light(on ? rule.ranges : null);
   }
 }
 

@@ -1,4 +1,4 @@
-// The study itself: the steps that were done, saving and loading, and the script or the commands that repeat it.
+// The study itself: the steps that were done, saving and loading, and the script that repeats it.
 
 import { make } from "./element.js";
 
@@ -41,22 +41,15 @@ export class StudyPage {
   async print() {
     const script = await this.ask("script");
     if (!script) return;
-    const part = (title, words, file) =>
-      make(
-        "section",
-        {},
-        make(
-          "h2",
-          {},
-          title,
-          " ",
-          make("a", { href: `download/${file}`, download: file, class: "button" }, "Download"),
-        ),
-        make("pre", {}, make("code", {}, words)),
-      );
+    const file = "script.py";
     this.script.replaceChildren(
-      part("As a Python script", script.python, "script.py"),
-      part("As commands", script.commands, "commands.sh"),
+      make(
+        "h2",
+        {},
+        "As a Python script ",
+        make("a", { href: `download/${file}`, download: file, class: "button" }, "Download"),
+      ),
+      make("pre", {}, make("code", {}, script.python)),
     );
   }
 }

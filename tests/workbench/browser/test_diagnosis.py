@@ -11,8 +11,8 @@ import pytest
 
 from pam_cosim.workbench import Session
 from pam_cosim.workbench.commands.files import save
-from pam_cosim.workbench.saving import lean
-from pam_cosim.workbench.steps import DIAGNOSE, Step
+from pam_cosim.workbench.saved import lean
+from pam_cosim.workbench.steps import Step
 from tests.reporting.synthetic import make_diagnosis
 from tests.workbench.browser.conftest import serving
 from tests.workbench.browser.looking import error, noise, quiet, until
@@ -84,7 +84,7 @@ def save_diagnosis(folder: Path) -> None:
     with Session(folder) as session:
         state = session.state
         found = lean(make_diagnosis("identified", state.data))
-        session.back(state.after(Step(DIAGNOSE, {}), diagnosis=found))
+        session.back(state.after(Step("diagnose", {}), diagnosis=found))
         save(session)
 
 

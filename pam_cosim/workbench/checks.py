@@ -1,11 +1,12 @@
-"""What a command holds is checked before it is used."""
+"""Arguments of commands are checked before they are used."""
 
 from __future__ import annotations
 
+from collections.abc import Collection
 from typing import Any
 
 from pam_cosim.errors import InputError
-from pam_cosim.wording import shown
+from pam_cosim.wording import did_you_mean, shown
 
 _MOST = 1000
 
@@ -34,3 +35,21 @@ def text_of(value: Any, what: str) -> str:
     if not isinstance(value, str) or not value.strip():
         raise InputError(f"{what} wants a name, not {shown(value)}")
     return value.strip()
+
+
+def one_of(value: Any, names: Collection[str], what: str, purpose: str = "") -> str:
+    """One of some names.
+
+    Raises:
+        InputError: it is none of them.
+    """
+    if not isinstance(value, str) or value not in names:
+        raise InputError(
+            f"there is no {what} {shown(value)}{purpose}; {did_you_mean(str(value), names)}"
+        )
+    return value
+
+
+def is_number(value: Any) -> bool:
+    """Whether it is a number, as JSON has them."""
+    return isinstance(value, (int, float)) and not isinstance(value, bool)

@@ -1,0 +1,256 @@
+"""A study whose standing model is simulated, drawn and scored for its windows, in one thread."""
+
+from __future__ import annotations
+
+import shutil
+import tempfile
+import threading
+from collections.abc import Callable, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
+from contextlib import suppress
+from dataclasses import replace
+from pathlib import Path
+from typing import Any
+
+from pam_cosim.comparison import Comparison, RunComparison, samples_in, scored, where
+from pam_cosim.errors import InputError
+from pam_cosim.fitting import Estimate
+from pam_cosim.workbench.catalogue import Catalogue
+from pam_cosim.workbench.checks import one_of
+from pam_cosim.workbench.curves import measured_curves, model_curves
+from pam_cosim.workbench.frames import frame
+from pam_cosim.workbench.opened_model import Opened, made_for, open_model
+from pam_cosim.workbench.protocol import Json, event, failure
+from pam_cosim.workbench.saved import lean_fit
+from pam_cosim.workbench.source import MeasurementSource
+from pam_cosim.workbench.starts import StartsShown, courses
+from pam_cosim.workbench.state import State, standing_label, with_rung
+from pam_cosim.workbench.state_events import (
+    rung_of,
+    scores_event,
+    steps_event,
+    study_event,
+    where_event,
+)
+from pam_cosim.workbench.steps import Step
+from pam_cosim.workbench.windows import Windows
+
+QUIET = 0.3  # [s] without a new value after which the page is sent where the error is
+MOST_BACK = 100  # steps that can be taken back
+
+
+class OpenStudy:
+    """A study with its windows.
+
+    Args:
+        folder: of the data set.
+        model: default: the bench of the data set.
+        files: further Modelica files.
+        windows: that show it.
+
+    Raises:
+        InputError: the data set cannot be read.
+    """
+
+    def __init__(
+        self, folder: Path, model: str | None, files: Sequence[Path], windows: Windows
+    ) -> None:
+        self.folder, self.windows = Path(folder), windows
+        self.catalogue = Catalogue([Path(f) for f in files])
+        self.source = MeasurementSource(self.folder, self.catalogue.files)
+        self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
+        self.past: list[State] = []
+        self.saved: tuple[Step, ...] | None = None
+        self.version = 0  # of what was drawn last
+        self._thread = ThreadPoolExecutor(1, thread_name_prefix="study")
+        self._lock = threading.Lock()
+        self._waiting: Json = {}  # values that are to be set
+        self._looking = False
+        self._open: Opened | None = None
+        self._comparison: Comparison | None = None
+        self._begun: dict[str, Estimate] = {}
+        self._starts = StartsShown()
+        try:
+            self._thread.submit(self._begin, model).result()
+        except BaseException:
+            self.close()
+            raise
+
+    def _begin(self, model: str | None) -> None:
+        data = self.source.read(model)
+        self.benches = self.catalogue.benches(data.model)
+        self.first = self.state = State(data, data.model_for(model))
+        self.back(self.state)
+
+    def close(self) -> None:
+        """Ends everything; nothing is saved by it."""
+        self._thread.shutdown(wait=True, cancel_futures=True)
+        if self._open is not None:
+            self._open.close()
+            self._open = None
+        shutil.rmtree(self.scratch, ignore_errors=True)
+
+    @property
+    def opened(self) -> Opened:
+        """The standing model, ready to run."""
+        assert self._open is not None
+        return self._open
+
+    @property
+    def comparison(self) -> Comparison:
+        """The standing model against the measurement."""
+        assert self._comparison is not None
+        return self._comparison
+
+    def submit(self, method: Callable[..., object], *arguments: Any) -> None:
+        """Does something in the study's thread, if there still is one."""
+        with suppress(RuntimeError):
+            self._thread.submit(self._guarded, method, *arguments)
+
+    def _guarded(self, method: Callable[..., object], *arguments: Any) -> None:
+        try:
+            method(*arguments)
+        except Exception as problem:  # there is no command that it could be answered to
+            self.tell_failure(problem)
+
+    def tell_failure(self, problem: BaseException, during: str = "", *, line: bool = False) -> None:
+        """Sends all windows what went wrong; ``line``: later ones too, as progress."""
+        self.windows.tell(event("failed", **failure(problem, during)), line=line)
+
+    def _later(self, method: Callable[..., None], *arguments: Any) -> None:
+        timer = threading.Timer(QUIET, self.submit, (method, *arguments))
+        timer.daemon = True
+        timer.start()
+
+    def enter(self, state: State, *, moved: bool = False) -> None:
+        """Makes a state the present one, a step after the one before; see ``back``."""
+        before = self.state
+        if before.milestone:
+            rung = rung_of(before.milestone, self.comparison)
+            state = replace(state, rungs=with_rung(state.rungs, rung))
+        self.back(state, moved=moved)
+        if len(state.steps) > len(before.steps) or not self.past:
+            self.remember(before)
+
+    def remember(self, state: State) -> None:
+        """Keeps a state to go back to, without the curves of its fit, which are many."""
+        kept = state if state.fit is None else replace(state, fit=lean_fit(state.fit))
+        self.past = [*self.past[-MOST_BACK:], kept]
+
+    def back(self, state: State, *, moved: bool = False) -> None:
+        """Makes a state the present one: all that depends on it is made anew, or nothing.
+
+        Args:
+            state: a new one, one that stood before, or one that was loaded.
+            moved: only values differ from the present one: the rest of the page stays as it is.
+
+        Raises:
+            InputError: there is no such model.
+            SimulationFailure: a run cannot be simulated.
+        """
+        old = self._open
+        about = (state.data, state.model, state.effects)
+        same = old is not None and old.made_for == made_for(*about)
+        opened = old if old and same else open_model(*about, self.catalogue, self.scratch)
+        other_data = old is None or state.data is not self.state.data
+        try:
+            runs, begun = opened.simulators.run(state.data, state.values)
+            if other_data:
+                curves = measured_curves(self.source.whole(state.data))
+                self.windows.send(frame("measured", self.version, curves), "measured")
+            self._draw(state, runs)
+            comparison = scored_runs(state, opened, runs)
+        except BaseException:
+            if not same:
+                opened.close()
+            raise
+        if old is not None and not same:
+            old.close()
+        if not same or other_data:
+            self._starts.forget()
+        self.state, self._open, self._comparison, self._begun = state, opened, comparison, begun
+        self._tell_scores()
+        if not moved:
+            self.tell_study()
+
+    def draw(self) -> None:
+        """Draws the standing model."""
+        self._draw(self.state, self.comparison.runs)
+        self._tell_scores()
+
+    def draw_passing(self, values: Mapping[str, float]) -> None:
+        """Draws the standing model at other values, without making them those of the study."""
+        passing = replace(self.state, values=values, milestone="")
+        runs, _ = self.opened.simulators.run(passing.data, values)
+        self._draw(passing, runs)
+        comparison = scored_runs(passing, self.opened, runs)
+        self.windows.tell(scores_event(passing, self.opened, comparison, self.version))
+
+    def start_values_of(self, run: str) -> dict[str, float]:
+        """Where a run begins, by "state@run" [SI].
+
+        Raises:
+            InputError: there is no such run, or what was before its first sample determines where it begins.
+        """
+        recordings = {one.name: one for one in self.state.data.runs if not one.is_static}
+        recording = recordings[one_of(run, recordings, "recording")]
+        found = courses(recording, self.state, self.opened, self._begun, only_start=True)
+        if not found:
+            raise InputError(
+                f"{run} begins as what was before its first sample says: choose how it begins first"
+            )
+        return {f"{name}@{run}": float(values[0]) for name, values in found.items()}
+
+    def _draw(self, state: State, runs: Sequence[RunComparison]) -> None:
+        self.version += 1
+        curves = model_curves(runs, self.source.whole(state.data))
+        self.windows.send(frame("model", self.version, curves, standing_label(state)), "model")
+
+    def _tell_scores(self) -> None:
+        self.windows.tell(scores_event(self.state, self.opened, self.comparison, self.version))
+        self.tell_steps()
+        if not self._looking:
+            self._looking = True
+            self._later(self._tell_where, self.version)
+
+    def tell_steps(self) -> None:
+        """Sends what was done."""
+        self.windows.tell(steps_event(self.state, self.saved == self.state.steps))
+
+    def tell_study(self) -> None:
+        """Sends what changes seldom."""
+        self.windows.tell(self.shown_study())
+        self.tell_starts()
+        before = self.state.before
+        if before is not None:
+            curves = model_curves(before.runs, self.source.whole(self.state.data))
+            self.windows.send(frame("reference", self.version, curves, "before"), "reference")
+        elif self.windows.forget("reference"):
+            self.windows.send(frame("reference", self.version, []))
+
+    def tell_starts(self) -> None:
+        """Sends where runs begin."""
+        self.windows.tell(self._starts.event(self.state, self.opened, self._begun, self.version))
+
+    def shown_study(self) -> Json:
+        """The event of what changes seldom."""
+        effects = self.catalogue.shown(self.state.model, self.state.effects)
+        return study_event(self.state, self.opened, effects, self.benches)
+
+    def _tell_where(self, version: int) -> None:
+        """Sends where the error is, as soon as nothing newer has been drawn for a while."""
+        if version != self.version or self._waiting:
+            self._later(self._tell_where, self.version)
+            return
+        self._looking = False
+        self.tell_starts()
+        interface, data = self.opened.simulator.interface, self.state.data
+        runs = self.comparison.runs
+        about = (runs, data.signals, interface.outputs, data.domain, interface.inputs)
+        rules = where(*about)
+        self.windows.tell(where_event(rules, [samples_in(rule, *about) for rule in rules], version))
+
+
+def scored_runs(state: State, opened: Opened, runs: Sequence[RunComparison]) -> Comparison:
+    """The same as ``study.compare`` returns, but for where the error is."""
+    return scored(opened.simulator.interface, state.data, state.values, runs, rules=False)
