@@ -124,7 +124,11 @@ class _Draft:
         self.modifications.append(
             (slot.path, f"redeclare model {slot.name} = {effect.qualified_name}")
         )
-        users = [p for p in self.structure.parts if _parent(p.path) == slot.path and _uses(p, slot)]
+        users = [
+            p
+            for p in self.structure.parts
+            if names.parent(p.path) == slot.path and slot.name in map(names.last, p.bases)
+        ]
         own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
         self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
 
@@ -172,14 +176,6 @@ class _Draft:
 def _modification(parameter: str, value: float) -> tuple[str, str]:
     """Where a value is stated, and how."""
     return names.parent(parameter), f"{names.last(parameter)}={value!r}"
-
-
-def _parent(path: str) -> str:
-    return names.parent(path)
-
-
-def _uses(part: Part, slot: Slot) -> bool:
-    return any(names.last(base) == slot.name for base in part.bases)
 
 
 def compose(

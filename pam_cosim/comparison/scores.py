@@ -7,7 +7,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pam_cosim.arrays import Array
 from pam_cosim.comparison.residual_statistics import Series, lag_one
 from pam_cosim.comparison.residuals import RunComparison
 from pam_cosim.comparison.rounding import expected_squares, standardized_residuals
@@ -68,7 +67,10 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     rmse = float(np.sqrt(np.mean(e**2)))
     span = float(np.ptp(y))
     worst = int(np.argmax(np.abs(e)))
-    series = [_series(own, signal, reading) for own, reading in zip(error, measured, strict=True)]
+    series = [
+        Series(standardized_residuals(own, signal, reading), expected_squares(own, signal))
+        for own, reading in zip(error, measured, strict=True)
+    ]
     correlation, whiteness_score = lag_one(series)
     effective = sum(one.samples for one in series)
     chi2 = float(sum(np.sum(one.values**2) for one in series))
@@ -87,11 +89,6 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
         whiteness_score=whiteness_score,
         effective_samples=effective,
     )
-
-
-def _series(error: Array, signal: Signal, reading: Array) -> Series:
-    """Differences of one run as they count."""
-    return Series(standardized_residuals(error, signal, reading), expected_squares(error, signal))
 
 
 def score(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> dict[str, SignalScore]:

@@ -173,7 +173,7 @@ def _recorded_muscle(
     if wishes.muscle is not None or wishes.model is not None:
         return None
     said = [" ".join([source.file.stem, *source.labels]) for source in known.sources]
-    return muscle_in(said, _muscles(tree))
+    return muscle_in(said, [part.name for part in rig_parts(tree) if part.role == "muscle"])
 
 
 def _stated_inputs(known: ReadRecordings) -> list[str]:
@@ -211,10 +211,6 @@ def _all_imposed(one: Ports) -> bool:
     """Whether a row says what acts on the muscle: a table tells no mass, spring or lever."""
     meanings = [meaning_of(variable) for variable in one.inputs.values()]
     return any(meaning is not None and meaning.kind in MECHANICAL for meaning in meanings)
-
-
-def _muscles(tree: ClassTree) -> list[str]:
-    return [part.name for part in rig_parts(tree) if part.role == "muscle"]
 
 
 def _named(

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from math import isfinite, sqrt
 
 import numpy as np
@@ -37,15 +37,13 @@ def noise_of(time: Array, values: Array) -> float:
 def correlation(one: Mapping[int, Array], other: Mapping[int, Array]) -> float:
     """Between two signals of several recordings, each less its mean in the recording; 0 where one is constant."""
     shared = [i for i in other if i in one]
-    a, b = (_deviations(signal, shared) for signal in (one, other))
+    a, b = (
+        np.concatenate([np.zeros(0), *(signal[i] - np.nanmean(signal[i]) for i in shared)])
+        for signal in (one, other)
+    )
     known = np.isfinite(a) & np.isfinite(b)
     norm = sqrt(float(np.sum(a[known] ** 2) * np.sum(b[known] ** 2)))
     return float(np.sum(a[known] * b[known])) / norm if norm else 0.0
-
-
-def _deviations(signal: Mapping[int, Array], recordings: Sequence[int]) -> Array:
-    """What a signal is off its mean in each recording, one recording after the other."""
-    return np.concatenate([np.zeros(0), *(signal[i] - np.nanmean(signal[i]) for i in recordings)])
 
 
 def is_constant(values: Array) -> bool:

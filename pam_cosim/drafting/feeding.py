@@ -10,6 +10,7 @@ from pam_cosim.catalogue.ports import Ports
 from pam_cosim.drafting.column_statistics import LEAST_CORRELATION, correlation, span
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import AT_REST, Meaning, read_variable
+from pam_cosim.drafting.words import LENGTHS
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.references import BRANCH
 from pam_cosim.units import UnitError, convert
@@ -19,11 +20,10 @@ from pam_cosim.units import UnitError, convert
 _UNUSED, _UNFED, _UNLIKELY, _UNDRIVEN = 8.0, 4.0, 1.0, 1e3
 _ISOMETRIC = 5.0
 _NAMED = 0.6  # An input that is called as the bench calls it was meant for it.
-_LENGTHS = ("contraction", "length", "ratio")
 _NO_SIGNALS = ("voltage", "mass", "count", "direction")
 NEAR = _UNLIKELY
 """What a bench that lets go what another one imposes may cost more, to be named beside it."""
-MECHANICAL = (*_LENGTHS, "force")
+MECHANICAL = (*LENGTHS, "force")
 
 
 @dataclass(frozen=True)
@@ -53,7 +53,7 @@ class BenchChoice:
     @property
     def moving_lengths(self) -> dict[str, RecordedColumn]:
         """What is imposed although a muscle that lifts a load would move it so, by the inputs that it feeds."""
-        lengths = {n: c for n, c in self.inputs.items() if c.meaning and c.meaning.kind in _LENGTHS}
+        lengths = {n: c for n, c in self.inputs.items() if c.meaning and c.meaning.kind in LENGTHS}
         return {n: c for n, c in lengths.items() if not (c.in_names or c.held)}
 
     @property
@@ -163,7 +163,7 @@ def _must_be_fixed(ports: Ports, used: Sequence[RecordedColumn]) -> bool:
     kinds = {c.meaning.kind for c in used if c.meaning}
     imposed = [meaning_of(variable) for variable in ports.inputs.values()]
     kinds |= {meaning.kind for meaning in imposed if meaning}
-    return bool(pulls) and not kinds & set(_LENGTHS)
+    return bool(pulls) and not kinds & set(LENGTHS)
 
 
 def _drives(meaning: Meaning | None) -> bool:

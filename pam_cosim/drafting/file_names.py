@@ -11,6 +11,7 @@ import numpy as np
 
 from pam_cosim.drafting.recorded_column import RecordedColumn
 from pam_cosim.drafting.vocabulary import Meaning, folded, kinds_of, known_unit, says_no_load
+from pam_cosim.drafting.words import LENGTHS
 from pam_cosim.units import convert
 
 _LONGEST_CONTRACTION = 0.1  # [m], of a length in a file's name that is taken as a contraction
@@ -23,7 +24,6 @@ _QUANTITY = re.compile(
 )
 _UNITS = {"pct": "%", "percent": "%", "prozent": "%", "proz": "%"}
 _KINDS = ("pressure", "force", "ratio", "contraction", "length")
-_LENGTHS = ("contraction", "length", "ratio")
 
 
 @dataclass(frozen=True)
@@ -84,20 +84,16 @@ def quantities(
     said = [said_in(file.stem) for file in files]
     recorded = {c.meaning.kind for c in columns if c.meaning is not None and not c.meaning.roles}
     made = []
-    for group in (("pressure",), ("force",), _LENGTHS):
+    for group in (("pressure",), ("force",), LENGTHS):
         if recorded & set(group):
             continue
         each = [[one for one in own if one.kind in group] for own in said]
-        if group == ("force",) and not all(each) and _all_without_load(files):
+        if group == ("force",) and not all(each) and all(says_no_load(file.stem) for file in files):
             each = [[Said("no load", "", 0.0, "N", "force")] for _ in files]
-        one = _common(each, counts, group == _LENGTHS)
+        one = _common(each, counts, group == LENGTHS)
         if one is not None:
             made.append(one)
     return made
-
-
-def _all_without_load(files: Sequence[Path]) -> bool:
-    return all(says_no_load(file.stem) for file in files)
 
 
 def _common(

@@ -160,7 +160,7 @@ def _content(
         sigmas={name: _sigma(name, bench, recorded, mapped) for name in fitted},
         shown=shown,
         stated=recorded.stated,
-        unfed=_stated_nowhere(choice.unfed, told),
+        unfed=[n for n in choice.unfed if not all(n in run for run in told)],
         free=open_parameters.free(interface, recorded.points),
         perhaps=open_parameters.perhaps(interface, recorded.points),
         to_state=open_parameters.to_state(interface, recorded.points),
@@ -186,11 +186,6 @@ def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:
     """The outputs that nothing is fitted to, where there are others."""
     temperatures = [name for name in outputs if _is_temperature(interface.outputs[name])]
     return temperatures if len(outputs) > 1 else []
-
-
-def _stated_nowhere(unfed: Sequence[str], told: Sequence[Mapping[str, StatedValue]]) -> list[str]:
-    """Inputs without a column whose values not every recording tells."""
-    return [name for name in unfed if not all(name in run for run in told)]
 
 
 def _guessed_roles(

@@ -12,7 +12,6 @@ from pathlib import Path
 import numpy as np
 from pydantic import ValidationError
 
-from pam_cosim.arrays import Array
 from pam_cosim.drafting.clock_columns import even_interval
 from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.columns import find_columns, with_known_units
@@ -113,7 +112,9 @@ def known(files: Sequence[Path], wishes: DraftRequests) -> ReadRecordings:
         columns, time = _recognised(sources, asked, formulas, recording)
     # rows of several experiments are not evenly apart
     is_whole = all(source.part is None for source in sources) and not clocks
-    interval = even_interval(_seconds(time)) if time is not None and is_whole else None
+    interval = None
+    if time is not None and is_whole:
+        interval = even_interval([convert(v, time.unit, "s") for v in time.values.values()])
     if time is not None and interval is not None:
         columns = [_coarse(c, interval) if c is time else c for c in columns]
         time, recording = None, recording.model_copy(update={"interval": Stated(interval)})
@@ -169,12 +170,9 @@ def _recognised(
     """The columns and what each is, and the one of time."""
     columns = find_columns(sources, asked)
     columns = with_known_units(columns, formulas.values(), sources, asked.values())
-    columns += quantities([one.file for one in sources], columns, list(map(_rows, sources)))
+    rows = [len(next(iter(one.table.columns.values())).values) for one in sources]
+    columns += quantities([one.file for one in sources], columns, rows)
     return columns, check_time(columns, sources, recording)
-
-
-def _seconds(time: RecordedColumn) -> list[Array]:
-    return [convert(values, time.unit, "s") for values in time.values.values()]
 
 
 def _coarse(time: RecordedColumn, interval: str) -> RecordedColumn:
@@ -193,10 +191,6 @@ def _check_different(files: Sequence[Path]) -> None:
         if place in seen:
             raise InputError("the file is named twice", file)
         seen.add(place)
-
-
-def _rows(source: RecordingSource) -> int:
-    return len(next(iter(source.table.columns.values())).values)
 
 
 def _as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:

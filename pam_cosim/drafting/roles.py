@@ -65,7 +65,8 @@ def roles(
     traits = [
         t
         for t in _traits(courses, interface, own, paced)
-        if np.isfinite(t.values).all() and _differ(t.values)
+        if np.isfinite(t.values).all()
+        and span(t.values) > _SAME_TRAIT * float(np.max(np.abs(t.values)))
     ]
     if not traits:
         made[-1] = Role("holdout", "the last: as far as is seen, all are alike")
@@ -129,10 +130,6 @@ def _each(values: Sequence[Array | None], number: Callable[[Array], float]) -> A
     return np.array(
         [np.nan if v is None or not np.isfinite(v).any() else number(v) for v in values]
     )
-
-
-def _differ(values: Array) -> bool:
-    return span(values) > _SAME_TRAIT * float(np.max(np.abs(values)))
 
 
 def _outside(scaled: Array, left: Sequence[int], one: int) -> float:

@@ -111,10 +111,6 @@ def _why_known(column: RecordedColumn) -> tuple[str, ...]:
     return (f"it holds dates, which count in seconds from the first, {column.since}",)
 
 
-def _states_unit(column: RecordedColumn) -> bool:
-    return any(one.unit.strip() for one in column.places.values())
-
-
 def _asked_time(
     columns: Sequence[RecordedColumn], asked: str
 ) -> tuple[RecordedColumn, tuple[str, ...]]:
@@ -140,9 +136,16 @@ def _likely_time(
     if rising:  # a date may be written no finer than in seconds
         return max(rising, key=lambda c: (not c.since, c.known)), ()
     labview = next((c for c in columns if _LABVIEW.fullmatch(c.name) and _runs(c)), None)
-    if labview is not None and not _states_unit(labview):
+    if labview is not None and not any(one.unit.strip() for one in labview.places.values()):
         return labview, ("LabVIEW calls the time so, and its numbers rise from row to row",)
-    running = next((c for c in columns if c.meaning is None and _runs(c) and _fits_time(c)), None)
+    running = next(
+        (
+            c
+            for c in columns
+            if c.meaning is None and _runs(c) and (not c.unit or fits(c.unit, "time"))
+        ),
+        None,
+    )
     if running is not None:
         return running, ("its numbers rise from row to row",)
     return (called[0] if called else None), ()  # Its fault is told when it is read.
@@ -155,10 +158,6 @@ def _no_time(column: RecordedColumn) -> RecordedColumn:
     return with_usual_unit(
         replace(column, meaning=Meaning("temperature"), why=("another column is the time",))
     )
-
-
-def _fits_time(column: RecordedColumn) -> bool:
-    return not column.unit or fits(column.unit, "time")
 
 
 def _rises(column: RecordedColumn) -> bool:

@@ -13,7 +13,7 @@ from pam_cosim.drafting.column_statistics import span
 from pam_cosim.drafting.contraction import LONGEST
 from pam_cosim.drafting.document import Draft
 from pam_cosim.drafting.feeding import BenchChoice, meaning_of
-from pam_cosim.drafting.mapped import Mapped, MappedRecording
+from pam_cosim.drafting.mapped import Mapped
 from pam_cosim.drafting.rest import begins_still
 from pam_cosim.drafting.time_column import NO_UNIT
 from pam_cosim.drafting.vocabulary import Meaning
@@ -235,7 +235,10 @@ def _nothing_held_out(made: Draft) -> Iterator[str]:
 
 
 def _moving_starts(made: Draft, mapped: Mapped) -> Iterator[str]:
-    moving = [c.first_rest is None and not _begins_still(c) for c in mapped.courses]
+    moving = [
+        c.first_rest is None and not begins_still(c.time, list(c.every.values()))
+        for c in mapped.courses
+    ]
     files = [file for file, moves in zip(made.recordings, moving, strict=True) if moves]
     if files and made.points is None:
         yield f"not at rest at the start, where the model is: {listed(files)}"
@@ -246,10 +249,6 @@ def _free(made: Draft) -> str:
     if free:
         return f"free for the fit: {listed(free)}"
     return "nothing is free: see [fit] for what may be, or let diagnose look"
-
-
-def _begins_still(course: MappedRecording) -> bool:
-    return begins_still(course.time, list(course.every.values()))
 
 
 def _unknown_directions(made: Draft) -> list[str]:

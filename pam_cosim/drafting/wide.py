@@ -17,12 +17,12 @@ from pam_cosim.drafting.vocabulary import (
     read_heading,
     split_words,
 )
+from pam_cosim.drafting.words import LENGTHS
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.table import Column, Table
 
 _NAMES = {"pressure": "p", "force": "F", "contraction": "x", "ratio": "eps", "length": "L"}
-_LENGTHS = ("contraction", "length", "ratio")
 _KEYS = ("pressure", "force", "contraction", "ratio")
 
 
@@ -118,7 +118,7 @@ def _alike(tops: Sequence[_Top]) -> bool:
 
 def _missing(key: str, kinds: Sequence[str]) -> str | None:
     """What the numbers are, of a pressure, a contraction and a force, where the other two are known."""
-    known = {"contraction" if kind in _LENGTHS else kind for kind in (key, *kinds)}
+    known = {"contraction" if kind in LENGTHS else kind for kind in (key, *kinds)}
     left = [kind for kind in ("pressure", "contraction", "force") if kind not in known]
     return left[0] if len(left) == 1 else None
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 import re
 from math import inf
 
+LENGTHS = ("contraction", "length", "ratio")
 UNITS = {
     "time": "s",
     "pressure": "Pa",

@@ -288,17 +288,15 @@ def _holdout_uncertainty(
     left: ResidualStatistics,
 ) -> HoldoutUncertainty:
     runs = fitted.data.holdout_runs
-    if not options.holdout_uncertainty or not runs or _is_far_off(left):
+    if not options.holdout_uncertainty or not runs:
+        return HoldoutUncertainty()
+    # No allowance is made for a model with structured residuals in the fitted runs.
+    if left.exceeds(CRITERIA.residuals.drift) and _is_correlated(left):
         return HoldoutUncertainty()
     known = [replace(one, prior=None) for one in fitted.free]  # the fitted runs have the priors
     holdout = Objective(fitted.simulator, fitted.data, runs, known, values, options.tolerance)
     holdout.starts.state_ranges = fitted.starts.state_ranges
     return estimate_holdout_uncertainty(fitted, holdout, z, spread_of(left), options)
-
-
-def _is_far_off(left: ResidualStatistics) -> bool:
-    """Whether a model leaves so much where it was fitted that nothing it leaves elsewhere is excused."""
-    return left.exceeds(CRITERIA.residuals.drift) and _is_correlated(left)
 
 
 def profile(

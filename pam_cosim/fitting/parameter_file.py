@@ -104,11 +104,9 @@ def read_parameters(path: Path) -> dict[str, float]:
     Raises:
         InputError: the file is missing or is not such a file.
     """
-    return _from_ssv(path) if path.suffix.lower() == ".ssv" else _from_json(path)
-
-
-def _from_json(path: Path) -> dict[str, float]:
-    return parameters_in(read_json(path), path)
+    return (
+        _from_ssv(path) if path.suffix.lower() == ".ssv" else parameters_in(read_json(path), path)
+    )
 
 
 def parameters_in(content: Any, path: Path) -> dict[str, float]:

@@ -25,7 +25,7 @@ from pam_cosim.files import read_json, write_text
 from pam_cosim.fitting.free import Free
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
-from pam_cosim.measurement import DataSet, Run, Signal
+from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 
 _KIND = "pam-cosim fit in progress"
@@ -107,7 +107,10 @@ def _digest(data: DataSet) -> str:
         digest.update(json.dumps([run.name, run.interpolation, known, *_beginning(run)]).encode())
         for name, values in [("time", run.time), *run.inputs.items(), *run.measurements.items()]:
             digest.update(name.encode() + np.ascontiguousarray(values).tobytes())
-    noise = {n: [s.sigma, s.step, *_growth(s)] for n, s in data.fitted_signals.items()}
+    noise = {
+        n: [s.sigma, s.step, *([s.sigma_at_zero, s.sigma_of_reading] if s.sigma_of_reading else [])]
+        for n, s in data.fitted_signals.items()
+    }
     return hashlib.sha256(digest.digest() + json.dumps(noise).encode()).hexdigest()
 
 
@@ -119,10 +122,6 @@ def _beginning(run: Run) -> list[object]:
         start.mode or "rest", start.seconds, sorted(start.before.items()), start.lead, leading,
         start.periodic, start.periods,
     ]  # fmt: skip
-
-
-def _growth(signal: Signal) -> list[float]:
-    return [signal.sigma_at_zero, signal.sigma_of_reading] if signal.sigma_of_reading else []
 
 
 class FitLog:

@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import ast
 import sys
-from dataclasses import fields
+from inspect import getsource
 from pathlib import Path
 
 from pam_cosim.criteria import CRITERIA
@@ -23,14 +24,23 @@ them, with a comment.
 
 
 def criteria_table() -> dict[str, tuple[str, ...]]:
-    """The text of the value, the unit, the reason and the source of each criterion, by "group.name"."""
+    """The value, the unit, the reason and the source of each criterion as text, by "group.name".
+
+    The last three stand below the number in the source: unit | reason | source, or unit | reason.
+    """
     table = {}
-    for group in fields(CRITERIA):
-        for criterion in fields(type(members := getattr(CRITERIA, group.name))):
-            value = getattr(members, criterion.name)
+    for group, members in vars(CRITERIA).items():
+        (definition,) = ast.parse(getsource(type(members))).body
+        texts = [
+            ast.literal_eval(node.value)
+            for node in ast.walk(definition)
+            if isinstance(node, ast.Expr)
+        ]
+        for (name, value), text in zip(vars(members).items(), texts[1:], strict=True):
             values = value if isinstance(value, tuple) else (value,)
-            text = ", ".join(f"{v:g}" for v in values)
-            table[f"{group.name}.{criterion.name}"] = (text, *criterion.metadata.values())
+            unit, reason, *source = " ".join(text.split()).split(" | ")
+            written = ", ".join(f"{v:g}" for v in values)
+            table[f"{group}.{name}"] = (written, unit, reason, *(source or ["chosen"]))
     return table
 
 
@@ -38,17 +48,16 @@ def criteria_page() -> str:
     """The page as Markdown."""
     table = criteria_table()
     parts = [_HEAD.format(count=len(table))]
-    for group in fields(CRITERIA):
-        title = (type(getattr(CRITERIA, group.name)).__doc__ or "").rstrip(".")
+    for group, members in vars(CRITERIA).items():
+        title = (members.__doc__ or "").rstrip(".")
         parts.append(f"## {title}\n\n| | value | unit | reason | source |\n|---|---|---|---|---|")
-        rows = [_row(name, *c) for name, c in table.items() if name.startswith(f"{group.name}.")]
+        rows = [
+            f'| <a id="{name}"></a>`{name}` | {" | ".join(texts)} |'
+            for name, texts in table.items()
+            if name.startswith(f"{group}.")
+        ]
         parts.append("\n".join(rows) + "\n")
     return "\n".join(parts)
-
-
-def _row(name: str, value: str, unit: str, reason: str, source: str) -> str:
-    unit = "" if unit == "1" else unit
-    return f'| <a id="{name}"></a>`{name}` | {value} | {unit} | {reason} | {source} |'
 
 
 if __name__ == "__main__":

@@ -17,10 +17,6 @@ from pam_cosim.units import format_quantity, readable_factor, readable_unit
 from pam_cosim.wording import shown
 
 
-def _headed(name: str, unit: str) -> str:
-    return f"{name} [{unit or '1'}]"
-
-
 def write_next_run(path: Path, plan: NextExperiment) -> None:
     """Writes the inputs of a next experiment as a run's CSV; what else to set stands in comments above.
 
@@ -84,7 +80,7 @@ def _text_of_run(
     """Comments, and the inputs of a run as a table with units."""
     units = {"time": "s", **units}
     remarks = "".join(f"# {_line(line)}\n" for line in said)
-    heads = [_headed(n, _file_unit(units[n])) for n in names]
+    heads = [f"{n} [{_file_unit(units[n]) or '1'}]" for n in names]
     cells = ([_cell(v, units[n]) for n, v in zip(names, row, strict=True)] for row in rows)
     return remarks + table_text((heads, cells))
 

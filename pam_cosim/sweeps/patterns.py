@@ -44,7 +44,7 @@ def read_patterns(given: Any, read: Callable[[Any], Inputs | None]) -> tuple[Pat
     pairs = (
         list(given.items())
         if isinstance(given, Mapping)
-        else [(_name(s, i), s) for i, s in enumerate(given)]
+        else [(str(s if isinstance(s, (str, Path)) else i), s) for i, s in enumerate(given)]
     )
     patterns = []
     for name, source in pairs:
@@ -59,7 +59,3 @@ def read_patterns(given: Any, read: Callable[[Any], Inputs | None]) -> tuple[Pat
     if twice is not None:
         raise InputError(f"'{INPUTS}' is varied over '{twice}' twice; give each a name of its own")
     return tuple(patterns)
-
-
-def _name(source: Any, place: int) -> str:
-    return str(source) if isinstance(source, (str, Path)) else str(place)

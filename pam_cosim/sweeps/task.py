@@ -14,7 +14,7 @@ import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.simulation import AnySimulator, Inputs, IsolatedSimulator, Simulator, Trajectory
+from pam_cosim.simulation import AnySimulator, Inputs, IsolatedSimulator, Simulator
 from pam_cosim.simulation.models import limited
 from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.sweeps.records import RunResult
@@ -109,11 +109,8 @@ def _row(job: SweepJob, simulator: AnySimulator, run: int, varied: dict[str, flo
             run, np.full(len(job.scalars), np.nan), None, str(failure) or "the run failed"
         )
     values = np.stack([made[name] for name in job.outputs]) if job.keep else None
-    return RunResult(run, _numbers(job, made), values, warnings=made.warnings)
-
-
-def _numbers(job: SweepJob, made: Trajectory) -> Array:
-    return np.array([scalar.of(made) for scalar in job.scalars])
+    numbers = np.array([scalar.of(made) for scalar in job.scalars])
+    return RunResult(run, numbers, values, warnings=made.warnings)
 
 
 # The FMU of somebody else's that this process has in use: one that hangs while it is loaded is not loaded again.
