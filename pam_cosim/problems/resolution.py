@@ -227,8 +227,7 @@ class _Resolution:
                 run = self.runs[one.run]
                 self._begin(run, one.name, value, "initial guess", run.start.mode)
             elif name in self.fit:
-                entry = self.fit[name]
-                self.fit[name] = replace(entry, start=min(max(value, entry.min), entry.max))
+                self.fit[name] = _begun_at(self.fit[name], value)
             elif name not in (free or ()):
                 raise InputError(
                     f"'{name}' has an initial guess and is not free; "
@@ -257,9 +256,16 @@ class _Resolution:
         stated = self._release(one)
         if name in declared:
             return declared[name]
+        if one.run and self.runs[one.run].role == "holdout":
+            raise InputError(
+                f"'{name}' is of a run that is held out and never fitted: state its value by --set"
+            )
+        if one.ratio:
+            for run in self.runs.values():
+                self._stated_in(run, one.name)
         made = _bounded(one, stated, self.interface)
         guess = guesses.get(name, stated)
-        return made if guess is None else replace(made, start=min(max(guess, made.min), made.max))
+        return made if guess is None else _begun_at(made, guess)
 
     def _release(self, one: Target) -> float | None:
         """What the data set states of a parameter that is to be fitted, which counts no longer; None: nothing.
@@ -295,6 +301,21 @@ class _Resolution:
 def _name_of(one: Target) -> str:
     name = ratio_to_stated(one.name) if one.ratio else one.name
     return f"{name}@{one.run}" if one.run else name
+
+
+def _begun_at(entry: FreeParameter, value: float) -> FreeParameter:
+    """The parameter with an initial guess.
+
+    Raises:
+        InputError: the guess lies outside the bounds.
+    """
+    if not entry.min <= value <= entry.max:
+        low, guess, high = (format_quantity(v, entry.unit) for v in (entry.min, value, entry.max))
+        raise InputError(
+            f"'{entry.name}' is fitted between {low} and {high}, and its initial guess {guess} lies outside: "
+            "state a guess within the bounds, or wider bounds under [fit]"
+        )
+    return replace(entry, start=value)
 
 
 def _bounded(one: Target, stated: float | None, interface: Interface) -> FreeParameter:

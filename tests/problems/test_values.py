@@ -258,3 +258,20 @@ def test_what_is_stated_afterwards_overrules_a_verdict_and_one_line_says_so(fold
     )
     stated = pam.problem(data, model, values={"k": 4})
     assert [run.parameters["k"] for run in stated.data.runs] == [4, 4]
+
+
+@pytest.mark.parametrize(
+    ("stated", "text"),
+    [
+        ({"start": {"tau": 3}}, "between 0.05 and 0.25, and its initial guess 3 lies outside"),
+        ({"free": ["b/stated"]}, "factor on the value that run-1 states, and it states none"),
+        ({"free": ["k@run-2"]}, "held out and never fitted: state its value by --set"),
+        ({"free": ["u"]}, "'u' is no parameter of Gain and cannot be fitted"),
+    ],
+)
+def test_what_cannot_be_fitted_is_refused_with_the_reason(
+    folder: Path, stated: dict[str, Any], text: str
+) -> None:
+    data = pam.read(written(folder, "k = 2"), roles={"run-2": "holdout"})
+    with pytest.raises(InputError, match=text):
+        pam.problem(data, **stated)
