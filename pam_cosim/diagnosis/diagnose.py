@@ -25,6 +25,7 @@ from pam_cosim.diagnosis.judgement.events import (
     listened,
 )
 from pam_cosim.diagnosis.judgement.evidence import leaves_structure, rank
+from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.missing_term import MissingTerm, missing_term
 from pam_cosim.diagnosis.judgement.model_space import contradiction, effects_named
@@ -33,28 +34,20 @@ from pam_cosim.diagnosis.judgement.next_experiment import (
     RivalPlan,
     distinguishable_rivals,
 )
-from pam_cosim.diagnosis.judgement.verdict import (
-    Verdict,
-    explained,
-    judge,
-    nearest,
-    rivals,
-    with_facts,
-    with_posterior,
-)
+from pam_cosim.diagnosis.judgement.verdict import Verdict, explained, judge
+from pam_cosim.diagnosis.judgement.verdict_sentences import verdict_lines
 from pam_cosim.diagnosis.search.effort import Effort
-from pam_cosim.diagnosis.search.folds import Folds, cross_validated, folds_of
+from pam_cosim.diagnosis.search.folds import folds_of
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.search_result import (
-    SearchResult,
     fit_base_model,
     refit_by_role,
     search_all_runs,
     search_fit_runs,
     with_effects,
 )
-from pam_cosim.diagnosis.search.selection import Selection
-from pam_cosim.diagnosis.search.subject import Subject, subject_of
+from pam_cosim.diagnosis.search.selection import SearchResult
+from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.files import Plain, plain_fields
 from pam_cosim.fitting import Fit
@@ -89,14 +82,13 @@ class Diagnosis(Printed, Plain):
         not_tried: families that were not looked for, with the reason.
         step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
-        folds: where what remains has structure: which effects are needed whichever runs are left out.
         rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
             unknown one those that come nearest; see ``rival_models``.
     """
 
     json_keys = (
         "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
-        "verdict final=_final folds doubts=final.comparison.doubts outliers step_times rivals "
+        "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers step_times rivals "
         "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger"
     )
 
@@ -118,7 +110,6 @@ class Diagnosis(Printed, Plain):
     not_tried: dict[str, str] = field(default_factory=dict)
     step_times: int = 0
     means: str = ""
-    folds: Folds | None = None
     rivals: tuple[tuple[str, ...], ...] = ()
 
     @property
@@ -198,12 +189,13 @@ class Diagnosis(Printed, Plain):
         return plain_fields(self.missing_term) | learned
 
     def _headline(self) -> str:
-        return f": {self.verdict.summary}"
+        return f": {verdict_lines(self.verdict)[0]}"
 
     def __str__(self) -> str:
-        lines = [f"Verdict: {self.verdict.summary}"]
+        summary, *sentences = verdict_lines(self.verdict)
+        lines = [f"Verdict: {summary}"]
         lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
-        lines += [f"  {sentence}" for sentence in self.verdict.sentences]
+        lines += [f"  {sentence}" for sentence in sentences]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
@@ -285,44 +277,52 @@ def diagnose(
     """
     say, tell = listened(say, progress), progress or (lambda event: None)
     began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
-    data, name, sources = subject.data, subject.name, subject.sources
     effort = Effort(
         began + (math.inf if time_limit is None else time_limit),
         math.inf if simulation_limit is None else simulation_limit,
     )
     with effort.counting(), subject.simulator() as simulator:
-        available_effects = subject.effects(simulator.interface)
-        excluded = _effects_named(available_effects, data, "exclude", data.excluded, exclude)
-        expected = _effects_named(available_effects, data, "expect", data.expected, expect)
-        _check_likely(available_effects, data, exclude, expect)
-        data, base, outliers = fit_base_model(simulator, data, say)
+        available = subject.effects(simulator.interface)
+        excluded = _effects_named(
+            available, subject.data, "exclude", subject.data.excluded, exclude
+        )
+        expected = _effects_named(available, subject.data, "expect", subject.data.expected, expect)
+        _check_likely(available, subject.data, exclude, expect)
+        data, base, outliers = fit_base_model(simulator, subject.data, say)
     search = Search(
         subject.tree,
-        name,
-        [e for e in available_effects if e.name not in excluded],
+        subject.name,
+        [e for e in available if e.name not in excluded],
         data,
-        sources,
+        subject.sources,
         say,
         workers,
         expected=expected,
         effort=effort,
     )
-    answer = _answer(subject, search_fit_runs(subject, search, base, outliers))
-    simulations = effort.simulations
-    verdict, others, result = answer.verdict, answer.others, answer.result
-    search, base, data, selection = result.search, result.base, result.search.data, result.selection
-    candidates = _ranked(answer.judged, data)
+    result = search_fit_runs(subject, search, base, outliers)
+    all_runs_result = search_all_runs(subject, result)
+    judged = all_runs_result or result
+    verdict, plans = _verdict(judged, subject.sources, all_runs_result is not None)
+    if all_runs_result is not None:
+        result = refit_by_role(result, all_runs_result)
+    elif verdict.leaves_structure and result.path and not effort.spent:
+        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
+        if folds is not None:
+            result = judged = with_effects(result, folds.named)
+            verdict, plans = _verdict(result, subject.sources, False)
+            verdict = replace(verdict, folds=folds)
+    search, base, simulations = result.search, result.base, effort.simulations
+    candidates = _ranked(judged, search.data)
     tell(Judged(verdict, base, candidates, result.path))
     ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
-    unexplained = verdict.kind == "unknown" or verdict.remainder
     learned = None
-    if explain and unexplained and not effort.spent:
+    if explain and verdict.leaves_structure and not effort.spent:
         learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
-    judged = answer.judged
-    balance = _balance(judged.base, [c for c in judged.selection.tried if len(c.effects) == 1])
+    balance = _balance(judged.base, [c for c in judged.tried if len(c.effects) == 1])
     return Diagnosis(
-        data=data,
-        model=name,
+        data=search.data,
+        model=subject.name,
         base=base,
         candidates=candidates,
         path=result.path,
@@ -330,94 +330,43 @@ def diagnose(
         verdict=verdict,
         failed=tuple(search.failed),
         outliers=dict(result.outliers),
-        next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(result.last, balance) if unexplained else None,
+        next_experiment=plans[0][1] if plans else None,
+        missing_term=missing_term(result.last, balance) if verdict.leaves_structure else None,
         ledger=ledger,
         learned=learned,
-        untried=selection.untried,
+        untried=result.untried,
         simulations=simulations,
-        not_tried=_not_tried(available_effects, excluded, search, selection),
+        not_tried=_not_tried(available, excluded, result),
         step_times=result.step_times,
         means=subject.means,
-        folds=answer.folds,
-        rivals=_models_left(verdict, answer.judged, [c for c, _ in others]),
+        rivals=_models_left(verdict, judged, [c for c, _ in plans]),
     )
 
 
-@dataclass(frozen=True)
-class _Answer:
-    """The verdict and what it rests on.
-
-    Attributes:
-        result: the models, fitted to the runs that are to be fitted.
-        judged: the models that were judged: those of ``result``, or of all runs fitted together.
-        others: the rivals, with the run that would decide.
-        folds: where runs were left out in turn, what that came to.
-    """
-
-    result: SearchResult
-    judged: SearchResult
-    verdict: Verdict
-    others: list[RivalPlan]
-    folds: Folds | None = None
-
-
-def _answer(subject: Subject, result: SearchResult) -> _Answer:
-    """The verdict on what the fitted runs came to, after the held-out runs and the folds where they are needed."""
-    all_runs_result = search_all_runs(subject, result)
-    if all_runs_result is not None:
-        verdict, others = _verdict(all_runs_result, subject.sources, all_runs_searched=True)
-        return _Answer(refit_by_role(result, all_runs_result), all_runs_result, verdict, others)
-    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
-    unsettled = verdict.kind == "unknown" or verdict.remainder
-    folds = None
-    if unsettled and result.path and not result.search.effort.spent:
-        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
-    if folds is None:
-        return _Answer(result, result, verdict, others)
-    result = with_effects(result, folds.named)
-    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
-    verdict = cross_validated(verdict, folds, result.search.data.signals)
-    return _Answer(result, result, verdict, others, folds)
-
-
 def _models_left(
-    verdict: Verdict, result: SearchResult, others: Sequence[Candidate]
+    verdict: Verdict, models: FittedModels, rivals: Sequence[Candidate]
 ) -> tuple[tuple[str, ...], ...]:
     """Effects of the models that a verdict leaves, best first."""
     if verdict.kind == "ambiguous":
-        return (result.path[-1].effects, *(c.effects for c in others))
-    if verdict.kind == "unknown":
-        search, tried = result.search, result.selection.tried
-        near = nearest(result.base, tried, search.family, search.model_space)
-        return tuple(c.effects for c in near)
-    return ()
+        return (models.path[-1].effects, *(c.effects for c in rivals))
+    return tuple(c.effects for c in models.nearest) if verdict.kind == "unknown" else ()
 
 
 def _verdict(
     result: SearchResult, sources: Sequence[Path], all_runs_searched: bool
 ) -> tuple[Verdict, list[RivalPlan]]:
-    """The answer, and its rivals with the run that would decide."""
-    search, base, tried = result.search, result.base, result.selection.tried
-    selected, family, model_space = list(result.path), search.family, search.model_space
-    last = selected[-1] if selected else None
-    others = (
-        _rivals_with_runs(
-            search.data, last, rivals(base, last, tried, family, model_space), sources
-        )
-        if last
-        else []
-    )
-    verdict = judge(
-        base, selected, [c for c, _ in others], tried, family, all_runs_searched=all_runs_searched
-    )
-    verdict = with_facts(verdict, base, last, tried, family, model_space)
-    return with_posterior(verdict, base, selected, tried, family, model_space), others
+    """The verdict, and the rivals with the run that would decide where either may be right."""
+    plans: list[RivalPlan] = []
+    if result.path and leaves_structure(result.last):
+        plans = [(c, None) for c in result.rivals]
+    elif result.path:
+        plans = distinguishable_rivals(result.search.data, result.path[-1], result.rivals, sources)
+    return judge(result, [c for c, _ in plans], all_runs_searched=all_runs_searched), plans
 
 
 def _ranked(result: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
     """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
-    ranked = rank(result.base, result.selection.tried)
+    ranked = rank(result.base, result.tried)
     if result.search.data is not data:
         ranked = [replace(c, fit=c.fit.against(data)) for c in ranked]
     return tuple(ranked)
@@ -473,38 +422,31 @@ def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener)
 
 
 def _not_tried(
-    available_effects: Sequence[EffectClass],
-    excluded: Collection[str],
-    search: Search,
-    selection: Selection,
+    available: Sequence[EffectClass], excluded: Collection[str], result: SearchResult
 ) -> dict[str, str]:
     """Families that were not looked for, with the reason; none where nothing had to be looked for."""
-    looked_at = {search.family[p.effect] for p in selection.probes}
-    if not looked_at:
+    search = result.search
+    probed = {search.family[p.effect] for p in result.probes}
+    if not probed:
         return {}
     failed = {f.family for f in search.failed}
-    silent = looked_at - _families_that_show(search, selection)
-    late = {search.family[name] for names in selection.untried for name in names}
+    seen = {search.family[p.effect] for p in result.probes if not p.silent}
+    seen |= {
+        search.family[name] for c in result.tried for name in c.effects if name in search.family
+    }
+    late = {search.family[name] for names in result.untried for name in names}
     at_rest = " at rest" if search.data.is_static else ""
     reasons = {}
-    for family in dict.fromkeys(e.family for e in available_effects):
-        members = {e.name for e in available_effects if e.family == family}
-        if members <= {*excluded}:
+    for family in dict.fromkeys(e.family for e in available):
+        if {e.name for e in available if e.family == family} <= {*excluded}:
             reasons[family] = "excluded"
-        elif family not in looked_at | failed:
+        elif family not in probed | failed:
             reasons[family] = (
                 "a limit ended the search" if family in late else "the model has no place for them"
             )
-        elif family in silent:
+        elif family in probed - seen:
             reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
-
-
-def _families_that_show(search: Search, selection: Selection) -> set[str]:
-    """Families of which a sample depends on one effect at least, or one was tried all the same."""
-    tried = {name for c in selection.tried for name in c.effects}
-    by_probes = {search.family[p.effect] for p in selection.probes if not p.silent}
-    return by_probes | {search.family[name] for name in tried if name in search.family}
 
 
 def _best_formula(
@@ -534,15 +476,6 @@ def _remaining_chi2_with(learned: LearnedModel) -> float:
 
 def _remaining_chi2(fit: Fit) -> float:
     return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
-
-
-def _rivals_with_runs(
-    data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]
-) -> list[RivalPlan]:
-    """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
-    if leaves_structure(best.fit):
-        return [(c, None) for c in near]
-    return distinguishable_rivals(data, best, near, files)
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

@@ -8,6 +8,16 @@ from typing import Any
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Diagnosis, Verdict
 from pam_cosim.diagnosis.judgement.verdict import explained
+from pam_cosim.diagnosis.judgement.verdict_sentences import (
+    compared_sentence,
+    error_sentence,
+    headline,
+    kind_name,
+    meaning,
+    not_tried_sentence,
+    probability_rows,
+    probability_sentence,
+)
 from pam_cosim.reporting.account.diagnosis_rows import (
     STATED,
     balance_shares,
@@ -20,18 +30,8 @@ from pam_cosim.reporting.account.diagnosis_rows import (
     was_added,
 )
 from pam_cosim.reporting.account.learned_part import learned_part
-from pam_cosim.reporting.account.meaning import (
-    compared_sentence,
-    error_sentence,
-    headline,
-    kind_name,
-    meaning,
-    not_tried_sentence,
-    probability_rows,
-    probability_sentence,
-)
 from pam_cosim.reporting.account.next_run import next_run
-from pam_cosim.reporting.account.wording import number, words
+from pam_cosim.reporting.account.wording import number
 from pam_cosim.reporting.figures.bars import (
     CandidateBar,
     balance_picture,
@@ -48,6 +48,7 @@ from pam_cosim.reporting.glossary import glossary_entries
 from pam_cosim.reporting.ledger_part import ledger_part
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
 from pam_cosim.reporting.style import HALO, Picture, balance_colours
+from pam_cosim.wording import words
 
 _MOST_BARS = 20
 _MOST_ROWS = 12
@@ -69,11 +70,11 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         model=diagnosis.model,
         kind=diagnosis.verdict.kind,
         kind_name=kind_name(diagnosis.verdict.kind),
-        headline=headline(diagnosis),
+        headline=headline(diagnosis.verdict, diagnosis.data.domain),
         glossary=glossary_entries(),
-        error=error_sentence(diagnosis),
-        compared=compared_sentence(diagnosis),
-        not_tried=not_tried_sentence(diagnosis),
+        error=error_sentence(diagnosis.base, diagnosis.final),
+        compared=compared_sentence(diagnosis.base, diagnosis.final),
+        not_tried=not_tried_sentence(diagnosis.not_tried_by_reason),
         starts=diagnosis.data.starts,
         doubts=[doubt.text for doubt in diagnosis.final.comparison.doubts],
         reason=diagnosis.verdict.reason,

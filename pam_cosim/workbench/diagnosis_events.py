@@ -207,10 +207,10 @@ def verdict_event(d: Diagnosis) -> VerdictEvent:
     base = Judged(d.verdict, d.base, d.candidates, d.path)
     return replace(
         _judged(base, d.data.domain),
-        headline=headline(d),
-        error=error_sentence(d),
-        compared=compared_sentence(d),
-        not_tried=not_tried_sentence(d),
+        headline=headline(d.verdict, d.data.domain),
+        error=error_sentence(d.base, d.final),
+        compared=compared_sentence(d.base, d.final),
+        not_tried=not_tried_sentence(d.not_tried_by_reason),
         doubts=tuple(doubt.text for doubt in d.final.comparison.doubts),
         summary=tuple(summary_rows(d)),
         parameters=tuple(parameter_rows(d)),

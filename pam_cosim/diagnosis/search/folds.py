@@ -8,67 +8,19 @@ effect that is needed in some folds only stands in for something else.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.events import RunsLeftOut
-from pam_cosim.diagnosis.judgement.verdict import Verdict
+from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit, FitOptions, fit
-from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
-from pam_cosim.units import format_quantity
-from pam_cosim.wording import listed
-
-
-@dataclass(frozen=True)
-class Folds:
-    """What leaving out runs in turn says of a model with effects.
-
-    Attributes:
-        count: of folds.
-        needed: in how many of them each effect was needed, by its name.
-        unbelievable: ratios to what is stated that came out too far from one, by the name of the effect.
-        rmse: error of each signal on the runs that were left out [its unit], with the effects that are named; the
-            middle one of the folds.
-        worst: the largest one, and the runs that were left out then, by signal.
-    """
-
-    json_keys = "count needed unbelievable rmse worst=_worst"
-
-    count: int
-    needed: Mapping[str, int]
-    unbelievable: Mapping[str, float]
-    rmse: Mapping[str, float] = field(default_factory=dict)
-    worst: Mapping[str, tuple[float, tuple[str, ...]]] = field(default_factory=dict)
-
-    @property
-    def named(self) -> tuple[str, ...]:
-        """The effects that are needed in most folds, and whose values can be believed."""
-        return tuple(
-            e for e, n in self.needed.items() if 2 * n > self.count and e not in self.unbelievable
-        )
-
-    @property
-    def dropped(self) -> str:
-        """The other effects, each with the reason, as a sentence; "" where there are none."""
-        reasons = [
-            f"{e} ({self.needed[e]} of {self.count} folds)"
-            for e in self.needed
-            if e not in self.named and e not in self.unbelievable
-        ]
-        reasons += [
-            f"{e} ({ratio:.3g} times what is stated)" for e, ratio in self.unbelievable.items()
-        ]
-        return f"Not named, though it helped: {listed(reasons)}." if reasons else ""
-
-    @property
-    def _worst(self) -> dict[str, object]:
-        return {name: {"rmse": rmse, "runs": runs} for name, (rmse, runs) in self.worst.items()}
 
 
 @dataclass(frozen=True)
@@ -83,35 +35,6 @@ class _HoldoutError:
     def excess(self) -> float:
         """What is left beyond the noise, in noise variances."""
         return max(self.chi2 - 1.0, 0.0)
-
-
-def cross_validated(verdict: Verdict, folds: Folds, signals: Mapping[str, Signal]) -> Verdict:
-    """A verdict on a model that leaves structure, with what it is good for all the same."""
-    good = [_good_to(n, folds, signals[n].unit) for n in folds.rmse if signals[n].fitted]
-    sentences = [f"Good to {'; '.join(good)} on runs that were never fitted."] if good else []
-    for needed in sorted({folds.needed[e] for e in folds.named}, reverse=True):
-        names = [e for e in folds.named if folds.needed[e] == needed]
-        every = (
-            f"every one of {folds.count}" if needed == folds.count else f"{needed} of {folds.count}"
-        )
-        sentences.append(
-            f"{listed(names)} {'are' if len(names) > 1 else 'is'} needed in {every} folds of runs."
-        )
-    if not folds.named:
-        sentences.append(f"No effect is needed in most of {folds.count} folds of runs.")
-    return replace(
-        verdict, reason=" ".join([*sentences, *filter(None, [folds.dropped]), verdict.reason])
-    )
-
-
-def _good_to(name: str, folds: Folds, unit: str) -> str:
-    """The error of a signal, and the runs of which it is much larger."""
-    typical, (most, runs) = folds.rmse[name], folds.worst[name]
-    text = f"{format_quantity(typical, unit)} of {name}"
-    if most <= CRITERIA.folds.beyond * typical:
-        return text
-    first = listed([*runs[:2], *[f"{len(runs) - 2} more"] * (len(runs) > 2)])
-    return f"{text} (but {format_quantity(most, unit)} of {first}, when left out)"
 
 
 def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:

@@ -10,8 +10,9 @@ parameters is asked for as well.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
@@ -23,6 +24,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     noise_scale,
     rank,
 )
+from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
@@ -33,27 +35,24 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
 
-@dataclass(frozen=True)
-class Selection:
-    """What a search came to.
+@dataclass(frozen=True, kw_only=True)
+class SearchResult(FittedModels):
+    """The models that a search has fitted.
 
     Attributes:
-        search, base: with the data that the models are judged by.
-        path: the models that add the effects that are needed one after another; none where none is needed.
-        tried: all models that were fitted.
+        search: with the data that the models are judged by.
         untried: effects of the models that promised to be better when the effort was spent, the most promising first.
         outliers: how many single samples were set aside on the way, by signal.
+        step_times: how many steps of commands got a time between two samples.
         probes: what each effect does beside the base model; none where nothing had to be looked for.
         retimed: the data with commands that step between two samples at the times that explain what else remains, to
             select from anew; None: as they are.
     """
 
     search: Search
-    base: Fit
-    path: tuple[Candidate, ...] = ()
-    tried: tuple[Candidate, ...] = ()
     untried: tuple[tuple[str, ...], ...] = ()
-    outliers: Mapping[str, int] = field(default_factory=dict)
+    outliers: Counter[str] = field(default_factory=Counter)
+    step_times: int = 0
     probes: tuple[EffectProbe, ...] = ()
     retimed: Retimed | None = None
 
@@ -63,7 +62,7 @@ def select_effects(
     base: Fit,
     retime: bool = True,
     earlier: Sequence[Candidate] = (),
-) -> Selection:
+) -> SearchResult:
     """The effects that are needed.
 
     Args:
@@ -77,7 +76,7 @@ def select_effects(
     """
     if not any(may_have_structure(s) for s in base.residuals_beyond_uncertainty.values()):
         search.say(NothingTried().message)
-        return Selection(search, base)
+        return SearchResult(base, search.family, search.model_space, search=search)
     models = _Models(search, base)
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
@@ -93,9 +92,7 @@ def select_effects(
         if models.ranking.unsolved():
             retimed = models.with_step_times(count) if retime else None
             if retimed is not None:
-                return Selection(
-                    models.search, models.base, outliers=models.outliers, retimed=retimed
-                )
+                return models.result(retimed=retimed)
         else:
             models.try_simpler()
             if not (models.exclude_drift() or models.ranking.more_effects_can_pay(count + 1)):
@@ -106,14 +103,12 @@ def select_effects(
     models.try_earlier(earlier)
     models.try_other_forms()
     models.try_exchanging()
-    return Selection(
-        models.search,
-        models.base,
-        tuple(models.path()),
-        tuple(models.tried),
-        tuple(models.untried),
-        models.outliers,
-        tuple(models.probes),
+    path = tuple(models.path())
+    return models.result(
+        path=path,
+        tried=tuple(c.without_slopes for c in models.fitted.values()),
+        untried=tuple(models.untried),
+        probes=tuple(models.probes),
     )
 
 
@@ -140,10 +135,11 @@ class _Models:
         """The model without effects."""
         return self.ranking.base
 
-    @property
-    def tried(self) -> list[Candidate]:
-        """All models, without what only the search needs."""
-        return [c.without_slopes for c in self.fitted.values()]
+    def result(self, **found: Any) -> SearchResult:
+        """The result with the fields that were found."""
+        search = self.search
+        common: dict[str, Any] = {"search": search, "outliers": self.outliers}
+        return SearchResult(self.base, search.family, search.model_space, **common | found)
 
     def probe(self) -> None:
         """What each effect does beside the base model; where the effort is limited, by families first."""

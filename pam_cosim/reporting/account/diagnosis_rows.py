@@ -20,8 +20,8 @@ from pam_cosim.reporting.account.wording import (
     quantity_text,
     remark,
     unit_text,
-    words,
 )
+from pam_cosim.wording import words
 
 Row = dict[str, str]
 STATED = "stated_parameter"

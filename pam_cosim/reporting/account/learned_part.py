@@ -9,13 +9,13 @@ from pam_cosim.measurement import ROLES
 from pam_cosim.reporting.account.wording import (
     NOTHING,
     estimate_texts,
-    listed,
     number,
     percent,
     quantity_text,
     remark,
     unit_text,
 )
+from pam_cosim.wording import enumeration
 
 CAUTION = (
     "This is a description, not a cause: another formula may describe the same measurement as well, and beyond the "
@@ -43,7 +43,7 @@ def learned_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
         )
     return {
         "formula": term.formula,
-        "beside": listed(candidate.effects[:-1]),
+        "beside": enumeration(candidate.effects[:-1]),
         "balance": term.balance,
         "score": percent(term.score),
         "fit_score": percent(term.fit_score),
