@@ -28,7 +28,7 @@ from pam_cosim.diagnosis.judgement.evidence import leaves_structure, rank
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.missing_term import MissingTerm, missing_term
-from pam_cosim.diagnosis.judgement.model_space import contradiction, effects_named
+from pam_cosim.diagnosis.judgement.model_space import effects_named
 from pam_cosim.diagnosis.judgement.next_experiment import (
     NextExperiment,
     RivalPlan,
@@ -132,24 +132,18 @@ class Diagnosis(Printed, Plain):
         return families
 
     @property
-    def said_of_steps(self) -> str:
-        """What was done about commands that step between two samples."""
-        return (
+    def changes_of_data(self) -> tuple[str, ...]:
+        """What was changed in the samples before models were judged by them, in sentences."""
+        steps = (
             f"{self.step_times} steps of commands came between two samples: each was given the time in its interval "
             "that leaves least; log commands when they change, or faster"
         )
-
-    @property
-    def changes_of_data(self) -> tuple[str, ...]:
-        """What was changed in the samples before models were judged by them, in sentences."""
-        outliers = [
-            f"{n} single samples of {name} are set aside" for name, n in self.outliers.items() if n
-        ]
-        return (
-            *outliers,
-            *[self.means] * bool(self.means),
-            *[self.said_of_steps] * bool(self.step_times),
+        outliers = (
+            f"{n} single {'samples' if n > 1 else 'sample'} of {name} {'are' if n > 1 else 'is'} set aside"
+            for name, n in self.outliers.items()
+            if n
         )
+        return tuple(filter(None, [*outliers, self.means, steps * bool(self.step_times)]))
 
     @property
     def _base(self) -> dict[str, object]:
@@ -199,12 +193,13 @@ class Diagnosis(Printed, Plain):
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
+            first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
+            more = len(self.untried) - len(first)
             lines.append(
                 f"  A limit ended the search after {self.simulations} simulations; what would have been tried next: "
-                f"{self._tried_next()}"
+                f"{', '.join(first)}{f' and {more} more' * bool(more)}"
             )
-        if self.step_times:
-            lines.append(f"  {self.said_of_steps}")
+        lines += [f"  {change}" for change in self.changes_of_data]
         lines += [
             f"  not looked for: {listed(names)}: {why}"
             for why, names in self.not_tried_by_reason.items()
@@ -230,12 +225,6 @@ class Diagnosis(Printed, Plain):
                     f"  {role:8} {name:4} rms error {errors[0]} -> {errors[1]} ({noise}){fitted}"
                 )
         return lines
-
-    def _tried_next(self) -> str:
-        """The most promising models that a limit left, and how many more there are."""
-        first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
-        more = len(self.untried) - len(first)
-        return ", ".join(first) + (f" and {more} more" if more else "")
 
 
 @on_one_thread
@@ -283,11 +272,7 @@ def diagnose(
     )
     with effort.counting(), subject.simulator() as simulator:
         available = subject.effects(simulator.interface)
-        excluded = _effects_named(
-            available, subject.data, "exclude", subject.data.excluded, exclude
-        )
-        expected = _effects_named(available, subject.data, "expect", subject.data.expected, expect)
-        _check_likely(available, subject.data, exclude, expect)
+        excluded, expected = _excluded_and_expected(available, subject.data, exclude, expect)
         data, base, outliers = fit_base_model(simulator, subject.data, say)
     search = Search(
         subject.tree,
@@ -372,43 +357,41 @@ def _ranked(result: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
     return tuple(ranked)
 
 
-def _effects_named(
-    available_effects: Sequence[EffectClass],
-    data: DataSet,
-    key: str,
-    stated: Sequence[str],
-    named: Sequence[str],
-) -> frozenset[str]:
-    """The effects meant by names that the data set states under a key, and by others that were asked for."""
-
-    def wrong_key(message: str) -> InputError:
-        return error_in(data.folder, f"{key}: {message}", "effects", key)
-
-    def wrong_word(message: str) -> InputError:
-        return InputError(f"{key}: {message}")
-
-    return effects_named(available_effects, stated, wrong_key) | effects_named(
-        available_effects, named, wrong_word
-    )
-
-
-def _check_likely(
-    available_effects: Sequence[EffectClass],
+def _excluded_and_expected(
+    available: Sequence[EffectClass],
     data: DataSet,
     exclude: Sequence[str],
     expect: Sequence[str],
-) -> None:
-    """Raises InputError where something is said to be likely of which nothing is left to be tried."""
-    impossible, likely = [*data.excluded, *exclude], [*data.expected, *expect]
-    name = contradiction(available_effects, impossible, likely)
-    if name is None:
-        return
-    message = f"{name} is both excluded, as not missing, and expected, as likely; keep one of them"
-    if name in data.expected:
-        raise error_in(data.folder, message, "effects", "expect")
-    if name in data.excluded:
-        raise error_in(data.folder, message, "effects", "exclude")
-    raise InputError(message)
+) -> tuple[frozenset[str], frozenset[str]]:
+    """The effects that cannot be missing and those that are likely, by the data set and by the caller.
+
+    Raises:
+        InputError: an unknown name, or one that is both excluded and expected.
+    """
+    stated = {"exclude": data.excluded, "expect": data.expected}
+    names = {"exclude": [*data.excluded, *exclude], "expect": [*data.expected, *expect]}
+
+    def error(key: str, name: str, message: str) -> InputError:
+        if name in stated[key]:
+            return error_in(data.folder, message, "effects", key)
+        return InputError(message)
+
+    def effects(key: str) -> frozenset[str]:
+        found = frozenset[str]()
+        for name in names[key]:
+            try:
+                found |= effects_named(available, name)
+            except ValueError as problem:
+                raise error(key, name, f"{key}: {problem}") from None
+        return found
+
+    excluded, expected = effects("exclude"), effects("expect")
+    for name in names["expect"]:
+        members = effects_named(available, name)
+        if name in names["exclude"] or (members and members <= excluded):
+            text = f"{name} is both excluded, as not missing, and expected, as likely; keep one of them"
+            raise error("expect" if name in data.expected else "exclude", name, text)
+    return excluded, expected
 
 
 def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:
@@ -484,8 +467,4 @@ def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:
     for c in candidates:
         gains[c.balance] = max(gains.get(c.balance, 0.0), explained(base, c.fit), 0.0)
     total = sum(gains.values())
-    return (
-        {b: g / total for b, g in sorted(gains.items())}
-        if total > 0
-        else dict.fromkeys(sorted(gains), 0.0)
-    )
+    return {b: gains[b] / total if total > 0 else 0.0 for b in sorted(gains)}

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.judgement.events import RunsLeftOut
+from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.subject import Subject
@@ -49,7 +49,8 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     data = list(_folds(search.data))
     if not data:
         return None
-    search.say(RunsLeftOut(len(data)).message)
+    text = f"leaving out runs in turn, in {len(data)} folds: which effects are needed in all?"
+    search.say(Remark(text).message)
     every = tuple(effects)
     without = {e: tuple(one for one in every if one != e) for e in every}
     errors, needed = [], dict.fromkeys(every, 0)

@@ -14,13 +14,7 @@ from dataclasses import replace
 from pam_cosim.comparison import without_outliers
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.judgement.events import (
-    AllRunsSearched,
-    BaseFitted,
-    DoubtRaised,
-    OutliersSetAside,
-    StepTimesFound,
-)
+from pam_cosim.diagnosis.judgement.events import BaseFitted, Remark, SearchRestarted
 from pam_cosim.diagnosis.judgement.evidence import (
     contradicted_by_holdout,
     leaves_structure,
@@ -34,6 +28,8 @@ from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Role
 from pam_cosim.simulation import Simulator
 
+_ALL_RUNS = "the answer of the fitted runs fails on the held-out runs; restarting the search with all runs fitted"
+
 
 def fit_base_model(
     simulator: Simulator, data: DataSet, say: Callable[[Message], None]
@@ -43,11 +39,12 @@ def fit_base_model(
     base = fit(simulator, data, options=options)
     data, outliers = without_outliers(data, base.comparison.runs)
     if outliers:
-        say(OutliersSetAside(outliers).message)
+        counts = ", ".join(f"{count} of {name}" for name, count in outliers.items())
+        say(Remark(f"single samples far off their neighbours are set aside: {counts}").message)
         base = fit(simulator, data, options=options)
     say(BaseFitted(base).message)
     for doubt in base.comparison.doubts:
-        say(DoubtRaised(doubt).message)
+        say(Remark(f"LOOK FIRST: {doubt.text}").message)
     return data, base, outliers
 
 
@@ -65,9 +62,11 @@ def search_fit_runs(
     result = _counted(select_effects(search, base), outliers)
     if result.retimed is None:
         return result
-    search.say(StepTimesFound(result.retimed.steps).message)
+    steps = result.retimed.steps
+    found = f"estimated the switching times of {steps} command steps between samples; restarting the search"
+    search.say(SearchRestarted(found).message)
     again = _counted(_restarted(subject, search, result.retimed.data), result.outliers)
-    return replace(again, step_times=result.retimed.steps)
+    return replace(again, step_times=steps)
 
 
 def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchResult | None:
@@ -87,7 +86,7 @@ def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchRe
     )
     if not contradicted or search.effort.spent:
         return None
-    search.say(AllRunsSearched().message)
+    search.say(SearchRestarted(_ALL_RUNS).message)
     data = _with_roles(search.data, ["fit"] * len(search.data.runs))
     result = _restarted(subject, search, data, fit_runs_result.tried)
     if result.untried or not result.path or leaves_structure(result.last):

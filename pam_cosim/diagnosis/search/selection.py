@@ -16,7 +16,7 @@ from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.judgement.events import NothingTried, StepTimesSought
+from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import (
     information_criterion,
     leaves_structure,
@@ -75,7 +75,7 @@ def select_effects(
         SimulationFailure: no effect could be tried at all.
     """
     if not any(may_have_structure(s) for s in base.residuals_beyond_uncertainty.values()):
-        search.say(NothingTried().message)
+        search.say(Remark("what remains is noise: no effect is tried").message)
         return SearchResult(base, search.family, search.model_space, search=search)
     models = _Models(search, base)
     models.probe()
@@ -232,7 +232,8 @@ class _Models:
             return None
         own = [(c.effects, c.fit) for c in self.ranking.models(count) if len(c.effects) == count]
         own = own[: CRITERIA.search.leading_families]
-        self.search.say(StepTimesSought().message)
+        text = "giving each step of a command its time between two samples"
+        self.search.say(Remark(text).message)
         retimed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
         retimed = [r for r in retimed if not leaves_structure(r.fit)]
         if not retimed:
