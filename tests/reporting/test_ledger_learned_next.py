@@ -91,7 +91,7 @@ def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
         ).text
 
     assert "something is missing elsewhere too" in text(closed=False)
-    assert "No balance fails for certain" in text(failing=())
+    assert "No balance is significantly violated" in text(failing=())
     assert "may" not in diagnosis_text(
         make_diagnosis("unknown", ledger=make_ledger(failing=(), notes=()))
     )

@@ -6,6 +6,7 @@ from collections.abc import Mapping, Sequence
 from math import isnan
 from typing import TYPE_CHECKING, NamedTuple
 
+from pam_cosim.comparison import SignalScore
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.fitting import Fit
 from pam_cosim.model.domain import Domain
@@ -354,8 +355,7 @@ def probability_rows(verdict: Verdict) -> list[ProbabilityRow]:
 
 def error_sentence(base: Fit, final: Fit) -> str:
     """The error before and after, of the signal that gains most (without an added effect: that is worst)."""
-    role = "holdout" if base.comparison.scores["holdout"] else "fit"
-    before, after = (fit.comparison.scores[role] for fit in (base, final))
+    role, before, after = _scores(base, final)
     signals, added = base.comparison.data.signals, final is not base
     names = [n for n in before if n in after and signals[n].fitted and before[n].chi2_reduced >= 0]
     if not names:
@@ -365,17 +365,22 @@ def error_sentence(base: Fit, final: Fit) -> str:
         format_quantity(value, signals[name].unit)
         for value in (before[name].rmse, after[name].rmse, before[name].noise_rmse)
     )
-    course = f"{'falls' if after[name].rmse < before[name].rmse else 'goes'} from {old} to {new}"
+    verb = "falls" if after[name].rmse < before[name].rmse else "goes"
     return (
         f"On {'runs that were never fitted' if role == 'holdout' else 'the fitted runs'} the rms error of {name} "
-        f"{course if added else f'is {old}'}; the {signals[name].scatter} is {noise}."
+        f"{f'{verb} from {old} to {new}' if added else f'is {old}'}; the {signals[name].scatter} is {noise}."
     )
+
+
+def _scores(base: Fit, final: Fit) -> tuple[str, dict[str, SignalScore], dict[str, SignalScore]]:
+    """The role that counts, and the scores of both models on its runs."""
+    role = "holdout" if base.comparison.scores["holdout"] else "fit"
+    return role, base.comparison.scores[role], final.comparison.scores[role]
 
 
 def compared_sentence(base: Fit, final: Fit) -> str:
     """The error of the signals that decide only where the others do not; "" where there are none."""
-    role = "holdout" if base.comparison.scores["holdout"] else "fit"
-    before, after = (fit.comparison.scores[role] for fit in (base, final))
+    _, before, after = _scores(base, final)
     parts = []
     for name, signal in base.comparison.data.signals.items():
         if not signal.fitted and name in before and name in after:

@@ -8,7 +8,8 @@ effect that is needed in some folds only stands in for something else.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, replace
+from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
@@ -21,20 +22,6 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
-
-
-@dataclass(frozen=True)
-class _HoldoutError:
-    """What a model leaves on runs that were left out: error by signal [its unit], and all in noise variances."""
-
-    rmse: Mapping[str, float]
-    chi2: float
-    runs: tuple[str, ...] = ()
-
-    @property
-    def excess(self) -> float:
-        """What is left beyond the noise, in noise variances."""
-        return max(self.chi2 - 1.0, 0.0)
 
 
 def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
@@ -52,39 +39,25 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     text = f"leaving out runs in turn, in {len(data)} folds: which effects are needed in all?"
     search.say(Remark(text).message)
     every = tuple(effects)
-    without = {e: tuple(one for one in every if one != e) for e in every}
-    errors, needed = [], dict.fromkeys(every, 0)
-    for one in data:
-        of_models = _holdout_errors(subject, search, one, [every, *without.values()], final.values)
-        errors.append(of_models[every])
-        for e, others in without.items():
-            needed[e] += _is_needed(of_models[every], of_models[others])
-    folds = Folds(len(data), needed, _unbelievable(every, final.values))
-    named = folds.named
-    if named != every:
-        errors = [
-            _holdout_errors(subject, search, one, [named], final.values)[named] for one in data
-        ]
-    return _with_errors(folds, [error for error in errors if error is not None])
-
-
-def _unbelievable(effects: Sequence[str], values: Mapping[str, float]) -> dict[str, float]:
-    """Ratios to what is stated that are too far from one, by the name of the effect."""
-    ratios = {e: values[e] for e in effects if is_ratio(e) and e in values}
+    without = {e: tuple(other for other in every if other != e) for e in every}
+    fits = [
+        _refitted(subject, search, one, [every, *without.values()], final.values) for one in data
+    ]
+    needed = {e: sum(_is_needed(f.get(every), f.get(without[e])) for f in fits) for e in every}
+    ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
     limit = CRITERIA.folds.believable
-    return {e: ratio for e, ratio in ratios.items() if not 1 / limit <= ratio <= limit}
-
-
-def _with_errors(folds: Folds, errors: Sequence[_HoldoutError]) -> Folds:
-    """With the error of each signal in the middle fold and in the worst."""
-    by_signal: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
-    for error in errors:
-        for name, rmse in error.rmse.items():
-            by_signal.setdefault(name, []).append((rmse, error.runs))
-    middle = {
-        name: float(np.median([rmse for rmse, _ in each])) for name, each in by_signal.items()
-    }
-    return replace(folds, rmse=middle, worst={name: max(each) for name, each in by_signal.items()})
+    unbelievable = {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}
+    named = Folds(len(data), needed, unbelievable).named
+    if named != every:
+        fits = [_refitted(subject, search, one, [named], final.values) for one in data]
+    errors: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
+    for comparison in (f[named].comparison for f in fits if named in f):
+        runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
+        for name, score in comparison.scores["holdout"].items():
+            errors.setdefault(name, []).append((score.rmse, runs))
+    middle = {n: float(np.median([rmse for rmse, _ in each])) for n, each in errors.items()}
+    worst = {name: max(each) for name, each in errors.items()}
+    return Folds(len(data), needed, unbelievable, middle, worst)
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:
@@ -100,43 +73,29 @@ def _folds(data: DataSet) -> Iterator[DataSet]:
         yield replace(data, runs=tuple(runs))
 
 
-def _holdout_errors(
+def _refitted(
     subject: Subject,
     search: Search,
     data: DataSet,
     models: Sequence[tuple[str, ...]],
     values: Mapping[str, float],
-) -> dict[tuple[str, ...], _HoldoutError | None]:
-    """What models with these effects, fitted anew, leave on the runs that are held out; None: one broke down."""
+) -> dict[tuple[str, ...], Fit]:
+    """Models with these effects, fitted anew; without those that break down."""
     wanted = [FitRequest(effects, values) for effects in models if effects]
     fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
     if () in models:
-        fits |= _without_effects(subject, search, data)
-    return {
-        effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models
-    }
+        with (
+            suppress(SimulationFailure),
+            search.effort.counting(),
+            subject.simulator() as simulator,
+        ):
+            fits[()] = fit(simulator, data, options=FitOptions(rules=False))
+    return fits
 
 
-def _without_effects(subject: Subject, search: Search, data: DataSet) -> dict[tuple[str, ...], Fit]:
-    try:
-        with search.effort.counting(), subject.simulator() as simulator:
-            return {(): fit(simulator, data, options=FitOptions(rules=False))}
-    except SimulationFailure:
-        return {}
-
-
-def _holdout_error(model: Fit) -> _HoldoutError:
-    comparison = model.comparison
-    rmse = {n: s.rmse for n, s in comparison.scores["holdout"].items()}
-    runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
-    return _HoldoutError(rmse, comparison.chi2_reduced("holdout"), runs)
-
-
-def _is_needed(with_it: _HoldoutError | None, without: _HoldoutError | None) -> bool:
-    """Whether what is left beyond the noise is visibly less with an effect."""
+def _is_needed(with_it: Fit | None, without: Fit | None) -> bool:
+    """Whether the error of the runs that were left out, beyond the noise, is visibly less with an effect."""
     if with_it is None or without is None:
         return with_it is not None
-    return (
-        without.excess > 0
-        and without.excess - with_it.excess >= CRITERIA.folds.visible * without.excess
-    )
+    less, more = (max(f.comparison.chi2_reduced("holdout") - 1.0, 0.0) for f in (with_it, without))
+    return more > 0 and more - less >= CRITERIA.folds.visible * more

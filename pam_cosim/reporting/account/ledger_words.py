@@ -28,8 +28,8 @@ def ledger_sentence(ledger: Ledger) -> str:
     """Which balances fail, and whether that is all."""
     if not ledger.failing:
         return (
-            "No balance fails for certain: no missing term, free to take any course in time, makes the samples so "
-            "much more probable that it pays."
+            "No balance is significantly violated: a free time-varying term in any balance does not improve the "
+            "likelihood enough."
         )
     names = [_name(b, ledger) for b in ledger.failing]
     course = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
@@ -44,7 +44,7 @@ def ledger_sentence(ledger: Ledger) -> str:
 def ledger_line(ledger: Ledger) -> str:
     """The ledger in one line of plain text."""
     if not ledger.failing:
-        return "no balance fails for certain"
+        return "no balance is significantly violated"
     large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
     shares = ", ".join(f"{_name(one.balance, ledger)} {percent(one.share)}" for one in large)
     rest = "" if ledger.closed else "; something is missing elsewhere too"
