@@ -39,14 +39,14 @@ from pam_cosim.diagnosis.judgement.verdict_sentences import verdict_lines
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.folds import folds_of
 from pam_cosim.diagnosis.search.search import Search
-from pam_cosim.diagnosis.search.search_result import (
+from pam_cosim.diagnosis.search.search_result import SearchResult
+from pam_cosim.diagnosis.search.searches import (
     fit_base_model,
     refit_by_role,
     search_all_runs,
     search_fit_runs,
     with_effects,
 )
-from pam_cosim.diagnosis.search.selection import SearchResult
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.files import Plain, plain_fields
@@ -440,16 +440,14 @@ def _best_formula(
     Effects that leave structure may stand in for what is missing, and then hide its course. Where no ledger can be
     kept, or no formula from one leaves less than the model without it, the term is learned from what the samples feel.
     """
-    every = [learned_term(search, ledger, (), base)]
+    formulas = [learned_term(search, ledger, (), base)]
     if added and ledger is not None:
-        every.append(learned_term(search, ledger_of(search, added, present), added, present))
-    best = min((one for one in every if one is not None), key=_remaining_chi2_with, default=None)
+        formulas.append(learned_term(search, ledger_of(search, added, present), added, present))
+    best = min(filter(None, formulas), key=_remaining_chi2_with, default=None)
     if best is not None and _remaining_chi2_with(best) < _remaining_chi2(present):
         return best
     direct = directly_learned(search, added, present)
-    return min(
-        (one for one in (direct, best) if one is not None), key=_remaining_chi2_with, default=None
-    )
+    return min(filter(None, (direct, best)), key=_remaining_chi2_with, default=None)
 
 
 def _remaining_chi2_with(learned: LearnedModel) -> float:
