@@ -32,6 +32,17 @@ def listed(names: Iterable[str]) -> str:
     return (", ".join(names[:_MOST_NAMES]) or "none") + (f" and {rest} more" if rest > 0 else "")
 
 
+def enumeration(names: Iterable[str]) -> str:
+    """``a, b and c``; "" when there are none."""
+    *first, last = [*names] or [""]
+    return f"{', '.join(first)} and {last}" if first else last
+
+
+def words(identifier: str) -> str:
+    """An identifier as words: "dry_friction" is "dry friction"."""
+    return identifier.replace("_", " ")
+
+
 def look_first(texts: Iterable[str]) -> list[str]:
     """A line for each text that a person reads before the result."""
     return [f"  LOOK FIRST: {text}" for text in texts]

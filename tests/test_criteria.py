@@ -65,11 +65,12 @@ DECIDE_NOTHING = {
         "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION _SPEEDS _GROWTHS _WAVES",
     ),
     "diagnosis/description/learning_text": ("bounds of a learned coefficient", "_REACH"),
+    "diagnosis/judgement/fitted_models": ("proposes a run", "MOST_RIVALS"),
     "diagnosis/judgement/missing_term": ("length of a list", "_MOST_RULES"),
     "diagnosis/judgement/next_experiment": ("proposes a run", "FACTORS _PACES _MOST_JOINED"),
-    "diagnosis/judgement/verdict": (
-        "proposes a run; length of a line",
-        "MOST_RIVALS _MOST_LISTED",
+    "diagnosis/judgement/verdict_sentences": (
+        "length of a line; of a table",
+        "_MOST_LISTED _SMALL_SHARE",
     ),
     "diagnosis/search/expectation": ("rank of a matrix", "_NOTHING_NEW _WEAK"),
     "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),

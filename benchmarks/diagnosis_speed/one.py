@@ -46,14 +46,14 @@ def main(data: str, cache: str) -> None:
     import pam_cosim as pam
     from pam_cosim.diagnosis import diagnose
     from pam_cosim.diagnosis.description import explanation
-    from pam_cosim.diagnosis.search import search_result, subject, trial
+    from pam_cosim.diagnosis.search import searches, subject, trial
 
     spent["start"] = processor_time()
     trial.build_source = timed("building", trial.build_source)
     subject.build_model = timed("building", subject.build_model)
     trial._probe = timed("predicting", trial._probe)
     trial._fitted = timed("fitting", trial._fitted)
-    search_result.fit = timed("fitting", search_result.fit)
+    searches.fit = timed("fitting", searches.fit)
     explanation.keep_ledger = timed("ledger", explanation.keep_ledger)
     read = timed("building", pam.read)(data)
     found = timed("choosing and judging", diagnose)(read, workers=0)

@@ -25,36 +25,29 @@ from pam_cosim.diagnosis.judgement.events import (
     listened,
 )
 from pam_cosim.diagnosis.judgement.evidence import leaves_structure, rank
+from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.missing_term import MissingTerm, missing_term
-from pam_cosim.diagnosis.judgement.model_space import contradiction, effects_named
+from pam_cosim.diagnosis.judgement.model_space import effects_named
 from pam_cosim.diagnosis.judgement.next_experiment import (
     NextExperiment,
     RivalPlan,
     distinguishable_rivals,
 )
-from pam_cosim.diagnosis.judgement.verdict import (
-    Verdict,
-    explained,
-    judge,
-    nearest,
-    rivals,
-    with_facts,
-    with_posterior,
-)
+from pam_cosim.diagnosis.judgement.verdict import Verdict, explained, judge
+from pam_cosim.diagnosis.judgement.verdict_sentences import verdict_lines
 from pam_cosim.diagnosis.search.effort import Effort
-from pam_cosim.diagnosis.search.folds import Folds, cross_validated, folds_of
+from pam_cosim.diagnosis.search.folds import folds_of
 from pam_cosim.diagnosis.search.search import Search
-from pam_cosim.diagnosis.search.search_result import (
-    SearchResult,
+from pam_cosim.diagnosis.search.search_result import SearchResult
+from pam_cosim.diagnosis.search.searches import (
     fit_base_model,
     refit_by_role,
     search_all_runs,
     search_fit_runs,
     with_effects,
 )
-from pam_cosim.diagnosis.search.selection import Selection
-from pam_cosim.diagnosis.search.subject import Subject, subject_of
+from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Columns, Tabular
 from pam_cosim.files import plain_fields
@@ -90,14 +83,13 @@ class Diagnosis(Printed, Tabular):
         not_tried: families that were not looked for, with the reason.
         step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
-        folds: where what remains has structure: which effects are needed whichever runs are left out.
         rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
             unknown one those that come nearest; see ``rival_models``.
     """
 
     json_keys = (
         "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
-        "verdict final=_final folds doubts=final.comparison.doubts outliers step_times rivals "
+        "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers step_times rivals "
         "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger"
     )
 
@@ -119,7 +111,6 @@ class Diagnosis(Printed, Tabular):
     not_tried: dict[str, str] = field(default_factory=dict)
     step_times: int = 0
     means: str = ""
-    folds: Folds | None = None
     rivals: tuple[tuple[str, ...], ...] = ()
 
     @property
@@ -142,24 +133,18 @@ class Diagnosis(Printed, Tabular):
         return families
 
     @property
-    def said_of_steps(self) -> str:
-        """What was done about commands that step between two samples."""
-        return (
+    def changes_of_data(self) -> tuple[str, ...]:
+        """What was changed in the samples before models were judged by them, in sentences."""
+        steps = (
             f"{self.step_times} steps of commands came between two samples: each was given the time in its interval "
             "that leaves least; log commands when they change, or faster"
         )
-
-    @property
-    def changes_of_data(self) -> tuple[str, ...]:
-        """What was changed in the samples before models were judged by them, in sentences."""
-        outliers = [
-            f"{n} single samples of {name} are set aside" for name, n in self.outliers.items() if n
-        ]
-        return (
-            *outliers,
-            *[self.means] * bool(self.means),
-            *[self.said_of_steps] * bool(self.step_times),
+        outliers = (
+            f"{n} single {'samples' if n > 1 else 'sample'} of {name} {'are' if n > 1 else 'is'} set aside"
+            for name, n in self.outliers.items()
+            if n
         )
+        return tuple(filter(None, [*outliers, self.means, steps * bool(self.step_times)]))
 
     def frame_columns(self) -> Columns:
         """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
@@ -214,21 +199,23 @@ class Diagnosis(Printed, Tabular):
         return plain_fields(self.missing_term) | learned
 
     def _headline(self) -> str:
-        return f": {self.verdict.summary}"
+        return f": {verdict_lines(self.verdict)[0]}"
 
     def __str__(self) -> str:
-        lines = [f"Verdict: {self.verdict.summary}"]
+        summary, *sentences = verdict_lines(self.verdict)
+        lines = [f"Verdict: {summary}"]
         lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
-        lines += [f"  {sentence}" for sentence in self.verdict.sentences]
+        lines += [f"  {sentence}" for sentence in sentences]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
+            first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
+            more = len(self.untried) - len(first)
             lines.append(
                 f"  A limit ended the search after {self.simulations} simulations; what would have been tried next: "
-                f"{self._tried_next()}"
+                f"{', '.join(first)}{f' and {more} more' * bool(more)}"
             )
-        if self.step_times:
-            lines.append(f"  {self.said_of_steps}")
+        lines += [f"  {change}" for change in self.changes_of_data]
         lines += [
             f"  not looked for: {listed(names)}: {why}"
             for why, names in self.not_tried_by_reason.items()
@@ -254,12 +241,6 @@ class Diagnosis(Printed, Tabular):
                     f"  {role:8} {name:4} rms error {errors[0]} -> {errors[1]} ({noise}){fitted}"
                 )
         return lines
-
-    def _tried_next(self) -> str:
-        """The most promising models that a limit left, and how many more there are."""
-        first = [" + ".join(names) for names in self.untried[: CRITERIA.search.first_tried]]
-        more = len(self.untried) - len(first)
-        return ", ".join(first) + (f" and {more} more" if more else "")
 
 
 @on_one_thread
@@ -301,44 +282,48 @@ def diagnose(
     """
     say, tell = listened(say, progress), progress or (lambda event: None)
     began, subject = time.monotonic(), subject_of(data, model, files, workers, say)
-    data, name, sources = subject.data, subject.name, subject.sources
     effort = Effort(
         began + (math.inf if time_limit is None else time_limit),
         math.inf if simulation_limit is None else simulation_limit,
     )
     with effort.counting(), subject.simulator() as simulator:
-        available_effects = subject.effects(simulator.interface)
-        excluded = _effects_named(available_effects, data, "exclude", data.excluded, exclude)
-        expected = _effects_named(available_effects, data, "expect", data.expected, expect)
-        _check_likely(available_effects, data, exclude, expect)
-        data, base, outliers = fit_base_model(simulator, data, say)
+        available = subject.effects(simulator.interface)
+        excluded, expected = _excluded_and_expected(available, subject.data, exclude, expect)
+        data, base, outliers = fit_base_model(simulator, subject.data, say)
     search = Search(
         subject.tree,
-        name,
-        [e for e in available_effects if e.name not in excluded],
+        subject.name,
+        [e for e in available if e.name not in excluded],
         data,
-        sources,
+        subject.sources,
         say,
         workers,
         expected=expected,
         effort=effort,
     )
-    answer = _answer(subject, search_fit_runs(subject, search, base, outliers))
-    simulations = effort.simulations
-    verdict, others, result = answer.verdict, answer.others, answer.result
-    search, base, data, selection = result.search, result.base, result.search.data, result.selection
-    candidates = _ranked(answer.judged, data)
+    result = search_fit_runs(subject, search, base, outliers)
+    all_runs_result = search_all_runs(subject, result)
+    judged = all_runs_result or result
+    verdict, plans = _verdict(judged, subject.sources, all_runs_result is not None)
+    if all_runs_result is not None:
+        result = refit_by_role(result, all_runs_result)
+    elif verdict.leaves_structure and result.path and not effort.spent:
+        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
+        if folds is not None:
+            result = judged = with_effects(result, folds.named)
+            verdict, plans = _verdict(result, subject.sources, False)
+            verdict = replace(verdict, folds=folds)
+    search, base, simulations = result.search, result.base, effort.simulations
+    candidates = _ranked(judged, search.data)
     tell(Judged(verdict, base, candidates, result.path))
     ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
-    unexplained = verdict.kind == "unknown" or verdict.remainder
     learned = None
-    if explain and unexplained and not effort.spent:
+    if explain and verdict.leaves_structure and not effort.spent:
         learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
-    judged = answer.judged
-    balance = _balance(judged.base, [c for c in judged.selection.tried if len(c.effects) == 1])
+    balance = _balance(judged.base, [c for c in judged.tried if len(c.effects) == 1])
     return Diagnosis(
-        data=data,
-        model=name,
+        data=search.data,
+        model=subject.name,
         base=base,
         candidates=candidates,
         path=result.path,
@@ -346,136 +331,83 @@ def diagnose(
         verdict=verdict,
         failed=tuple(search.failed),
         outliers=dict(result.outliers),
-        next_experiment=others[0][1] if others else None,
-        missing_term=missing_term(result.last, balance) if unexplained else None,
+        next_experiment=plans[0][1] if plans else None,
+        missing_term=missing_term(result.last, balance) if verdict.leaves_structure else None,
         ledger=ledger,
         learned=learned,
-        untried=selection.untried,
+        untried=result.untried,
         simulations=simulations,
-        not_tried=_not_tried(available_effects, excluded, search, selection),
+        not_tried=_not_tried(available, excluded, result),
         step_times=result.step_times,
         means=subject.means,
-        folds=answer.folds,
-        rivals=_models_left(verdict, answer.judged, [c for c, _ in others]),
+        rivals=_models_left(verdict, judged, [c for c, _ in plans]),
     )
 
 
-@dataclass(frozen=True)
-class _Answer:
-    """The verdict and what it rests on.
-
-    Attributes:
-        result: the models, fitted to the runs that are to be fitted.
-        judged: the models that were judged: those of ``result``, or of all runs fitted together.
-        others: the rivals, with the run that would decide.
-        folds: where runs were left out in turn, what that came to.
-    """
-
-    result: SearchResult
-    judged: SearchResult
-    verdict: Verdict
-    others: list[RivalPlan]
-    folds: Folds | None = None
-
-
-def _answer(subject: Subject, result: SearchResult) -> _Answer:
-    """The verdict on what the fitted runs came to, after the held-out runs and the folds where they are needed."""
-    all_runs_result = search_all_runs(subject, result)
-    if all_runs_result is not None:
-        verdict, others = _verdict(all_runs_result, subject.sources, all_runs_searched=True)
-        return _Answer(refit_by_role(result, all_runs_result), all_runs_result, verdict, others)
-    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
-    unsettled = verdict.kind == "unknown" or verdict.remainder
-    folds = None
-    if unsettled and result.path and not result.search.effort.spent:
-        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
-    if folds is None:
-        return _Answer(result, result, verdict, others)
-    result = with_effects(result, folds.named)
-    verdict, others = _verdict(result, subject.sources, all_runs_searched=False)
-    verdict = cross_validated(verdict, folds, result.search.data.signals)
-    return _Answer(result, result, verdict, others, folds)
-
-
 def _models_left(
-    verdict: Verdict, result: SearchResult, others: Sequence[Candidate]
+    verdict: Verdict, models: FittedModels, rivals: Sequence[Candidate]
 ) -> tuple[tuple[str, ...], ...]:
     """Effects of the models that a verdict leaves, best first."""
     if verdict.kind == "ambiguous":
-        return (result.path[-1].effects, *(c.effects for c in others))
-    if verdict.kind == "unknown":
-        search, tried = result.search, result.selection.tried
-        near = nearest(result.base, tried, search.family, search.model_space)
-        return tuple(c.effects for c in near)
-    return ()
+        return (models.path[-1].effects, *(c.effects for c in rivals))
+    return tuple(c.effects for c in models.nearest) if verdict.kind == "unknown" else ()
 
 
 def _verdict(
     result: SearchResult, sources: Sequence[Path], all_runs_searched: bool
 ) -> tuple[Verdict, list[RivalPlan]]:
-    """The answer, and its rivals with the run that would decide."""
-    search, base, tried = result.search, result.base, result.selection.tried
-    selected, family, model_space = list(result.path), search.family, search.model_space
-    last = selected[-1] if selected else None
-    others = (
-        _rivals_with_runs(
-            search.data, last, rivals(base, last, tried, family, model_space), sources
-        )
-        if last
-        else []
-    )
-    verdict = judge(
-        base, selected, [c for c, _ in others], tried, family, all_runs_searched=all_runs_searched
-    )
-    verdict = with_facts(verdict, base, last, tried, family, model_space)
-    return with_posterior(verdict, base, selected, tried, family, model_space), others
+    """The verdict, and the rivals with the run that would decide where either may be right."""
+    plans: list[RivalPlan] = []
+    if result.path and leaves_structure(result.last):
+        plans = [(c, None) for c in result.rivals]
+    elif result.path:
+        plans = distinguishable_rivals(result.search.data, result.path[-1], result.rivals, sources)
+    return judge(result, [c for c, _ in plans], all_runs_searched=all_runs_searched), plans
 
 
 def _ranked(result: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
     """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
-    ranked = rank(result.base, result.selection.tried)
+    ranked = rank(result.base, result.tried)
     if result.search.data is not data:
         ranked = [replace(c, fit=c.fit.against(data)) for c in ranked]
     return tuple(ranked)
 
 
-def _effects_named(
-    available_effects: Sequence[EffectClass],
-    data: DataSet,
-    key: str,
-    stated: Sequence[str],
-    named: Sequence[str],
-) -> frozenset[str]:
-    """The effects meant by names that the data set states under a key, and by others that were asked for."""
-
-    def wrong_key(message: str) -> InputError:
-        return error_in(data.folder, f"{key}: {message}", "effects", key)
-
-    def wrong_word(message: str) -> InputError:
-        return InputError(f"{key}: {message}")
-
-    return effects_named(available_effects, stated, wrong_key) | effects_named(
-        available_effects, named, wrong_word
-    )
-
-
-def _check_likely(
-    available_effects: Sequence[EffectClass],
+def _excluded_and_expected(
+    available: Sequence[EffectClass],
     data: DataSet,
     exclude: Sequence[str],
     expect: Sequence[str],
-) -> None:
-    """Raises InputError where something is said to be likely of which nothing is left to be tried."""
-    impossible, likely = [*data.excluded, *exclude], [*data.expected, *expect]
-    name = contradiction(available_effects, impossible, likely)
-    if name is None:
-        return
-    message = f"{name} is both excluded, as not missing, and expected, as likely; keep one of them"
-    if name in data.expected:
-        raise error_in(data.folder, message, "effects", "expect")
-    if name in data.excluded:
-        raise error_in(data.folder, message, "effects", "exclude")
-    raise InputError(message)
+) -> tuple[frozenset[str], frozenset[str]]:
+    """The effects that cannot be missing and those that are likely, by the data set and by the caller.
+
+    Raises:
+        InputError: an unknown name, or one that is both excluded and expected.
+    """
+    stated = {"exclude": data.excluded, "expect": data.expected}
+    names = {"exclude": [*data.excluded, *exclude], "expect": [*data.expected, *expect]}
+
+    def error(key: str, name: str, message: str) -> InputError:
+        if name in stated[key]:
+            return error_in(data.folder, message, "effects", key)
+        return InputError(message)
+
+    def effects(key: str) -> frozenset[str]:
+        found = frozenset[str]()
+        for name in names[key]:
+            try:
+                found |= effects_named(available, name)
+            except ValueError as problem:
+                raise error(key, name, f"{key}: {problem}") from None
+        return found
+
+    excluded, expected = effects("exclude"), effects("expect")
+    for name in names["expect"]:
+        members = effects_named(available, name)
+        if name in names["exclude"] or (members and members <= excluded):
+            text = f"{name} is both excluded, as not missing, and expected, as likely; keep one of them"
+            raise error("expect" if name in data.expected else "exclude", name, text)
+    return excluded, expected
 
 
 def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:
@@ -489,38 +421,31 @@ def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener)
 
 
 def _not_tried(
-    available_effects: Sequence[EffectClass],
-    excluded: Collection[str],
-    search: Search,
-    selection: Selection,
+    available: Sequence[EffectClass], excluded: Collection[str], result: SearchResult
 ) -> dict[str, str]:
     """Families that were not looked for, with the reason; none where nothing had to be looked for."""
-    looked_at = {search.family[p.effect] for p in selection.probes}
-    if not looked_at:
+    search = result.search
+    probed = {search.family[p.effect] for p in result.probes}
+    if not probed:
         return {}
     failed = {f.family for f in search.failed}
-    silent = looked_at - _families_that_show(search, selection)
-    late = {search.family[name] for names in selection.untried for name in names}
+    seen = {search.family[p.effect] for p in result.probes if not p.silent}
+    seen |= {
+        search.family[name] for c in result.tried for name in c.effects if name in search.family
+    }
+    late = {search.family[name] for names in result.untried for name in names}
     at_rest = " at rest" if search.data.is_static else ""
     reasons = {}
-    for family in dict.fromkeys(e.family for e in available_effects):
-        members = {e.name for e in available_effects if e.family == family}
-        if members <= {*excluded}:
+    for family in dict.fromkeys(e.family for e in available):
+        if {e.name for e in available if e.family == family} <= {*excluded}:
             reasons[family] = "excluded"
-        elif family not in looked_at | failed:
+        elif family not in probed | failed:
             reasons[family] = (
                 "a limit ended the search" if family in late else "the model has no place for them"
             )
-        elif family in silent:
+        elif family in probed - seen:
             reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
-
-
-def _families_that_show(search: Search, selection: Selection) -> set[str]:
-    """Families of which a sample depends on one effect at least, or one was tried all the same."""
-    tried = {name for c in selection.tried for name in c.effects}
-    by_probes = {search.family[p.effect] for p in selection.probes if not p.silent}
-    return by_probes | {search.family[name] for name in tried if name in search.family}
 
 
 def _best_formula(
@@ -531,16 +456,14 @@ def _best_formula(
     Effects that leave structure may stand in for what is missing, and then hide its course. Where no ledger can be
     kept, or no formula from one leaves less than the model without it, the term is learned from what the samples feel.
     """
-    every = [learned_term(search, ledger, (), base)]
+    formulas = [learned_term(search, ledger, (), base)]
     if added and ledger is not None:
-        every.append(learned_term(search, ledger_of(search, added, present), added, present))
-    best = min((one for one in every if one is not None), key=_remaining_chi2_with, default=None)
+        formulas.append(learned_term(search, ledger_of(search, added, present), added, present))
+    best = min(filter(None, formulas), key=_remaining_chi2_with, default=None)
     if best is not None and _remaining_chi2_with(best) < _remaining_chi2(present):
         return best
     direct = directly_learned(search, added, present)
-    return min(
-        (one for one in (direct, best) if one is not None), key=_remaining_chi2_with, default=None
-    )
+    return min(filter(None, (direct, best)), key=_remaining_chi2_with, default=None)
 
 
 def _remaining_chi2_with(learned: LearnedModel) -> float:
@@ -552,23 +475,10 @@ def _remaining_chi2(fit: Fit) -> float:
     return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
 
 
-def _rivals_with_runs(
-    data: DataSet, best: Candidate, near: Sequence[Candidate], files: Sequence[Path]
-) -> list[RivalPlan]:
-    """Rivals of the best, with the run that would decide where either may be right: not where both leave structure."""
-    if leaves_structure(best.fit):
-        return [(c, None) for c in near]
-    return distinguishable_rivals(data, best, near, files)
-
-
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:
     """Share of each balance in what its best effect explains of the error beyond the noise."""
     gains: dict[str, float] = {}
     for c in candidates:
         gains[c.balance] = max(gains.get(c.balance, 0.0), explained(base, c.fit), 0.0)
     total = sum(gains.values())
-    return (
-        {b: g / total for b, g in sorted(gains.items())}
-        if total > 0
-        else dict.fromkeys(sorted(gains), 0.0)
-    )
+    return {b: gains[b] / total if total > 0 else 0.0 for b in sorted(gains)}

@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from pam_cosim.comparison import Comparison, score
 from pam_cosim.reporting.account.diagnosis_rows import rule_rows
-from pam_cosim.reporting.account.wording import NOTHING, listed, number, quantity_text
+from pam_cosim.reporting.account.wording import NOTHING, number, quantity_text
 from pam_cosim.reporting.figures.bars import where_picture
 from pam_cosim.reporting.figures.curves import curve_pictures
 from pam_cosim.reporting.figures.layer import alone
 from pam_cosim.reporting.figures.residuals import residual_pictures
 from pam_cosim.reporting.page import provenance, render, score_rows, signal_rows
+from pam_cosim.wording import enumeration
 
 Row = dict[str, str]
 
@@ -46,7 +47,7 @@ def _headline(comparison: Comparison) -> str:
         error, noise = (quantity_text(value, signal.unit) for value in (s.rmse, signal.sigma))
         parts.append(f"{error} in {name} (noise {noise})")
     return (
-        f"The rms error over all runs is {listed(parts)}."
+        f"The rms error over all runs is {enumeration(parts)}."
         if parts
         else "There is no sample to compare with."
     )

@@ -18,9 +18,9 @@ from pam_cosim.diagnosis import (
     SearchRestarted,
 )
 from pam_cosim.diagnosis.judgement.evidence import rank
+from pam_cosim.diagnosis.judgement.verdict_sentences import kind_name, probability_sentence
 from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row
-from pam_cosim.reporting.account.meaning import kind_name, probability_sentence
 
 _PACE = 0.3  # [s] between two drawings
 _MOST_ROWS = 10

@@ -3,14 +3,17 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
 
 from pam_cosim.comparison import ResidualStatistics, RunComparison
-from pam_cosim.diagnosis import Candidate
+from pam_cosim.diagnosis import Candidate, Verdict
+from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.verdict import judge
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import Run, Signal
 
@@ -94,6 +97,31 @@ def candidate(
     before: tuple[str, ...] = (),
 ) -> Candidate:
     return Candidate(effect, family or effect, balance, (*before, effect), tuple(own or {}), fit)
+
+
+def models_of(
+    base: Fit,
+    path: Sequence[Candidate] = (),
+    tried: Sequence[Candidate] = (),
+    family: Mapping[str, str] | None = None,
+    every: int = 10,
+) -> FittedModels:
+    """Models of a search among so many effects."""
+    families = {c.effect: c.family for c in (*path, *tried)} | dict(family or {})
+    return FittedModels(base, families, ModelSpace(every), tuple(path), tuple(tried))
+
+
+def judged(
+    base: Fit,
+    path: Sequence[Candidate] = (),
+    rivals: Sequence[Candidate] = (),
+    tried: Sequence[Candidate] = (),
+    family: Mapping[str, str] | None = None,
+    every: int = 10,
+) -> Verdict:
+    """The verdict on such models."""
+    families = {c.effect: c.family for c in rivals} | dict(family or {})
+    return judge(models_of(base, path, tried, families, every), rivals)
 
 
 LOST = Estimate(1e4, 0.1, 1e4, "s", at_bound=True, determined=False)

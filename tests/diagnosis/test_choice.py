@@ -6,11 +6,14 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
 
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.judgement.model_space import ModelSpace, contradiction, effects_named
+from pam_cosim.diagnosis.diagnose import _excluded_and_expected
+from pam_cosim.diagnosis.judgement.model_space import ModelSpace, effects_named
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
@@ -30,19 +33,24 @@ def test_expected_effects_are_chosen_from_among_themselves() -> None:
 
 def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
     leaks = {e.name for e in SHELF if e.family == "leak"}
-    assert effects_named(SHELF, ["leak", "ThermocoupleLag"], InputError) == leaks | {
-        "ThermocoupleLag"
-    }
-    assert effects_named(SHELF, ["wrong_parameter"], InputError) == frozenset()
-    with pytest.raises(InputError, match=r"no effect 'leek'; did you mean 'leak'"):
-        effects_named(SHELF, ["leek"], InputError)
+    assert effects_named(SHELF, "leak") == leaks
+    assert effects_named(SHELF, "ThermocoupleLag") == {"ThermocoupleLag"}
+    assert effects_named(SHELF, "wrong_parameter") == frozenset()
+    with pytest.raises(ValueError, match=r"no effect 'leek'; did you mean 'leak'"):
+        effects_named(SHELF, "leek")
 
 
 def test_what_is_excluded_is_not_expected() -> None:
-    assert contradiction(SHELF, ["creep"], ["leak"]) is None
-    assert contradiction(SHELF, ["OrificeLeak"], ["leak"]) is None  # others of the family are left
-    assert contradiction(SHELF, ["leak"], ["elasticity", "OrificeLeak"]) == "OrificeLeak"
-    assert contradiction(SHELF, ["wrong_parameter"], ["wrong_parameter"]) == "wrong_parameter"
+    data: Any = SimpleNamespace(excluded=(), expected=())
+    assert _excluded_and_expected(SHELF, data, ["creep"], ["leak"])[1]
+    excluded, expected = _excluded_and_expected(SHELF, data, ["OrificeLeak"], ["leak"])
+    assert excluded < expected  # others of the family are left
+    for exclude, expect in (
+        (["leak"], ["elasticity", "OrificeLeak"]),
+        (["wrong_parameter"], ["wrong_parameter"]),
+    ):
+        with pytest.raises(InputError, match=f"{expect[-1]} is both excluded"):
+            _excluded_and_expected(SHELF, data, exclude, expect)
 
 
 @pytest.mark.parametrize(

@@ -11,9 +11,10 @@ import numpy as np
 import pytest
 
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.verdict import Verdict
 from pam_cosim.diagnosis.search import folds as module
-from pam_cosim.diagnosis.search.folds import Folds, cross_validated, folds_of
+from pam_cosim.diagnosis.search.folds import folds_of
 from pam_cosim.measurement import DataSet, Run, Signal
 
 RATIO = "ratio(muscle.L0)"
@@ -25,6 +26,15 @@ def data_of(count: int) -> DataSet:
         Run(f"r{i}", Path(f"r{i}.csv"), "fit", "linear", {}, empty, {}, {}) for i in range(count)
     )
     return DataSet("t", Path("."), "Isotonic", {"F": Signal("F", "N", 1.0)}, {}, {}, runs)
+
+
+def fit_that_leaves(chi2: float, run: str = "r0") -> Any:
+    """A fit that leaves this of the force [N, noise 1 N] in the held-out run."""
+    runs = (SimpleNamespace(run=SimpleNamespace(name=run, role="holdout")),)
+    scores = {"holdout": {"F": SimpleNamespace(rmse=float(np.sqrt(chi2)))}}
+    return SimpleNamespace(
+        comparison=SimpleNamespace(runs=runs, scores=scores, chi2_reduced=lambda role: chi2)
+    )
 
 
 class World:
@@ -39,7 +49,7 @@ class World:
         }
         self.asked.append((fold, effects))
         chi2 = 4.0 + sum(gain[fold] for name, gain in self.gains.items() if name not in effects)
-        return module._HoldoutError({"F": float(np.sqrt(chi2))}, chi2, (f"r{fold}",))
+        return fit_that_leaves(chi2, f"r{fold}")
 
     def folds(
         self, monkeypatch: pytest.MonkeyPatch, runs: int = 10, **values: float
@@ -47,7 +57,7 @@ class World:
         def left_out(subject: Any, search: Any, data: DataSet, models: Any, values: Any) -> Any:
             return {effects: self.left(data, effects) for effects in models}
 
-        monkeypatch.setattr(module, "_holdout_errors", left_out)
+        monkeypatch.setattr(module, "_refitted", left_out)
         search: Any = SimpleNamespace(data=data_of(runs), say=lambda message: None)
         final: Any = SimpleNamespace(values=values)
         return folds_of(None, search, tuple(self.gains), final)  # type: ignore[arg-type]
@@ -61,7 +71,8 @@ def test_an_effect_is_needed_in_most_folds_or_not_named(monkeypatch: pytest.Monk
     # of the model with what is named alone
     assert folds.rmse["F"] == pytest.approx(np.sqrt(4.0 + 0.1))
     assert folds.worst["F"] == (pytest.approx(np.sqrt(4.0 + 5.0 + 0.1)), ("r0",))
-    assert "Once (1 of 5 folds)" in folds.dropped and "Idle (0 of 5 folds)" in folds.dropped
+    reason = Verdict("unknown", folds=folds).reason
+    assert "Once (1 of 5 folds)" in reason and "Idle (0 of 5 folds)" in reason
 
 
 def test_a_ruler_is_not_off_by_half(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -71,7 +82,7 @@ def test_a_ruler_is_not_off_by_half(monkeypatch: pytest.MonkeyPatch) -> None:
     for ratio, named in ((1.73, False), (0.6, False), (1.2, True)):
         folds = world.folds(monkeypatch, **{name: ratio})
         assert folds is not None and (name in folds.named) == named
-        assert (f"{ratio} times" in folds.dropped) != named
+        assert (f"{ratio} times" in Verdict("unknown", folds=folds).reason) != named
 
 
 def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -85,26 +96,22 @@ def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
 
 
 def test_a_model_that_breaks_down_with_an_effect_does_not_need_it() -> None:
-    good = module._HoldoutError({}, 2.0)
+    good = fit_that_leaves(2.0)
     assert module._is_needed(good, None) and not module._is_needed(None, good)
-    assert not module._is_needed(
-        replace(good, chi2=0.9), replace(good, chi2=0.99)
-    )  # noise either way
+    assert not module._is_needed(fit_that_leaves(0.9), fit_that_leaves(0.99))  # noise either way
 
 
 def test_what_it_is_good_for_is_said() -> None:
     needed = {"StiffWall": 5, "Ends": 5, "Wall": 4, "Once": 2}
     folds = Folds(5, needed, {}, {"F": 4.31}, {"F": (5.0, ("r3",))})
-    signals = data_of(1).signals
-    verdict = cross_validated(
-        Verdict("unknown", (), (), "Something else is missing."), folds, signals
-    )
+    verdict = Verdict("unknown", units={"F": "N"}, folds=folds)
     assert verdict.reason == (
         "Good to 4.31 N of F on runs that were never fitted. "
         "StiffWall, Ends are needed in every one of 5 folds of runs. Wall is needed in 4 of 5 folds of runs. "
-        "Not named, though it helped: Once (2 of 5 folds). Something else is missing."
+        "Not named, though it helped: Once (2 of 5 folds). "
+        "The residual has structure, and no listed effect explains it."
     )
     far = replace(folds, needed={"Once": 2}, worst={"F": (320.0, ("r0", "r5", "r6", "r7"))})
-    reason = cross_validated(verdict, far, signals).reason
+    reason = replace(verdict, folds=far).reason
     assert "No effect is needed in most of 5 folds" in reason
     assert "4.31 N of F (but 320 N of r0, r5, 2 more, when left out)" in reason

@@ -12,11 +12,11 @@ from pam_cosim.cli.commands.common import follower, teller
 from pam_cosim.diagnosis import (
     BaseFitted,
     EffectProbed,
-    EffectsProbed,
     Event,
     FailedTrial,
     Judged,
     Message,
+    Remark,
 )
 from pam_cosim.diagnosis.judgement.events import listened
 from pam_cosim.diagnosis.search.search import result_message
@@ -105,7 +105,7 @@ def test_how_many_are_done_is_told_as_data_alone() -> None:
     lines: list[Message] = []
     events: list[Event] = []
     tell = listened(lines.append, events.append)
-    tell(EffectsProbed(2).message)
+    tell(Remark("looking at what each of 2 effects would change").message)
     tell(EffectProbed(1, 2).message)
     tell(EffectProbed(2, 2).message)
     assert len(lines) == 1 and [type(event) for event in events[1:]] == [EffectProbed] * 2

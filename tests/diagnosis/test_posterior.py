@@ -10,7 +10,6 @@ import pytest
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate, Verdict
-from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.judgement.posterior import (
     DOUBTS,
     Posterior,
@@ -18,14 +17,14 @@ from pam_cosim.diagnosis.judgement.posterior import (
     posterior,
     something_else,
 )
-from pam_cosim.diagnosis.judgement.verdict import judge, with_posterior
 from pam_cosim.reporting.account import probability_rows
-from tests.diagnosis.synthetic import candidate, fitted
+from tests.diagnosis.synthetic import candidate, fitted, judged, models_of
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 GOOD = candidate("Leak", fitted(1.0, holdout=1.0), "leak")
 FAR = candidate("Wall", fitted(3.0, holdout=3.0), "wall")
 SURE = frozenset[str]()
+FAMILY = {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}
 
 
 def near(effect: str, family: str, reduced: float = 1.003) -> Candidate:
@@ -34,8 +33,7 @@ def near(effect: str, family: str, reduced: float = 1.003) -> Candidate:
 
 
 def known(best: Candidate | None, tried: Sequence[Candidate]) -> Posterior:
-    family = {c.effect: c.family for c in tried}
-    return posterior(BASE, best, tried, family, ModelSpace(40), SURE)
+    return posterior(models_of(BASE, [best] if best else [], tried, every=40), SURE)
 
 
 def test_they_sum_to_one_and_the_answer_comes_first() -> None:
@@ -69,11 +67,13 @@ def test_brief_fits_and_larger_sets_do_not_count() -> None:
     brief = replace(near("Wall", "wall"), brief=True)
     pair = candidate("Gauge", fitted(0.99, holdout=1.0), "gauge", before=("Leak",))
     own = posterior(
-        BASE,
-        GOOD,
-        [GOOD, brief, pair],
-        {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"},
-        ModelSpace(40),
+        models_of(
+            BASE,
+            [GOOD],
+            [GOOD, brief, pair],
+            {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"},
+            40,
+        ),
         SURE,
     )
     assert set(own.by_family) == {"leak"}
@@ -83,11 +83,9 @@ def test_a_family_that_is_in_several_sets_is_counted_with_all_of_them() -> None:
     pair = candidate("Gauge", fitted(1.0, holdout=1.0), "gauge", before=("Leak",))
     other = candidate("Wall", fitted(1.001, holdout=1.0), "wall", before=("Leak",))
     own = posterior(
-        BASE,
-        pair,
-        [pair, other],
-        {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"},
-        ModelSpace(40),
+        models_of(
+            BASE, [pair], [pair, other], {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}, 40
+        ),
         SURE,
     )
     assert own.by_family["leak"] == pytest.approx(own.by_family["gauge"] + own.by_family["wall"])
@@ -112,24 +110,22 @@ def test_doubts_of_answers() -> None:
 
 def test_an_unknown_verdict_is_something_else_as_a_rule() -> None:
     left = candidate("Leak", fitted(4.0, holdout=4.0, score=40.0), "leak")
-    verdict = with_posterior(
-        judge(BASE, [left], []), BASE, [left], [left], {"Leak": "leak"}, ModelSpace(40)
-    )
+    verdict = judged(BASE, [left], [], [left], {"Leak": "leak"}, 40)
     assert (
         verdict.kind == "unknown" and verdict.posterior.something_else > 0.5 > verdict.probability
     )
-    assert verdict.otherwise.startswith("something else")
+    assert "Otherwise: something else" in str(verdict)
 
 
 def test_the_probability_of_a_verdict_is_that_of_what_it_names() -> None:
     rival, family = near("Wall", "wall", 1.0005), {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}
     tried = [GOOD, rival, near("Gauge", "gauge", 1.02)]
-    both = with_posterior(judge(BASE, [GOOD], [rival]), BASE, [GOOD], tried, family, ModelSpace(40))
+    both = judged(BASE, [GOOD], [rival], tried, family, 40)
     own = {one.families: one.probability for one in both.posterior.explanations}
     assert both.kind == "ambiguous" and both.probability == pytest.approx(
         own["leak",] + own["wall",]
     )
-    one = with_posterior(judge(BASE, [GOOD], []), BASE, [GOOD], tried, family, ModelSpace(40))
+    one = judged(BASE, [GOOD], [], tried, family, 40)
     assert one.probability == pytest.approx(own["leak",])
     content = one.as_dict()["posterior"]
     assert isinstance(content, dict) and set(content["families"]) == {"leak", "wall", "gauge"}
@@ -138,7 +134,7 @@ def test_the_probability_of_a_verdict_is_that_of_what_it_names() -> None:
 def test_the_bar_of_a_verdict() -> None:
     tried = [GOOD, near("Wall", "wall", 1.0005), FAR]
     family = {"Leak": "leak", "Wall": "wall"}
-    verdict = with_posterior(judge(BASE, [GOOD], []), BASE, [GOOD], tried, family, ModelSpace(40))
+    verdict = judged(BASE, [GOOD], [], tried, family, 40)
     rows = probability_rows(verdict)
     assert [row.what for row in rows] == ["leak", "wall", "something no effect describes"]
     assert [row.named for row in rows] == [True, False, False]
@@ -147,7 +143,7 @@ def test_the_bar_of_a_verdict() -> None:
 
 def test_a_verdict_of_before_states_none() -> None:
     """One that was saved without them."""
-    verdict = Verdict("identified", ("leak",), ("Leak",), "Leak removes 99 %.", probability=0.93)
-    assert verdict.otherwise == "" and probability_rows(verdict) == []
+    verdict = Verdict("identified", ("leak",), ("Leak",), probability=0.93)
+    assert "Otherwise" not in str(verdict) and probability_rows(verdict) == []
     content = verdict.as_dict()["posterior"]
     assert content == {"explanations": [], "families": {}, "something_else": None, "doubts": []}

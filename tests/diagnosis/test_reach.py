@@ -11,7 +11,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.diagnosis.search import search as searches
 from pam_cosim.diagnosis.search.search import Search
-from pam_cosim.diagnosis.search.search_result import fit_base_model
+from pam_cosim.diagnosis.search.searches import fit_base_model
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet

@@ -8,21 +8,12 @@ import pytest
 
 from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.judgement.evidence import rank
-from pam_cosim.diagnosis.judgement.model_space import ModelSpace
-from pam_cosim.diagnosis.judgement.verdict import (
-    Verdict,
-    explained,
-    judge,
-    nearest,
-    rivals,
-    with_facts,
-    with_posterior,
-)
+from pam_cosim.diagnosis.judgement.verdict import Verdict, explained
+from pam_cosim.diagnosis.judgement.verdict_sentences import meaning, probability_sentence
 from pam_cosim.fitting import Estimate, Fit, WithoutPriors
 from pam_cosim.measurement import Prior, Signal
 from pam_cosim.model.domain import Domain
-from pam_cosim.reporting.account.meaning import meaning, probability_sentence
-from tests.diagnosis.synthetic import LOST, candidate, fitted, statistics
+from tests.diagnosis.synthetic import LOST, candidate, fitted, judged, models_of, statistics
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 LOUD = fitted(100.0, holdout=100.0, score=50.0)
@@ -30,32 +21,32 @@ GOOD = candidate("Leak", fitted(1.0, holdout=1.0), "leak", balance="mass")
 
 
 def test_none_missing() -> None:
-    verdict = judge(fitted(1.0, holdout=1.02, score=1.0), [], [])
+    verdict = judged(fitted(1.0, holdout=1.02, score=1.0), [], [])
     assert (verdict.kind, verdict.families, verdict.effects) == ("none_missing", (), ())
 
 
 def test_structure_in_the_holdout_runs_alone_is_enough_to_object() -> None:
     odd = fitted(1.0, holdout=2.0)
     odd.residuals["holdout"] = BASE.residuals["holdout"]
-    assert judge(odd, [], []).kind == "unknown"
+    assert judged(odd, [], []).kind == "unknown"
 
 
 def test_identified() -> None:
-    verdict = judge(BASE, [GOOD], [])
+    verdict = judged(BASE, [GOOD], [])
     assert (verdict.kind, verdict.families, verdict.effects) == ("identified", ("leak",), ("Leak",))
     assert "100.0 %" in verdict.reason
 
 
 def test_a_general_member_leaves_the_form_open() -> None:
-    verdict = judge(BASE, [replace(GOOD, general=True)], [])
+    verdict = judged(BASE, [replace(GOOD, general=True)], [])
     assert verdict.kind == "identified" and verdict.families == ("leak",)
-    assert "no listed law fits as well" in verdict.reason
-    assert "no listed law" not in judge(BASE, [GOOD], []).reason
+    assert "Only the family (leak) is identified" in verdict.reason
+    assert "Only the family" not in judged(BASE, [GOOD], []).reason
 
 
 def test_several_effects_in_the_order_in_which_they_were_added() -> None:
     second = candidate("Lag", fitted(1.0, holdout=1.0), "valve", before=("Leak",))
-    verdict = judge(
+    verdict = judged(
         BASE, [candidate("Leak", fitted(3.0, holdout=3.0, score=30.0), "leak"), second], []
     )
     assert (verdict.families, verdict.effects) == (("leak", "valve"), ("Leak", "Lag"))
@@ -80,23 +71,21 @@ def test_several_effects_in_the_order_in_which_they_were_added() -> None:
 )
 def test_loud_noise_is_said_by_whom_it_was_stated(signal: Signal, taken: str) -> None:
     loud = candidate("Leak", fitted(4.0, holdout=4.0, measured=signal), "leak")
-    verdict = judge(fitted(40.0, holdout=40.0, score=50.0), [loud], [])
+    verdict = judged(fitted(40.0, holdout=40.0, score=50.0), [loud], [])
     assert verdict.kind == "identified" and taken in verdict.reason
-    assert "times" not in judge(BASE, [GOOD], []).reason
+    assert "times" not in judged(BASE, [GOOD], []).reason
 
 
 def test_a_signal_that_was_not_fitted_is_judged_too() -> None:
     """Nobody says "nothing else" beside a thermometer that is off."""
     seen = Signal("p", "Pa", 1.0)
     off = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 16.0}, measured=seen), "leak")
-    verdict = with_facts(judge(BASE, [off], []), BASE, off, [off], {"Leak": "leak"}, ModelSpace(10))
+    verdict = judged(BASE, [off], [], [off], {"Leak": "leak"})
     assert verdict.off == ("T",)
     assert "what remains of p is noise. T, compared but not fitted, is 16 K off" in verdict.reason
     assert "nothing else" not in probability_sentence(replace(verdict, probability=0.7))
     near = candidate("Leak", fitted(1.0, holdout=1.0, shown={"T": 1.5}, measured=seen), "leak")
-    sound = with_facts(
-        judge(BASE, [near], []), BASE, near, [near], {"Leak": "leak"}, ModelSpace(10)
-    )
+    sound = judged(BASE, [near], [], [near], {"Leak": "leak"})
     assert sound.off == () and "not fitted" not in sound.reason
     assert "nothing else" in probability_sentence(replace(sound, probability=0.7))
 
@@ -108,11 +97,9 @@ def test_models_that_come_as_near_are_named_with_the_reason() -> None:
     bends = replace(
         candidate("Bends", fitted(1.0, holdout=1.0, shown={"T": 16.0}), "spring"), general=True
     )
-    alone = with_facts(judge(BASE, [best], []), BASE, best, [best], family, ModelSpace(10))
+    alone = judged(BASE, [best], [], [best], family)
     assert "No effect of another family comes close." in meaning(alone, Domain())
-    verdict = with_facts(
-        judge(BASE, [best], []), BASE, best, [best, wrong, bends], family, ModelSpace(10)
-    )
+    verdict = judged(BASE, [best], [], [best, wrong, bends], family)
     assert (verdict.refuted, verdict.bending) == (("Gauge",), ("Bends",))
     said = meaning(verdict, Domain())
     assert (
@@ -130,12 +117,10 @@ def test_what_only_an_unusual_instrument_would_explain_is_named() -> None:
     held = candidate("Gauge", fitted(1.01, holdout=1.0, own=own), "gauge", own=own)
     freed = replace(held, without_priors=WithoutPriors(10.0, {"gauge.gain": 1.3}))
     for gauge, said in ((freed, True), (replace(held, without_priors=WithoutPriors()), False)):
-        verdict = with_facts(
-            judge(BASE, [best], []), BASE, best, [best, gauge], family, ModelSpace(10)
-        )
+        verdict = judged(BASE, [best], [], [best, gauge], family)
         assert bool(verdict.implausible) is said
-        assert not rivals(BASE, best, [best, gauge], family, ModelSpace(10))
-    verdict = with_facts(judge(BASE, [best], []), BASE, best, [best, freed], family, ModelSpace(10))
+        assert not models_of(BASE, [best], [best, gauge]).rivals
+    verdict = judged(BASE, [best], [], [best, freed], family)
     needs = "Gauge would fit as well, but gauge.gain would have to be about 1.3, where 0.951 to 1.05 is usual."
     assert verdict.implausible == (needs,) and needs in meaning(verdict, Domain())
 
@@ -144,28 +129,28 @@ def test_a_run_that_is_far_off_is_no_noise() -> None:
     seen = Signal("x", "mm", 0.2)
     runs = {"run-01": 0.2, "run-02": 0.21, "run-07": 1.4}
     last = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=runs), "leak")
-    assert "But not in every run: run-07 (1.4 mm of x) is off." in judge(BASE, [last], []).reason
+    assert "But not in every run: run-07 (1.4 mm of x) is off." in judged(BASE, [last], []).reason
     pair = candidate(
         "Leak", fitted(1.0, holdout=1.0, measured=seen, runs={"a": 0.2, "b": 1.4}), "leak"
     )
-    assert "b (1.4 mm of x) is off" in judge(BASE, [pair], []).reason
+    assert "b (1.4 mm of x) is off" in judged(BASE, [pair], []).reason
     even = candidate(
         "Leak", fitted(1.0, holdout=1.0, measured=seen, runs=dict.fromkeys(runs, 0.2)), "leak"
     )
-    assert "But not" not in judge(BASE, [even], []).reason
+    assert "But not" not in judged(BASE, [even], []).reason
 
 
 def test_a_parameter_that_the_data_do_not_determine_is_no_caution() -> None:
     lost = candidate("Leak", fitted(1.0, holdout=1.0, own={"tank.n": LOST}), "leak")
-    assert "Caution" not in judge(BASE, [lost], []).reason
+    assert "Caution" not in judged(BASE, [lost], []).reason
     ended = candidate(
         "Leak", fitted(1.0, holdout=1.0, own={"tank.n": replace(LOST, determined=True)}), "leak"
     )
-    assert "Caution: tank.n ended at a bound" in judge(BASE, [ended], []).reason
+    assert "Caution: tank.n ended at a bound" in judged(BASE, [ended], []).reason
 
 
 def test_ambiguous_names_all() -> None:
-    verdict = judge(BASE, [GOOD], [candidate("Offset", fitted(1.001, holdout=1.001), "offset")])
+    verdict = judged(BASE, [GOOD], [candidate("Offset", fitted(1.001, holdout=1.001), "offset")])
     assert verdict.kind == "ambiguous"
     assert verdict.families == ("leak", "offset") and verdict.effects == ("Leak", "Offset")
     assert "leak and offset" in verdict.reason
@@ -178,7 +163,7 @@ def test_ambiguous_names_what_a_rival_has_instead_and_nothing_twice() -> None:
         "Clock", fitted(1.001, holdout=1.001), "clock_offset", before=("Spring", "Leak")
     )
     family = {"Spring": "elasticity", "Leak": "leak", "Creep": "creep", "Clock": "clock_offset"}
-    verdict = judge(BASE, [first, best], [rival], family=family)
+    verdict = judged(BASE, [first, best], [rival], family=family)
     assert verdict.kind == "ambiguous"
     assert verdict.families == ("creep", "clock_offset", "elasticity", "leak")
     assert verdict.effects == ("Creep", "Clock", "Spring", "Leak")
@@ -186,10 +171,10 @@ def test_ambiguous_names_what_a_rival_has_instead_and_nothing_twice() -> None:
 
 
 def test_unknown_without_and_with_effects() -> None:
-    nothing = judge(BASE, [], [])
+    nothing = judged(BASE, [], [])
     assert (nothing.kind, nothing.families) == ("unknown", ())
     part = candidate("Leak", fitted(3.0, holdout=3.0, score=30.0), "leak")
-    some = judge(BASE, [part], [])
+    some = judged(BASE, [part], [])
     assert (some.kind, some.families) == ("unknown", ("leak",))
     assert "something else is missing" in some.reason
 
@@ -199,17 +184,17 @@ def test_the_one_family_that_takes_away_nearly_all_is_identified_and_its_form_le
     far, near = (
         candidate("Lag", fitted(chi2, holdout=2.0, score=30.0), "valve") for chi2 in (5.0, 1.5)
     )
-    verdict = judge(LOUD, [one], [], [one, far])
+    verdict = judged(LOUD, [one], [], [one, far])
     assert (verdict.kind, verdict.families) == ("identified", ("leak",))
-    assert "no listed law" in verdict.reason and verdict.remainder
-    assert not judge(LOUD, [GOOD], [], [GOOD]).remainder
-    assert judge(LOUD, [one], [], [one, far, near]).kind == "unknown"
+    assert "not in the catalogue" in verdict.reason and verdict.remainder
+    assert not judged(LOUD, [GOOD], [], [GOOD]).remainder
+    assert judged(LOUD, [one], [], [one, far, near]).kind == "unknown"
 
 
 def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
     dry = candidate("Dry", fitted(50.0, holdout=49.0, score=30.0), "dry_friction")
     rate = candidate("Rate", fitted(50.1, holdout=49.0, score=30.0), "rate_friction")
-    verdict = judge(LOUD, [dry], [rate])
+    verdict = judged(LOUD, [dry], [rate])
     assert (verdict.kind, verdict.families, verdict.effects) == (
         "unknown",
         ("dry_friction",),
@@ -223,7 +208,7 @@ def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
         "Rate", fitted(50.0, holdout=49.0, score=30.0), "rate_friction", before=("Spring",)
     )
     first = candidate("Spring", fitted(60.0, holdout=60.0, score=30.0), "elasticity")
-    assert judge(LOUD, [first, second], [dry]).families == ("elasticity", "rate_friction")
+    assert judged(LOUD, [first, second], [dry]).families == ("elasticity", "rate_friction")
 
 
 def test_structure_in_the_holdout_runs_alone_makes_rivals_unknown() -> None:
@@ -231,21 +216,21 @@ def test_structure_in_the_holdout_runs_alone_makes_rivals_unknown() -> None:
     assert dry.fit is not None
     dry.fit.residuals["holdout"] = LOUD.residuals["holdout"]
     rate = candidate("Rate", fitted(1.0, holdout=1.0), "rate_friction")
-    assert judge(LOUD, [dry], [rate]).kind == "unknown"
+    assert judged(LOUD, [dry], [rate]).kind == "unknown"
 
 
 def test_one_family_beyond_doubt_has_no_rival() -> None:
     one = candidate("Leak", fitted(1.3, holdout=1.3, score=30.0), "leak")
     near = candidate("Offset", fitted(1.3, holdout=1.3, score=30.0), "offset")
-    assert judge(LOUD, [one], [], [one]).remainder
-    verdict = judge(LOUD, [one], [near], [one])
+    assert judged(LOUD, [one], [], [one]).remainder
+    verdict = judged(LOUD, [one], [near], [one])
     assert (verdict.kind, verdict.remainder) == ("unknown", False)
 
 
 @pytest.mark.parametrize(("fit", "holdout"), [(5.0, 1.3), (1.3, 5.0)])
 def test_it_takes_away_nearly_all_in_runs_of_both_roles(fit: float, holdout: float) -> None:
     one = candidate("Leak", fitted(fit, holdout=holdout, score=30.0), "leak")
-    assert judge(LOUD, [one], [], [one]).kind == "unknown"
+    assert judged(LOUD, [one], [], [one]).kind == "unknown"
 
 
 def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() -> None:
@@ -257,14 +242,7 @@ def test_share_explained_is_of_the_error_beyond_the_noise_of_the_holdout_runs() 
 def _rivals(*others):  # type: ignore[no-untyped-def]  # noqa: ANN002, ANN202
     ranked = rank(BASE, [GOOD, *others])
     assert ranked[0].effect == "Leak"
-    return [
-        c.effect
-        for c in rivals(BASE, ranked[0], ranked, _families(ranked), ModelSpace(len(ranked)))
-    ]
-
-
-def _families(candidates):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
-    return {c.effect: c.family for c in candidates}
+    return [c.effect for c in models_of(BASE, ranked[:1], ranked, every=len(ranked)).rivals]
 
 
 def test_rivals_are_close_and_of_other_families() -> None:
@@ -279,20 +257,17 @@ def test_a_general_member_is_no_rival_of_a_law() -> None:
         BASE, [GOOD, replace(candidate("Any", fitted(1.0, holdout=1.0), "line"), general=True)]
     )
     anything, law = sorted(ranked, key=lambda c: not c.general)
-    family = _families(ranked)
-    assert rivals(BASE, law, ranked, family, ModelSpace(len(ranked))) == []
-    assert [c.effect for c in rivals(BASE, anything, ranked, family, ModelSpace(len(ranked)))] == [
-        law.effect
-    ]
+    assert models_of(BASE, [law], ranked, every=2).rivals == []
+    assert [c.effect for c in models_of(BASE, [anything], ranked, every=2).rivals] == [law.effect]
 
 
 def test_a_general_member_beside_a_law_is_no_rival_of_laws_either() -> None:
     """Whichever of the two was added last, and whether or not it was ever tried alone."""
     law = candidate("Lag", fitted(1.0, holdout=1.0), "lag", before=("Any",))
     beside = replace(law, general_before=True)
-    family = {**_families([GOOD, law]), "Any": "line"}
-    assert rivals(BASE, GOOD, [GOOD, law], family, ModelSpace(3))
-    assert not rivals(BASE, GOOD, [GOOD, beside], family, ModelSpace(3))
+    family = {"Any": "line"}
+    assert models_of(BASE, [GOOD], [GOOD, law], family, 3).rivals
+    assert not models_of(BASE, [GOOD], [GOOD, beside], family, 3).rivals
 
 
 def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:
@@ -304,7 +279,7 @@ def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:
     ]
     tried = [candidate(name, fitted(chi2, score=20.0), family) for name, chi2, family in fits]
     brief = replace(candidate("Creep", fitted(1.0), "creep"), brief=True)
-    left = nearest(BASE, [*tried, brief], _families([*tried, brief]), ModelSpace(len(tried)))
+    left = models_of(BASE, [], [*tried, brief], every=len(tried)).nearest
     assert [c.effect for c in left] == ["Offset", "Stiff", "Leak"]
 
 
@@ -326,7 +301,7 @@ def test_signals_that_were_not_fitted_refute_a_rival() -> None:
     for rms, expected in ((80.0, []), (20.0, ["Offset"])):
         other = candidate("Offset", fitted(1.001, shown={"T": rms}), "offset")
         ranked = rank(BASE, [best, other])
-        others = rivals(BASE, ranked[0], ranked, _families(ranked), ModelSpace(len(ranked)))
+        others = models_of(BASE, ranked[:1], ranked, every=len(ranked)).rivals
         assert [c.effect for c in others] == expected
 
 
@@ -342,28 +317,22 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
     fit = fitted(1.0, holdout=2.0, score=30.0)
     fit = replace(fit, residuals={**fit.residuals, "fit": statistics(1.0)})
     excused = _Excused(fit.model, fit.parameters, fit.comparison, fit.residuals, 1)
-    assert judge(LOUD, [candidate("Leak", fit, "leak")], []).kind == "unknown"
+    assert judged(LOUD, [candidate("Leak", fit, "leak")], []).kind == "unknown"
     one = candidate("Leak", excused, "leak")
-    verdict = judge(LOUD, [one], [])
-    assert verdict.kind == "identified" and "they check little" in verdict.reason
-    assert "check little" not in judge(BASE, [GOOD], []).reason
-    sure, unsure = (
-        with_posterior(
-            judge(LOUD, [c], []), LOUD, [c], [c], {c.effect: c.family}, ModelSpace(1)
-        ).probability
-        for c in (GOOD, one)
-    )
+    verdict = judged(LOUD, [one], [])
+    assert verdict.kind == "identified" and "they are a weak check" in verdict.reason
+    assert "weak check" not in judged(BASE, [GOOD], []).reason
+    sure, unsure = (judged(LOUD, [c], [], [c], every=1).probability for c in (GOOD, one))
     assert unsure < sure - 0.1
 
 
 def test_what_is_unknown_is_not_nothing() -> None:
     """A verdict without families had the probability that nothing is missing."""
-    verdict = judge(BASE, [], [])
+    verdict = judged(BASE, [], [])
     assert verdict.kind == "unknown" and verdict.families == ()
     assert not verdict.names(()) and not verdict.names(("leak",))
-    known = with_posterior(verdict, BASE, [], [], {}, ModelSpace(10))
-    assert known.probability == pytest.approx(known.posterior.something_else)
-    assert judge(fitted(1.0, holdout=1.02, score=1.0), [], []).names(())
+    assert verdict.probability == pytest.approx(verdict.posterior.something_else)
+    assert judged(fitted(1.0, holdout=1.02, score=1.0), [], []).names(())
 
 
 @pytest.mark.parametrize(
@@ -380,12 +349,12 @@ def test_the_probability_is_of_what_the_verdict_says(
     kind: str, families: tuple[str, ...], said: str
 ) -> None:
     """Of a complete model it was said to be that "this, and nothing else, is missing"."""
-    verdict = replace(judge(BASE, [GOOD], []), kind=kind, families=families, probability=0.7)  # type: ignore[arg-type]
+    verdict = replace(judged(BASE, [GOOD], []), kind=kind, families=families, probability=0.7)  # type: ignore[arg-type]
     assert probability_sentence(verdict) == said
 
 
 def test_a_part_of_what_was_identified_is_not_what_was_said() -> None:
-    both = Verdict("identified", ("leak", "valve"), ("Leak", "Lag"), "")
+    both = Verdict("identified", ("leak", "valve"), ("Leak", "Lag"))
     assert both.names(("valve", "leak"))
     assert (
         not both.names(("leak",)) and not both.names(()) and not both.names(("leak", "valve", "x"))

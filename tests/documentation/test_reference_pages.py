@@ -17,6 +17,7 @@ import pam_cosim as pam
 from pam_cosim.cli.app import COMMANDS, app
 from pam_cosim.comparison import Doubt
 from pam_cosim.diagnosis import Diagnosis, FailedTrial
+from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.posterior import Explanation, Posterior
 from pam_cosim.diagnosis.planning.check import Check, Help
 from pam_cosim.diagnosis.planning.hypothetical_measurements import Option
@@ -26,7 +27,6 @@ from pam_cosim.diagnosis.planning.identifiability import (
     Identifiability,
     ParameterPrecision,
 )
-from pam_cosim.diagnosis.search.folds import Folds
 from pam_cosim.files import json_text
 from pam_cosim.fitting import Estimate, write_parameters
 from pam_cosim.fitting.combinations import Combination
@@ -106,10 +106,12 @@ def diagnoses() -> list[Diagnosis]:
     explained = Posterior((Explanation(("leak",), 0.0, 0.9),), 0.1, ("structure",))
     folds = Folds(2, {"StiffWall": 2}, {"tank.V/stated": 1.7}, {"p": 1.0}, {"p": (2.0, ("run-1",))})
     made = [
-        make_diagnosis("ambiguous", data, folds=folds, rivals=(("StiffWall",),)),
+        make_diagnosis("ambiguous", data, rivals=(("StiffWall",),)),
         make_diagnosis("unknown", data, learned=make_learned(data), ledger=make_ledger()),
     ]
-    return [replace(one, verdict=replace(one.verdict, posterior=explained)) for one in made]
+    return [
+        replace(one, verdict=replace(one.verdict, posterior=explained, folds=folds)) for one in made
+    ]
 
 
 def checked() -> Check:

@@ -130,21 +130,21 @@ def make_diagnosis(kind="identified", data=None, **changes):
     shelf = {
         "none_missing": Diagnosis(
             data, data.model, make_fit(data, 0.0), (poor,), (), dict.fromkeys(balance, 0.0),
-            Verdict("none_missing", (), (), "The residual is noise."),
+            Verdict("none_missing"),
         ),
         "identified": Diagnosis(
             data, data.model, base, candidates, (best,), balance,
-            Verdict("identified", ("elasticity",), ("StiffWall",), "StiffWall removes 99 %."),
+            Verdict("identified", ("elasticity",), ("StiffWall",)),
         ),
         "ambiguous": Diagnosis(
             data, data.model, base, candidates, (best,), balance,
-            Verdict("ambiguous", ("elasticity", "end_shape"), ("StiffWall", "RoundEnds"), "Cannot separate."),
+            Verdict("ambiguous", ("elasticity", "end_shape"), ("StiffWall", "RoundEnds")),
             next_experiment=NextExperiment("run-2", "p_supply times 1.5", 12.34, 152.3, ("elasticity", "end_shape"), {},
                                            "linear", {"time": [0.0, 10.0]}, {}),
         ),
         "unknown": Diagnosis(
             data, data.model, base, (poor,), (), balance,
-            Verdict("unknown", (), (), "The residual has structure."),
+            Verdict("unknown"),
             missing_term=MissingTerm(
                 "force", {n: LeftInSignal(10 * SIGNALS[n].sigma, 7.07, "p", -0.61) for n in data.signals}, RULES
             ),

@@ -9,8 +9,8 @@ from typing import Any
 import pytest
 
 from pam_cosim.measurement import Signal
+from pam_cosim.reporting.account import error_sentence
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row, summary_rows
-from pam_cosim.reporting.account.meaning import error_sentence
 from tests.diagnosis.synthetic import candidate, fitted
 from tests.reporting.synthetic import make_diagnosis
 
@@ -29,21 +29,15 @@ def test_errors_stand_beside_the_noise_of_their_signals() -> None:
     assert noise == {(r, n): text for r in ("fit", "holdout") for n, text in expected.items()}
 
 
-def _diagnosis(before: dict[str, float], after: dict[str, float] | None) -> Any:
+def _fit(chi2: dict[str, float]) -> Any:
     """Of signals with these reduced chi-squares, all of a noise of 1 N."""
-
-    def fit(chi2: dict[str, float]) -> Any:
-        scores = {
-            n: SimpleNamespace(chi2_reduced=c, rmse=c**0.5, noise_rmse=1.0) for n, c in chi2.items()
-        }
-        return SimpleNamespace(comparison=SimpleNamespace(scores={"fit": scores, "holdout": {}}))
-
-    base = fit(before)
-    signals = {name: Signal(name, "N", 1.0, fitted=name != "unfitted") for name in before}
+    scores = {
+        n: SimpleNamespace(chi2_reduced=c, rmse=c**0.5, noise_rmse=1.0) for n, c in chi2.items()
+    }
+    signals = {name: Signal(name, "N", 1.0, fitted=name != "unfitted") for name in chi2}
+    data = SimpleNamespace(signals=signals)
     return SimpleNamespace(
-        base=base,
-        final=base if after is None else fit(after),
-        data=SimpleNamespace(signals=signals),
+        comparison=SimpleNamespace(scores={"fit": scores, "holdout": {}}, data=data)
     )
 
 
@@ -52,9 +46,9 @@ def _diagnosis(before: dict[str, float], after: dict[str, float] | None) -> Any:
     [
         (
             {"worst": 80.0, "gains": 1.0, "ratio": 0.1, "unfitted": 1.0},
-            "gains falls from 7.00 N to 1.00 N",
+            "gains falls from 7 N to 1 N",
         ),
-        (None, "worst is 10.0 N"),
+        (None, "worst is 10 N"),
     ],
 )
 def test_the_error_told_is_of_the_signal_that_gains_most(
@@ -62,5 +56,6 @@ def test_the_error_told_is_of_the_signal_that_gains_most(
 ) -> None:
     """Not of the worst one, unless nothing was added, nor of the largest ratio, nor of one that was not fitted."""
     before = {"worst": 100.0, "gains": 49.0, "ratio": 20.0, "unfitted": 500.0}
-    said = error_sentence(_diagnosis(before, after)).replace("\u00a0", " ")
-    assert f"the rms error of {named}; the noise is 1.00 N." in said
+    base = _fit(before)
+    said = error_sentence(base, base if after is None else _fit(after))
+    assert f"the rms error of {named}; the noise is 1 N." in said

@@ -37,7 +37,7 @@ def test_ranking_and_verdict_are_drawn_as_text(monkeypatch: pytest.MonkeyPatch) 
     tell(BaseFitted(diagnosis.base))
     for c in diagnosis.candidates:
         tell(CandidateTried(c))
-    evil = replace(diagnosis.verdict, reason="<script>alert(1)</script>")
+    evil = replace(diagnosis.verdict, at_bound=("<script>alert(1)</script>",))
     tell(Judged(evil, diagnosis.base, diagnosis.candidates, diagnosis.path))
     assert "base model refitted" in drawn[0]
     assert drawn[-1].count("<tr>") == 1 + len(diagnosis.candidates) and "Identified" in drawn[-1]

@@ -6,7 +6,6 @@ from pam_cosim.fitting import Estimate
 from pam_cosim.reporting.account.wording import (
     estimate_texts,
     fixed,
-    listed,
     number,
     percent,
     quantity_text,
@@ -14,6 +13,7 @@ from pam_cosim.reporting.account.wording import (
     shortened,
     unit_text,
 )
+from pam_cosim.wording import enumeration
 
 
 @pytest.mark.parametrize(
@@ -89,6 +89,11 @@ def test_shares():
 
 
 def test_lists_and_long_names():
-    assert [listed(["a", "b", "c"][:n]) for n in range(4)] == ["", "a", "a and b", "a, b and c"]
+    assert [enumeration(["a", "b", "c"][:n]) for n in range(4)] == [
+        "",
+        "a",
+        "a and b",
+        "a, b and c",
+    ]
     assert shortened("short") == "short"
     assert len(shortened("x" * 100, 20)) == 20

@@ -68,7 +68,7 @@ def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: i
         "identified",
         ("gas_energy",),
     ), diagnosis.verdict
-    assert diagnosis.path[-1].general and "no listed law fits as well" in diagnosis.verdict.reason
+    assert diagnosis.path[-1].general and "Only the family (" in diagnosis.verdict.reason
     assert diagnosis.base.comparison.chi2_reduced("holdout") > 100
     assert 0.9 < diagnosis.final.comparison.chi2_reduced("holdout") < 1.1
     held = [e for e in diagnosis.path[-1].parameters.values() if e.value == 0]

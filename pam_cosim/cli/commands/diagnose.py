@@ -136,10 +136,9 @@ def diagnose(
         reporting.write_report(report, reporting.diagnosis_report(diagnosis))
     if output:
         _say_model(diagnosis, data, save, output, files)
-    say_written(save)
-    say_written(json)
-    say_written(report)
-    _write_next(diagnosis, following, files or [])
+    for path in (save, json, report):
+        say_written(path)
+    _write_next(diagnosis, following, files)
     _write_learned(diagnosis, learned)
 
 
@@ -160,21 +159,16 @@ def _say_model(
     changes = diagnosis.changes_of_data
     if changes and save is not None:
         data, changes = save, ()
-    further = [f"--file {quote(str(file))}" for file in files]
-    words = [
-        "pam-cosim compare",
-        quote(str(data)),
-        "--model",
-        quote(str(output)),
-        *further,
+    further = "".join(f" --file {quote(str(file))}" for file in files)
+    lines = [
+        f"compare it: pam-cosim compare {quote(str(data))} --model {quote(str(output))}{further}",
+        *(f"  the verdict's numbers differ: {change}" for change in changes),
     ]
-    typer.echo(f"compare it: {' '.join(words)}")
-    for change in changes:
-        typer.echo(f"  the verdict's numbers differ: {change}")
     if changes:
-        typer.echo(
+        lines.append(
             "  with --save FILE.npz the samples are kept as they were judged, and compare takes that file"
         )
+    typer.echo("\n".join(lines))
 
 
 def _write_next(diagnosis: Diagnosis, following: Path | None, files: Sequence[Path]) -> None:

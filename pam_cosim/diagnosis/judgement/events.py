@@ -2,11 +2,10 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import ClassVar
 
-from pam_cosim.comparison import Doubt
 from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate, FailedTrial, describe_fit
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.verdict import Verdict
@@ -35,14 +34,18 @@ Listener = Callable[[Event], object]
 
 
 @dataclass(frozen=True)
-class OutliersSetAside(Event):
-    """Single samples that are far off their neighbours; how many, by signal."""
+class Remark(Event):
+    """A step of the diagnosis, as text alone."""
 
-    counts: Mapping[str, int]
+    text: str
 
     def __str__(self) -> str:
-        counts = ", ".join(f"{count} of {name}" for name, count in self.counts.items())
-        return f"single samples far off their neighbours are set aside: {counts}"
+        return self.text
+
+
+@dataclass(frozen=True)
+class SearchRestarted(Remark):
+    """What was tried before no longer counts."""
 
 
 @dataclass(frozen=True)
@@ -56,38 +59,8 @@ class BaseFitted(Event):
 
 
 @dataclass(frozen=True)
-class DoubtRaised(Event):
-    """What a person should look at before an effect is said to be missing."""
-
-    doubt: Doubt
-
-    def __str__(self) -> str:
-        return f"LOOK FIRST: {self.doubt.text}"
-
-
-@dataclass(frozen=True)
-class NothingTried(Event):
-    """The base model leaves noise."""
-
-    def __str__(self) -> str:
-        return "what remains is noise: no effect is tried"
-
-
-@dataclass(frozen=True)
-class EffectsProbed(Event):
-    """It is looked what each of some effects would change, beside others."""
-
-    count: int
-    beside: tuple[str, ...] = ()
-
-    def __str__(self) -> str:
-        beside = f" beside {' + '.join(self.beside)}" * bool(self.beside)
-        return f"looking at what each of {self.count} effects would change{beside}"
-
-
-@dataclass(frozen=True)
 class EffectProbed(Event):
-    """One more of the effects of the last ``EffectsProbed`` is done; no line is printed of it.
+    """The change of the samples by one more effect was computed; no line is printed of it.
 
     Attributes:
         done, count: how many of how many.
@@ -100,58 +73,6 @@ class EffectProbed(Event):
     def status(self) -> str:
         """For a line that changes in its place."""
         return f"looking at what each of {self.count} effects would change: {self.done} of {self.count} done"
-
-
-@dataclass(frozen=True)
-class StepTimesSought(Event):
-    """Steps of commands may come between two samples: where is sought."""
-
-    def __str__(self) -> str:
-        return "giving each step of a command its time between two samples"
-
-
-@dataclass(frozen=True)
-class SearchRestarted(Event):
-    """What was tried before no longer counts."""
-
-
-@dataclass(frozen=True)
-class StepTimesFound(SearchRestarted):
-    """So many steps of commands got a time between two samples."""
-
-    steps: int
-
-    def __str__(self) -> str:
-        return f"{self.steps} steps of commands come between samples, where they leave least: all begins anew"
-
-
-@dataclass(frozen=True)
-class AllRunsSearched(SearchRestarted):
-    """What leaves noise in the fitted runs does not hold in the others."""
-
-    def __str__(self) -> str:
-        return "what explains the fitted runs does not hold in the held-out ones: all begins anew, with all runs fitted"
-
-
-@dataclass(frozen=True)
-class FittingBegun(Event):
-    """So many models are fitted, "in a few steps" or "to the end"; each is a ``CandidateTried``."""
-
-    count: int
-    how: str
-
-    def __str__(self) -> str:
-        return f"fitting {self.how}: {self.count} model{'s' if self.count > 1 else ''}"
-
-
-@dataclass(frozen=True)
-class RunsLeftOut(Event):
-    """Runs are left out in turn, so many times, to see which effects are needed whichever they are."""
-
-    folds: int
-
-    def __str__(self) -> str:
-        return f"leaving out runs in turn, in {self.folds} folds: which effects are needed in all?"
 
 
 @dataclass(frozen=True)
@@ -190,16 +111,6 @@ class LedgerKept(Event):
     """The balances of the base model."""
 
     ledger: Ledger
-
-
-@dataclass(frozen=True)
-class Remark(Event):
-    """Whatever else there is to say."""
-
-    text: str
-
-    def __str__(self) -> str:
-        return self.text
 
 
 def listened(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import replace
 from typing import NamedTuple
 
@@ -191,22 +191,6 @@ def missed_signals(fit: Fit) -> tuple[str, ...]:
     return tuple(
         n for n, s in unfitted.items() if s.rmse > CRITERIA.evidence.refuted * s.noise_rmse
     )
-
-
-def best_of_each(
-    candidates: Sequence[Candidate],
-    scale: NoiseScale,
-    family: Mapping[str, str],
-    model_space: ModelSpace,
-) -> dict[frozenset[str], tuple[float, Candidate]]:
-    """The best model with each set of families, with its evidence, in the order of the candidates."""
-    best: dict[frozenset[str], tuple[float, Candidate]] = {}
-    for c in candidates:
-        families = frozenset(family[e] for e in c.effects)
-        score = information_criterion(c.fit, scale, c.effects, model_space, c)
-        if families not in best or score < best[families][0]:
-            best[families] = (score, c)
-    return best
 
 
 def dominant_effect(base: Fit, tried: Sequence[Candidate]) -> Candidate | None:

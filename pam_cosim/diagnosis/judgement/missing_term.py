@@ -44,23 +44,22 @@ class MissingTerm:
 
 def missing_term(fit: Fit, balance: dict[str, float]) -> MissingTerm:
     """Describes what a fitted model leaves: in which balance, how large, and what it goes with."""
-    signals: dict[str, LeftInSignal] = {}
-    for name, score in fit.comparison.scores["all"].items():
-        strongest: tuple[float, str] = (0.0, "")
-        runs = [r for r in fit.comparison.runs if r.run.sample_count(name)]
+    comparison = fit.comparison
+    signals = {}
+    for name, score in comparison.scores["all"].items():
+        runs = [r for r in comparison.runs if r.run.sample_count(name)]
         residual = np.concatenate([r.residual(name) for r in runs])
         kept = np.isfinite(residual)
-        for output in fit.comparison.runs[0].model:
-            values = np.concatenate([r.model[output] for r in runs])
-            if np.ptp(values[kept]) > 0 and np.ptp(residual[kept]) > 0:
-                r = float(np.corrcoef(residual[kept], values[kept])[0, 1])
-                if abs(r) > abs(strongest[0]):
-                    strongest = (r, output)
-        signals[name] = LeftInSignal(
-            score.rmse, score.chi2_reduced**0.5, strongest[1], strongest[0]
-        )
+        output, correlation = "", 0.0
+        for other in comparison.runs[0].model:
+            values = np.concatenate([r.model[other] for r in runs])[kept]
+            if np.ptp(values) > 0 and np.ptp(residual[kept]) > 0:
+                r = float(np.corrcoef(residual[kept], values)[0, 1])
+                if abs(r) > abs(correlation):
+                    output, correlation = other, r
+        signals[name] = LeftInSignal(score.rmse, score.chi2_reduced**0.5, output, correlation)
     return MissingTerm(
-        max(sorted(balance), key=lambda b: balance[b]) if balance else None,
+        max(sorted(balance), key=lambda b: balance[b], default=None),
         signals,
-        tuple(fit.comparison.where[:_MOST_RULES]),
+        tuple(comparison.where[:_MOST_RULES]),
     )

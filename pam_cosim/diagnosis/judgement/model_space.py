@@ -3,12 +3,11 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Collection, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from functools import cache
 
 from pam_cosim.catalogue import EffectClass
-from pam_cosim.errors import InputError
 from pam_cosim.model.domain import WRONG_PARAMETER
 from pam_cosim.wording import did_you_mean, shown
 
@@ -36,46 +35,15 @@ def _cost(every: int, expected: int, likely: int, other: int) -> float:
     return 2 * math.log(math.comb(expected, likely) * math.comb(every, min(other, every)))
 
 
-def contradiction(
-    available_effects: Sequence[EffectClass], excluded: Sequence[str], expected: Sequence[str]
-) -> str | None:
-    """The first name of a family or an effect that is expected, of which all is excluded; None: there is none."""
-    left_out = {e.name for e in available_effects if not {e.name, e.family}.isdisjoint(excluded)}
-    for name in expected:
-        own = {e.name for e in available_effects if name in (e.name, e.family)}
-        if name in excluded or (own and own <= left_out):
-            return name
-    return None
-
-
-def effects_named(
-    available_effects: Sequence[EffectClass],
-    names: Sequence[str],
-    error: Callable[[str], InputError],
-) -> frozenset[str]:
-    """Names of the effects that are meant by names of families or effects.
-
-    Args:
-        available_effects: all effects.
-        names: as somebody wrote them.
-        error: makes the error from its message.
+def effects_named(available: Sequence[EffectClass], name: str) -> frozenset[str]:
+    """Names of the effects that are meant by the name of a family or of an effect.
 
     Raises:
-        InputError: neither a family nor an effect.
+        ValueError: neither a family nor an effect.
     """
-    chosen: set[str] = set()
-    for name in names:
-        own = {e.name for e in available_effects if name in (e.name, e.family)}
-        if not own and name != WRONG_PARAMETER:  # a data set need not state one
-            known = dict.fromkeys(
-                [
-                    *(e.family for e in available_effects),
-                    WRONG_PARAMETER,
-                    *(e.name for e in available_effects),
-                ]
-            )
-            raise error(
-                f"there is no family and no effect {shown(name)}; {did_you_mean(name, known)}"
-            )
-        chosen |= own
-    return frozenset(chosen)
+    effects = frozenset(e.name for e in available if name in (e.name, e.family))
+    if not effects and name != WRONG_PARAMETER:  # a data set need not state one
+        families, members = [e.family for e in available], [e.name for e in available]
+        hint = did_you_mean(name, dict.fromkeys([*families, WRONG_PARAMETER, *members]))
+        raise ValueError(f"there is no family and no effect {shown(name)}; {hint}")
+    return effects

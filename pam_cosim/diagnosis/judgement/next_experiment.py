@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -58,6 +60,70 @@ class NextExperiment:
 RivalPlan = tuple[Candidate, NextExperiment | None]
 
 
+class Variation(NamedTuple):
+    """A recorded run with changes that an experimenter can make.
+
+    Attributes:
+        original: the run.
+        factors: on inputs and parameters, by name, and on all times (``PACE``).
+    """
+
+    original: Run
+    factors: Mapping[str, float]
+
+    @property
+    def run(self) -> Run:
+        """The changed run."""
+        run, factors = self.original, self.factors
+        time = run.time
+        if PACE in factors:
+            time = time[0] + (time - time[0]) * factors[PACE]
+        inputs = {n: v * factors.get(n, 1.0) for n, v in run.inputs.items()}
+        parameters = {n: v * factors.get(n, 1.0) for n, v in run.parameters.items()}
+        return replace(run, time=time, inputs=inputs, parameters=parameters)
+
+    @property
+    def change(self) -> str:
+        """The changes in words."""
+        pace = "slower" if self.factors.get(PACE, 0.0) > 1 else "faster"
+        changes = [
+            f"{pace}, all times times {factor:g}" if name == PACE else f"{name} times {factor:g}"
+            for name, factor in self.factors.items()
+        ]
+        return " and ".join(changes) or "repeat it as it is"
+
+
+PACE = ""
+"""The name of the factor on all times."""
+
+
+def variations(
+    data: DataSet,
+    runs: Sequence[Run] | None = None,
+    factors: Sequence[float] = FACTORS,
+) -> Iterator[Variation]:
+    """Runs as they are, and with one thing changed that an experimenter sets.
+
+    Args:
+        data: the measurement: parameters that differ between its runs can be set.
+        runs: which to vary; default all.
+        factors: on each input and parameter.
+    """
+    for run in data.runs if runs is None else runs:
+        names = [n for n, values in run.inputs.items() if np.any(values != 0) and n != BRANCH]
+        names += [name for name in _varied(data) if name in run.parameters]
+        yield Variation(run, {})
+        yield from (Variation(run, {name: factor}) for factor in factors for name in names)
+        if run.inputs and not run.is_static:
+            yield from (Variation(run, {PACE: pace}) for pace in _PACES)
+
+
+def _varied(data: DataSet) -> list[str]:
+    """Parameters that differ between runs: the experimenter can set them."""
+    names = dict.fromkeys(name for run in data.runs for name in run.parameters)
+    return [n for n in names if len({run.parameters.get(n) for run in data.runs}) > 1]
+
+
 def next_experiment(
     data: DataSet, a: Candidate, b: Candidate, files: Sequence[Path] = ()
 ) -> NextExperiment | None:
@@ -69,25 +135,17 @@ def next_experiment(
     no variation can be simulated.
     """
     with Hypothesis(a, data, files) as first, Hypothesis(b, data, files) as second:
-        scored = [
-            (_separation(first, second, run), run, change) for run, change in variations(data)
-        ]
-        scored += [
-            (_separation(first, second, run), run, change)
-            for run, change in _combined_changes(scored)
-        ]
-        usable = [
-            (evidence, run, change) for evidence, run, change in scored if evidence is not None
-        ]
-        if not usable:
+        scored = _scored(first, second, variations(data))
+        scored += _scored(first, second, _combined(scored))
+        if not scored:
             return None
-        evidence, run, change = max(usable, key=lambda entry: entry[0])
-        samples = len(first.sigma) * len(run.time)
+        evidence, best = max(scored, key=lambda entry: entry[0])
+        samples = len(first.sigma) * len(best.original.time)
         variables = first.interface.inputs | first.interface.parameters
-    varied = _varied(data)
+    run, varied = best.run, _varied(data)
     return NextExperiment(
         run=run.name,
-        change=change,
+        change=best.change,
         separation=float(np.sqrt(evidence / samples)),
         evidence=evidence,
         between=(a.family, b.family),
@@ -98,12 +156,29 @@ def next_experiment(
     )
 
 
-def _separation(a: Hypothesis, b: Hypothesis, run: Run) -> float | None:
-    try:
-        one, two = a.predict(run), b.predict(run)
-        return min(b.refitted_miss(one, two), a.refitted_miss(two, one))
-    except SimulationFailure:
-        return None
+def _scored(
+    a: Hypothesis, b: Hypothesis, some: Iterable[Variation]
+) -> list[tuple[float, Variation]]:
+    """Variations that both models can simulate, with the evidence that either would give."""
+    scored = []
+    for variation in some:
+        with suppress(SimulationFailure):
+            one, two = (model.predict(variation.run) for model in (a, b))
+            evidence = min(b.refitted_miss(one, two), a.refitted_miss(two, one))
+            scored.append((evidence, variation))
+    return scored
+
+
+def _combined(scored: Sequence[tuple[float, Variation]]) -> list[Variation]:
+    """The two best changes of the best run in one."""
+    ordered = [v for _, v in sorted(scored, key=lambda entry: -entry[0])]
+    best = [v for v in ordered if v.original is ordered[0].original]
+    return [
+        Variation(one.original, {**two.factors, **one.factors})
+        for i, one in enumerate(best[:_MOST_JOINED])
+        for two in best[:i]
+        if one.factors and two.factors and not one.factors.keys() & two.factors.keys()
+    ]
 
 
 def distinguishable_rivals(
@@ -112,98 +187,15 @@ def distinguishable_rivals(
     """The rivals that an experiment could distinguish from ``best``, each with that experiment.
 
     A rival with more parameters that no variation of a run distinguishes is practically equivalent to ``best``, such as
-    creep so slow that it is a spring, and is dropped: the simpler model stands for both.
+    creep so slow that it is a spring, and is dropped: the simpler model represents both.
     """
     plans = [(rival, next_experiment(data, best, rival, files)) for rival in rivals]
-    return [(c, plan) for c, plan in plans if not (plan and _is_same_in_practice(best, c, plan))]
-
-
-def _is_same_in_practice(best: Candidate, rival: Candidate, plan: NextExperiment) -> bool:
-    return len(rival.effect_parameters) > len(best.effect_parameters) and not plan.decides
-
-
-def _varied(data: DataSet) -> list[str]:
-    """Parameters that differ between runs: the experimenter can set them."""
-    names = dict.fromkeys(name for run in data.runs for name in run.parameters)
-    values = {name: {run.parameters.get(name) for run in data.runs} for name in names}
-    return [name for name, different in values.items() if len(different) > 1]
-
-
-def variations(
-    data: DataSet,
-    runs: Sequence[Run] | None = None,
-    factors: Sequence[float] = FACTORS,
-) -> Iterator[tuple[Run, str]]:
-    """Runs as they are, and with one thing changed that an experimenter sets; what was changed, in words.
-
-    Args:
-        data: the measurement: parameters that differ between its runs can be set.
-        runs: which to vary; default all.
-        factors: on each input and parameter.
-    """
-    varied = _varied(data)
-    for run in data.runs if runs is None else runs:
-        yield run, "repeat it as it is"
-        for factor in factors:
-            yield from _scaled(run, factor, varied)
-        if run.inputs and not run.is_static:
-            for pace in _PACES:
-                time = run.time[0] + (run.time - run.time[0]) * pace
-                yield (
-                    replace(run, time=time),
-                    f"{'slower' if pace > 1 else 'faster'}, all times times {pace:g}",
-                )
-
-
-def _scaled(run: Run, factor: float, parameters: Sequence[str]) -> Iterator[tuple[Run, str]]:
-    """A run with one of its inputs, or of these parameters, times a factor."""
-    for name, values in run.inputs.items():
-        if np.any(values != 0) and name != BRANCH:
-            yield (
-                replace(run, inputs={**run.inputs, name: values * factor}),
-                f"{name} times {factor:g}",
-            )
-    for name in parameters:
-        if name in run.parameters:
-            value = run.parameters[name] * factor
-            yield (
-                replace(run, parameters={**run.parameters, name: value}),
-                f"{name} times {factor:g}",
-            )
-
-
-def _combined_changes(scored: Sequence[tuple[float | None, Run, str]]) -> Iterator[tuple[Run, str]]:
-    """The two best changes of the best run in one."""
-    usable = [(evidence, run, change) for evidence, run, change in scored if evidence is not None]
-    if not usable:
-        return
-    usable.sort(key=lambda entry: -entry[0])
-    name = usable[0][1].name
-    best = [(run, change) for _, run, change in usable if run.name == name][:_MOST_JOINED]
-    original = next(run for _, run, _ in scored if run.name == name)
-    for i, (one, change) in enumerate(best):
-        for two, other in best[:i]:
-            if _changed_thing(change) != _changed_thing(other):
-                yield _combined_run(original, one, two), f"{other} and {change}"
-
-
-def _changed_thing(change: str) -> str:
-    """What a change is of: an input, a parameter, or the pace."""
-    return change.split(" times ")[0]
-
-
-def _combined_run(original: Run, one: Run, two: Run) -> Run:
-    """Each part from the run in which it was changed."""
-    parameters = {
-        n: two.parameters[n] if v == original.parameters[n] else v
-        for n, v in one.parameters.items()
-    }
-    inputs = {
-        n: two.inputs[n] if np.array_equal(v, original.inputs[n]) else v
-        for n, v in one.inputs.items()
-    }
-    time = two.time if np.array_equal(one.time, original.time) else one.time
-    return replace(original, parameters=parameters, inputs=inputs, time=time)
+    parameters = len(best.effect_parameters)
+    return [
+        (c, plan)
+        for c, plan in plans
+        if plan is None or plan.decides or len(c.effect_parameters) <= parameters
+    ]
 
 
 def _table(run: Run) -> dict[str, list[float]]:

@@ -8,21 +8,18 @@ truth is known (``benchmarks.hidden_effects.posterior``).
 
 from __future__ import annotations
 
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from math import exp, nan
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.evidence import (
-    best_of_each,
     has_structure,
     information_criterion,
     missed_signals,
-    noise_scale,
-    refuted_by_unfitted_signals,
 )
-from pam_cosim.diagnosis.judgement.model_space import ModelSpace
+from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.fitting import Fit
 
 
@@ -77,37 +74,27 @@ not fitted speaks against it; several, there is more than one; general, one is a
 """
 
 
-def posterior(
-    base: Fit,
-    best: Candidate | None,
-    tried: Sequence[Candidate],
-    family: Mapping[str, str],
-    model_space: ModelSpace,
-    doubts: Collection[str],
-) -> Posterior:
-    """The probabilities beside an answer.
+def posterior(models: FittedModels, doubts: Collection[str]) -> Posterior:
+    """The probabilities of the answer and of the other sets of families.
 
     Models that were fitted in a few steps only do not count, nor those with more effects than the answer, which would
     follow the noise (one effect where there is none), nor those that signals speak against which were not fitted.
 
     Args:
-        base: the model without effects, fitted.
-        best: the model with all that was selected; None: nothing was.
-        tried: all models.
-        family: of every effect there is.
-        model_space: what a choice among them costs.
+        models: the answer is the last of their path.
         doubts: of the answer, some of ``DOUBTS``.
     """
-    effects = best.effects if best else ()
-    models = [c for c in tried if not c.brief and len(c.effects) <= max(len(effects), 1)]
-    models = [
-        c for c in models if not refuted_by_unfitted_signals(c.fit, best.fit if best else base)
+    answer = models.path[-1:]
+    most = max([1, *(len(c.effects) for c in answer)])
+    counted = [
+        c
+        for c in models.tried
+        if not c.brief and len(c.effects) <= most and not models.is_refuted(c)
     ]
-    each = evidence_of_families(
-        base, [*models, *([best] if best else [])], tried, family, model_space
-    )
-    own = frozenset(family[e] for e in effects)
-    first = each[own]
+    best = models.best_of_each([*counted, *answer])
+    nothing = information_criterion(models.base, models.scale, (), models.model_space)
+    each = {frozenset[str](): nothing} | {f: models.criterion(c) for f, c in best.items()}
+    first = each[models.families(answer[0]) if answer else frozenset()]
     weights = {
         f: exp(min((first - e) / (2 * CRITERIA.evidence.temperature), 0.0)) for f, e in each.items()
     }
@@ -116,27 +103,6 @@ def posterior(
     made = [Explanation(tuple(sorted(f)), each[f] - first, share * weights[f]) for f in each]
     made.sort(key=lambda one: (-one.probability, one.evidence, one.families))
     return Posterior(tuple(made), other, tuple(name for name in DOUBTS if name in doubts))
-
-
-def evidence_of_families(
-    base: Fit,
-    models: Sequence[Candidate],
-    tried: Sequence[Candidate],
-    family: Mapping[str, str],
-    model_space: ModelSpace,
-) -> dict[frozenset[str], float]:
-    """The evidence against the best model with each set of families, that without any among them.
-
-    Args:
-        base: the model without effects.
-        models: those that count.
-        tried: all models, whose best sets the scale of the noise.
-        family, model_space: as for ``posterior``.
-    """
-    scale = noise_scale([base, *(c.fit for c in tried)])
-    alone = {frozenset[str](): information_criterion(base, scale, (), model_space)}
-    best = best_of_each(models, scale, family, model_space)
-    return alone | {families: score for families, (score, _) in best.items()}
 
 
 def doubts_of(selected: Sequence[Candidate], structure: bool, form_open: bool) -> frozenset[str]:

@@ -10,7 +10,7 @@ from pam_cosim.catalogue.compose import Composition, compose
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.judgement.verdict import MOST_RIVALS
+from pam_cosim.diagnosis.judgement.fitted_models import MOST_RIVALS
 from pam_cosim.diagnosis.planning.check import LARGEST_STRENGTH, check
 from pam_cosim.diagnosis.planning.identifiability import DetectableEffect
 from pam_cosim.diagnosis.planning.members import laws_of

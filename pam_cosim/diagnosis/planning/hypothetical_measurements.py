@@ -123,4 +123,5 @@ def _varied_runs(data: DataSet) -> Iterator[tuple[Run, str]]:
     """The run with most samples, made once more with one thing changed as far as one would think of."""
     longest = max(data.fit_runs, key=lambda run: len(run.time))
     factors = FACTORS
-    yield from variations(data, [longest], (min(factors), max(factors)))
+    for one in variations(data, [longest], (min(factors), max(factors))):
+        yield one.run, one.change

@@ -8,110 +8,20 @@ effect that is needed in some folds only stands in for something else.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from contextlib import suppress
+from dataclasses import replace
 
 import numpy as np
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis.judgement.events import RunsLeftOut
-from pam_cosim.diagnosis.judgement.verdict import Verdict
+from pam_cosim.diagnosis.judgement.events import Remark
+from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit, FitOptions, fit
-from pam_cosim.measurement import DataSet, Signal
+from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
-from pam_cosim.units import format_quantity
-from pam_cosim.wording import listed
-
-
-@dataclass(frozen=True)
-class Folds:
-    """What leaving out runs in turn says of a model with effects.
-
-    Attributes:
-        count: of folds.
-        needed: in how many of them each effect was needed, by its name.
-        unbelievable: ratios to what is stated that came out too far from one, by the name of the effect.
-        rmse: error of each signal on the runs that were left out [its unit], with the effects that are named; the
-            middle one of the folds.
-        worst: the largest one, and the runs that were left out then, by signal.
-    """
-
-    json_keys = "count needed unbelievable rmse worst=_worst"
-
-    count: int
-    needed: Mapping[str, int]
-    unbelievable: Mapping[str, float]
-    rmse: Mapping[str, float] = field(default_factory=dict)
-    worst: Mapping[str, tuple[float, tuple[str, ...]]] = field(default_factory=dict)
-
-    @property
-    def named(self) -> tuple[str, ...]:
-        """The effects that are needed in most folds, and whose values can be believed."""
-        return tuple(
-            e for e, n in self.needed.items() if 2 * n > self.count and e not in self.unbelievable
-        )
-
-    @property
-    def dropped(self) -> str:
-        """The other effects, each with the reason, as a sentence; "" where there are none."""
-        reasons = [
-            f"{e} ({self.needed[e]} of {self.count} folds)"
-            for e in self.needed
-            if e not in self.named and e not in self.unbelievable
-        ]
-        reasons += [
-            f"{e} ({ratio:.3g} times what is stated)" for e, ratio in self.unbelievable.items()
-        ]
-        return f"Not named, though it helped: {listed(reasons)}." if reasons else ""
-
-    @property
-    def _worst(self) -> dict[str, object]:
-        return {name: {"rmse": rmse, "runs": runs} for name, (rmse, runs) in self.worst.items()}
-
-
-@dataclass(frozen=True)
-class _HoldoutError:
-    """What a model leaves on runs that were left out: error by signal [its unit], and all in noise variances."""
-
-    rmse: Mapping[str, float]
-    chi2: float
-    runs: tuple[str, ...] = ()
-
-    @property
-    def excess(self) -> float:
-        """What is left beyond the noise, in noise variances."""
-        return max(self.chi2 - 1.0, 0.0)
-
-
-def cross_validated(verdict: Verdict, folds: Folds, signals: Mapping[str, Signal]) -> Verdict:
-    """A verdict on a model that leaves structure, with what it is good for all the same."""
-    good = [_good_to(n, folds, signals[n].unit) for n in folds.rmse if signals[n].fitted]
-    sentences = [f"Good to {'; '.join(good)} on runs that were never fitted."] if good else []
-    for needed in sorted({folds.needed[e] for e in folds.named}, reverse=True):
-        names = [e for e in folds.named if folds.needed[e] == needed]
-        every = (
-            f"every one of {folds.count}" if needed == folds.count else f"{needed} of {folds.count}"
-        )
-        sentences.append(
-            f"{listed(names)} {'are' if len(names) > 1 else 'is'} needed in {every} folds of runs."
-        )
-    if not folds.named:
-        sentences.append(f"No effect is needed in most of {folds.count} folds of runs.")
-    return replace(
-        verdict, reason=" ".join([*sentences, *filter(None, [folds.dropped]), verdict.reason])
-    )
-
-
-def _good_to(name: str, folds: Folds, unit: str) -> str:
-    """The error of a signal, and the runs of which it is much larger."""
-    typical, (most, runs) = folds.rmse[name], folds.worst[name]
-    text = f"{format_quantity(typical, unit)} of {name}"
-    if most <= CRITERIA.folds.beyond * typical:
-        return text
-    first = listed([*runs[:2], *[f"{len(runs) - 2} more"] * (len(runs) > 2)])
-    return f"{text} (but {format_quantity(most, unit)} of {first}, when left out)"
 
 
 def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
@@ -126,41 +36,28 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
     data = list(_folds(search.data))
     if not data:
         return None
-    search.say(RunsLeftOut(len(data)).message)
+    text = f"leaving out runs in turn, in {len(data)} folds: which effects are needed in all?"
+    search.say(Remark(text).message)
     every = tuple(effects)
-    without = {e: tuple(one for one in every if one != e) for e in every}
-    errors, needed = [], dict.fromkeys(every, 0)
-    for one in data:
-        of_models = _holdout_errors(subject, search, one, [every, *without.values()], final.values)
-        errors.append(of_models[every])
-        for e, others in without.items():
-            needed[e] += _is_needed(of_models[every], of_models[others])
-    folds = Folds(len(data), needed, _unbelievable(every, final.values))
-    named = folds.named
-    if named != every:
-        errors = [
-            _holdout_errors(subject, search, one, [named], final.values)[named] for one in data
-        ]
-    return _with_errors(folds, [error for error in errors if error is not None])
-
-
-def _unbelievable(effects: Sequence[str], values: Mapping[str, float]) -> dict[str, float]:
-    """Ratios to what is stated that are too far from one, by the name of the effect."""
-    ratios = {e: values[e] for e in effects if is_ratio(e) and e in values}
+    without = {e: tuple(other for other in every if other != e) for e in every}
+    fits = [
+        _refitted(subject, search, one, [every, *without.values()], final.values) for one in data
+    ]
+    needed = {e: sum(_is_needed(f.get(every), f.get(without[e])) for f in fits) for e in every}
+    ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
     limit = CRITERIA.folds.believable
-    return {e: ratio for e, ratio in ratios.items() if not 1 / limit <= ratio <= limit}
-
-
-def _with_errors(folds: Folds, errors: Sequence[_HoldoutError]) -> Folds:
-    """With the error of each signal in the middle fold and in the worst."""
-    by_signal: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
-    for error in errors:
-        for name, rmse in error.rmse.items():
-            by_signal.setdefault(name, []).append((rmse, error.runs))
-    middle = {
-        name: float(np.median([rmse for rmse, _ in each])) for name, each in by_signal.items()
-    }
-    return replace(folds, rmse=middle, worst={name: max(each) for name, each in by_signal.items()})
+    unbelievable = {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}
+    named = Folds(len(data), needed, unbelievable).named
+    if named != every:
+        fits = [_refitted(subject, search, one, [named], final.values) for one in data]
+    errors: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
+    for comparison in (f[named].comparison for f in fits if named in f):
+        runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
+        for name, score in comparison.scores["holdout"].items():
+            errors.setdefault(name, []).append((score.rmse, runs))
+    middle = {n: float(np.median([rmse for rmse, _ in each])) for n, each in errors.items()}
+    worst = {name: max(each) for name, each in errors.items()}
+    return Folds(len(data), needed, unbelievable, middle, worst)
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:
@@ -176,43 +73,29 @@ def _folds(data: DataSet) -> Iterator[DataSet]:
         yield replace(data, runs=tuple(runs))
 
 
-def _holdout_errors(
+def _refitted(
     subject: Subject,
     search: Search,
     data: DataSet,
     models: Sequence[tuple[str, ...]],
     values: Mapping[str, float],
-) -> dict[tuple[str, ...], _HoldoutError | None]:
-    """What models with these effects, fitted anew, leave on the runs that are held out; None: one broke down."""
+) -> dict[tuple[str, ...], Fit]:
+    """Models with these effects, fitted anew; without those that break down."""
     wanted = [FitRequest(effects, values) for effects in models if effects]
     fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
     if () in models:
-        fits |= _without_effects(subject, search, data)
-    return {
-        effects: _holdout_error(fits[effects]) if effects in fits else None for effects in models
-    }
+        with (
+            suppress(SimulationFailure),
+            search.effort.counting(),
+            subject.simulator() as simulator,
+        ):
+            fits[()] = fit(simulator, data, options=FitOptions(rules=False))
+    return fits
 
 
-def _without_effects(subject: Subject, search: Search, data: DataSet) -> dict[tuple[str, ...], Fit]:
-    try:
-        with search.effort.counting(), subject.simulator() as simulator:
-            return {(): fit(simulator, data, options=FitOptions(rules=False))}
-    except SimulationFailure:
-        return {}
-
-
-def _holdout_error(model: Fit) -> _HoldoutError:
-    comparison = model.comparison
-    rmse = {n: s.rmse for n, s in comparison.scores["holdout"].items()}
-    runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
-    return _HoldoutError(rmse, comparison.chi2_reduced("holdout"), runs)
-
-
-def _is_needed(with_it: _HoldoutError | None, without: _HoldoutError | None) -> bool:
-    """Whether what is left beyond the noise is visibly less with an effect."""
+def _is_needed(with_it: Fit | None, without: Fit | None) -> bool:
+    """Whether the error of the runs that were left out, beyond the noise, is visibly less with an effect."""
     if with_it is None or without is None:
         return with_it is not None
-    return (
-        without.excess > 0
-        and without.excess - with_it.excess >= CRITERIA.folds.visible * without.excess
-    )
+    less, more = (max(f.comparison.chi2_reduced("holdout") - 1.0, 0.0) for f in (with_it, without))
+    return more > 0 and more - less >= CRITERIA.folds.visible * more

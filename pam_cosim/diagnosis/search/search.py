@@ -14,12 +14,7 @@ from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial
-from pam_cosim.diagnosis.judgement.events import (
-    CandidateTried,
-    EffectProbed,
-    EffectsProbed,
-    FittingBegun,
-)
+from pam_cosim.diagnosis.judgement.events import CandidateTried, EffectProbed, Remark
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.search.effort import Effort
@@ -154,7 +149,9 @@ class Search:
             for t in self._trials([FitRequest((*has, name), begins) for name in effects])
         ]
         trials = [replace(t, reference=fitted.linear) for t in trials]
-        self.say(EffectsProbed(len(trials), tuple(has)).message)
+        beside = f" beside {' + '.join(has)}" * bool(has)
+        text = f"looking at what each of {len(trials)} effects would change{beside}"
+        self.say(Remark(text).message)
         return self._run_probes(run_probe, trials)
 
     def probe_stated(
@@ -255,7 +252,8 @@ class Search:
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:
-            self.say(FittingBegun(len(trials), how).message)
+            count = f"{len(trials)} model{'s' * (len(trials) > 1)}"
+            self.say(Remark(f"fitting {how}: {count}").message)
         results = self.effort.run_tasks(
             run_trial_without_samples,
             trials,

@@ -10,12 +10,13 @@ parameters is asked for as well.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
-from pam_cosim.diagnosis.judgement.events import NothingTried, StepTimesSought
+from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import (
     information_criterion,
     leaves_structure,
@@ -28,34 +29,10 @@ from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.diagnosis.search.search import FitRequest, Search
+from pam_cosim.diagnosis.search.search_result import SearchResult
 from pam_cosim.diagnosis.search.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
-
-
-@dataclass(frozen=True)
-class Selection:
-    """What a search came to.
-
-    Attributes:
-        search, base: with the data that the models are judged by.
-        path: the models that add the effects that are needed one after another; none where none is needed.
-        tried: all models that were fitted.
-        untried: effects of the models that promised to be better when the effort was spent, the most promising first.
-        outliers: how many single samples were set aside on the way, by signal.
-        probes: what each effect does beside the base model; none where nothing had to be looked for.
-        retimed: the data with commands that step between two samples at the times that explain what else remains, to
-            select from anew; None: as they are.
-    """
-
-    search: Search
-    base: Fit
-    path: tuple[Candidate, ...] = ()
-    tried: tuple[Candidate, ...] = ()
-    untried: tuple[tuple[str, ...], ...] = ()
-    outliers: Mapping[str, int] = field(default_factory=dict)
-    probes: tuple[EffectProbe, ...] = ()
-    retimed: Retimed | None = None
 
 
 def select_effects(
@@ -63,7 +40,7 @@ def select_effects(
     base: Fit,
     retime: bool = True,
     earlier: Sequence[Candidate] = (),
-) -> Selection:
+) -> SearchResult:
     """The effects that are needed.
 
     Args:
@@ -76,8 +53,8 @@ def select_effects(
         SimulationFailure: no effect could be tried at all.
     """
     if not any(may_have_structure(s) for s in base.residuals_beyond_uncertainty.values()):
-        search.say(NothingTried().message)
-        return Selection(search, base)
+        search.say(Remark("what remains is noise: no effect is tried").message)
+        return SearchResult(base, search.family, search.model_space, search=search)
     models = _Models(search, base)
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
@@ -93,9 +70,7 @@ def select_effects(
         if models.ranking.unsolved():
             retimed = models.with_step_times(count) if retime else None
             if retimed is not None:
-                return Selection(
-                    models.search, models.base, outliers=models.outliers, retimed=retimed
-                )
+                return models.result(retimed=retimed)
         else:
             models.try_simpler()
             if not (models.exclude_drift() or models.ranking.more_effects_can_pay(count + 1)):
@@ -106,14 +81,12 @@ def select_effects(
     models.try_earlier(earlier)
     models.try_other_forms()
     models.try_exchanging()
-    return Selection(
-        models.search,
-        models.base,
-        tuple(models.path()),
-        tuple(models.tried),
-        tuple(models.untried),
-        models.outliers,
-        tuple(models.probes),
+    path = tuple(models.path())
+    return models.result(
+        path=path,
+        tried=tuple(c.without_slopes for c in models.fitted.values()),
+        untried=tuple(models.untried),
+        probes=tuple(models.probes),
     )
 
 
@@ -140,10 +113,11 @@ class _Models:
         """The model without effects."""
         return self.ranking.base
 
-    @property
-    def tried(self) -> list[Candidate]:
-        """All models, without what only the search needs."""
-        return [c.without_slopes for c in self.fitted.values()]
+    def result(self, **found: Any) -> SearchResult:
+        """The result with the fields that were found."""
+        search = self.search
+        common: dict[str, Any] = {"search": search, "outliers": self.outliers}
+        return SearchResult(self.base, search.family, search.model_space, **common | found)
 
     def probe(self) -> None:
         """What each effect does beside the base model; where the effort is limited, by families first."""
@@ -236,7 +210,8 @@ class _Models:
             return None
         own = [(c.effects, c.fit) for c in self.ranking.models(count) if len(c.effects) == count]
         own = own[: CRITERIA.search.leading_families]
-        self.search.say(StepTimesSought().message)
+        text = "giving each step of a command its time between two samples"
+        self.search.say(Remark(text).message)
         retimed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
         retimed = [r for r in retimed if not leaves_structure(r.fit)]
         if not retimed:

@@ -1,5 +1,16 @@
 """What is said of a product: sentences and rows of texts, without a picture; for reports, the terminal and the page."""
 
+from pam_cosim.diagnosis.judgement.verdict_sentences import (
+    compared_sentence,
+    error_sentence,
+    headline,
+    instrument_sentence,
+    kind_name,
+    meaning,
+    not_tried_sentence,
+    probability_rows,
+    probability_sentence,
+)
 from pam_cosim.reporting.account.diagnosis_rows import (
     acting_balances,
     balance_shares,
@@ -11,17 +22,6 @@ from pam_cosim.reporting.account.diagnosis_rows import (
 )
 from pam_cosim.reporting.account.learned_part import learned_part
 from pam_cosim.reporting.account.ledger_words import against_of, ledger_words, telling_entries
-from pam_cosim.reporting.account.meaning import (
-    compared_sentence,
-    error_sentence,
-    headline,
-    instrument_sentence,
-    kind_name,
-    meaning,
-    not_tried_sentence,
-    probability_rows,
-    probability_sentence,
-)
 from pam_cosim.reporting.account.next_run import next_run
 from pam_cosim.reporting.account.wording import (
     estimate_texts,
@@ -29,8 +29,8 @@ from pam_cosim.reporting.account.wording import (
     quantity_text,
     remark,
     unit_text,
-    words,
 )
+from pam_cosim.wording import words
 
 __all__ = [
     "acting_balances",

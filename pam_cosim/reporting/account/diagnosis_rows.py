@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from pam_cosim.comparison import Rule
 from pam_cosim.diagnosis import Candidate, Diagnosis, FailedTrial
 from pam_cosim.diagnosis.judgement.verdict import explained
-from pam_cosim.fitting import Fit
+from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import ROLES
 from pam_cosim.model.domain import WRONG_PARAMETER
 from pam_cosim.reporting.account.wording import (
@@ -20,8 +20,8 @@ from pam_cosim.reporting.account.wording import (
     quantity_text,
     remark,
     unit_text,
-    words,
 )
+from pam_cosim.wording import words
 
 Row = dict[str, str]
 STATED = "stated_parameter"
@@ -43,20 +43,25 @@ def rule_rows(rules: Sequence[Rule]) -> list[Row]:
 
 def summary_rows(diagnosis: Diagnosis) -> list[Row]:
     """The error of each signal on the runs of each role, before and after."""
+    return error_rows(diagnosis.base, diagnosis.final if diagnosis.path else None)
+
+
+def error_rows(base: Fit, final: Fit | None) -> list[Row]:
+    """The error of each signal on the runs of each role, of one model and of another."""
     rows = []
     for role in ROLES:
-        for name, before in diagnosis.base.comparison.scores[role].items():
-            after = diagnosis.final.comparison.scores[role].get(name) if diagnosis.path else None
-            unit = diagnosis.data.signals[name].unit
+        for name, before in base.comparison.scores[role].items():
+            after = final.comparison.scores[role].get(name) if final else None
+            signal = base.comparison.data.signals[name]
             rows.append(
                 {
-                    "name": name if diagnosis.data.signals[name].fitted else f"{name} (not fitted)",
+                    "name": name if signal.fitted else f"{name} (not fitted)",
                     "role": role,
-                    "before": quantity_text(before.rmse, unit),
-                    "after": NOTHING if after is None else quantity_text(after.rmse, unit),
-                    "noise": quantity_text(before.noise_rmse, unit),
+                    "before": quantity_text(before.rmse, signal.unit),
+                    "after": quantity_text(after.rmse if after else None, signal.unit),
+                    "noise": quantity_text(before.noise_rmse, signal.unit),
                     "chi2_before": number(before.chi2_reduced),
-                    "chi2_after": NOTHING if after is None else number(after.chi2_reduced),
+                    "chi2_after": number(after.chi2_reduced if after else None),
                 }
             )
     return rows
@@ -95,11 +100,11 @@ def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
 
 def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
     """A line of the ranking, beside the base model; ``path``: what was added."""
-    own = []
-    for name, e in c.parameters.items():
-        value, interval = estimate_texts(e)
-        note = remark(e) or f"{interval}"
-        own.append(f"{name} = {value} {unit_text(e.unit)}".rstrip() + f" ({note})")
+    own = [
+        " ".join(filter(None, [name, "=", row["value"], row["unit"]]))
+        + f" ({row['remark'] or row['interval']})"
+        for name, row in estimate_rows(c.parameters).items()
+    ]
     return {
         "effect": " + ".join(c.effects),
         "family": words(c.family),
@@ -117,21 +122,29 @@ def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[st
 def parameter_rows(diagnosis: Diagnosis) -> list[Row]:
     """The fitted parameters, with where they come from and what is known of them."""
     origin = {name: c.effect for c in diagnosis.path for name in c.own_parameters}
-    rows = []
-    for name, estimate in diagnosis.final.parameters.items():
+    base = diagnosis.base.parameters
+    return [
+        row
+        | {
+            "origin": origin.get(name, "base model"),
+            "base": estimate_texts(base[name])[0] if name in base else NOTHING,
+        }
+        for name, row in estimate_rows(diagnosis.final.parameters).items()
+    ]
+
+
+def estimate_rows(estimates: Mapping[str, Estimate]) -> dict[str, Row]:
+    """Estimates with their intervals, by name."""
+    rows = {}
+    for name, estimate in estimates.items():
         value, interval = estimate_texts(estimate)
-        before = diagnosis.base.parameters.get(name)
-        rows.append(
-            {
-                "name": name,
-                "origin": origin.get(name, "base model"),
-                "base": NOTHING if before is None else estimate_texts(before)[0],
-                "value": value,
-                "interval": interval,
-                "unit": unit_text(estimate.unit),
-                "remark": remark(estimate),
-            }
-        )
+        rows[name] = {
+            "name": name,
+            "value": value,
+            "interval": interval,
+            "unit": unit_text(estimate.unit),
+            "remark": remark(estimate),
+        }
     return rows
 
 

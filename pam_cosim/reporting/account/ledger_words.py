@@ -7,14 +7,8 @@ from typing import Any
 
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading
 from pam_cosim.model.domain import Domain
-from pam_cosim.reporting.account.wording import (
-    NOTHING,
-    listed,
-    number,
-    percent,
-    quantity_text,
-    words,
-)
+from pam_cosim.reporting.account.wording import NOTHING, number, percent, quantity_text
+from pam_cosim.wording import enumeration, words
 
 _SHOWN = 0.005  # share that is worth a word
 
@@ -34,8 +28,8 @@ def ledger_sentence(ledger: Ledger) -> str:
     """Which balances fail, and whether that is all."""
     if not ledger.failing:
         return (
-            "No balance fails for certain: no missing term, free to take any course in time, makes the samples so "
-            "much more probable that it pays."
+            "No balance is significantly violated: a free time-varying term in any balance does not improve the "
+            "likelihood enough."
         )
     names = [_name(b, ledger) for b in ledger.failing]
     course = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
@@ -44,13 +38,13 @@ def ledger_sentence(ledger: Ledger) -> str:
         if ledger.closed
         else "What is missing there does not bring the model to the noise: something is missing elsewhere too"
     )
-    return f"The base model fails in {listed(names)}. {rest} ({course})."
+    return f"The base model fails in {enumeration(names)}. {rest} ({course})."
 
 
 def ledger_line(ledger: Ledger) -> str:
     """The ledger in one line of plain text."""
     if not ledger.failing:
-        return "no balance fails for certain"
+        return "no balance is significantly violated"
     large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
     shares = ", ".join(f"{_name(one.balance, ledger)} {percent(one.share)}" for one in large)
     rest = "" if ledger.closed else "; something is missing elsewhere too"
@@ -65,7 +59,7 @@ def _name(balance: str, ledger: Ledger) -> str:
 
 def _row(entry: BalanceEntry) -> dict[str, str]:
     same = (
-        f"the balance of {listed([words(b) for b in entry.same_as])} may be meant as well"
+        f"the balance of {enumeration([words(b) for b in entry.same_as])} may be meant as well"
         if entry.same_as
         else ""
     )
@@ -99,8 +93,8 @@ def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
     added = [b for b in dict.fromkeys(balances) if b not in ledger.failing]
     if not added or not ledger.failing:
         return []
-    acting = listed([words(balance) for balance in added])
-    failing = listed([words(balance) for balance in ledger.failing])
+    acting = enumeration([words(balance) for balance in added])
+    failing = enumeration([words(balance) for balance in ledger.failing])
     return [
         f"The effects that were added act in the {acting} balance; a free term in the "
         f"{failing} balance explains the same samples. The effects do it with a law "

@@ -7,8 +7,9 @@ from typing import Any
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import NextExperiment
-from pam_cosim.reporting.account.wording import listed, number, quantity_text, words
+from pam_cosim.reporting.account.wording import number, quantity_text
 from pam_cosim.units import readable_factor, readable_unit
+from pam_cosim.wording import enumeration, words
 
 _MOST_ROWS = 40
 
@@ -20,7 +21,7 @@ def next_run(plan: NextExperiment | None) -> dict[str, Any] | None:
     rows = [("Start from run", plan.run), ("Change", plan.change)]
     if plan.parameters:
         rows.append(("Set", _settings(plan)))
-    rows.append(("To tell apart", listed([words(family) for family in plan.between])))
+    rows.append(("To tell apart", enumeration([words(family) for family in plan.between])))
     rows.append(("Expected", expectation(plan)))
     return {
         "rows": rows,
@@ -52,7 +53,7 @@ def expectation(plan: NextExperiment) -> str:
 
 def next_run_line(plan: NextExperiment) -> str:
     """The next experiment in one line of plain text."""
-    between = listed([words(family) for family in plan.between])
+    between = enumeration([words(family) for family in plan.between])
     where = f"with {_settings(plan)}; " if plan.parameters else ""
     return f"run {plan.run}, {plan.change}; {where}to tell {between} apart: {expectation(plan)}"
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 from pam_cosim.diagnosis import Diagnosis
+from pam_cosim.diagnosis.judgement.verdict_sentences import instrument_sentence
 from pam_cosim.reporting.account.ledger_words import ledger_line
-from pam_cosim.reporting.account.meaning import instrument_sentence
 from pam_cosim.reporting.account.next_run import next_run_line
 from pam_cosim.reporting.account.wording import number, percent
 

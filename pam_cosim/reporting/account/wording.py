@@ -103,22 +103,6 @@ def remark(estimate: Estimate) -> str:
     return ", ".join(remarks)
 
 
-def words(identifier: str) -> str:
-    """An identifier as words: "dry_friction" is "dry friction"."""
-    return identifier.replace("_", " ")
-
-
-def listed(items: list[str] | tuple[str, ...], last: str = "and") -> str:
-    """ "a, b and c"."""
-    return (
-        items[0]
-        if len(items) == 1
-        else f"{', '.join(items[:-1])} {last} {items[-1]}"
-        if items
-        else ""
-    )
-
-
 def wrapped(text: str, longest: int = 28) -> str:
     """A label in two lines at most, broken between words: what tells it from others often stands at its end."""
     lines = textwrap.wrap(text, longest, break_on_hyphens=False)

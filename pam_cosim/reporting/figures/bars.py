@@ -11,9 +11,9 @@ from matplotlib.patches import Patch
 from matplotlib.ticker import PercentFormatter
 
 from pam_cosim.comparison import Rule
+from pam_cosim.diagnosis.judgement.verdict_sentences import ProbabilityRow
 from pam_cosim.reporting.account.diagnosis_rows import place_text
-from pam_cosim.reporting.account.meaning import ProbabilityRow
-from pam_cosim.reporting.account.wording import percent, shortened, words
+from pam_cosim.reporting.account.wording import percent, shortened
 from pam_cosim.reporting.style import (
     BEFORE,
     BLUE,
@@ -30,6 +30,7 @@ from pam_cosim.reporting.style import (
     new_figure,
     picture,
 )
+from pam_cosim.wording import words
 
 _MOST_RULES = 10
 _WIDE_ENOUGH = 0.06  # part of a bar that a number fits into

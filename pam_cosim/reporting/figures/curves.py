@@ -10,11 +10,11 @@ from matplotlib.lines import Line2D
 
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
-from pam_cosim.reporting.account.wording import listed
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
 from pam_cosim.reporting.figures.panels import drawn_over, panels, places
 from pam_cosim.reporting.style import HALO, INK, Picture, drawing, picture
 from pam_cosim.units import readable_factor
+from pam_cosim.wording import enumeration
 
 DASHES = (4.5, 2.0)
 
@@ -75,8 +75,8 @@ def curve_pictures(layers: Sequence[Layer]) -> list[Picture]:
             figure = panels(runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
             handles = legend(layers, few)
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
-            drawn = listed(list(dict.fromkeys(drawn_over(r) for r in runs)))
-            alt = f"Measured and modelled {listed([s.name for s in signals])} over {drawn}"
+            drawn = enumeration(list(dict.fromkeys(drawn_over(r) for r in runs)))
+            alt = f"Measured and modelled {enumeration([s.name for s in signals])} over {drawn}"
             holdout = bool(np.any([r.run.role == "holdout" for r in runs]))
             pictures.append(picture(figure, alt, _caption(layers, holdout)))
     return pictures

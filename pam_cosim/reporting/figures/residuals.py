@@ -11,11 +11,11 @@ from matplotlib.patches import Patch
 
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
-from pam_cosim.reporting.account.wording import listed
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
 from pam_cosim.reporting.figures.panels import drawn_over, panels, places
 from pam_cosim.reporting.style import BAND, SOFT, Picture, drawing, picture
 from pam_cosim.units import readable_factor
+from pam_cosim.wording import enumeration
 
 _BAND_SIGMAS = 2
 
@@ -81,8 +81,8 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
                 runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error"
             )
             figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
-            drawn = listed(list(dict.fromkeys(drawn_over(r) for r in runs)))
-            what = listed([s.name for s in signals])
+            drawn = enumeration(list(dict.fromkeys(drawn_over(r) for r in runs)))
+            what = enumeration([s.name for s in signals])
             alt = f"Measured minus modelled {what} over {drawn}, with the band of the noise"
             caption = (
                 "Measured minus model. A complete model leaves points scattered within the grey band, 19 of 20; "
