@@ -19,11 +19,11 @@ from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
 from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.about import date, identity
+from pam_cosim.fmu.built_here import note_built
 from pam_cosim.fmu.c_text import c_string
 from pam_cosim.fmu.compile import compile_library, headers, source_key, universal_binary
 from pam_cosim.fmu.description import TOOL, model_identifier
 from pam_cosim.fmu.generate import model_source
-from pam_cosim.fmu.own import note_own
 from pam_cosim.fmu.platforms import PLATFORMS, binary_folder, native_platform
 from pam_cosim.fmu.table import table
 from pam_cosim.fmu.tape import NoTapeError, TapedModel, tape_files, taped
@@ -111,7 +111,7 @@ def cached_fmu(
 
     def made() -> bytes:
         content = fmu_bytes(make_ode(), names, fmi, documented)
-        note_own(content)
+        note_built(content)
         return content
 
     return cached("fmus", full, ".fmu", made)
@@ -285,21 +285,21 @@ def _descriptions(
     ode: Ode, guid: str, fmi: str, lean: bool, about: Mapping[str, str] | None = None
 ) -> dict[str, bytes]:
     entries, compiled = table(ode, fmi, lean=lean), (_MODEL, *runtime(fmi))
-    said = {} if lean else identity(ode) | dict(about or {})
+    attributes = {} if lean else identity(ode) | dict(about or {})
     if lean:
         return {
             _DESCRIPTION: description2.model_description(
-                ode, entries, guid, _tool(), (), said, lean=True
+                ode, entries, guid, _tool(), (), attributes, lean=True
             )
         }
     if fmi == "2.0":
         return {
             _DESCRIPTION: description2.model_description(
-                ode, entries, guid, _tool(), compiled, said
+                ode, entries, guid, _tool(), compiled, attributes
             )
         }
     return {
-        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool(), said),
+        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool(), attributes),
         "sources/buildDescription.xml": description3.build_description(ode, compiled),
     }
 

@@ -8,7 +8,7 @@ from typing import Any
 
 from pam_cosim.counts import checked_time
 from pam_cosim.files import check_regular, check_writable, make_folder, write_bytes
-from pam_cosim.fmu.own import is_own
+from pam_cosim.fmu.built_here import is_built_here
 from pam_cosim.fmu.read import read_interface
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, model_name
@@ -77,6 +77,8 @@ def opened(
 ) -> Simulator | IsolatedSimulator:
     """A model ready to run; an FMU of somebody else's runs in a process of its own, which it may crash.
 
+    An FMU that this program built on this machine is run as a Modelica model is.
+
     A Modelica model tells its sensitivities to the ``free`` parameters. ``timeout`` [s]: a run of a Modelica model ends
     after so much processor time (None: ``LONGEST_RUN``); an FMU that makes no progress for so long is ended
     (None: the default of ``IsolatedSimulator``). ``brief``: a Modelica model is for a few runs, and made without a
@@ -86,7 +88,9 @@ def opened(
     if is_fmu(model):
         file = build(model, files=files)
         return (
-            limited(Simulator(file), timeout) if is_own(file) else IsolatedSimulator(file, timeout)
+            limited(Simulator(file), timeout)
+            if is_built_here(file)
+            else IsolatedSimulator(file, timeout)
         )
     fmu = _built(model, as_paths(files), sensitivities=tuple(free), where_smooth=True, brief=brief)
     return limited(Simulator(fmu), timeout)

@@ -19,7 +19,7 @@ from pam_cosim.cosimulation import (
 )
 from pam_cosim.cosimulation.parts import Component, check_name, check_once
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.own import is_own
+from pam_cosim.fmu.built_here import is_built_here
 from pam_cosim.fmu.read import feedthrough, read_interface
 from pam_cosim.model.references import is_fmu
 from pam_cosim.model.settings import Setting
@@ -123,7 +123,7 @@ def _part(name: str, model: str, files: models.Paths) -> CoupledFmu:
         path,
         read_interface(path),
         *feedthrough(path),
-        foreign=is_fmu(model) and not is_own(path),
+        foreign=is_fmu(model) and not is_built_here(path),
     )
 
 

@@ -7,15 +7,15 @@ from pathlib import Path
 from pam_cosim.cache import cached, digest, folder_in_cache
 from pam_cosim.files import read_file
 
-_KIND = "own"
+_KIND = "built"
 
 
-def note_own(content: bytes) -> None:
+def note_built(content: bytes) -> None:
     """Keeps in the cache that an FMU with this content was built here."""
     cached(_KIND, digest(content), "", bytes)
 
 
-def is_own(fmu: Path) -> bool:
+def is_built_here(fmu: Path) -> bool:
     """Whether this program built a file with this content."""
     try:
         return fmu.is_file() and folder_in_cache(_KIND, digest(read_file(fmu))).exists()
