@@ -68,14 +68,12 @@ def _check_apart(one: RunTable, other: RunTable) -> None:
 
 
 def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None:
-    """Rejects keys without an effect; what is stated for all runs may be meant for others.
-
-    ``interpolation`` may stand with points at rest: drafts of version 0.1.0 state it.
-    """
+    """Rejects keys without an effect; what is stated for all runs may be meant for others."""
     keys: Mapping[str, object]
     if run.is_static:
         own_gaps = run.gaps if run.states("gaps") else None
-        keys, why = {"from": run.begin, "to": run.end, "gaps": own_gaps}, _NOT_STATIC
+        stated = {"gaps": own_gaps, "interpolation": run.interpolation}
+        keys, why = {"from": run.begin, "to": run.end, **stated}, _NOT_STATIC
     else:
         keys = {"branch": run.branch, "hold_out": run.hold_out}
         why = 'is for points at rest: state kind = "static", or leave it out'
@@ -88,7 +86,7 @@ def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None
             message = f"table chooses one of several in a file, and {file.name} is one by itself"
             raise table.error(f"{message}: leave it out", "table")
     for name, value in run.parameters.items():
-        if name in experiment.fit:
+        if name in experiment.fit and name not in run.fit:
             message = f"{name} is free under [fit] and cannot have a value of its own in a run"
             raise value.place.error(message)
 
@@ -197,7 +195,7 @@ def _whole_run(
         file=files[0],
         more_files=tuple(files[1:]),
         role=table.role,
-        interpolation=table.interpolation,
+        interpolation=table.interpolation or "linear",
         parameters=values,
         time=recording.time,
         inputs=recording.inputs,
