@@ -1,4 +1,4 @@
-"""What ``compare`` and ``fit`` say before and after their work: tables, endings, notes, and the judgement of an FMU."""
+"""What ``compare`` and ``fit`` say before and after their work: tables, endings, notes."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.cli.commands.compare import _notes, _say_repeated
+from pam_cosim.cli.commands.compare import _notes
 from pam_cosim.study import comparisons
 from tests.cli.conftest import Outcome, everything
 from tests.comparison.fake import run
@@ -61,8 +61,3 @@ def test_rows_that_are_left_out_are_told(command: Command, data: Path) -> None:
 def test_a_note_of_several_runs_is_told_once() -> None:
     runs = [replace(run(name, [0.0, 1.0]), notes=("it pauses", name)) for name in ("a", "b")]
     assert _notes(runs) == ["a, b: it pauses", "a: a", "b: b"]
-
-
-def test_a_judgement_that_is_not_repeated_is_known(capsys: pytest.CaptureFixture[str]) -> None:
-    assert _say_repeated(0.0) and not _say_repeated(0.1)
-    assert "NOT repeated" in capsys.readouterr().out
