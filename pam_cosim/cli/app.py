@@ -9,7 +9,6 @@ import sys
 from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 from importlib import import_module
-from importlib.metadata import version as installed
 from typing import Annotated, Any
 
 import typer
@@ -119,6 +118,8 @@ def version(
 ) -> None:
     """Compare models with measurements and find the physical effect they lack."""
     if shown:
+        from importlib.metadata import version as installed
+
         typer.echo(f"pam-cosim {installed('pam-cosim')}")
         raise typer.Exit
 

@@ -113,7 +113,7 @@ def diagnose(
     )
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, start, params, values)
-    with console.status("refitting the base model") as status:
+    with console().status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(
             problem,
