@@ -5,11 +5,13 @@ A command's module, and what that needs, is loaded when the command is called.
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, partial
 from importlib import import_module
-from typing import Annotated, Any
+from pathlib import Path
+from typing import Annotated, Any, get_args
 
 import typer
 
@@ -62,7 +64,48 @@ class _Commands(Mapping[str, Any]):
         return len(COMMANDS)
 
 
-class _Command(typer.core.TyperCommand):
+class _Coercion:
+    """Texts and paths as typer makes them, without pydantic, which takes as long to load as a short run.
+
+    Args:
+        complete: typer's own, which loads pydantic.
+    """
+
+    def __init__(self, complete: Callable[[], Any]) -> None:
+        self._complete = complete
+
+    def coerce(self, value: Any, param: Any, ctx: Any) -> Any:
+        """The value of what is written in the command line."""
+        many = param.multiple or param.nargs == -1
+        if value is None:
+            return () if many else None
+        annotation = param.type_descriptor.annotation
+        kind = get_args(annotation)[0] if many else annotation
+        texts = value if many else [value]
+        if kind is Path and all(map(_can_be_read, texts)) or kind is str:
+            return [*map(kind, texts)] if many else kind(value)
+        return self._complete().coerce(value, param=param, ctx=ctx)
+
+
+def _can_be_read(path: str) -> bool:
+    """Whether typer has nothing to say against a path."""
+    return os.access(path, os.R_OK) or not os.path.exists(path)
+
+
+class _Coerced:
+    """A command whose parameters have a ``_Coercion``, where typer has such: from 0.29 on."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        """All parameters, ``--help`` included."""
+        parameters: list[Any] = super().get_params(ctx)  # type: ignore[misc]
+        for parameter in parameters:
+            complete = getattr(parameter, "get_runtime_param", None)
+            if complete and not isinstance(complete, partial):
+                parameter.get_runtime_param = partial(_Coercion, complete)
+        return parameters
+
+
+class _Command(_Coerced, typer.core.TyperCommand):
     """A command in which an option that takes one value is given once: of two, one would be passed over in silence."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
@@ -89,7 +132,7 @@ def _command(name: str) -> Any:
 _COMMANDS = _Commands()
 
 
-class _Group(typer.core.TyperGroup):
+class _Group(_Coerced, typer.core.TyperGroup):
     """All commands under one name."""
 
     def __init__(self, **options: Any) -> None:
