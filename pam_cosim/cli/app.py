@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import cache, partial
 from importlib import import_module
 from pathlib import Path
+from types import SimpleNamespace
 from typing import Annotated, Any, get_args
 
 import typer
@@ -64,27 +65,24 @@ class _Commands(Mapping[str, Any]):
         return len(COMMANDS)
 
 
-class _Coercion:
+def _coerce(complete: Callable[[], Any], value: Any, param: Any, ctx: Any) -> Any:
     """Texts and paths as typer makes them, without pydantic, which takes as long to load as a short run.
 
     Args:
         complete: typer's own, which loads pydantic.
+        value: what is written in the command line. param: it is of. ctx: of typer.
     """
-
-    def __init__(self, complete: Callable[[], Any]) -> None:
-        self._complete = complete
-
-    def coerce(self, value: Any, param: Any, ctx: Any) -> Any:
-        """The value of what is written in the command line."""
-        many = param.multiple or param.nargs == -1
-        if value is None:
-            return () if many else None
-        annotation = param.type_descriptor.annotation
-        kind = get_args(annotation)[0] if many else annotation
-        texts = value if many else [value]
-        if kind is Path and all(map(_can_be_read, texts)) or kind is str:
-            return [*map(kind, texts)] if many else kind(value)
-        return self._complete().coerce(value, param=param, ctx=ctx)
+    many = param.multiple or param.nargs == -1
+    if value is None:
+        return () if many else None
+    kind = param.type_descriptor.annotation
+    texts = [value]
+    if many:
+        (kind,), texts = get_args(kind), value
+    if kind is str or kind is Path and all(map(_can_be_read, texts)):
+        made = [*map(kind, texts)]
+        return made if many else made[0]
+    return complete().coerce(value, param=param, ctx=ctx)
 
 
 def _can_be_read(path: str) -> bool:
@@ -93,7 +91,7 @@ def _can_be_read(path: str) -> bool:
 
 
 class _Coerced:
-    """A command whose parameters have a ``_Coercion``, where typer has such: from 0.29 on."""
+    """A command whose parameters are made by ``_coerce``, where typer has such: from 0.29 on."""
 
     def get_params(self, ctx: Any) -> list[Any]:
         """All parameters, ``--help`` included."""
@@ -101,7 +99,9 @@ class _Coerced:
         for parameter in parameters:
             complete = getattr(parameter, "get_runtime_param", None)
             if complete and not isinstance(complete, partial):
-                parameter.get_runtime_param = partial(_Coercion, complete)
+                parameter.get_runtime_param = partial(
+                    SimpleNamespace, coerce=partial(_coerce, complete)
+                )
         return parameters
 
 

@@ -104,9 +104,8 @@ def _source_key(shipped: tuple[str, ...]) -> str:
 
 def _zig_version() -> str:
     """The version, from the name of the folder that ``importlib.metadata`` reads, which takes 20 ms to load."""
-    folders = [*Path(ziglang.__file__).parents[1].glob("ziglang-*.dist-info")]
-    if len(folders) == 1:
-        return folders[0].stem.partition("-")[2]
+    for folder in Path(ziglang.__file__).parents[1].glob("ziglang-*.dist-info"):
+        return folder.stem.partition("-")[2]
     from importlib.metadata import version
 
     return version("ziglang")

@@ -270,9 +270,9 @@ def problem_of(
     return problem
 
 
-def say_written(path: Path | None) -> None:
-    """Names a result on standard error, where one was asked for."""
-    if path is not None:
+def say_written(*paths: Path | None) -> None:
+    """Names results on standard error, those that were asked for."""
+    for path in filter(None, paths):
         typer.secho(f"written: {path}", dim=True, err=True)
 
 
@@ -292,8 +292,7 @@ def tell_and_write(
         product.to_json(json)
     if plot:
         study.draw(product, plot)
-    for path in (output, json, plot):
-        say_written(path)
+    say_written(output, json, plot)
 
 
 def interrupted() -> int:

@@ -146,8 +146,7 @@ def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
         run.trajectory.to_csv(output)
     if plot and run.trajectory.time.size > 1:
         reporting.plot_trajectory(run.trajectory, plot)
-    say_written(output)
-    say_written(plot)
+    say_written(output, plot)
 
 
 def _by_name(option: str, pairs: Iterable[tuple[str, Value]]) -> dict[str, Value]:

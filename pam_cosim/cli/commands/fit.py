@@ -122,5 +122,4 @@ def fit(
         reporting.plot_fit(fitted, plot)
     if profile and made:
         study.draw(made, profile)
-    for path in (output, json, plot, profile, resume):
-        say_written(path)
+    say_written(output, json, plot, profile, resume)

@@ -108,8 +108,7 @@ def plan(
         study.draw(planned, plot)
     if json:
         write_json(json, planned.as_dict())
-    for path in (*written, plot, json):
-        say_written(path)
+    say_written(*written, plot, json)
 
 
 def _diagnosis(

@@ -123,8 +123,7 @@ def sweep(
     if plot:
         study.draw(made, plot)
     _tell(made)
-    say_written(output)
-    say_written(plot)
+    say_written(output, plot)
     if len(made.failed) == len(made):
         raise typer.Exit(1)
 
