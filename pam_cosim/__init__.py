@@ -15,7 +15,7 @@ pam.add(diagnosis, output="Better.mo")
 from typing import TYPE_CHECKING
 
 from pam_cosim import study as _study
-from pam_cosim.lazy_names import lazy_names
+from pam_cosim.lazy_names import LazyNames
 
 if TYPE_CHECKING:
     from pam_cosim.analysis import (
@@ -111,7 +111,7 @@ __all__ = [
 __all__ += _study.__all__
 
 if not TYPE_CHECKING:
-    _NAMES = lazy_names(__file__)
+    _NAMES = LazyNames(__file__)
     __doc__ += f"\nThe steps of a study:\n{_study._NAMES.text()}\n\nWhat they take and return:\n{_NAMES.text()}"
 
     def __getattr__(name: str) -> object:

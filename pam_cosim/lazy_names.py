@@ -1,30 +1,37 @@
 """Public names of a package that are loaded at their first use.
 
 Their table is the block of imports under ``if TYPE_CHECKING``: the name, the module, and what it is as a comment.
+Every command reads it first, so that this module loads no other.
 """
 
 from __future__ import annotations
 
-import re
-from dataclasses import dataclass
 from importlib import import_module
-from pathlib import Path
-
-_MODULE = re.compile(r"    from (\S+) import")
-_NAME = re.compile(r"(\w+),?  # (.+)")
 
 
-@dataclass(frozen=True)
 class LazyNames:
     """Public names with the module of each and a line on each.
+
+    Args:
+        file: the source of the package.
 
     Attributes:
         modules: by name.
         lines: what each name is, by name.
     """
 
-    modules: dict[str, str]
-    lines: dict[str, str]
+    def __init__(self, file: str) -> None:
+        self.modules: dict[str, str] = {}
+        self.lines: dict[str, str] = {}
+        module = ""
+        with open(file, encoding="utf-8") as source:
+            for line in source:
+                if line.startswith("    from "):
+                    module = line.split()[1]
+                code, mark, comment = line.partition("  # ")
+                if module and mark:
+                    name = code.split()[-1].rstrip(",")
+                    self.modules[name], self.lines[name] = module, comment.rstrip()
 
     def load(self, package: str, name: str) -> object:
         """The object of a name.
@@ -40,14 +47,3 @@ class LazyNames:
         """A line for each name, for ``help``."""
         width = max(map(len, self.lines))
         return "".join(f"\n    {name:<{width}}  {line}" for name, line in self.lines.items())
-
-
-def lazy_names(file: str) -> LazyNames:
-    """Reads the table in the source of a package."""
-    names, module = LazyNames({}, {}), ""
-    for line in Path(file).read_text(encoding="utf-8").splitlines():
-        if match := _MODULE.match(line):
-            module = match[1]
-        if module and (match := _NAME.search(line)):
-            names.modules[match[1]], names.lines[match[1]] = module, match[2]
-    return names

@@ -22,6 +22,8 @@ def shown(value: object) -> str:
 
 def printable(text: str) -> str:
     """A line of somebody else's: what would command a terminal stands as a blank."""
+    if text.isprintable():
+        return text
     return "".join(letter if letter.isprintable() else " " for letter in text)
 
 

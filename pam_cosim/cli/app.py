@@ -5,12 +5,14 @@ A command's module, and what that needs, is loaded when the command is called.
 
 from __future__ import annotations
 
+import os
 import sys
-from collections.abc import Iterator, Mapping, Sequence
-from functools import cache
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, partial
 from importlib import import_module
-from importlib.metadata import version as installed
-from typing import Annotated, Any
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Annotated, Any, get_args
 
 import typer
 
@@ -63,7 +65,47 @@ class _Commands(Mapping[str, Any]):
         return len(COMMANDS)
 
 
-class _Command(typer.core.TyperCommand):
+def _coerce(complete: Callable[[], Any], value: Any, param: Any, ctx: Any) -> Any:
+    """Texts and paths as typer makes them, without pydantic, which takes as long to load as a short run.
+
+    Args:
+        complete: typer's own, which loads pydantic.
+        value: what is written in the command line. param: it is of. ctx: of typer.
+    """
+    many = param.multiple or param.nargs == -1
+    if value is None:
+        return () if many else None
+    kind = param.type_descriptor.annotation
+    texts = [value]
+    if many:
+        (kind,), texts = get_args(kind), value
+    if kind is str or kind is Path and all(map(_can_be_read, texts)):
+        made = [*map(kind, texts)]
+        return made if many else made[0]
+    return complete().coerce(value, param=param, ctx=ctx)
+
+
+def _can_be_read(path: str) -> bool:
+    """Whether typer has nothing to say against a path."""
+    return os.access(path, os.R_OK) or not os.path.exists(path)
+
+
+class _Coerced:
+    """A command whose parameters are made by ``_coerce``, where typer has such: from 0.29 on."""
+
+    def get_params(self, ctx: Any) -> list[Any]:
+        """All parameters, ``--help`` included."""
+        parameters: list[Any] = super().get_params(ctx)  # type: ignore[misc]
+        for parameter in parameters:
+            complete = getattr(parameter, "get_runtime_param", None)
+            if complete and not isinstance(complete, partial):
+                parameter.get_runtime_param = partial(
+                    SimpleNamespace, coerce=partial(_coerce, complete)
+                )
+        return parameters
+
+
+class _Command(_Coerced, typer.core.TyperCommand):
     """A command in which an option that takes one value is given once: of two, one would be passed over in silence."""
 
     def parse_args(self, ctx: Any, args: list[str]) -> list[str]:
@@ -90,7 +132,7 @@ def _command(name: str) -> Any:
 _COMMANDS = _Commands()
 
 
-class _Group(typer.core.TyperGroup):
+class _Group(_Coerced, typer.core.TyperGroup):
     """All commands under one name."""
 
     def __init__(self, **options: Any) -> None:
@@ -119,6 +161,8 @@ def version(
 ) -> None:
     """Compare models with measurements and find the physical effect they lack."""
     if shown:
+        from importlib.metadata import version as installed
+
         typer.echo(f"pam-cosim {installed('pam-cosim')}")
         raise typer.Exit
 

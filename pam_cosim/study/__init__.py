@@ -5,7 +5,7 @@ A function is loaded when it is asked for: a command that simulates loads nothin
 
 from typing import TYPE_CHECKING
 
-from pam_cosim.lazy_names import lazy_names
+from pam_cosim.lazy_names import LazyNames
 
 if TYPE_CHECKING:
     from pam_cosim.simulation.models import (
@@ -91,7 +91,7 @@ __all__ = [
 ]
 
 if not TYPE_CHECKING:
-    _NAMES = lazy_names(__file__)
+    _NAMES = LazyNames(__file__)
     __doc__ += _NAMES.text()
 
     def __getattr__(name: str) -> object:

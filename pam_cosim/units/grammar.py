@@ -10,7 +10,6 @@ from __future__ import annotations
 import re
 import sys
 from functools import cache, lru_cache
-from importlib.metadata import version
 from pathlib import Path
 from tempfile import TemporaryDirectory
 from typing import Any
@@ -61,6 +60,8 @@ def registry() -> Any:
 
     What pint reads from its definitions, in near half a second, is kept in the cache, where that can be written.
     """
+    from importlib.metadata import version
+
     import pint
 
     key = digest(pint.__version__, pint.__file__, version("flexparser"), sys.version)

@@ -13,7 +13,6 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     SetOption,
     check_results,
-    console,
     say_used_with,
     say_written,
 )
@@ -80,4 +79,4 @@ def _say_left_out(origin: Path) -> None:
         note = (
             f"{origin}: {listed(left)}: of the data and not of the model, which is written without"
         )
-        console.print(note, markup=False, soft_wrap=True)
+        typer.echo(note, err=True)

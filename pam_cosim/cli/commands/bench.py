@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from shlex import quote
 from typing import Annotated
 
 import typer
@@ -14,7 +13,7 @@ from rich.table import Table
 
 from pam_cosim import study
 from pam_cosim.catalogue import BenchPart
-from pam_cosim.cli.commands.common import FilesOption, check_results, console, say_written
+from pam_cosim.cli.commands.common import FilesOption, check_results, say_used_with, say_written
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_model_file
 
@@ -68,11 +67,7 @@ def bench(
         nl=False,
     )
     say_written(output)
-    if files:
-        words = " ".join(f"--file {quote(str(file))}" for file in files)
-        console.print(
-            f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True
-        )
+    say_used_with(files or [])
     return None
 
 

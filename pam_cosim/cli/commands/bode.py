@@ -6,7 +6,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeElapsedColumn
 
 from pam_cosim.cli.arguments import parse_frequencies, parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
@@ -15,7 +14,7 @@ from pam_cosim.cli.commands.common import (
     SetOption,
     TimeoutOption,
     check_results,
-    console,
+    progress_bar,
     tell_and_write,
 )
 from pam_cosim.errors import InputError
@@ -56,9 +55,8 @@ def bode(
     if isinstance(point, list):
         raise InputError("a sine swings about a rest, not about a time of a run")
     chosen = parse_frequencies(frequencies)
-    columns = (TextColumn("sines"), BarColumn(), MofNCompleteColumn(), TimeElapsedColumn())
-    with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
-        task = progress.add_task("sines", total=len(chosen))
+    with progress_bar("sines", "MofNComplete", "TimeElapsed") as progress:
+        progress(0, len(chosen))
         response = dynamics.frequency_response(
             model,
             parse_pairs(settings or []),
@@ -71,6 +69,6 @@ def bode(
             most_periods=most_periods,
             files=files or [],
             timeout=timeout,
-            progress=lambda done, total: progress.update(task, completed=done, total=total),
+            progress=progress,
         )
     tell_and_write(response, output, json, plot)

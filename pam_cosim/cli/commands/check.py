@@ -46,7 +46,7 @@ def check(
     check_results(json=json, sources=[model, *(files or [])])
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, None, params, values)
-    with console.status("simulating what could be measured") as status:
+    with console().status("simulating what could be measured") as status:
         checked = study.check(problem, say=teller(status), workers=workers)
     typer.echo(str(checked))
     if json:

@@ -6,14 +6,14 @@ Every command loads it, so that it loads no room of the package by itself.
 from __future__ import annotations
 
 import sys
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from functools import cache
 from pathlib import Path
 from shlex import quote
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
-from rich.console import Console
-from rich.markup import escape
 
 from pam_cosim.files import (
     JSON,
@@ -28,6 +28,8 @@ from pam_cosim.files import (
 )
 
 if TYPE_CHECKING:
+    from rich.console import Console
+
     from pam_cosim.analysis import FrequencyResponse, LinearModel, Observation
     from pam_cosim.diagnosis import Event, Message
     from pam_cosim.fitting import PredictiveBands
@@ -39,7 +41,6 @@ PROGRESS = (".progress", ".json")
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
-console = Console(stderr=True, highlight=False)
 
 ModelOption = Annotated[
     str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")
@@ -136,6 +137,35 @@ Data = Annotated[
 ]
 
 
+@cache
+def console() -> Console:
+    """Standard error, for what changes while it is shown; loads rich."""
+    from rich.console import Console
+
+    return Console(stderr=True, highlight=False)
+
+
+@contextmanager
+def progress_bar(what: str, *columns: str) -> Iterator[Callable[[float, float], None]]:
+    """Shows how much is done, of how much, on a terminal; elsewhere nothing, without rich.
+
+    Args:
+        what: stands before the bar.
+        columns: of ``rich.progress``, after the bar.
+    """
+    if not sys.stderr.isatty():
+        yield lambda done, total: None
+        return
+    from rich import progress
+
+    further = [getattr(progress, f"{column}Column")() for column in columns]
+    with progress.Progress(
+        progress.TextColumn(what), progress.BarColumn(), *further, console=console()
+    ) as bar:
+        task = bar.add_task(what, total=None)
+        yield lambda done, total: bar.update(task, completed=done, total=total)
+
+
 def check_results(
     *outputs: Path | None,
     json: Path | None = None,
@@ -168,9 +198,7 @@ def say_used_with(files: Iterable[Path]) -> None:
     """Says what a written model is to be used together with."""
     words = " ".join(f"--file {quote(str(file))}" for file in files)
     if words:
-        console.print(
-            f"it is used together with what it is made from: {words}", markup=False, soft_wrap=True
-        )
+        typer.echo(f"it is used together with what it is made from: {words}", err=True)
 
 
 def read_data(
@@ -236,16 +264,16 @@ def problem_of(
     notes = dict.fromkeys(note for run in problem.data.runs for note in run.notes)
     for note in notes:
         if note not in before:
-            console.print(f"note: {note}", markup=False, soft_wrap=True)
+            typer.echo(f"note: {note}", err=True)
     if values:
         typer.echo(f"{problem}\n")
     return problem
 
 
-def say_written(path: Path | None) -> None:
-    """Names a result on standard error, where one was asked for."""
-    if path is not None:
-        console.print(f"written: {path}", style="dim", markup=False, soft_wrap=True)
+def say_written(*paths: Path | None) -> None:
+    """Names results on standard error, those that were asked for."""
+    for path in filter(None, paths):
+        typer.secho(f"written: {path}", dim=True, err=True)
 
 
 def tell_and_write(
@@ -264,8 +292,7 @@ def tell_and_write(
         product.to_json(json)
     if plot:
         study.draw(product, plot)
-    for path in (output, json, plot):
-        say_written(path)
+    say_written(output, json, plot)
 
 
 def interrupted() -> int:
@@ -295,11 +322,13 @@ def follower(status: Any) -> Callable[[Event], None]:
 
 def teller(status: Any) -> Callable[[Message], None]:
     """Prints what happens; the status line shows the last headline, and how many results came since."""
+    from rich.markup import escape
+
     headline, count = "", 0
 
     def say(message: Message) -> None:
         nonlocal headline, count
-        console.print(message, markup=False, soft_wrap=True)
+        console().print(message, markup=False, soft_wrap=True)
         headline, count = (headline, count + 1) if message.detail else (escape(message), 0)
         status.update(f"{headline}: {count} done" if count else headline)
 

@@ -101,8 +101,7 @@ def _write(
         write_json(json, comparison.as_dict() | further)
     if report:
         reporting.write_report(report, reporting.comparison_report(comparison))
-    say_written(json)
-    say_written(report)
+    say_written(json, report)
 
 
 def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: Path | None) -> None:
@@ -110,8 +109,7 @@ def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: P
         write_tables(csv, tables)
     if picture:
         reporting.plot_tables(tables, picture)
-    say_written(csv)
-    say_written(picture)
+    say_written(csv, picture)
 
 
 def _compared(problem: Problem, table: tuple[str, str] | None, timeout: float | None) -> Comparison:

@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Annotated, Any, TypeVar
 
 import typer
-from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn, TimeRemainingColumn
 
 from pam_cosim import reporting
 from pam_cosim.cli.arguments import parse_pairs
@@ -17,7 +16,7 @@ from pam_cosim.cli.commands.common import (
     SetOption,
     TimeoutOption,
     check_results,
-    console,
+    progress_bar,
     say_written,
 )
 from pam_cosim.cosimulation import Controller, ControllerError, CoupledRun, CouplingFailure
@@ -109,9 +108,7 @@ def couple(
     if ssp:
         coupling.write_system(read, ssp, ssp=ssp_version or "1.0", connectors=not no_connectors)
         say_written(ssp)
-    columns = (TextColumn("coupling"), BarColumn(), TimeElapsedColumn(), TimeRemainingColumn())
-    with Progress(*columns, console=console, disable=not console.is_terminal) as progress:
-        task = progress.add_task("couple", total=None)
+    with progress_bar("coupling", "TimeElapsed", "TimeRemaining") as progress:
         try:
             run = read.simulate(
                 stop_time,
@@ -119,7 +116,7 @@ def couple(
                 tolerance=_ADAPTIVE if adaptive and tolerance is None else tolerance,
                 inputs=course,
                 outputs=keep or [],
-                progress=lambda time, stop: progress.update(task, completed=time, total=stop),
+                progress=progress,
                 **options,
             )
         except (CouplingFailure, ControllerError) as error:
@@ -149,8 +146,7 @@ def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
         run.trajectory.to_csv(output)
     if plot and run.trajectory.time.size > 1:
         reporting.plot_trajectory(run.trajectory, plot)
-    say_written(output)
-    say_written(plot)
+    say_written(output, plot)
 
 
 def _by_name(option: str, pairs: Iterable[tuple[str, Value]]) -> dict[str, Value]:

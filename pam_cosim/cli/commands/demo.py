@@ -38,7 +38,7 @@ def demo(
     check_results(*demonstration.results_of(folder, "report", "Better"))
     begin = time.perf_counter()
     typer.echo(f"{TITLE}\n")
-    with console.status("refitting the base model") as status:
+    with console().status("refitting the base model") as status:
         shown = demonstration.demonstrate(
             data, folder, say=teller(status), progress=follower(status), workers=workers
         )

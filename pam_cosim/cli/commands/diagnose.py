@@ -113,7 +113,7 @@ def diagnose(
     )
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, start, params, values)
-    with console.status("refitting the base model") as status:
+    with console().status("refitting the base model") as status:
         say = teller(status)
         diagnosis = study.diagnose(
             problem,
@@ -136,8 +136,7 @@ def diagnose(
         reporting.write_report(report, reporting.diagnosis_report(diagnosis))
     if output:
         _say_model(diagnosis, data, save, output, files)
-    for path in (save, json, report):
-        say_written(path)
+    say_written(save, json, report)
     _write_next(diagnosis, following, files)
     _write_learned(diagnosis, learned)
 

@@ -92,7 +92,7 @@ def fit(
     check_results(output, resume, json=json, pictures=[plot, profile], sources=sources)
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, start, params, values)
-    with console.status("fitting") as status:
+    with console().status("fitting") as status:
         fitted = study.fit(
             problem,
             method=method,
@@ -122,5 +122,4 @@ def fit(
         reporting.plot_fit(fitted, plot)
     if profile and made:
         study.draw(made, profile)
-    for path in (output, json, plot, profile, resume):
-        say_written(path)
+    say_written(output, json, plot, profile, resume)

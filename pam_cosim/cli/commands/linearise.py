@@ -98,5 +98,4 @@ def _tell(along: LinearCourse, json: Path | None, plot: Path | None) -> None:
         write_json(json, along.as_dict())
     if plot:
         study.draw(along, plot)
-    say_written(json)
-    say_written(plot)
+    say_written(json, plot)

@@ -90,7 +90,7 @@ def plan(
         workers,
         lambda data: run_limits(data, ranges, seconds, files or [], hold or []),
     )
-    with console.status("designing the run") as status:
+    with console().status("designing the run") as status:
         planned = study.plan(
             diagnosis,
             limits=ranges,
@@ -108,8 +108,7 @@ def plan(
         study.draw(planned, plot)
     if json:
         write_json(json, planned.as_dict())
-    for path in (*written, plot, json):
-        say_written(path)
+    say_written(*written, plot, json)
 
 
 def _diagnosis(
@@ -130,7 +129,7 @@ def _diagnosis(
         return found
     data = read_data(source, model, files)
     check(data)
-    with console.status("refitting the base model") as status:
+    with console().status("refitting the base model") as status:
         return study.diagnose(
             data,
             model,

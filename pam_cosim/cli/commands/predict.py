@@ -74,7 +74,7 @@ def predict(
         json=json, tables=[output], pictures=[plot], sources=[source, model, inputs, *(files or [])]
     )
     product = _fitted(source, model, files)
-    with console.status("simulating samples of the parameters"):
+    with console().status("simulating samples of the parameters"):
         bands = study.predict(
             product,
             inputs,
@@ -94,7 +94,7 @@ def _fitted(source: Path, model: str | None, files: list[Path] | None) -> Fit | 
     """The saved product, or the fit of a data set."""
     if source.suffix.lower() != ".npz":
         data = read_data(source, model, files)
-        with console.status("fitting"):
+        with console().status("fitting"):
             return study.fit(data, model, files=files or [])
     found = study.load(source)
     if not isinstance(found, Fit | Diagnosis):

@@ -71,5 +71,4 @@ def simulate(
         reporting.plot_trajectory(trajectory, plot)
     for line in [*look_first(trajectory.warnings), *str(trajectory).splitlines()[1:]]:
         typer.echo(line.strip())
-    say_written(output)
-    say_written(plot)
+    say_written(output, plot)

@@ -6,14 +6,6 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
-from rich.progress import (
-    BarColumn,
-    MofNCompleteColumn,
-    Progress,
-    TextColumn,
-    TimeElapsedColumn,
-    TimeRemainingColumn,
-)
 
 from pam_cosim import study
 from pam_cosim.cli.arguments import (
@@ -28,7 +20,7 @@ from pam_cosim.cli.commands.common import (
     SetOption,
     TimeoutOption,
     check_results,
-    console,
+    progress_bar,
     remarks,
     say_written,
 )
@@ -39,13 +31,6 @@ from pam_cosim.sweeps.patterns import INPUTS
 from pam_cosim.wording import look_first
 
 _MOST_FAILURES = 20  # that are told one by one
-_COLUMNS = (
-    TextColumn("sweep"),
-    BarColumn(),
-    MofNCompleteColumn(),
-    TimeElapsedColumn(),
-    TimeRemainingColumn(),
-)
 
 
 def sweep(
@@ -114,8 +99,7 @@ def sweep(
     check_table_ending(output)
     check_writable(partial_of(output))
     remarks.append(lambda: _kept(output))
-    with Progress(*_COLUMNS, console=console, disable=not console.is_terminal) as progress:
-        task = progress.add_task("sweep", total=None)
+    with progress_bar("sweep", "MofNComplete", "TimeElapsed", "TimeRemaining") as progress:
         made = study.sweep(
             model,
             varied,
@@ -134,13 +118,12 @@ def sweep(
             workers=workers,
             files=files or [],
             timeout=timeout,
-            progress=lambda done, total: progress.update(task, completed=done, total=total),
+            progress=progress,
         )
     if plot:
         study.draw(made, plot)
     _tell(made)
-    say_written(output)
-    say_written(plot)
+    say_written(output, plot)
     if len(made.failed) == len(made):
         raise typer.Exit(1)
 
@@ -157,12 +140,11 @@ def _kept(output: Path) -> str:
 def _tell(made: Sweep) -> None:
     failed = made.failed
     for run, reason in list(failed.items())[:_MOST_FAILURES]:
-        console.print(
-            f"failed at {made.design.settings(run)}: {reason}", markup=False, soft_wrap=True
-        )
+        typer.echo(f"failed at {made.design.settings(run)}: {reason}", err=True)
     if len(failed) > _MOST_FAILURES:
-        console.print(
-            f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each"
+        typer.echo(
+            f"and {len(failed) - _MOST_FAILURES} more; the result names the reason of each",
+            err=True,
         )
     typer.echo(f"{len(made) - len(failed)} of {len(made)} runs done")
     for line in [*look_first(made.warnings), *made.summary_lines()]:

@@ -7,7 +7,7 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim.cli.commands.common import FilesOption, ModelOption, console
+from pam_cosim.cli.commands.common import FilesOption, ModelOption
 from pam_cosim.errors import InputError
 
 
@@ -33,4 +33,4 @@ def workbench(
 
 
 def _tell(line: str) -> None:
-    console.print(line, markup=False, soft_wrap=True)
+    typer.echo(line, err=True)
