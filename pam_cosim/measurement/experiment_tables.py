@@ -193,7 +193,7 @@ class RunTable(CheckedTable):
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     loggers: list[LoggerTable] = Field(default_factory=list)
     role: Literal["fit", "holdout"] = "fit"
-    interpolation: Literal["linear", "previous"] | None = None
+    interpolation: Literal["linear", "previous"] = "linear"
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)
     kind: Literal["dynamic", "static"] | None = None
