@@ -13,7 +13,9 @@ from pam_cosim.compiler.printing import string_text
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import is_ratio, parameter_of
 
-_TEXT = re.compile(r"^(?P<name>.+?) = (?P<value>\S+)(?: in place of (?P<stated>\S+))?$")
+_TEXT = re.compile(
+    r"^(?P<name>.+?) = (?P<value>\S+)(?: in place of (?P<stated>\S+))?(?P<estimated> estimated)?$"
+)
 KEY = "corrections"
 _EQUAL = 1e-9  # relative: values are converted between units
 
@@ -27,12 +29,14 @@ class Correction:
         value: that counts.
         stated: by the data set when the value was found; None: nothing.
         run: the one run that it is of; empty: all.
+        estimated: it was found where the start of its run is estimated.
     """
 
     name: str
     value: float
     stated: float | None = None
     run: str = ""
+    estimated: bool = False
 
     @property
     def target(self) -> str:
@@ -41,7 +45,7 @@ class Correction:
 
     def __str__(self) -> str:
         replaced = "" if self.stated is None else f" in place of {self.stated!r}"
-        return f"{self.target} = {self.value!r}{replaced}"
+        return f"{self.target} = {self.value!r}{replaced}{' estimated' * self.estimated}"
 
     def applies_to(self, stated: float | None) -> bool:
         """Whether the data set still states what it stated when the value was found."""
@@ -58,14 +62,15 @@ def corrections_of(data: DataSet, values: Mapping[str, float]) -> tuple[Correcti
         values: of parameters [SI], with ratios, values of single runs and initial states ("state@run").
     """
     by_run = {run.name: _of_run(data, run, values) for run in data.runs}
+    estimated = {run.name for run in data.runs if run.start.mode == "estimated"}
     corrections: list[Correction] = []
     for name in dict.fromkeys(name for of_run in by_run.values() for name in of_run):
         pairs = {of_run.get(name) for of_run in by_run.values()}
-        if len(pairs) == 1 and len(by_run) > 1:
+        if len(pairs) == 1 and f"{name}@{data.runs[0].name}" not in values:
             corrections.append(Correction(name, *by_run[data.runs[0].name][name]))
         else:
             corrections += [
-                Correction(name, *of_run[name], run=run)
+                Correction(name, *of_run[name], run=run, estimated=run in estimated)
                 for run, of_run in by_run.items()
                 if name in of_run
             ]
@@ -123,6 +128,6 @@ def parsed_correction(text: str) -> Correction | None:
     name, _, run = match["name"].partition("@")
     try:
         stated = None if match["stated"] is None else float(match["stated"])
-        return Correction(name, float(match["value"]), stated, run)
+        return Correction(name, float(match["value"]), stated, run, bool(match["estimated"]))
     except ValueError:
         return None

@@ -42,16 +42,18 @@ class ModelValues:
     """What a model says of values beside the defaults of its base class.
 
     Attributes:
-        label: the model or the file, as messages name it.
+        label: the model, as messages name it.
         stated: names of parameters to which the model itself gives a value.
         fitted: values of an earlier fit, by name; what the data set or a run states counts before them.
         corrections: that take the place of what the data set states.
+        origin: of ``fitted``, as messages name it.
     """
 
     label: str = ""
     stated: frozenset[str] = frozenset()
     fitted: Mapping[str, Setting] = field(default_factory=dict)
     corrections: tuple[Correction, ...] = ()
+    origin: str = "an earlier fit"
 
 
 @dataclass(frozen=True)
@@ -119,7 +121,8 @@ class Problem(Printed):
             ParameterValue(one.name, one.start, one.unit, "fitted from here", (one.low, one.high))
             for one in free
         ]
-        is_open = sum(map(len, runs.values())) < len(self.data.runs)
+        own = {one.run for one in free}
+        is_open = any(name not in run.parameters and run.name not in own for run in self.data.runs)
         if is_open and all(one.run or is_ratio(one.name) for one in free):
             source = f"stated by {self.known.label}" if name in self.known.stated else DEFAULT
             rows.append(ParameterValue(name, variable.start or 0.0, variable.unit, source))

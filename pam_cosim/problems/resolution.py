@@ -11,8 +11,8 @@ from pam_cosim.errors import InputError
 from pam_cosim.fitting import free_parameter
 from pam_cosim.measurement import DataSet, FreeParameter, Run, StartMode
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import ratio_to_stated
-from pam_cosim.model.settings import Setting
+from pam_cosim.model.references import is_ratio, ratio_to_stated
+from pam_cosim.model.settings import Setting, value_of
 from pam_cosim.problems.corrections import Correction
 from pam_cosim.problems.names import Target, resolved_values, target
 from pam_cosim.problems.problem import ModelValues, Problem
@@ -47,7 +47,7 @@ def problem(
         known: what the model says of values.
         values: of the caller, by name: numbers [SI] or texts with a unit; "load.m@run-01" is of one run,
             "load.m/stated" a factor on what the data set states, "gas.p@run-01" an initial state. A parameter that the
-            data set leaves free is held there, unless ``free`` names it: then its fit begins there.
+            data set leaves free is held there.
         free: names of the parameters that are fitted, instead of those of the data set: any parameter that has bounds,
             or that the data set states.
         guesses: where the fit of a parameter begins, by name.
@@ -89,16 +89,28 @@ class _Resolution:
         free: Sequence[str] | None,
         guesses: Mapping[str, Setting],
     ) -> Problem:
-        begin = {n: v for n, v in values.items() if n in (free or ())} | dict(guesses)
         self._earlier_fit()
         for correction in self.known.corrections:
             self._correct(correction)
-        rest = {n: v for n, v in values.items() if n not in (free or ())}
-        for one, value in resolved_values(rest, self.data, self.interface):
+        self._note_missing_runs()
+        for one, value in resolved_values(values, self.data, self.interface):
+            if one.ratio and one.name in values:
+                raise InputError(
+                    f"'{ratio_to_stated(one.name)}' is a factor on what the data set states, and '{one.name}' is "
+                    "stated too: state one of the two"
+                )
             self._state(one, value)
-        chosen = self._guesses(begin, free)
+        chosen = self._guesses(guesses, free)
         if free is not None:
             self._free(free, chosen)
+        fitted = [run for run in self.runs.values() if run.role == "fit"]
+        self.fit = {
+            name: entry
+            for name, entry in self.fit.items()
+            if is_ratio(name)
+            or entry.run
+            or any(entry.parameter not in r.parameters for r in fitted)
+        }
         runs = tuple(self.runs.values())
         data = replace(self.data, model=self.model, fit=self.fit, runs=runs)
         return Problem(
@@ -121,7 +133,7 @@ class _Resolution:
                 self.fit[name] = replace(entry, start=numbers[name])
             elif entry.parameter in self.known.stated:
                 self.fit[name] = replace(entry, start=None)
-        source = f"stated by {self.known.label}"
+        source = f"stated by {self.known.origin}"
         for one, value in found:
             name = _name_of(one)
             if one.ratio or one.run:
@@ -130,7 +142,7 @@ class _Resolution:
             open_runs = [run for run in self.runs.values() if one.name not in run.parameters]
             for run in self.runs.values():
                 if one.name in run.parameters:
-                    text = f"the data set states {name}, and its value is used instead of that of {self.known.label}"
+                    text = f"the data set states {name}, and its value is used instead of that of {self.known.origin}"
                     self._note(run.name, text)
             if open_runs:
                 self.stated[name] = value
@@ -144,13 +156,26 @@ class _Resolution:
             if run is None or one.name not in self.interface.settable:
                 continue
             if one.name in self.interface.states:
-                self._begin(run, one.name, one.value, source, run.start.mode or "estimated")
+                mode: StartMode = "estimated" if one.estimated else "measured"
+                self._begin(run, one.name, one.value, source, run.start.mode or mode)
                 continue
             stated = run.replaced.get(one.name, run.parameters.get(one.name))
             if one.applies_to(stated):
                 self._put(run.name, one.name, one.value, source)
             elif stated is not None and stated != one.value:
                 self._note(run.name, self._overruled(one, stated))
+
+    def _note_missing_runs(self) -> None:
+        """Says that values of runs are kept which the data set does not have."""
+        missing = {
+            one.run: None for one in self.known.corrections if one.run not in {"", *self.runs}
+        }
+        if missing:
+            text = (
+                f"the verdict in {self.known.label} has values of {listed(missing)}, which are no runs of the data "
+                "set: these values are not used"
+            )
+            self._note(next(iter(self.runs)), text)
 
     def _overruled(self, one: Correction, stated: float) -> str:
         unit = self.interface.settable[one.name].unit
@@ -174,6 +199,7 @@ class _Resolution:
             return
         for run in runs:
             number = value * self._stated_in(run, one.name) if one.ratio else value
+            number = value_of(number, self.interface.settable[one.name])
             self._put(run.name, one.name, number, source)
         if not one.ratio:
             self.stated[f"{one.name}@{one.run}" if one.run else one.name] = value
@@ -253,13 +279,17 @@ class _Resolution:
         self, name: str, declared: Mapping[str, FreeParameter], guesses: Mapping[str, float]
     ) -> FreeParameter:
         one = target(name, self.data, self.interface)
-        stated = self._release(one)
-        if name in declared:
-            return declared[name]
+        if one.ratio and one.run:
+            raise InputError(
+                f"'{name}': a factor is fitted for all runs; fit '{one.name}@{one.run}' instead"
+            )
         if one.run and self.runs[one.run].role == "holdout":
             raise InputError(
                 f"'{name}' is of a run that is held out and never fitted: state its value by --set"
             )
+        stated = self._release(one)
+        if name in declared:
+            return declared[name]
         if one.ratio:
             for run in self.runs.values():
                 self._stated_in(run, one.name)
@@ -276,7 +306,13 @@ class _Resolution:
         if one.ratio:
             return None
         runs = [self.runs[one.run]] if one.run else list(self.runs.values())
-        stating = [run for run in runs if one.name in run.parameters]
+        held = {r.name for r in runs if self.sources.get((r.name, one.name)) == _CALLER}
+        if held and all(run.name in held for run in runs if run.role == "fit"):
+            raise InputError(
+                f"'{one.name}' is to be fitted, and the caller states its value for every fitted run: state an "
+                "initial guess by --start, or leave it out of --free"
+            )
+        stating = [run for run in runs if one.name in run.parameters and run.name not in held]
         found = {run.parameters[one.name]: run.name for run in stating}
         if len(found) > 1:
             texts = listed(

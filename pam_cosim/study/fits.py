@@ -15,6 +15,7 @@ from pam_cosim.model.settings import Setting
 from pam_cosim.problems import Problem
 from pam_cosim.simulation.models import Paths, opened
 from pam_cosim.study.problems import as_problem, data_with_starts
+from pam_cosim.wording import listed
 
 
 def fit(
@@ -59,10 +60,12 @@ def fit(
     problem = as_problem(data, model, files, values=parameters, free=free, start=start)
     started = data_with_starts(problem, timeout)
     if not problem.free:
-        raise InputError(
-            "nothing to fit: name the free parameters under [fit], or by --free",
-            started.folder / "experiment.toml",
+        advice = (
+            f"the caller states {listed(problem.stated)}; leave a free parameter out of that"
+            if problem.stated
+            else "name the free parameters under [fit], or by --free"
         )
+        raise InputError(f"nothing to fit: {advice}", started.folder / "experiment.toml")
     options = FitOptions(method, starts=starts)
     names = started.differentiated
     with opened(problem.model, problem.files, names, timeout) as simulator:
@@ -100,6 +103,10 @@ def profile(
     """
     problem = as_problem(data, model, files)
     fitted = fit.comparison.data
+    pairs = zip(problem.data.runs, fitted.runs, strict=False)
+    differs = any(one.parameters != other.parameters for one, other in pairs)
+    if isinstance(data, Problem) and (differs or {*problem.data.fit} != {*fit.parameters}):
+        raise InputError("the fit is of another problem: fit this one by pam.fit(problem)")
     names = fitted.differentiated
     with opened(problem.model, problem.files, names, timeout) as simulator:
         return _profile(simulator, fitted, fit, fixed=fit.comparison.parameters, progress=progress)

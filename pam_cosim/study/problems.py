@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from pathlib import Path
 
 from pam_cosim.catalogue import qualified
@@ -46,7 +47,7 @@ def problem(
         model: default: the bench of the data set.
         values: of parameters, of inputs that are held constant, and of initial states, by name: numbers [SI] or texts
             with a unit. "load.m@run-01" is of one run, "load.m/stated" a factor on what the data set states,
-            "gas.p@run-01" an initial state. What is stated here is not fitted, unless ``free`` names it.
+            "gas.p@run-01" an initial state. What is stated here is not fitted.
         free: names of the parameters that are fitted, instead of those of the data set: any that has bounds, or that
             the data set states. The others are held at their initial guesses.
         start: initial guesses by name; "gas.p@run-01" is where the estimate of an initial state begins.
@@ -59,11 +60,18 @@ def problem(
             that cannot be fitted.
     """
     check_is_read(data)
+    for argument, stated in (("values", values), ("start", start), ("fitted", fitted)):
+        check_kind(
+            stated or {},
+            Mapping,
+            f"{argument} is a mapping of values by name",
+            "as {'load.m': '6 kg'}",
+        )
     name, paths = data.model_for(model), as_paths(files)
     interface = describe(name, paths)
     known = _model_values(data, name, paths)
     if fitted:
-        known = ModelValues(origin, known.stated, fitted, known.corrections)
+        known = replace(known, fitted=fitted, origin=origin)
     return _problem(
         data, name, interface, paths, known=known, values=values, free=free, guesses=start
     )
@@ -124,7 +132,8 @@ def _model_values(data: DataSet, name: str, files: Sequence[Path]) -> ModelValue
     sources = sources_of(files, name, *[data.bench] * bool(data.bench))
     asked = data.unmapped if data.unmapped and name == data.model else name
     other = data.bench and asked != data.bench
-    is_open = other and any(free.start is not None for free in data.fit.values())
+    has_starts = any(free.start is not None for free in data.fit.values())
+    is_open = other and (has_starts or is_file(name))
     if not (is_open or any(map(_keeps_corrections, sources))):
         return ModelValues()
     tree = read_library(files=sources)

@@ -42,4 +42,4 @@ def test_what_is_stated_after_a_verdict_is_said_in_one_line(
     done(command("diagnose", rig, "--free", "k", "-o", "Better.mo", "--workers", 0))
     written(rig, "k = 3")
     said = done(command("compare", rig, "--model", "Better.mo"))
-    assert said.out.count("it stated 4 when the verdict in Better.mo found 2") == 1
+    assert (said.out + said.err).count("it stated 4 when the verdict in Better.mo found 2") == 1

@@ -275,3 +275,62 @@ def test_what_cannot_be_fitted_is_refused_with_the_reason(
     data = pam.read(written(folder, "k = 2"), roles={"run-2": "holdout"})
     with pytest.raises(InputError, match=text):
         pam.problem(data, **stated)
+
+
+def test_a_value_that_is_held_and_fitted_is_refused_and_the_advice_works(folder: Path) -> None:
+    data = pam.read(written(folder))
+    for held in ({"k": 2}, {"k@run-1": 2, "k@run-2": 2}):
+        with pytest.raises(InputError, match="initial guess by --start"):
+            pam.fit(data, parameters=held, free=["k"])
+    assert pam.fit(data, free=["k"], start={"k": 1.5}).parameters["k"].determined
+
+
+def test_a_parameter_that_every_fitted_run_is_given_is_not_fitted(folder: Path) -> None:
+    free = "k = {min = 1, max = 3}\ntau = {min = 0.05, max = 0.25}"
+    data = pam.read(written(folder, fit=free))
+    assert list(pam.fit(data, parameters={"k@run-1": 2, "k@run-2": 2}).parameters) == ["tau"]
+    with pytest.raises(InputError, match="the caller states k, tau; leave a free parameter out"):
+        pam.fit(data, parameters={"k": 2, "tau": 0.2})
+    assert pam.fit(data, parameters={"k": 2}).parameters
+
+
+def test_a_factor_and_a_value_exclude_each_other_and_a_factor_keeps_to_the_range(
+    folder: Path,
+) -> None:
+    data = pam.read(written(folder, "k = 4"))
+    with pytest.raises(InputError, match="state one of the two"):
+        pam.compare(data, parameters={"k": 3, "k/stated": 1.1})
+    with pytest.raises(InputError, match="must be between 0"):
+        pam.compare(data, parameters={"k/stated": -1})
+
+
+def test_an_initial_state_of_one_run_leaves_the_others_as_they_begin(folder: Path) -> None:
+    file = written(folder, "k = 2").joinpath("experiment.toml")
+    file.write_text(file.read_text().replace('start = "rest"\n', ""))
+    data = pam.read(folder)
+    fit, model = better(folder, data, parameters={"s@run-1": 0.4})
+    assert pam.compare(data, model).scores["all"] == fit.comparison.scores["all"]
+
+
+def test_values_of_runs_that_are_not_there_are_named(folder: Path) -> None:
+    data = pam.read(written(folder, "k = 1.5"))
+    _, model = better(folder, data, parameters={"k@run-2": 2.5})
+    (folder / "run-2.csv").rename(folder / "second.csv")
+    file = folder / "experiment.toml"
+    file.write_text(file.read_text().replace("run-2.csv", "second.csv"))
+    notes = str([run.notes for run in pam.problem(pam.read(folder), model).data.runs])
+    assert "has values of run-2, which are no runs of the data set" in notes
+
+
+def test_a_profile_is_of_the_problem_that_was_fitted(folder: Path) -> None:
+    data = pam.read(written(folder))
+    other = pam.problem(data, values={"k": 3})
+    with pytest.raises(InputError, match="the fit is of another problem"):
+        pam.profile(other, pam.fit(data))
+    assert pam.profile(other, pam.fit(other)).profiles
+
+
+@pytest.mark.parametrize("stated", [{"values": ["k=3"]}, {"fitted": "p.json"}])
+def test_values_that_are_no_mapping_are_refused(folder: Path, stated: dict[str, Any]) -> None:
+    with pytest.raises(InputError, match="mapping of values by name"):
+        pam.problem(pam.read(written(folder)), **stated)

@@ -77,7 +77,7 @@ def compare(
     earlier = [(path.stem, read_comparison(path)) for path in against]
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, params=params, values=values)
-    comparison = _compared(problem, table, timeout)
+    comparison = _compared(problem, table, timeout, _notes(read.runs))
     for line in against_lines(comparison, earlier):
         typer.echo(line)
     tables = _tables(comparison, table) if table else []
@@ -112,13 +112,18 @@ def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: P
     say_written(csv, picture)
 
 
-def _compared(problem: Problem, table: tuple[str, str] | None, timeout: float | None) -> Comparison:
+def _compared(
+    problem: Problem,
+    table: tuple[str, str] | None,
+    timeout: float | None,
+    notes: Sequence[str],
+) -> Comparison:
     """The comparison, printed with what a reader should know of how the files were read."""
     if table:
         check_conditions(problem.data.runs, *table, problem.settings)
     comparison = study.compare(problem, timeout=timeout)
     typer.echo(str(comparison))
-    for note in _notes(problem.data.runs):
+    for note in notes:
         typer.echo(f"  note: {note}")
     return comparison
 
