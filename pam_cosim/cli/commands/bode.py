@@ -59,7 +59,7 @@ def bode(
         progress(0, len(chosen))
         response = dynamics.frequency_response(
             model,
-            parse_pairs(settings or []),
+            parse_pairs(settings),
             input=by,
             outputs=of,
             amplitude=amplitude,

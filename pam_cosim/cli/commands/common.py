@@ -217,9 +217,9 @@ def read_data(
         data,
         model=model,
         files=files or [],
-        roles=parse_pairs(roles or []),
+        roles=parse_pairs(roles),
         cuts=parse_cuts(cuts or []),
-        starts=parse_pairs(begins or []),
+        starts=parse_pairs(begins),
     )
     check_spared(results, [data, read.model, *read.files])
     return read
@@ -253,9 +253,9 @@ def problem_of(
     problem = study.problem(
         data,
         model,
-        values=parse_pairs(settings or []),
+        values=parse_pairs(settings),
         free=free,
-        start=parse_pairs(start or []),
+        start=parse_pairs(start),
         fitted=earlier,
         files=files or [],
         origin=origin,

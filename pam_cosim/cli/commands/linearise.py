@@ -65,7 +65,7 @@ def linearise(
     check_results(
         json=json, tables=[output], pictures=[plot], sources=[model, course, *(files or [])]
     )
-    parameters = parse_pairs(settings or [])
+    parameters = parse_pairs(settings)
     inputs = (
         read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
     )

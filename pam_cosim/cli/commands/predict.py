@@ -78,7 +78,7 @@ def predict(
         bands = study.predict(
             product,
             inputs,
-            parse_pairs(settings or []),
+            parse_pairs(settings),
             run=run,
             stop_time=stop_time,
             interval=interval,

@@ -54,7 +54,7 @@ def simulate(
         check_table_ending(output)
     trajectory = study.simulate(
         model,
-        parse_pairs(settings or []),
+        parse_pairs(settings),
         inputs,
         outputs=keep or [],
         stop_time=stop_time,

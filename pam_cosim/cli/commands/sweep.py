@@ -103,7 +103,7 @@ def sweep(
         made = study.sweep(
             model,
             varied,
-            parameters=parse_pairs(settings or []),
+            parameters=parse_pairs(settings),
             inputs=inputs,
             outputs=keep or [],
             scalars=parse_named(scalars or []),
