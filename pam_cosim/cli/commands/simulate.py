@@ -13,6 +13,7 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -23,7 +24,7 @@ from pam_cosim.wording import look_first
 
 
 def simulate(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     settings: SetOption = None,
     inputs: InputOption = None,
     stop_time: Annotated[

@@ -17,6 +17,7 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -34,7 +35,7 @@ _MOST_FAILURES = 20  # that are told one by one
 
 
 def sweep(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     vary: Annotated[
         list[str],
         typer.Option(
