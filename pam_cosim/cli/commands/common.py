@@ -195,7 +195,7 @@ def check_results(
         check_writable(path, new_folder=new_folder)
         results[path] = identity(path)
     check_distinct(named)
-    check_spared(named, [*filter(None, sources), *(files or ())])
+    check_spared(named, [s for s in (*sources, *(files or ())) if s is not None])
 
 
 def say_used_with(files: Iterable[Path]) -> None:

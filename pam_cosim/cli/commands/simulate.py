@@ -49,8 +49,7 @@ def simulate(
     timeout: TimeoutOption = None,
 ) -> None:
     """One run of a model."""
-    sources = [model, inputs, *(files or [])]
-    check_results(output, pictures=[plot], sources=sources)
+    check_results(output, pictures=[plot], sources=[model, inputs], files=files)
     if output:
         check_table_ending(output)
     trajectory = study.simulate(

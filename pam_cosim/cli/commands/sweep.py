@@ -95,8 +95,9 @@ def sweep(
     A sweep that was stopped goes on with the same command.
     """
     varied = parse_varied(vary)
-    sources = [model, inputs, *varied.get(INPUTS, []), *(files or [])]
-    check_results(output, pictures=[plot], sources=sources)
+    check_results(
+        output, pictures=[plot], sources=[model, inputs, *varied.get(INPUTS, [])], files=files
+    )
     check_table_ending(output)
     check_writable(partial_of(output))
     remarks.append(lambda: _kept(output))
