@@ -79,15 +79,15 @@ def _coerce(complete: Callable[[], Any], value: Any, param: Any, ctx: Any) -> An
     texts = [value]
     if many:
         (kind,), texts = get_args(kind), value
-    if kind is str or kind is Path and all(map(_can_be_read, texts)):
+    # of a path that cannot be read typer has a message
+    if (
+        kind is str
+        or kind is Path
+        and all(os.access(t, os.R_OK) or not os.path.exists(t) for t in texts)
+    ):
         made = [*map(kind, texts)]
         return made if many else made[0]
     return complete().coerce(value, param=param, ctx=ctx)
-
-
-def _can_be_read(path: str) -> bool:
-    """Whether typer has nothing to say against a path."""
-    return os.access(path, os.R_OK) or not os.path.exists(path)
 
 
 class _Coerced:

@@ -116,14 +116,14 @@ def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list
     return dict(pairs)
 
 
-def parse_pairs(words: Sequence[str]) -> dict[str, str]:
+def parse_pairs(words: Sequence[str] | None) -> dict[str, str]:
     """``NAME=VALUE`` words to texts by name.
 
     Raises:
         InputError: not of that form, or a name twice.
     """
     pairs: dict[str, str] = {}
-    for word in words:
+    for word in words or ():
         name, text = _split(word, "NAME=VALUE, such as p='0.5 kPa'")
         if name in pairs:
             raise InputError(f"'{name}' is given twice")

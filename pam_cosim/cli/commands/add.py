@@ -60,8 +60,8 @@ def add(
     if origin is None and to is None:
         raise InputError("name the model that the effects are added to: --to MODEL")
     check_model_file(output)
-    check_results(output, sources=[to, origin, *(files or [])])
-    values = parse_pairs(settings or [])
+    check_results(output, sources=[to, origin], files=files)
+    values = parse_pairs(settings)
     text = study.add(
         origin or effects or [], to, output, values=values, files=files or [], learned=learned
     )

@@ -11,6 +11,7 @@ from pam_cosim.cli.arguments import parse_frequencies, parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -22,7 +23,7 @@ from pam_cosim.study import dynamics
 
 
 def bode(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     by: Annotated[str, typer.Option("--by", help="The input that is a sine.")],
     amplitude: Annotated[str, typer.Option(help='Of the input, such as "20 mA".')],
     of: Annotated[
@@ -50,7 +51,7 @@ def bode(
     timeout: TimeoutOption = None,
 ) -> None:
     """Frequency response of a model by sines, beside that of its linear model."""
-    check_results(json=json, tables=[output], pictures=[plot], sources=[model, *(files or [])])
+    check_results(json=json, tables=[output], pictures=[plot], sources=[model], files=files)
     point = parse_point([at])
     if isinstance(point, list):
         raise InputError("a sine swings about a rest, not about a time of a run")
@@ -59,7 +60,7 @@ def bode(
         progress(0, len(chosen))
         response = dynamics.frequency_response(
             model,
-            parse_pairs(settings or []),
+            parse_pairs(settings),
             input=by,
             outputs=of,
             amplitude=amplitude,

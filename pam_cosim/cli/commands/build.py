@@ -37,7 +37,8 @@ def build(
     targets = fmu_files(models or study.benches(), output)
     check_results(
         *(target for _, target in targets),
-        sources=[*(models or []), *(files or [])],
+        sources=models or [],
+        files=files,
         new_folder=True,
     )
     for model, target in targets:

@@ -43,7 +43,7 @@ def check(
     workers: WorkersOption = None,
 ) -> None:
     """What a measurement can and cannot tell, before any fit, and what to measure next."""
-    check_results(json=json, sources=[model, *(files or [])])
+    check_results(json=json, sources=[model], files=files)
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, None, params, values)
     with console().status("simulating what could be measured") as status:

@@ -42,6 +42,9 @@ INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
 
+ModelArgument = Annotated[
+    str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")
+]
 ModelOption = Annotated[
     str | None, typer.Option("--model", help="A bench, a Modelica class, a .mo or an .fmu file.")
 ]
@@ -173,6 +176,7 @@ def check_results(
     pictures: Iterable[Path | None] = (),
     tables: Iterable[Path | None] = (),
     sources: Iterable[Path | str | None] = (),
+    files: Iterable[Path] | None = None,
     new_folder: bool = False,
 ) -> None:
     """Finds out before long work that the results can be written, and that nothing else is lost by that."""
@@ -191,7 +195,7 @@ def check_results(
         check_writable(path, new_folder=new_folder)
         results[path] = identity(path)
     check_distinct(named)
-    check_spared(named, [source for source in sources if source is not None])
+    check_spared(named, [s for s in (*sources, *(files or ())) if s is not None])
 
 
 def say_used_with(files: Iterable[Path]) -> None:
@@ -217,9 +221,9 @@ def read_data(
         data,
         model=model,
         files=files or [],
-        roles=parse_pairs(roles or []),
+        roles=parse_pairs(roles),
         cuts=parse_cuts(cuts or []),
-        starts=parse_pairs(begins or []),
+        starts=parse_pairs(begins),
     )
     check_spared(results, [data, read.model, *read.files])
     return read
@@ -253,9 +257,9 @@ def problem_of(
     problem = study.problem(
         data,
         model,
-        values=parse_pairs(settings or []),
+        values=parse_pairs(settings),
         free=free,
-        start=parse_pairs(start or []),
+        start=parse_pairs(start),
         fitted=earlier,
         files=files or [],
         origin=origin,

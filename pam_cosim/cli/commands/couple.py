@@ -102,7 +102,7 @@ def couple(
     made = _by_name("--controller", map(_controller, controllers))
     acting = _by_name("--sample", map(_sample, samples or []))
     read = coupling.read_system(system, made, files=files, timeout=timeout)
-    read = read.having(parse_pairs(settings or [])).sampling(acting)
+    read = read.having(parse_pairs(settings)).sampling(acting)
     course = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:

@@ -6,12 +6,12 @@ from typing import Annotated
 
 import typer
 
-from pam_cosim.cli.commands.common import FilesOption
+from pam_cosim.cli.commands.common import FilesOption, ModelArgument
 from pam_cosim.simulation import models
 
 
 def describe(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     files: FilesOption = None,
     every: Annotated[
         bool, typer.Option("--all", help="Also every variable inside, which --keep can keep.")

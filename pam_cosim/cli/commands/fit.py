@@ -88,8 +88,7 @@ def fit(
         check_ending(output, "parameters are written as JSON or SSV", PARAMETERS)
     if resume:
         check_ending(resume, "the outcomes of simulations are kept as text", PROGRESS)
-    sources = [model, *(files or [])]
-    check_results(output, resume, json=json, pictures=[plot, profile], sources=sources)
+    check_results(output, resume, json=json, pictures=[plot, profile], sources=[model], files=files)
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, start, params, values)
     with console().status("fitting") as status:

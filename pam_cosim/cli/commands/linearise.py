@@ -13,6 +13,7 @@ from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -26,7 +27,7 @@ from pam_cosim.study.input_sources import read_inputs
 
 
 def linearise(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     at: Annotated[
         list[str] | None,
         typer.Option(
@@ -62,10 +63,8 @@ def linearise(
     timeout: TimeoutOption = None,
 ) -> None:
     """A, B, C and D of a model about a state, a rest or times of a run."""
-    check_results(
-        json=json, tables=[output], pictures=[plot], sources=[model, course, *(files or [])]
-    )
-    parameters = parse_pairs(settings or [])
+    check_results(json=json, tables=[output], pictures=[plot], sources=[model, course], files=files)
+    parameters = parse_pairs(settings)
     inputs = (
         read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
     )

@@ -57,10 +57,10 @@ def new(
         title=title,
         model=model,
         muscle=muscle,
-        columns=parse_pairs(columns or []),
-        parameters=parse_pairs(parameters or []),
-        recording=parse_pairs(recording or []),
-        roles=parse_pairs(roles or []),
+        columns=parse_pairs(columns),
+        parameters=parse_pairs(parameters),
+        recording=parse_pairs(recording),
+        roles=parse_pairs(roles),
         files=files or [],
     )
     _tell(made)

@@ -11,6 +11,7 @@ from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -21,7 +22,7 @@ from pam_cosim.study import observing
 
 
 def observe(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     recording: Annotated[
         Path, typer.Argument(help="CSV with input and measured columns: name [unit].")
     ],
@@ -66,7 +67,7 @@ def observe(
 ) -> None:
     """What is not measured, estimated from what is, with its uncertainty (extended Kalman filter)."""
     check_results(
-        json=json, tables=[output], pictures=[plot], sources=[model, recording, *(files or [])]
+        json=json, tables=[output], pictures=[plot], sources=[model, recording], files=files
     )
     point = {} if start is None else parse_point([start])
     if not isinstance(point, dict):
@@ -74,12 +75,12 @@ def observe(
     observation = observing.observe(
         model,
         recording,
-        parse_pairs(settings or []),
+        parse_pairs(settings),
         noise=parse_pairs(noise),
         outputs=of,
-        unknown={name: _two(name, text) for name, text in parse_pairs(unknown or []).items()},
-        drift=parse_pairs(drift or []),
-        spread=parse_pairs(spread or []),
+        unknown={name: _two(name, text) for name, text in parse_pairs(unknown).items()},
+        drift=parse_pairs(drift),
+        spread=parse_pairs(spread),
         start=point,
         interpolation="previous" if held else "linear",
         files=files or [],

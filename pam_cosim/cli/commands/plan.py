@@ -79,9 +79,7 @@ def plan(
 ) -> None:
     """Design the run that decides between the models which a diagnosis leaves, or tests its verdict."""
     written = planned_files(output, runs) if output else []
-    check_results(
-        json=json, tables=written, pictures=[plot], sources=[source, model, *(files or [])]
-    )
+    check_results(json=json, tables=written, pictures=[plot], sources=[source, model], files=files)
     ranges = parse_limits(limits or [])
     diagnosis = _diagnosis(
         source,

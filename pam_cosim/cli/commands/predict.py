@@ -71,14 +71,14 @@ def predict(
 ) -> None:
     """Predict a run that nobody made, with 95 % bands of what the data leave open."""
     check_results(
-        json=json, tables=[output], pictures=[plot], sources=[source, model, inputs, *(files or [])]
+        json=json, tables=[output], pictures=[plot], sources=[source, model, inputs], files=files
     )
     product = _fitted(source, model, files)
     with console().status("simulating samples of the parameters"):
         bands = study.predict(
             product,
             inputs,
-            parse_pairs(settings or []),
+            parse_pairs(settings),
             run=run,
             stop_time=stop_time,
             interval=interval,

@@ -13,6 +13,7 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -23,7 +24,7 @@ from pam_cosim.wording import look_first
 
 
 def simulate(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     settings: SetOption = None,
     inputs: InputOption = None,
     stop_time: Annotated[
@@ -48,13 +49,12 @@ def simulate(
     timeout: TimeoutOption = None,
 ) -> None:
     """One run of a model."""
-    sources = [model, inputs, *(files or [])]
-    check_results(output, pictures=[plot], sources=sources)
+    check_results(output, pictures=[plot], sources=[model, inputs], files=files)
     if output:
         check_table_ending(output)
     trajectory = study.simulate(
         model,
-        parse_pairs(settings or []),
+        parse_pairs(settings),
         inputs,
         outputs=keep or [],
         stop_time=stop_time,

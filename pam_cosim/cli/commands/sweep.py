@@ -17,6 +17,7 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     InputOption,
     KeepOption,
+    ModelArgument,
     SetOption,
     TimeoutOption,
     check_results,
@@ -34,7 +35,7 @@ _MOST_FAILURES = 20  # that are told one by one
 
 
 def sweep(
-    model: Annotated[str, typer.Argument(help="A bench, a Modelica class, a .mo or an .fmu file.")],
+    model: ModelArgument,
     vary: Annotated[
         list[str],
         typer.Option(
@@ -94,8 +95,9 @@ def sweep(
     A sweep that was stopped goes on with the same command.
     """
     varied = parse_varied(vary)
-    sources = [model, inputs, *varied.get(INPUTS, []), *(files or [])]
-    check_results(output, pictures=[plot], sources=sources)
+    check_results(
+        output, pictures=[plot], sources=[model, inputs, *varied.get(INPUTS, [])], files=files
+    )
     check_table_ending(output)
     check_writable(partial_of(output))
     remarks.append(lambda: _kept(output))
@@ -103,7 +105,7 @@ def sweep(
         made = study.sweep(
             model,
             varied,
-            parameters=parse_pairs(settings or []),
+            parameters=parse_pairs(settings),
             inputs=inputs,
             outputs=keep or [],
             scalars=parse_named(scalars or []),

@@ -29,8 +29,11 @@ def workbench(
     except ImportError as problem:
         hint = "the workbench needs some further packages: pip install 'pam-cosim[workbench]'"
         raise InputError(f"{hint} ({problem.name} is missing)") from None
-    serve(data, model=model, files=files or [], port=port, browser=browser, tell=_tell)
-
-
-def _tell(line: str) -> None:
-    typer.echo(line, err=True)
+    serve(
+        data,
+        model=model,
+        files=files or [],
+        port=port,
+        browser=browser,
+        tell=lambda line: typer.echo(line, err=True),
+    )
