@@ -72,7 +72,7 @@ def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None
     keys: Mapping[str, object]
     if run.is_static:
         own_gaps = run.gaps if run.states("gaps") else None
-        stated = {"gaps": own_gaps, "interpolation": "interpolation" in run.model_fields_set}
+        stated = {"gaps": own_gaps, "interpolation": run.interpolation}
         keys, why = {"from": run.begin, "to": run.end, **stated}, _NOT_STATIC
     else:
         keys = {"branch": run.branch, "hold_out": run.hold_out}
@@ -195,7 +195,7 @@ def _whole_run(
         file=files[0],
         more_files=tuple(files[1:]),
         role=table.role,
-        interpolation=table.interpolation,
+        interpolation=table.between_samples,
         parameters=values,
         time=recording.time,
         inputs=recording.inputs,

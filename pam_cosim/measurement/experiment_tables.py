@@ -193,7 +193,7 @@ class RunTable(CheckedTable):
     columns: dict[str, ColumnTable] = Field(default_factory=dict)
     loggers: list[LoggerTable] = Field(default_factory=list)
     role: Literal["fit", "holdout"] = "fit"
-    interpolation: Literal["linear", "previous"] = "linear"
+    interpolation: Literal["linear", "previous"] | None = None
     parameters: dict[str, Value] = Field(default_factory=dict)
     fit: dict[str, FreeTable] = Field(default_factory=dict)
     kind: Literal["dynamic", "static"] | None = None
@@ -213,6 +213,11 @@ class RunTable(CheckedTable):
         """The path of the file without the suffix, and which part of the file the run is."""
         part = f" part {self._part}" if self._part else ""
         return f"{Path(self.file).with_suffix('').as_posix()}{part}"
+
+    @property
+    def between_samples(self) -> Literal["linear", "previous"]:
+        """The interpolation of inputs, stated or the default."""
+        return self.interpolation or "linear"
 
     @property
     def is_part(self) -> bool:

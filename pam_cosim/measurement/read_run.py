@@ -37,7 +37,7 @@ def read_run(run: RunTable, interface: Interface) -> tuple[Recording, tuple[Path
             said = f"the clock of {logger.file} is put {offset.value:.4g} s on, ± {offset.sd:.2g} s, by {logger.match}"
             recording = replace(recording, notes=(*recording.notes, said))
         try:
-            recording = merged(recording, other, offset.value, run.interpolation)
+            recording = merged(recording, other, offset.value, run.between_samples)
         except ClockError as error:
             raise logger.error(f"{logger.file}: {error}") from None
     return recording, tuple(files)

@@ -241,9 +241,10 @@ def test_every_key_of_the_experiment_is_on_the_page(heading: str) -> None:
 def test_defaults_of_a_run() -> None:
     run = experiment_tables.RunTable(file="a.csv")
     text = section("experiment-toml.md", "`[[runs]]`")
-    for key in ("role", "interpolation"):
+    defaults = {"role": run.role, "interpolation": run.between_samples}
+    for key, value in defaults.items():
         row = next(line for line in text.splitlines() if line.startswith(f"| `{key}`"))
-        assert f'`"{getattr(run, key)}"`' in row.split("|")[3]
+        assert f'`"{value}"`' in row.split("|")[3]
 
 
 PARAMETERS = {name: typer.main.get_command(app).commands[name].params for name in COMMANDS}  # type: ignore[attr-defined]
