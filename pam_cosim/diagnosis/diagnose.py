@@ -180,8 +180,7 @@ class Diagnosis(Printed, Tabular):
     @property
     def _final(self) -> dict[str, object]:
         """The model that the verdict is about: what it is made of, its values and its scores."""
-        values = {**self.final.values, **self.final.start_values}
-        corrections = [str(one) for one in corrections_of(self.data, values)]
+        corrections = [str(one) for one in corrections_of(self.data, self.final.values_and_starts)]
         return {
             "model": self.model,
             "effects": [c.effect for c in self.path],

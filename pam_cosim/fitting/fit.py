@@ -109,6 +109,11 @@ class Fit(Printed, Tabular):
         """Start values that were estimated [SI], by "state@run"."""
         return {name: e.value for name, e in self.starts.items()}
 
+    @property
+    def values_and_starts(self) -> dict[str, float]:
+        """``values`` and ``start_values`` [SI]."""
+        return {**self.values, **self.start_values}
+
     def coloured_deviance(self, largest: float) -> float:
         """Minus twice the log-likelihood of what is left as noise of any colour, and what the priors add.
 

@@ -25,7 +25,7 @@ class Correction:
     """A value of a parameter, an input or an initial state in place of what the data set states [SI].
 
     Attributes:
-        name: of the parameter, or "state@run".
+        name: of the parameter, the input or the state.
         value: that counts.
         stated: by the data set when the value was found; None: nothing.
         run: the one run that it is of; empty: all.

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.model.references import is_ratio, parameter_of
+from pam_cosim.model.references import is_ratio, parameter_of, ratio_to_stated
 from pam_cosim.model.settings import Setting, settable, value_of
 from pam_cosim.wording import did_you_mean
 
@@ -28,6 +28,10 @@ class Target:
     variable: Variable
     run: str = ""
     ratio: bool = False
+
+    def __str__(self) -> str:
+        name = ratio_to_stated(self.name) if self.ratio else self.name
+        return f"{name}@{self.run}" if self.run else name
 
 
 def target(name: str, data: DataSet, interface: Interface) -> Target:

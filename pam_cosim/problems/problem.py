@@ -9,7 +9,7 @@ from pathlib import Path
 from pam_cosim.fitting import Free, base_parameters
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.interface import Interface
-from pam_cosim.model.references import START_VALUES, is_ratio
+from pam_cosim.model.references import is_ratio
 from pam_cosim.model.settings import Setting
 from pam_cosim.problems.corrections import Correction
 from pam_cosim.units import format_quantity
@@ -23,7 +23,7 @@ class ParameterValue:
     """A value with its origin.
 
     Attributes:
-        name: of the parameter, the input that is held constant, or the initial state ("state@run").
+        name: of the parameter, the input that is held constant, or the initial state.
         value: [unit].
         unit: SI unit.
         source: where it comes from.
@@ -84,11 +84,6 @@ class Problem(Printed):
     def free(self) -> tuple[Free, ...]:
         """The parameters that a fit moves, with bounds and initial guesses."""
         return base_parameters(self.data, self.interface)
-
-    @property
-    def differentiated(self) -> tuple[str, ...]:
-        """Names by which the model has to be differentiated to compare it: start values, where they are estimated."""
-        return (START_VALUES,) * self.data.estimates_starts
 
     @property
     def settings(self) -> dict[str, float]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import free_parameter
+from pam_cosim.fitting import free_parameter, model_parameter
 from pam_cosim.measurement import DataSet, FreeParameter, Run, StartMode
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_ratio, ratio_to_stated
@@ -127,7 +127,7 @@ class _Resolution:
     def _earlier_fit(self) -> None:
         """Values of the model and of an earlier fit, where the data set states none."""
         found = resolved_values(self.known.fitted, self.data, self.interface)
-        numbers = {_name_of(one): value for one, value in found}
+        numbers = {str(one): value for one, value in found}
         for name, entry in self.fit.items():
             if name in numbers:
                 self.fit[name] = replace(entry, start=numbers[name])
@@ -135,7 +135,7 @@ class _Resolution:
                 self.fit[name] = replace(entry, start=None)
         source = f"stated by {self.known.origin}"
         for one, value in found:
-            name = _name_of(one)
+            name = str(one)
             if one.ratio or one.run:
                 self._state(one, value, source)
                 continue
@@ -202,7 +202,7 @@ class _Resolution:
             number = value_of(number, self.interface.settable[one.name])
             self._put(run.name, one.name, number, source)
         if not one.ratio:
-            self.stated[f"{one.name}@{one.run}" if one.run else one.name] = value
+            self.stated[str(one)] = value
         self.fit = {
             name: entry
             for name, entry in self.fit.items()
@@ -248,7 +248,7 @@ class _Resolution:
         """Where fits begin [SI]; initial states among them are where runs, or the estimates of these, begin."""
         chosen: dict[str, float] = {}
         for one, value in resolved_values(guesses, self.data, self.interface):
-            name = _name_of(one)
+            name = str(one)
             if one.run and one.name in self.interface.states:
                 run = self.runs[one.run]
                 self._begin(run, one.name, value, "initial guess", run.start.mode)
@@ -334,11 +334,6 @@ class _Resolution:
         return next(iter(found), None)
 
 
-def _name_of(one: Target) -> str:
-    name = ratio_to_stated(one.name) if one.ratio else one.name
-    return f"{name}@{one.run}" if one.run else name
-
-
 def _begun_at(entry: FreeParameter, value: float) -> FreeParameter:
     """The parameter with an initial guess.
 
@@ -360,23 +355,10 @@ def _bounded(one: Target, stated: float | None, interface: Interface) -> FreePar
     Raises:
         InputError: it has no bounds and no stated value, or is an input or a state.
     """
-    name = _name_of(one)
     if one.name not in interface.parameters:
-        raise InputError(f"'{name}' is no parameter of {interface.model} and cannot be fitted")
-    if one.ratio:
-        return FreeParameter(name, *_search_range(1.0), "1")
-    variable = one.variable
-    low, start, high = variable.min, variable.start, variable.max
-    if stated and (low is None or high is None):
-        low, high, start = _search_range(stated)
-    if low is None or high is None or start is None:
-        raise InputError(
-            f"'{name}' of {interface.model} has no bounds: state them under [fit] of the data set"
-        )
-    return FreeParameter(name, low, high, start, one.variable.unit, run=one.run)
-
-
-def _search_range(stated: float) -> tuple[float, float, float]:
-    """Lower bound, upper bound and initial guess of a parameter that is stated and may be wrong."""
-    low, start, high = sorted(stated * ratio for ratio in CRITERIA.search.stated_ratio)
-    return low, high, start
+        raise InputError(f"'{one}' is no parameter of {interface.model} and cannot be fitted")
+    if stated and (one.variable.min is None or one.variable.max is None):
+        low, start, high = sorted(stated * ratio for ratio in CRITERIA.search.stated_ratio)
+        return FreeParameter(str(one), low, high, start, one.variable.unit, run=one.run)
+    free = model_parameter(str(replace(one, run="")), interface)
+    return FreeParameter(str(one), free.low, free.high, free.start, free.unit, run=one.run)

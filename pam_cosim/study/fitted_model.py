@@ -87,7 +87,7 @@ def fitted_model(product: Diagnosis | Fit | Comparison) -> FittedModel:
         effects, fit, data = tuple(c.effect for c in product.path), product.final, product.data
     else:
         effects, fit, data = (), product, product.comparison.data
-    corrections = corrections_of(data, {**fit.values, **fit.start_values})
+    corrections = corrections_of(data, fit.values_and_starts)
     model = data.model if is_modelica(data.model) else product.model
     return FittedModel(model, effects, fit.values, data.constants, corrections=corrections)
 

@@ -104,7 +104,7 @@ def predict(
             if discrepancy
             else {}
         )
-        values = {**fitted.comparison.parameters, **fitted.values, **fitted.start_values}
+        values = fitted.comparison.parameters | fitted.values_and_starts
         return _bands(simulator, data, chosen, posterior, values, off=off)
 
 

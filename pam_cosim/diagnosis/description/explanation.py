@@ -37,7 +37,7 @@ class LearnedModel:
 def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | None:
     """The ledger of the model with these effects; None where it has no balances to open."""
     try:
-        values = present.values | present.start_values
+        values = present.values_and_starts
         return keep_ledger(
             search.data, values, search.model, effects=effects, files=search.files, tree=search.tree
         )

@@ -108,7 +108,7 @@ def with_coefficients(direct: DirectTerm, tree: ClassTree, factor: float) -> Lea
 def _in_balance(
     search: Search, effects: Sequence[str], present: Fit, term: EffectClass
 ) -> DirectTerm | None:
-    values = present.values | present.start_values
+    values = present.values_and_starts
     base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
     watched = _variables_beside(search, effects, term, values)
     if watched is None:

@@ -143,7 +143,7 @@ class Search:
 
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
-        begins = {**fitted.values, **fitted.start_values}
+        begins = fitted.values_and_starts
         trials = [
             t.screening()
             for t in self._trials([FitRequest((*has, name), begins) for name in effects])
