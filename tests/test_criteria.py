@@ -105,20 +105,20 @@ QUOTED = (
     ("fitting.md", "{:g} are named", "fitting.fit.STRONG_CORRELATION"),
     ("fitting.md", "by {:g} the 95 % interval ends", "fitting.profile.INTERVAL_RISE"),
     ("how-it-works.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("speed.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("one-more-run.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
-    ("one-more-run.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
-    ("one-more-run.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
+    ("results.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
+    ("planning.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
+    ("planning.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
+    ("planning.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
     *(
         (page, "{:g} s of processor time and {:g} s more", "simulation.simulator.LONGEST_RUN")
         for page in ("own-fmu.md", "runs.md", "trust.md")
     ),
-    ("predictions.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
-    ("predictions.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
+    ("planning.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
+    ("planning.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
     ("runs.md", "{:g} of its change", "sweeps.scalars._SETTLED_CHANGE"),
     ("runs.md", "{:g} of the run", "sweeps.scalars._STEADY_PART"),
-    ("static-data.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
-    ("static-data.md", "{:g} of its range are one", "measurement.curves._LEVEL"),
+    ("data-sets.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
+    ("data-sets.md", "{:g} of its range are one level", "measurement.curves._LEVEL"),
 )
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
 

@@ -167,7 +167,7 @@ def test_a_column_that_nobody_knows_says_what_to_do(lab):
 def test_the_documents_examples_are_valid(tmp_path):
     page = (Path(__file__).parents[2] / "docs/data-sets.md").read_text(encoding="utf-8")
     blocks = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
-    assert len(blocks) == 6
+    assert len(blocks) == 8
     for block in blocks:
         file = tmp_path / "experiment.toml"
         file.write_text(
