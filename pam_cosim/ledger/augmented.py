@@ -81,8 +81,8 @@ def augmented_models(
     """
     structure = read_structure(qualified(tree, model), files=files)
     place = partial(_placed, tree, structure, effects)
-    found = [(t, place([t])) for t in unknown_terms(tree, origins(structure.parts))]
-    placed = [(t, composition) for t, composition in found if composition is not None]
+    placed_terms = [(t, place([t])) for t in unknown_terms(tree, origins(structure.parts))]
+    placed = [(t, composition) for t, composition in placed_terms if composition is not None]
     beside = [t for t, composition in placed if _lies_beside(t, composition)]
     models = [_augmented(tree, place(beside), beside, False, files)]
     for term, _ in placed:
@@ -116,8 +116,15 @@ def _augmented(
         name = composition.parameters[term.name][0]
         variable = ode.interface.parameters[name]
         base = next(c.owner for c in tree.components(term.qualified_name) if c.name == TERM)
-        own = [c.name for c in tree.classes[base].components if c.name != TERM]
+        term_parameters = [c.name for c in tree.classes[base].components if c.name != TERM]
         unknown_inputs.append(
-            UnknownInput(name, term.balance, variable.unit, variable.description, base, tuple(own))
+            UnknownInput(
+                name,
+                term.balance,
+                variable.unit,
+                variable.description,
+                base,
+                tuple(term_parameters),
+            )
         )
     return AugmentedModel(ode, tuple(unknown_inputs), replaced)

@@ -18,8 +18,10 @@ def sensor_readings(rivals: SmoothedModels) -> list[SensorReading]:
     ]
     if winner is None or winner.fault is None:
         return readings
-    own = _reading(winner.fault, before - winner.deviance, rivals.explained(winner.chi2))
-    return [own, *(r for r in readings if r.signal != own.signal)]
+    winning_reading = _reading(
+        winner.fault, before - winner.deviance, rivals.explained(winner.chi2)
+    )
+    return [winning_reading, *(r for r in readings if r.signal != winning_reading.signal)]
 
 
 def balance_entries(rivals: SmoothedModels, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:

@@ -91,12 +91,12 @@ class _Estimation:
 
     def ledger(self) -> Ledger:
         """All explanations, the best of them, and the entries that it leaves."""
-        first = self.models[0]
-        problem, states = self.explainer.problem(first, ())
+        base_model = self.models[0]
+        problem, states = self.explainer.problem(base_model, ())
         unaugmented = try_sensors(
             problem, states, [(n, self.data.signals[n].unit) for n in self.signals]
         )
-        augmented = self.explainer.explain(first, states)
+        augmented = self.explainer.explain(base_model, states)
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
@@ -119,8 +119,10 @@ class _Estimation:
 
     def _replaced(self) -> SmoothedModel | None:
         """The best one with a law replaced by an unknown input."""
-        found = [one for one in map(self.explainer.explain, self.models[1:]) if one is not None]
-        return min(found, key=lambda one: one.smoothed.deviance, default=None)
+        replacements = [
+            winner for winner in map(self.explainer.explain, self.models[1:]) if winner is not None
+        ]
+        return min(replacements, key=lambda winner: winner.smoothed.deviance, default=None)
 
     def _beside(self) -> SmoothedModel | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
@@ -128,7 +130,9 @@ class _Estimation:
             return None
         tried = [self._beside_fault(name) for name in self.signals]
         return min(
-            (one for one in tried if one is not None), key=lambda one: one.deviance, default=None
+            (winner for winner in tried if winner is not None),
+            key=lambda winner: winner.deviance,
+            default=None,
         )
 
     def _beside_fault(self, name: str) -> SmoothedModel | None:
@@ -203,9 +207,12 @@ class _Estimation:
 
     def _confusion(self, balance: str) -> str:
         """What to say where a law replaced by an unknown input in ``balance`` explains as much."""
-        told = next((words for _, hidden, words in self.domain.confused if hidden == balance), None)
+        sentence = next(
+            (words for _, hidden, words in self.domain.confused if hidden == balance), None
+        )
         return (
-            told or f"a law that leaves the balance of {balance} open explains the samples as well"
+            sentence
+            or f"a law that leaves the balance of {balance} open explains the samples as well"
         )
 
     def _losses(self, rivals: SmoothedModels) -> dict[str, float]:
@@ -224,8 +231,10 @@ class _Estimation:
             losses["sensor"] = max(second - deviances[best], 0.0)
         if winner.augmented.replaced:  # the law that was replaced counts too
             alone = len(winner.unknown_inputs) == 1
-            own = winner.unknown_inputs[-1].balance if alone else self._replaced_balance(winner)
-            losses[own] = max(losses.get(own, 0.0), second - deviances[best])
+            winner_balance = (
+                winner.unknown_inputs[-1].balance if alone else self._replaced_balance(winner)
+            )
+            losses[winner_balance] = max(losses.get(winner_balance, 0.0), second - deviances[best])
         return losses
 
     def _replaced_balance(self, winner: SmoothedModel) -> str:

@@ -154,11 +154,11 @@ class Explainer:
         grid, model = make_grid(*args), Model(augmented.ode, [], self.free, self.signals)
         p = with_free(grid.parameters, model, self.start, self.acts)
         states = integrate(model, grid, p)
-        further = [np.zeros(0) for _ in grid.runs]
+        extra_nodes = [np.zeros(0) for _ in grid.runs]
         for _ in range(_REFINEMENTS):
             new = further_nodes(model, grid, p, states, _ACCURACY)
-            further = [np.union1d(a, b) for a, b in zip(further, new, strict=True)]
-            finer = make_grid(*args, further)
+            extra_nodes = [np.union1d(a, b) for a, b in zip(extra_nodes, new, strict=True)]
+            finer = make_grid(*args, extra_nodes)
             states_of_finer = integrate(model, finer, p)
             if self._same_outputs(model, (grid, states[0]), (finer, states_of_finer[0]), p):
                 break
@@ -214,7 +214,9 @@ class Explainer:
             grid.time, x, grid.node_inputs, grid.node_delayed, p
         ).by_unknown_input
         slopes = slopes / np.maximum(np.max(np.abs(slopes), axis=(0, 2), keepdims=True), 1e-300)
-        places = [self.domain.place(one.balance) for one in augmented.unknown_inputs]
+        places = [
+            self.domain.place(unknown_input.balance) for unknown_input in augmented.unknown_inputs
+        ]
         for i in sorted(range(len(places)), key=lambda i: (places[i], i)):
             if not problem.unknown_size[i] > 0:
                 continue

@@ -67,7 +67,7 @@ def make_grid(
     values: Mapping[str, float],
     signals: Sequence[str],
     spacing: float,
-    further: Sequence[Array] = (),
+    extra_nodes: Sequence[Array] = (),
 ) -> Grid:
     """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input; and at ``further`` times."""
     defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
@@ -87,8 +87,8 @@ def make_grid(
         courses = _courses(ode, run, stated)
         shown = _shown(ode, run, p)
         t = _node_times(run, shown, courses, spacing)
-        if further:
-            t = np.union1d(t, further[r])
+        if extra_nodes:
+            t = np.union1d(t, extra_nodes[r])
         end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
         inside = t[:-1] + STAGE * np.diff(t)
         times.append(t)
@@ -99,16 +99,16 @@ def make_grid(
         measured.append(_samples(run, shown, t, signals))
         parameters.append(p)
         starts.append([stated.get(state.name, np.nan) for state in ode.states])
-    first = np.cumsum([0, *(len(t) for t in times)])
-    ends = first[1:] - 1
-    left = np.setdiff1d(np.arange(first[-1]), ends)
+    first_nodes = np.cumsum([0, *(len(t) for t in times)])
+    ends = first_nodes[1:] - 1
+    interval_starts = np.setdiff1d(np.arange(first_nodes[-1]), ends)
     time = np.concatenate(times)
     return Grid(
         tuple(runs),
-        first,
+        first_nodes,
         time,
-        left,
-        time[left + 1] - time[left],
+        interval_starts,
+        time[interval_starts + 1] - time[interval_starts],
         np.array(parameters),
         np.concatenate(inputs),
         np.concatenate(stages),
@@ -152,14 +152,14 @@ def _node_times(run: Run, shown: Array, courses: Sequence[Pieces], spacing: floa
     fixed = np.union1d(bends, [begin, end])
     kept = [fixed[:1]]
     for a, b in zip(fixed[:-1].tolist(), fixed[1:].tolist(), strict=True):
-        own = sampled[(sampled > a) & (sampled < b)]
-        slots = np.floor((own - a) / spacing * (1 + 1e-9))
-        chosen = own[np.diff(slots, prepend=0.0) > 0]
+        sample_times = sampled[(sampled > a) & (sampled < b)]
+        slots = np.floor((sample_times - a) / spacing * (1 + 1e-9))
+        chosen = sample_times[np.diff(slots, prepend=0.0) > 0]
         ends = np.append(chosen, b)
         starts = np.append(a, chosen)
-        for left, right in zip(starts.tolist(), ends.tolist(), strict=True):
-            parts = max(1, int(np.ceil((right - left) / spacing / 2)))
-            kept.append(np.linspace(left, right, parts + 1)[1:])
+        for start, stop in zip(starts.tolist(), ends.tolist(), strict=True):
+            parts = max(1, int(np.ceil((stop - start) / spacing / 2)))
+            kept.append(np.linspace(start, stop, parts + 1)[1:])
     return np.concatenate(kept)
 
 
@@ -190,9 +190,9 @@ def _samples(run: Run, shown: Array, times: Array, signals: Sequence[str]) -> Ar
             continue
         kept = np.isfinite(values)
         at, last = np.unique(shown[kept][::-1], return_index=True)
-        own = values[kept][::-1][last]
+        last_values = values[kept][::-1][last]
         place = np.searchsorted(times, at)
         place = np.minimum(place, len(times) - 1)
         same = np.abs(times[place] - at) <= 1e-9 * np.maximum(1.0, np.abs(at))
-        samples[place[same], j] = own[same]
+        samples[place[same], j] = last_values[same]
     return samples

@@ -216,11 +216,11 @@ def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[BinnedTe
             float(np.average(value[inside & (run == r)], weights=weight[inside & (run == r)]))
             for r in np.unique(run[inside])
         ]
-        own = float(1 / np.sqrt(weight[inside].max()))
+        sd = float(1 / np.sqrt(weight[inside].max()))
         between = float(np.std(means, ddof=1) / np.sqrt(len(means))) if len(means) > 1 else 0.0
         scatter = float(np.std(value[inside]))
         in_bands.append(
-            BinnedTerm(float(low), float(high), mean, max(own, between), scatter, int(inside.sum()))
+            BinnedTerm(float(low), float(high), mean, max(sd, between), scatter, int(inside.sum()))
         )
     return tuple(in_bands)
 

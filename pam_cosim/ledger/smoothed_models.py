@@ -83,11 +83,15 @@ class SmoothedModels:
     def deviances(self) -> dict[str, float]:
         """Of each explanation by its name; infinite where there is none."""
         choices = 2 * np.log(max(len(self.unaugmented.faults), 1))
-        others = {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}
+        fitted_models = {
+            "augmented": self.augmented,
+            "replaced": self.replaced,
+            "beside": self.beside,
+        }
         return {
             "none": self.unaugmented.deviance,
             "sensor": (self.fault.deviance if self.fault else np.inf) + choices,
-            **{name: one.deviance if one else np.inf for name, one in others.items()},
+            **{name: model.deviance if model else np.inf for name, model in fitted_models.items()},
         }
 
     @property

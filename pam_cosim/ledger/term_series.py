@@ -41,11 +41,17 @@ def term_series(
     courses = []
     for r, run in enumerate(grid.runs):
         at = grid.nodes(r)
-        own = {n: v[at] for n, v in against.items()}
+        values_at_point = {n: v[at] for n, v in against.items()}
         same = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
         courses.append(
             TermSeries(
-                run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same
+                run.name,
+                run.role,
+                grid.time[at],
+                value[at],
+                smoothed.deviation[at, j],
+                values_at_point,
+                same,
             )
         )
     return tuple(courses), units
