@@ -100,7 +100,7 @@ def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
 
 def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
     """A line of the ranking, beside the base model; ``path``: what was added."""
-    own = [
+    effect_parameters = [
         " ".join(filter(None, [name, "=", row["value"], row["unit"]]))
         + f" ({row['remark'] or row['interval']})"
         for name, row in estimate_rows(c.parameters).items()
@@ -114,7 +114,7 @@ def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[st
         "explained": percent(explained(base, c.fit)),
         "chi2": number(c.fit.comparison.chi2_reduced("fit")),
         "holdout": number(c.fit.comparison.chi2_reduced("holdout")),
-        "own": own,
+        "own": effect_parameters,
         "added": was_added(path, c),
     }
 

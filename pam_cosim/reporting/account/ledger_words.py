@@ -46,7 +46,7 @@ def ledger_line(ledger: Ledger) -> str:
     if not ledger.failing:
         return "no balance is significantly violated"
     large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
-    shares = ", ".join(f"{_name(one.balance, ledger)} {percent(one.share)}" for one in large)
+    shares = ", ".join(f"{_name(part.balance, ledger)} {percent(part.share)}" for part in large)
     rest = "" if ledger.closed else "; something is missing elsewhere too"
     return f"share of the error in {shares}{rest}"
 

@@ -40,14 +40,14 @@ def ledger_figure(ledger: Ledger) -> Figure:
 
 def draw_shares(axes: Axes, ledger: Ledger) -> None:
     """What is lost without each balance in the best explanation, as one bar."""
-    left, colours = 0.0, _colours(ledger)
+    position, colours = 0.0, _colours(ledger)
     for entry in ledger.entries:
         if entry.share > 0:
-            axes.barh(0, entry.share, left=left, color=colours[entry.balance], height=0.6)
+            axes.barh(0, entry.share, left=position, color=colours[entry.balance], height=0.6)
             if entry.share > 0.08:
                 text = f"{entry.balance} {100 * entry.share:.0f} %"
                 axes.text(
-                    left + entry.share / 2,
+                    position + entry.share / 2,
                     0,
                     text,
                     ha="center",
@@ -55,8 +55,8 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
                     color="white",
                     fontweight="bold",
                 )
-            left += entry.share
-    if not left:
+            position += entry.share
+    if not position:
         message(axes, "no balance fails: the model meets the samples to the noise")
     what = " and ".join(ledger.failing) or "nothing"
     axes.set_title(

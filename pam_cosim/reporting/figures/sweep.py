@@ -90,10 +90,10 @@ def _over_two(figure: Figure, axes: Axes, sweep: Sweep, values: Array, label: st
         _named(axes, _name(sweep, 0), _name(sweep, 1))
         figure.colorbar(points, ax=axes, label=label)
         return
-    first, second = (len(values) for values in sweep.design.axes.values())
-    table = values.reshape(first, second)
-    if min(first, second) <= _LINES:
-        _family(figure, axes, sweep, table, label, fewer=0 if first < second else 1)
+    row_count, column_count = (len(values) for values in sweep.design.axes.values())
+    table = values.reshape(row_count, column_count)
+    if min(row_count, column_count) <= _LINES:
+        _family(figure, axes, sweep, table, label, fewer=0 if row_count < column_count else 1)
         return
     mesh = axes.pcolormesh(
         x.reshape(table.shape)[:, 0],
@@ -138,13 +138,15 @@ def _courses(sweep: Sweep) -> Figure:
         if good
         else []
     )
-    first = _shown(sweep, 0)
-    colours = _colours(first)
+    shown_values = _shown(sweep, 0)
+    colours = _colours(shown_values)
     for axes, name in zip(panels, sweep.outputs, strict=False):
         unit = sweep.units[name]
         for run in shown:
             values = sweep.table.values(run)[sweep.outputs.index(name)] * readable_factor(unit)
-            axes.plot(sweep.time, values, color=colours.to_rgba(np.asarray(first[run])), lw=0.9)
+            axes.plot(
+                sweep.time, values, color=colours.to_rgba(np.asarray(shown_values[run])), lw=0.9
+            )
         if not shown:
             message(axes, "no run reached its end")
         axes.set_ylabel(_label(name, unit))
