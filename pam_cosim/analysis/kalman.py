@@ -142,13 +142,13 @@ class _Filter:
         self._power = np.diag(np.square(drift))
         self._noise = np.square([belief.noise[name] for name in measured])
 
-    def _inputs(self, known: Array) -> Array:
-        whole = known.copy()
-        whole[self._places] = self.mean[len(self.model.states) :]
-        return whole
+    def _inputs(self, known_inputs: Array) -> Array:
+        all_inputs = known_inputs.copy()
+        all_inputs[self._places] = self.mean[len(self.model.states) :]
+        return all_inputs
 
-    def _go(self, time: float, known: Array) -> None:
-        self.model.set(time, self.mean[: len(self.model.states)], self._inputs(known))
+    def _go(self, time: float, known_inputs: Array) -> None:
+        self.model.set(time, self.mean[: len(self.model.states)], self._inputs(known_inputs))
 
     def predict(self, begin: float, end: float, course: Callable[[float], Array]) -> None:
         """To the next sample, in as many pieces as the covariance needs."""
@@ -164,7 +164,7 @@ class _Filter:
             if coarse is None:
                 coarse = carried(start, slopes[::2], power, end - begin)
             fine = carried(start, slopes, power, end - begin)
-            sizes = [np.sqrt(np.diag(one)) for one in (coarse, fine)]
+            sizes = [np.sqrt(np.diag(spread)) for spread in (coarse, fine)]
             if np.all(np.abs(sizes[0] - sizes[1]) <= _ALIKE * sizes[1]) or pieces >= _MOST_PIECES:
                 break
             coarse, pieces = fine, 2 * pieces
@@ -175,12 +175,12 @@ class _Filter:
         """The Jacobian of the rates, in nominal sizes; the random walks have none."""
         self.model.set(time, state, self._inputs(course(time)))
         rows = self.model.jacobian(self.model.rate_names, self.names)[0]
-        whole = np.vstack([rows, np.zeros((len(self.unknown), len(self.names)))])
-        return np.asarray(whole * self._scale / self._scale[:, None])
+        augmented = np.vstack([rows, np.zeros((len(self.unknown), len(self.names)))])
+        return np.asarray(augmented * self._scale / self._scale[:, None])
 
-    def update(self, time: float, known: Array, reading: Array) -> tuple[Array, Array]:
+    def update(self, time: float, known_inputs: Array, reading: Array) -> tuple[Array, Array]:
         """Takes a sample in; its innovations by their standard deviations (m,), and a row of ``Observation.sizes``."""
-        self._go(time, known)
+        self._go(time, known_inputs)
         seen = np.flatnonzero(np.isfinite(reading))
         normalised = np.full(len(reading), np.nan)
         if not seen.size:
@@ -197,7 +197,7 @@ class _Filter:
             rest @ self.covariance @ rest.T + gain @ noise @ gain.T
         )  # Joseph: stays a covariance
         normalised[seen] = innovation / np.sqrt(np.diag(expected))
-        self._go(time, known)
+        self._go(time, known_inputs)
         squared = float(innovation @ np.linalg.solve(expected, innovation))
         return normalised, np.array([squared, seen.size, np.linalg.slogdet(expected)[1]])
 
@@ -211,8 +211,8 @@ class _Filter:
 
 def carried(covariance: Array, slopes: Sequence[Array], power: Array, span: float) -> Array:
     """A covariance after a time in which the system has these slopes, one after another at even distances."""
-    for one, other in zip(slopes, slopes[1:], strict=False):
-        over, added = transition((one + other) / 2, power, span / (len(slopes) - 1))
+    for at_begin, at_end in zip(slopes, slopes[1:], strict=False):
+        over, added = transition((at_begin + at_end) / 2, power, span / (len(slopes) - 1))
         covariance = over @ covariance @ over.T + added
     return covariance
 

@@ -118,17 +118,19 @@ def _swing(
             1j * omega * np.eye(len(rest)) - linear.A, linear.B[:, at] * sines.amplitude
         )
         begin = rest + cycle.imag
-    ahead, periods, known = begin, 0, None
+    ahead, periods, spectrum = begin, 0, None
     mean = np.array([linear.point.outputs[name] for name in sines.outputs])
     while True:
         ahead, courses = _periods(model, ahead, periods, frequency, inputs, sines.outputs)
         periods += _BATCH
         for course in courses:
-            before, known = known, _Spectrum(course, sines.amplitude, mean)
-        assert before is not None and known is not None
-        settled = known.agrees(before)
+            before, spectrum = spectrum, _Spectrum(course, sines.amplitude, mean)
+        assert before is not None and spectrum is not None
+        settled = spectrum.agrees(before)
         if settled or periods >= sines.most_periods:
-            return _SineResponse(known.gain, known.distortion, known.shift, periods, settled)
+            return _SineResponse(
+                spectrum.gain, spectrum.distortion, spectrum.shift, periods, settled
+            )
 
 
 def _periods(
@@ -163,11 +165,11 @@ class _Spectrum:
 
     def agrees(self, other: _Spectrum) -> bool:
         """Whether the two periods say the same."""
-        near = _SETTLED * np.abs(self.fundamental)
+        tolerance = _SETTLED * np.abs(self.fundamental)
         changes = np.maximum(
             np.abs(self.fundamental - other.fundamental), np.abs(self.shift - other.shift)
         )
-        return bool(np.all(changes <= near))
+        return bool(np.all(changes <= tolerance))
 
 
 def respond_from_start(
@@ -183,10 +185,10 @@ def respond_from_start(
     interface = simulator.interface
     variable = interface.inputs[sines.input]
     middle = parameters.get(sines.input, variable.start or 0.0)
-    others = {name: value for name, value in parameters.items() if name != sines.input}
+    constants = {name: value for name, value in parameters.items() if name != sines.input}
     answers = []
     for i, frequency in enumerate(sines.frequencies):
-        answers.append(_swing_from_start(simulator, others, middle, frequency, sines))
+        answers.append(_swing_from_start(simulator, constants, middle, frequency, sines))
         if progress is not None:
             progress(i + 1, len(sines.frequencies))
     units = {
@@ -217,10 +219,12 @@ def _swing_from_start(
         # the fundamental of the straight lines between samples
         amplitude = sines.amplitude * float(np.sinc(1 / SAMPLES)) ** 2
         mean = np.zeros(len(sines.outputs))
-        before, known = (_Spectrum(p, amplitude, mean) for p in np.split(values, periods)[-2:])
-        settled = known.agrees(before)
+        before, spectrum = (_Spectrum(p, amplitude, mean) for p in np.split(values, periods)[-2:])
+        settled = spectrum.agrees(before)
         if settled or periods >= sines.most_periods:
-            return _SineResponse(known.gain, known.distortion, known.shift, periods, settled)
+            return _SineResponse(
+                spectrum.gain, spectrum.distortion, spectrum.shift, periods, settled
+            )
         periods = min(2 * periods, sines.most_periods)
 
 
