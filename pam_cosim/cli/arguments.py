@@ -82,7 +82,7 @@ def parse_varied(words: Sequence[str]) -> dict[str, str | list[str]]:
         if name in varied:
             raise InputError(f"'{name}' is varied twice")
         if name == INPUTS:
-            varied[name] = [one.strip() for one in text.split(",")]
+            varied[name] = [value.strip() for value in text.split(",")]
         else:
             varied[name] = text if ":" in text else alike(text.split(","), word)
     return varied

@@ -74,9 +74,7 @@ def add(
 
 def _say_left_out(origin: Path) -> None:
     """Says which values are factors on what a data set states, where the file does not say what that was."""
-    left = read_fitted_model(origin).left_out
-    if left:
-        note = (
-            f"{origin}: {listed(left)}: of the data and not of the model, which is written without"
-        )
+    values_left_out = read_fitted_model(origin).left_out
+    if values_left_out:
+        note = f"{origin}: {listed(values_left_out)}: of the data and not of the model, which is written without"
         typer.echo(note, err=True)

@@ -46,7 +46,7 @@ def bench(
     """Write the bench of a rig, put together from parts, as readable Modelica."""
     if listing:
         if static or any(
-            one is not None for one in (pneumatics, mechanics, muscle, measure, output)
+            option is not None for option in (pneumatics, mechanics, muscle, measure, output)
         ):
             raise InputError(
                 "--list says what parts there are and writes no bench: leave out what is beside it"

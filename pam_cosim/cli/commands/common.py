@@ -161,9 +161,9 @@ def progress_bar(what: str, *columns: str) -> Iterator[Callable[[float, float], 
         return
     from rich import progress
 
-    further = [getattr(progress, f"{column}Column")() for column in columns]
+    extra_columns = [getattr(progress, f"{column}Column")() for column in columns]
     with progress.Progress(
-        progress.TextColumn(what), progress.BarColumn(), *further, console=console()
+        progress.TextColumn(what), progress.BarColumn(), *extra_columns, console=console()
     ) as bar:
         task = bar.add_task(what, total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)

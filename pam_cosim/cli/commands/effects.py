@@ -34,5 +34,5 @@ def effects(files: FilesOption = None) -> None:
 
 def _parameters(effect: EffectClass) -> Iterator[str]:
     for name in effect.parameters:
-        known = effect.typical.get(name)
-        yield f"{name} ({known[0]:g} to {known[1]:g})" if known else name
+        interval = effect.typical.get(name)
+        yield f"{name} ({interval[0]:g} to {interval[1]:g})" if interval else name

@@ -77,7 +77,7 @@ def linearise(
         )
         _tell(along, json, plot)
     else:
-        one = dynamics.linearise(
+        linear = dynamics.linearise(
             model,
             parameters,
             at=point[0] if isinstance(point, list) else point,
@@ -87,7 +87,7 @@ def linearise(
             files=files or [],
             timeout=timeout,
         ).select(by, None, states)
-        tell_and_write(one, output, json, plot)
+        tell_and_write(linear, output, json, plot)
 
 
 def _tell(along: LinearCourse, json: Path | None, plot: Path | None) -> None:

@@ -96,9 +96,9 @@ def _fitted(source: Path, model: str | None, files: list[Path] | None) -> Fit | 
         data = read_data(source, model, files)
         with console().status("fitting"):
             return study.fit(data, model, files=files or [])
-    found = study.load(source)
-    if not isinstance(found, Fit | Diagnosis):
+    loaded = study.load(source)
+    if not isinstance(loaded, Fit | Diagnosis):
         raise InputError(
-            f"a {type(found).__name__} has no fitted parameters: name a diagnosis or a fit", source
+            f"a {type(loaded).__name__} has no fitted parameters: name a diagnosis or a fit", source
         )
-    return found
+    return loaded
