@@ -63,7 +63,7 @@ def measured_initial_state(
         return InitialState(dict(given))
     shown, values = _shown_by_first_samples(probe) if probe.first else ({}, {})
     values |= given
-    signals = {state: one.signal for state, one in shown.items()}
+    signals = {state: observed.signal for state, observed in shown.items()}
     return InitialState(values, probe.settle_beside(values), signals)
 
 
@@ -114,11 +114,13 @@ def state_course(
     Raises:
         SimulationFailure: the run did not reach its end.
     """
-    own = data.parameters_of(run, parameters)
+    run_parameters = data.parameters_of(run, parameters)
     begin = start_time(run)
     times = np.append(begin, np.maximum(run.time if times is None else times, begin))
-    start = initial_state(simulator, data, run, own)
-    return dict(start.trajectory(simulator, run, own, times, simulator.interface.states).values)
+    start = initial_state(simulator, data, run, run_parameters)
+    return dict(
+        start.trajectory(simulator, run, run_parameters, times, simulator.interface.states).values
+    )
 
 
 def _observed_states(
@@ -133,7 +135,7 @@ def _observed_states(
     """
     shown = _observed_by_signals(probe, dependences, ignored)
     _add_observed_by_rates(shown, dependences, len(probe.signals))
-    return {probe.states[i]: one for i, one in shown.items()}
+    return {probe.states[i]: observed for i, observed in shown.items()}
 
 
 def _observed_by_signals(
@@ -170,14 +172,17 @@ def _source_of_reading(dependent: set[int], rates: Array) -> tuple[int, set[int]
         dependent: the states.
         rates: (states, states) slopes of the rates by the states.
     """
-    found = []
+    sources = []
     for source in dependent:
-        own = dependent - {source}
-        while more := {j for i in own for j in _nonzero(rates[i])} - {source, *own}:
-            own |= more
-        if {i for j in own for i in _nonzero(rates[:, j])} <= own:
-            found.append((source, own))
-    return found[0] if len(found) == 1 else None
+        instrument_states = dependent - {source}
+        while more := {j for i in instrument_states for j in _nonzero(rates[i])} - {
+            source,
+            *instrument_states,
+        }:
+            instrument_states |= more
+        if {i for j in instrument_states for i in _nonzero(rates[:, j])} <= instrument_states:
+            sources.append((source, instrument_states))
+    return sources[0] if len(sources) == 1 else None
 
 
 def _nonzero(slopes: Array) -> list[int]:
@@ -186,9 +191,9 @@ def _nonzero(slopes: Array) -> list[int]:
 
 def _slope_at_rest(row: Array, rates: Array, source: int, instrument: set[int]) -> float:
     """The slope of a reading by what it reads, the states of its instrument following at rest."""
-    own = sorted(instrument)
-    follow = np.linalg.lstsq(rates[np.ix_(own, own)], rates[own, source], rcond=None)[0]
-    return float(row[source] - row[own] @ follow)
+    places = sorted(instrument)
+    follow = np.linalg.lstsq(rates[np.ix_(places, places)], rates[places, source], rcond=None)[0]
+    return float(row[source] - row[places] @ follow)
 
 
 def _add_observed_by_rates(shown: dict[int, ObservedState], matrix: Array, signals: int) -> None:
@@ -208,10 +213,10 @@ def _add_observed_by_rates(shown: dict[int, ObservedState], matrix: Array, signa
     waiting = list(shown)
     while (by := next((i for i in waiting if shows(i)), None)) is not None:
         waiting.remove(by)
-        known, (state,) = shown[by], unknown(by)
-        moved = sum(rates[by, i] * one.rate for i, one in shown.items())
+        observed, (state,) = shown[by], unknown(by)
+        moved = sum(rates[by, i] * shown_state.rate for i, shown_state in shown.items())
         rate = -float(moved) / float(rates[by, state])
-        shown[state] = ObservedState(signals + by, known.rate, 0.0, known.signal, rate)
+        shown[state] = ObservedState(signals + by, observed.rate, 0.0, observed.signal, rate)
         waiting.append(state)
 
 
@@ -222,8 +227,8 @@ def _states_of_instruments(rates: Array) -> set[int]:
     Args:
         rates: (states, states) slopes of the rates by the states.
     """
-    found = set[int]()
+    states = set[int]()
     acting = [{*_nonzero(column)} for column in rates.T]
-    while more := {i for i, on in enumerate(acting) if i not in found and on <= {i, *found}}:
-        found |= more
-    return found
+    while more := {i for i, on in enumerate(acting) if i not in states and on <= {i, *states}}:
+        states |= more
+    return states

@@ -184,8 +184,8 @@ class _Point:
         self.slopes = of.with_prior_slopes(slopes)
         self.cost = float(rows @ rows)
         self.step = of.step(self.slopes, rows)
-        left = rows + self.slopes @ self.step
-        gain = self.cost - float(left @ left)
+        remaining = rows + self.slopes @ self.step
+        gain = self.cost - float(remaining @ remaining)
         # little is left to gain; where a step does not gain it, a shorter one will not do so either
         self.is_level = self.is_little(gain)
         # ... and that by the slopes alone
