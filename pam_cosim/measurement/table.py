@@ -66,7 +66,9 @@ class Table:
 
     def rows(self, kept: slice | NDArray[np.bool_]) -> Table:
         """The table with some of its rows."""
-        columns = {n: replace(one, values=one.values[kept]) for n, one in self.columns.items()}
+        columns = {
+            n: replace(column, values=column.values[kept]) for n, column in self.columns.items()
+        }
         lines = None if self.lines is None else self.lines[kept]
         return replace(self, columns=columns, lines=lines)
 
@@ -225,12 +227,10 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
         named[name] = Column(name, unit, np.array(values, dtype=float).ravel(), heading)
     if not named:
         raise InputError("there is no column of numbers", file)
-    first = next(iter(named.values()))
+    example = next(iter(named.values()))
     for column in named.values():
-        if len(column.values) != len(first.values):
-            message = (
-                f"it has {len(column.values)} values, {shown(first.name)} has {len(first.values)}"
-            )
+        if len(column.values) != len(example.values):
+            message = f"it has {len(column.values)} values, {shown(example.name)} has {len(example.values)}"
             raise InputError(
                 f"{message}; state which to leave out: ignore = [...]", file, None, column.name
             )

@@ -75,7 +75,9 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     if stated.clock is not None:
         clock = stated.clock
         reader.clock = frozenset(
-            i for i, own in enumerate(called) if not clock.isdisjoint((*own, i + 1))
+            i
+            for i, heading_names in enumerate(called)
+            if not clock.isdisjoint((*heading_names, i + 1))
         )
     beginning = _rows(body[:LOOKED_AT], layout.separator)
     reader.dates = _dates(beginning, keep)
@@ -131,8 +133,8 @@ def _filled_lines(text: str) -> list[Line]:
 
 def _dates(rows: Sequence[Sequence[str]], keep: Sequence[int]) -> dict[int, str]:
     """Places of columns of dates with times of day, and the first of each."""
-    first = {i: next(iter(_filled(rows, i)), "") for i in keep}
-    return {i: cell for i, cell in first.items() if date_time(cell) is not None}
+    examples = {i: next(iter(_filled(rows, i)), "") for i in keep}
+    return {i: cell for i, cell in examples.items() if date_time(cell) is not None}
 
 
 def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
@@ -148,8 +150,12 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
     layout = _layout(lines, _is_ended(text), stated, file)
     looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
     cells = [_filled(looked_at, i) for i in range(len(layout.headings))]
-    known = [_present(looked_at, i, stated.missing) for i in range(len(layout.headings))]
-    texts = [i for i, own in enumerate(cells) if _is_text(own) and not unit_of(known[i])]
+    present = [_present(looked_at, i, stated.missing) for i in range(len(layout.headings))]
+    texts = [
+        i
+        for i, column_cells in enumerate(cells)
+        if _is_text(column_cells) and not unit_of(present[i])
+    ]
     rows = _rows(lines[layout.start :], layout.separator) if texts else []
     return {layout.headings[i][0]: tuple(dict.fromkeys(_filled(rows, i))) for i in texts}
 
@@ -217,7 +223,7 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
             )
         name, unit = parts
         if name.casefold() == labview_text.TIME and name in seen:
-            name = f"{name} {1 + sum(one.startswith(name) for one in seen)}"
+            name = f"{name} {1 + sum(seen_name.startswith(name) for seen_name in seen)}"
         if name in seen:
             hint = f"; or, {other_line(line - 1)}" if line is not None and line > 1 else ""
             message = f"this column stands twice in the header; rename one{hint}"
@@ -233,15 +239,15 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
 
 def _notes(layout: TextLayout, encoding: str, decimal: str, cut: int | None) -> Iterator[str]:
     """How the text was read, and which rows are not."""
-    said = []
+    notes = []
     if layout.separator != ",":
-        said.append(f"columns separated by {WORDS[layout.separator]}")
+        notes.append(f"columns separated by {WORDS[layout.separator]}")
     if decimal == ",":
-        said.append("decimal commas")
+        notes.append("decimal commas")
     if encoding == WESTERN:
-        said.append("Western European letters")
-    if said:
-        yield f"read with {', '.join(said)}"
+        notes.append("Western European letters")
+    if notes:
+        yield f"read with {', '.join(notes)}"
     if layout.passed_over:
         rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
         yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"
