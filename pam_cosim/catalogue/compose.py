@@ -87,11 +87,11 @@ class _Draft:
 
     def state(self, parameter: str, value: float) -> None:
         """Gives a parameter, by its full name, a value [its unit]."""
-        own = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
-        if own is None:
+        component = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
+        if component is None:
             self.modifications.append(_modification(parameter, value))
         else:
-            own.values.append(_modification(".".join(names.parts(parameter)[1:]), value))
+            component.values.append(_modification(".".join(names.parts(parameter)[1:]), value))
 
     def _surrounded(self, effect: EffectClass) -> bool:
         """Whether the model declares what the effect takes from its surroundings."""
@@ -129,8 +129,8 @@ class _Draft:
             for p in self.structure.parts
             if names.parent(p.path) == slot.path and slot.name in map(names.last, p.bases)
         ]
-        own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
-        self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
+        paths = [f"{p.path}.{name}" for p in users for name in effect.parameters]
+        self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *paths)
 
     def _hosts(self, effect: EffectClass) -> list[tuple[Part, str]]:
         bases = self.tree.bases(effect.qualified_name)
@@ -147,12 +147,12 @@ class _Draft:
         return hosts
 
     def _connect(self, effect: EffectClass, host: Part, terminals: str) -> None:
-        first = self.parameters.get(effect.name)
+        instance = self.parameters.get(effect.name)
         name = self._free_name(effect.component_name)
         shared = [c for c in self.tree.components(terminals) if "parameter" in c.prefixes]
         bindings = [f"{c.name}={host.path}.{c.name}" for c in shared]
-        if first:  # one effect on several hosts has one set of parameters
-            bindings += [f"{names.last(full)}={full}" for full in first]
+        if instance:  # one effect on several hosts has one set of parameters
+            bindings += [f"{names.last(full)}={full}" for full in instance]
         else:
             self.parameters[effect.name] = tuple(f"{name}.{p}" for p in effect.parameters)
         self.components.append(
@@ -231,7 +231,9 @@ def compose_on(
     for parameter, value in values.items():
         draft.state(parameter, value)
     base = names.unquoted(names.last(structure.model))
-    made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
+    made = "With" * bool(wanted) + "And".join(
+        names.unquoted(names.last(wanted_name)) for wanted_name in wanted
+    )
     chosen = names.identifier(name or base + (made or "Alone"))
     text = _text(chosen, structure, draft, classes, ratios, annotation)
     return Composition(
@@ -243,12 +245,12 @@ def _typical(
     classes: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]
 ) -> dict[str, tuple[float, float]]:
     """Typical ranges of the parameters of effects by their full names."""
-    every = [
+    ranges = [
         (full, effect.typical.get(names.last(full)))
         for effect in classes
         for full in parameters[effect.name]
     ]
-    return {full: known for full, known in every if known is not None}
+    return {full: interval for full, interval in ranges if interval is not None}
 
 
 def _effects_of(
@@ -259,23 +261,32 @@ def _effects_of(
     Raises:
         InputError: there is no such effect.
     """
-    own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
-    known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
-    for one in wanted:
-        if one not in known and one not in {e.name for e in every}:
-            raise InputError(f"there is no effect '{one}'; 'pam-cosim effects' lists them")
-    return [known[one] for one in wanted] if all(one in known for one in wanted) else None
+    libraries_of_model, available = (
+        origins(structure.parts),
+        [*effect_classes(tree), *unknown_terms(tree)],
+    )
+    by_name = {e.name: e for e in available if e.library in libraries_of_model} | {
+        e.qualified_name: e for e in available
+    }
+    for wanted_name in wanted:
+        if wanted_name not in by_name and wanted_name not in {e.name for e in available}:
+            raise InputError(f"there is no effect '{wanted_name}'; 'pam-cosim effects' lists them")
+    return (
+        [by_name[wanted_name] for wanted_name in wanted]
+        if all(wanted_name in by_name for wanted_name in wanted)
+        else None
+    )
 
 
 def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:
     """Modifications of the model, each component once: Modelica forbids to modify one twice (3.6, section 7.2.5)."""
-    own = [text for path, text in modifications if not path]
+    direct_texts = [text for path, text in modifications if not path]
     inner: dict[str, list[tuple[str, str]]] = {}
     for path, text in modifications:
         if path:
-            first, *rest = names.parts(path)
-            inner.setdefault(first, []).append((".".join(rest), text))
-    return own + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
+            head, *rest = names.parts(path)
+            inner.setdefault(head, []).append((".".join(rest), text))
+    return direct_texts + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
 
 
 def _text(
@@ -287,11 +298,11 @@ def _text(
     annotation: str = "",
 ) -> str:
     base = structure.model
-    said = [
+    sentences = [
         *(e.description for e in effects),
         *(f"{parameter_of(r)} is not as stated" for r in ratios),
     ]
-    says = f"{names.last(base)}, and: {'; '.join(said)}" if said else names.last(base)
+    says = f"{names.last(base)}, and: {'; '.join(sentences)}" if sentences else names.last(base)
     lines = [f"model {name} {string_text(says)}"]
     if draft.modifications:
         changes = ",\n    ".join(_nested(draft.modifications))

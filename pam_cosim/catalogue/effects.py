@@ -114,7 +114,7 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
             )
         sayings[saying] = value
     declared = [c for c in tree.components(name) if is_effect([c.owner, *tree.bases(c.owner)])]
-    own = [c for c in declared if _is_open(c)]
+    open_parameters = [c for c in declared if _is_open(c)]
     return EffectClass(
         name=short,
         qualified_name=name,
@@ -122,13 +122,15 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         balance=sayings["balance"],
         description=info.description,
         documentation=info.documentation,
-        parameters=tuple(c.name for c in own),
+        parameters=tuple(c.name for c in open_parameters),
         component_name=component_name(short, info.annotations.get("defaultComponentName", "")),
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
         library=library,
         absent=_absent(str(tree.constant(name, "absent") or ""), info.file, info.line),
-        typical={c.name: _typical(c, info.file) for c in own if _TYPICAL in c.own_annotation},
+        typical={
+            c.name: _typical(c, info.file) for c in open_parameters if _TYPICAL in c.own_annotation
+        },
     )
 
 

@@ -55,8 +55,8 @@ def qualified(tree: ClassTree, model: str) -> str:
 
     ``Isotonic`` and ``Examples.ButylIsotonic`` will do, and a name that a package inherits; anything else as it is.
     """
-    found = (tree.resolve("", name) for name in possible_names(model, libraries(tree)))
-    return next(filter(None, found), model)
+    candidates = (tree.resolve("", name) for name in possible_names(model, libraries(tree)))
+    return next(filter(None, candidates), model)
 
 
 def possible_names(model: str, packages: Sequence[str]) -> list[str]:

@@ -74,7 +74,7 @@ def _composed_ports(
 ) -> Ports:
     """Those of the bench that would be put together from two parts."""
     names = (feed.qualified_name, hold.qualified_name)
-    inputs = [one for name in names for one in free_inputs(tree, name)]
+    inputs = [port for name in names for port in free_inputs(tree, name)]
     rank = 1 + len(feed.parameters) + len(hold.parameters)
     return Ports(f"{feed.name} and {hold.name}", _variables(tree, inputs), readings, names, rank)
 
