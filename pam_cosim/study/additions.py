@@ -93,7 +93,7 @@ def _added(
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")
-    ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
+    ratio = next((parameter_of(effect) for effect in fitted.effects if is_ratio(effect)), None)
     if ratio is not None and not fitted.values:
         raise InputError(
             f"what is stated of {ratio} is no part of a model: correct it in the data set"

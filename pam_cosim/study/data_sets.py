@@ -155,7 +155,7 @@ def new(
     """
     stated = {name: str(value) for name, value in (parameters or {}).items()}
     wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles)
-    paths = [Path(one) for one in recordings]
+    paths = [Path(file) for file in recordings]
     described = described_with(files)
     made = draft(
         Path(folder),

@@ -104,7 +104,7 @@ def profile(
     problem = as_problem(data, model, files)
     fitted = fit.comparison.data
     pairs = zip(problem.data.runs, fitted.runs, strict=False)
-    differs = any(one.parameters != other.parameters for one, other in pairs)
+    differs = any(run_a.parameters != run_b.parameters for run_a, run_b in pairs)
     if isinstance(data, Problem) and (differs or {*problem.data.fit} != {*fit.parameters}):
         raise InputError("the fit is of another problem: fit this one by pam.fit(problem)")
     names = fitted.differentiated

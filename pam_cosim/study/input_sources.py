@@ -115,9 +115,9 @@ def read_inputs(file: Path, interface: Interface) -> Inputs:
 
     recording = read_recording(file, interface)
     if not recording.inputs:
-        known = ", ".join(interface.inputs) or "none"
+        input_names = ", ".join(interface.inputs) or "none"
         raise InputError(
-            f"has no column of an input; the inputs of {interface.model}: {known}", file, 1
+            f"has no column of an input; the inputs of {interface.model}: {input_names}", file, 1
         )
     inputs = Inputs(recording.time, recording.inputs, "linear")
     check_course(inputs, interface, file)

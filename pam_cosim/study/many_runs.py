@@ -97,7 +97,7 @@ def sweep(
         interface, longest if patterns and inputs is None else inputs, stop_time, interval
     )
     course = None if patterns and inputs is None else course
-    asked = read_scalars(scalars, interface)
+    requested = read_scalars(scalars, interface)
     plan = SweepPlan(
         fmu=fmu,
         interface=interface,
@@ -106,8 +106,8 @@ def sweep(
         inputs=course,
         times=times,
         outputs=tuple(kept_variables(interface, outputs)),
-        scalars=asked,
-        keep=not asked if trajectories is None else trajectories,
+        scalars=requested,
+        keep=not requested if trajectories is None else trajectories,
         foreign=foreign,
         timeout=timeout,
     )
@@ -135,11 +135,11 @@ def _patterns(
 
 def _check_beginnings(patterns: Sequence[Pattern]) -> None:
     """Raises ``InputError`` where they do not all begin at one time: all runs have the times of one."""
-    one = patterns[0]
+    pattern = patterns[0]
     for other in patterns[1:]:
-        begin, differs = float(one.inputs.time[0]), float(other.inputs.time[0])
+        begin, differs = float(pattern.inputs.time[0]), float(other.inputs.time[0])
         if differs != begin:
             raise InputError(
-                f"'{INPUTS}' is varied, and '{one.name}' begins at {begin:g} s, '{other.name}' at {differs:g} s: all "
-                "runs of a sweep begin at one time"
+                f"'{INPUTS}' is varied, and '{pattern.name}' begins at {begin:g} s, '{other.name}' at {differs:g} s: "
+                "all runs of a sweep begin at one time"
             )

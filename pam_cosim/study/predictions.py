@@ -92,7 +92,7 @@ def predict(
         posterior = _posterior(simulator, data, fitted, free, samples, seed)
         if run is not None:
             stated = (inputs, parameters or None, stop_time, interval)
-            if any(one is not None for one in stated):
+            if any(option is not None for option in stated):
                 raise InputError(
                     f"the run {run} has inputs and parameters of its own, and times; leave those out, or the run"
                 )
@@ -130,10 +130,10 @@ def _free(fit: Fit, data: DataSet, interface: Interface) -> list[Free]:
 
 
 def _recorded(data: DataSet, name: str) -> Run:
-    known = {run.name: run for run in data.runs if not run.is_static}
-    if name not in known:
-        raise InputError(f"there is no run '{name}' over time; {did_you_mean(name, known)}")
-    return known[name]
+    runs_by_name = {run.name: run for run in data.runs if not run.is_static}
+    if name not in runs_by_name:
+        raise InputError(f"there is no run '{name}' over time; {did_you_mean(name, runs_by_name)}")
+    return runs_by_name[name]
 
 
 def _run(
@@ -149,9 +149,11 @@ def _run(
         raise InputError("points at rest have no run over time")
     course, times = _course(interface, inputs, stop_time, interval)
     values = resolve(parameters, interface)
-    first = data.runs[0].parameters
-    recorded = {name: {run.parameters.get(name) for run in data.runs} for name in first}
-    open_ones = [name for name, own in recorded.items() if len(own) > 1 and name not in values]
+    constants = data.runs[0].parameters
+    recorded = {name: {run.parameters.get(name) for run in data.runs} for name in constants}
+    open_ones = [
+        name for name, distinct in recorded.items() if len(distinct) > 1 and name not in values
+    ]
     if open_ones:
         raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
     if course is None:

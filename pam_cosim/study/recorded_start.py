@@ -45,8 +45,10 @@ def recorded_start(
         "the recording", Path(), "fit", interpolation, dict(parameters), times, inputs, measurements
     )
     with opened(model, files, timeout=timeout) as simulator:
-        known = simulator.interface.variables
-        signals = {name: Signal(name, known[name].unit, noise[name]) for name in measurements}
+        interface_variables = simulator.interface.variables
+        signals = {
+            name: Signal(name, interface_variables[name].unit, noise[name]) for name in measurements
+        }
         data = DataSet(Path(), "", model, signals, {}, {}, (run,))
         try:
             run = with_starts(simulator, data).runs[0]
@@ -55,7 +57,7 @@ def recorded_start(
             at_first = replace(run, start=replace(run.start, mode="measured"))
             course = state_course(simulator, data, at_first, {}, ())
             return {
-                name: float(one[0]) for name, one in course.items()
+                name: float(values[0]) for name, values in course.items()
             }, run.start.reason.removesuffix(": estimated")
         except SimulationFailure:  # the filter says what it cannot do
             return {}, ""

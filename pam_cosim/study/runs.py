@@ -97,11 +97,11 @@ def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:
     """
     if isinstance(outputs, str):
         raise InputError(f"outputs are a list of names: write ['{outputs}']")
-    known = interface.variables
+    interface_variables = interface.variables
     for name in outputs:
-        if name not in known:
+        if name not in interface_variables:
             raise InputError(
-                f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}"
+                f"{interface.model} has no variable '{name}'; {did_you_mean(name, interface_variables)}"
             )
     return list(dict.fromkeys([*interface.outputs, *interface.sensitivities, *outputs]))
 
