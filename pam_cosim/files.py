@@ -117,14 +117,14 @@ def _target(path: Path) -> Path:
     return place
 
 
-def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
+def check_ending(path: Path, what: str, endings: Sequence[str]) -> None:
     """A file that is not what its name says is opened by nothing; a name without an ending says nothing.
 
     Raises:
         InputError: the name ends in none of ``known``.
     """
-    if path.suffix and path.suffix.lower() not in known:
-        raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
+    if path.suffix and path.suffix.lower() not in endings:
+        raise InputError(f"{what}: name a file that ends in {' or '.join(endings)}", path)
 
 
 def check_model_file(path: Path) -> None:
@@ -166,9 +166,9 @@ def plain(value: Any) -> Any:
     if hasattr(value, "as_dict") and not isinstance(value, type):
         return plain(value.as_dict())
     if isinstance(value, Mapping):
-        return {str(key): plain(one) for key, one in value.items()}
+        return {str(key): plain(entry) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(one) for one in value]
+        return [plain(entry) for entry in value]
     if is_dataclass(value) and not isinstance(value, type):
         return plain_fields(value)
     if isinstance(value, frozenset):
@@ -378,8 +378,10 @@ def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None
         InputError: names that result.
     """
     read = {os.path.realpath(source) for source in sources}
-    folders = {os.path.dirname(one) if os.path.basename(one) == PACKAGE else one for one in read}
-    packages = [Path(one) for one in folders if os.path.isfile(os.path.join(one, PACKAGE))]
+    folders = {
+        os.path.dirname(place) if os.path.basename(place) == PACKAGE else place for place in read
+    }
+    packages = [Path(place) for place in folders if os.path.isfile(os.path.join(place, PACKAGE))]
     for path in results:
         target = _target(path)
         if str(target) in read or any(_is_part(target, package) for package in packages):
