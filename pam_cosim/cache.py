@@ -69,7 +69,7 @@ def cached(kind: str, key: str, suffix: str, make: Callable[[], bytes]) -> Path:
 
 
 def _write(sums: Path, files: Mapping[str, bytes]) -> None:
-    """Files beside their sums, which are written last."""
+    """Files with their checksums, which are written last."""
     lines = "".join(f"{_sum(content)} {name}\n" for name, content in sorted(files.items()))
     try:
         for name, content in files.items():

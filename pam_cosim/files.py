@@ -49,7 +49,7 @@ def write_bytes(path: Path, content: bytes | bytearray) -> None:
 
 @contextmanager
 def written_whole(path: Path) -> Iterator[Path]:
-    """A temporary name beside ``path`` for a program to write; moved to ``path`` at the end, removed after an error.
+    """A temporary name next to ``path`` for a program to write; moved to ``path`` at the end, removed after an error.
 
     Raises:
         InputError: as ``write_bytes``.

@@ -140,7 +140,7 @@ def test_every_product_with_rows_becomes_a_frame() -> None:
         kind.__name__
         for kind in (*_KINDS.values(), pam.CoupledRun, Sweep)
         if not issubclass(kind, (Tabular, Sweep))
-    } - {"Ledger", "LinearCourse"}  # whose rows are those of their parts
+    } - {"Ledger", "LinearModels"}  # whose rows are those of their parts
     comparison, fit, diagnosis = PRODUCTS["comparison"], PRODUCTS["fit"], PRODUCTS["ambiguous"]
     samples = comparison.to_frame()
     run = comparison.runs[0]

@@ -76,13 +76,13 @@ def observe_samples(
     model.check([*outputs, *samples.measured])
     go_to_state(model, belief.start)
     filtered = _Filter(model, belief, list(samples.measured))
-    course = _course(model, samples)
+    input_functions = _input_functions(model, samples)
     rows = []
     for k, time in enumerate(samples.times):
         if k and time > samples.times[k - 1]:
-            filtered.predict(float(samples.times[k - 1]), float(time), course(k - 1))
+            filtered.predict(float(samples.times[k - 1]), float(time), input_functions(k - 1))
         reading = np.array([values[k] for values in samples.measured.values()])
-        innovation, sizes = filtered.update(float(time), course(k)(float(time)), reading)
+        innovation, sizes = filtered.update(float(time), input_functions(k)(float(time)), reading)
         rows.append((*filtered.estimate(outputs), innovation, sizes))
     columns = list(zip(*rows, strict=True))
     values, deviations, innovations, sizes = map(np.array, columns)
@@ -100,7 +100,7 @@ def observe_samples(
     )
 
 
-def _course(
+def _input_functions(
     model: ExchangeModel, samples: RecordedSamples
 ) -> Callable[[int], Callable[[float], Array]]:
     """For each interval the inputs over time."""
@@ -150,7 +150,7 @@ class _Filter:
     def _go(self, time: float, known_inputs: Array) -> None:
         self.model.set(time, self.mean[: len(self.model.states)], self._inputs(known_inputs))
 
-    def predict(self, begin: float, end: float, course: Callable[[float], Array]) -> None:
+    def predict(self, begin: float, end: float, inputs_at: Callable[[float], Array]) -> None:
         """To the next sample, in as many pieces as the covariance needs."""
         n, scale = len(self.model.states), self._scale[:, None] * self._scale
         start, power = self.covariance / scale, self._power / scale
@@ -158,9 +158,9 @@ class _Filter:
         while True:
             times = np.linspace(begin, end, pieces + 1)
             states = flow(
-                self.model, self.mean[:n], times, lambda t: self._inputs(course(t)), _TOLERANCE
+                self.model, self.mean[:n], times, lambda t: self._inputs(inputs_at(t)), _TOLERANCE
             )
-            slopes = [self._slope(t, states[:, i], course) for i, t in enumerate(times)]
+            slopes = [self._slope(t, states[:, i], inputs_at) for i, t in enumerate(times)]
             if coarse is None:
                 coarse = carried(start, slopes[::2], power, end - begin)
             fine = carried(start, slopes, power, end - begin)
@@ -171,9 +171,9 @@ class _Filter:
         self.covariance = fine * scale
         self.mean = np.append(states[:, -1], self.mean[n:])
 
-    def _slope(self, time: float, state: Array, course: Callable[[float], Array]) -> Array:
+    def _slope(self, time: float, state: Array, inputs_at: Callable[[float], Array]) -> Array:
         """The Jacobian of the rates, in nominal sizes; the random walks have none."""
-        self.model.set(time, state, self._inputs(course(time)))
+        self.model.set(time, state, self._inputs(inputs_at(time)))
         rows = self.model.jacobian(self.model.rate_names, self.names)[0]
         augmented = np.vstack([rows, np.zeros((len(self.unknown), len(self.names)))])
         return np.asarray(augmented * self._scale / self._scale[:, None])

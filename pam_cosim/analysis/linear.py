@@ -134,8 +134,8 @@ class LinearModel(Printed, Exported):
         """(k, p, m) outputs at times (k,) [s] after each input alone stepped by one of its units; exact."""
         n, m = self.B.shape
         both = np.block([[self.A, self.B], [np.zeros((m, n + m))]])
-        courses = [expm(both * t)[:n, n:] for t in np.asarray(times, dtype=float)]
-        return np.array([self.C @ course + self.D for course in courses])
+        responses = [expm(both * t)[:n, n:] for t in np.asarray(times, dtype=float)]
+        return np.array([self.C @ step_response + self.D for step_response in responses])
 
     def select(
         self,
@@ -312,7 +312,7 @@ class LinearModel(Printed, Exported):
 
 
 def _is_integrator(sizes: Array) -> NDArray[np.bool_]:
-    """(n,) whether each pole of these magnitudes is as good as zero beside the largest."""
+    """(n,) whether each pole of these magnitudes is negligible compared with the largest."""
     return np.asarray(sizes <= _INTEGRATOR * sizes.max(initial=0.0))
 
 

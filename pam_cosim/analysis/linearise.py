@@ -69,7 +69,7 @@ def linear_model(
     moving = [name for name, rate in point.rates.items() if abs(rate) > STILL * sizes[name]]
     if moving:
         notes.append(
-            f"Not at rest: {', '.join(moving)} changes there, and deviations count from that course."
+            f"Not at rest: {', '.join(moving)} changes there, and deviations count from that trajectory."
         )
     if model.event_indicators:
         notes.append("The FMU has events; its discrete states are those of the start.")

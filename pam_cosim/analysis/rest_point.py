@@ -8,7 +8,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pam_cosim.analysis.exchange import ExchangeModel
-from pam_cosim.analysis.flow import constant_course, flow
+from pam_cosim.analysis.flow import constant_input, flow
 from pam_cosim.analysis.operating_point import STILL, set_known, stated_value
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
@@ -79,7 +79,7 @@ def _settle(model: ExchangeModel, start: Array, inputs: Array) -> tuple[Array | 
         while end < _LONGEST * duration:
             span = max(end, duration)
             state = flow(
-                model, state, np.array([begin + end, begin + end + span]), constant_course(inputs)
+                model, state, np.array([begin + end, begin + end + span]), constant_input(inputs)
             )[:, -1]
             end += span
             model.set(begin, state, inputs)

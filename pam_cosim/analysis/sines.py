@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.analysis.exchange import ExchangeModel
-from pam_cosim.analysis.flow import InputCourse, flow
+from pam_cosim.analysis.flow import InputFunction, flow
 from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.analysis.linearise import linearise_at
@@ -121,10 +121,12 @@ def _swing(
     ahead, periods, spectrum = begin, 0, None
     mean = np.array([linear.point.outputs[name] for name in sines.outputs])
     while True:
-        ahead, courses = _periods(model, ahead, periods, frequency, inputs, sines.outputs)
+        ahead, periods_of_outputs = _periods(
+            model, ahead, periods, frequency, inputs, sines.outputs
+        )
         periods += _BATCH
-        for course in courses:
-            before, spectrum = spectrum, _Spectrum(course, sines.amplitude, mean)
+        for samples in periods_of_outputs:
+            before, spectrum = spectrum, _Spectrum(samples, sines.amplitude, mean)
         assert before is not None and spectrum is not None
         settled = spectrum.agrees(before)
         if settled or periods >= sines.most_periods:
@@ -138,7 +140,7 @@ def _periods(
     state: Array,
     done: int,
     frequency: float,
-    inputs: InputCourse,
+    inputs: InputFunction,
     outputs: Sequence[str],
 ) -> tuple[Array, list[Array]]:
     """The state after a batch of periods, and for each of them the outputs (SAMPLES, p)."""
@@ -154,8 +156,8 @@ def _periods(
 class _Spectrum:
     """Of one period (SAMPLES, p) of the outputs, from a sine of the input."""
 
-    def __init__(self, course: Array, amplitude: float, mean: Array) -> None:
-        lines = np.fft.rfft(course - mean, axis=0) * (2 / len(course))
+    def __init__(self, samples: Array, amplitude: float, mean: Array) -> None:
+        lines = np.fft.rfft(samples - mean, axis=0) * (2 / len(samples))
         self.fundamental = lines[1]
         self.gain = lines[1] / (-1j * amplitude)
         self.shift = lines[0].real / 2
@@ -208,11 +210,11 @@ def _swing_from_start(
     periods = min(_FIRST_PERIODS, sines.most_periods)
     while True:
         times = np.arange(periods * SAMPLES + 1) / (SAMPLES * frequency)
-        course = middle + sines.amplitude * np.sin(2 * np.pi * frequency * times)
+        samples = middle + sines.amplitude * np.sin(2 * np.pi * frequency * times)
         run = simulator.run(
             times,
             parameters=parameters,
-            inputs=Inputs(times, {sines.input: course}),
+            inputs=Inputs(times, {sines.input: samples}),
             outputs=sines.outputs,
         )
         values = np.array([run[name][:-1] for name in sines.outputs]).T

@@ -1,8 +1,8 @@
 """A model with effects added, as the Modelica text that a person would write.
 
 Where an effect belongs follows from the types alone. If it extends the constraining class of a replaceable class of
-the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: what is made to
-lie beside a component never takes the place of one. If it has the same terminals as a component of the model, that is,
+the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: a class that is
+parallel to a component never replaces one. If it has the same terminals as a component of the model, that is,
 both extend a class that declares all its connectors, it is connected in parallel, connector by connector, and the
 parameters that the terminals declare are taken over. What an effect declares ``outer`` the model must declare
 ``inner``: an effect that depends on what a bench does not say finds no place there.
@@ -75,7 +75,7 @@ class _Draft:
         """Puts an effect where it belongs; False where it belongs nowhere."""
         if not self._surrounded(effect):
             return False
-        slots = [] if self._lies_beside(effect) else self._slots(effect)
+        slots = [] if self._is_parallel(effect) else self._slots(effect)
         if slots:
             for slot in slots:
                 self._redeclare(effect, slot)
@@ -102,7 +102,7 @@ class _Draft:
         ]
         return surrounds(self.tree, self.structure.model, outer)
 
-    def _lies_beside(self, effect: EffectClass) -> bool:
+    def _is_parallel(self, effect: EffectClass) -> bool:
         bases = [b for b in self.tree.bases(effect.qualified_name) if self._is_effect(b)]
         return any(self._connectors(b) for b in bases)
 

@@ -258,7 +258,7 @@ class _Composer:
     def _corner(
         self, part: BenchPart, x: int, placed: Sequence[PlacedPart], number: int
     ) -> tuple[int, int]:
-        """Lower left of an instrument: between the parts, or beside the muscle."""
+        """Lower left of an instrument: between the parts, or next to the muscle."""
         (main, *side_connectors) = connectors(self.tree, part.qualified_name)
         at_port = main.type == self.outlet.type
         between = bool(side_connectors)

@@ -18,7 +18,7 @@ if TYPE_CHECKING:
     from sys import UnraisableHookArgs
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM)
-_AGAIN = 0.05  # [s] after which an interrupt comes once more that came where it was ignored
+_AGAIN = 0.05  # [s] after which an ignored interrupt is repeated
 _LAST = 1.0  # [s] for an interrupted command to end by itself once everything is cleaned up
 _PATIENCE = 5.0  # [s] after an interrupt in which another one does not disturb the cleaning up
 
@@ -44,7 +44,7 @@ class _Command:
         raise KeyboardInterrupt
 
     def raise_again(self, ignored: UnraisableHookArgs) -> None:
-        """An interrupt at a place that cannot be left, such as a destructor, comes once more."""
+        """An interrupt at a place that cannot be left, such as a destructor, is repeated."""
         if isinstance(ignored.exc_value, KeyboardInterrupt):
             self.time = -_PATIENCE
             _later(_AGAIN, os.kill, os.getpid(), self.number)
@@ -120,7 +120,7 @@ def run() -> None:
 
 
 def _print_somewhere() -> None:
-    """Where whoever called closed the output, what is printed goes nowhere."""
+    """Output is discarded if the caller has closed it."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - until the process ends

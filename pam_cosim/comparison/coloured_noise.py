@@ -1,6 +1,6 @@
-"""How likely residuals are as noise of any colour: white, and a slow course besides, of unknown size and memory.
+"""How likely residuals are as noise of any colour: white, and plus a slow drift of unknown size and memory.
 
-The slow course of each signal is a stationary first-order autoregressive process (Ornstein and Uhlenbeck) beside white
+The slow drift of each signal is a stationary first-order autoregressive process (Ornstein and Uhlenbeck) with white
 noise: drifts of instruments, filters of loggers. Size and memory of both are those that make the residuals most likely.
 The precision of such a process is tridiagonal (Rue and Held, Gaussian Markov Random Fields, 2005, sec. 1.1), so that a
 series of n samples takes of the order of n operations.
@@ -79,7 +79,7 @@ def _log_likelihood(
     Args:
         samples: how many.
         squares, determinants: () or (g,) quadratic forms and log-determinants by the variance of the white noise.
-        ratios: () or (g,) of the variance of the slow course to that.
+        ratios: () or (g,) of the variance of the slow drift to that.
         largest: what both may be together.
     """
     variance = np.minimum(np.maximum(squares, _TINY) / samples, largest / (1 + ratios))
@@ -96,27 +96,27 @@ def _form(
     Args:
         values: (n,) of all series.
         ends: where the last sample of each is.
-        ratio, memory: of the slow course, to the variance of the white noise, and in samples.
+        ratio, memory: of the slow drift, to the variance of the white noise, and in samples.
     """
     n, decay = len(values), float(np.exp(-1.0 / memory))
     new = 1.0 - decay**2
-    # of the precision of the slow course, by its variance
+    # of the precision of the slow drift, by its variance
     diagonal = np.full(n, (1.0 + decay**2) / new)
     heads = np.append(0, ends[:-1] + 1)
     diagonal[heads] -= decay**2 / new
     diagonal[ends] -= decay**2 / new
-    beside = np.full(max(n - 1, 1), -decay / (new * ratio))
-    beside[ends[:-1]] = 0.0
-    pivots, factor, _ = dpttrf(1.0 + diagonal / ratio, beside)
+    off_diagonal = np.full(max(n - 1, 1), -decay / (new * ratio))
+    off_diagonal[ends[:-1]] = 0.0
+    pivots, factor, _ = dpttrf(1.0 + diagonal / ratio, off_diagonal)
     slow, _ = dpttrs(pivots, factor, values)
-    of_course = n * np.log(ratio) + (n - len(ends)) * np.log(new)
-    return float(values @ (values - slow)), float(np.log(pivots).sum() + of_course)
+    drift_determinant = n * np.log(ratio) + (n - len(ends)) * np.log(new)
+    return float(values @ (values - slow)), float(np.log(pivots).sum() + drift_determinant)
 
 
 def approximate_log_likelihood(series: Sequence[Series], largest: float) -> float:
     """As ``noise_log_likelihood``, in a hundredth of the time.
 
-    In the discrete cosine transform the components of a slow course that is reflected at its ends are independent, each
+    In the discrete cosine transform the components of a slow drift that is reflected at its ends are independent, each
     with its part of the spectrum, which hardly changes within a band. Ratio and memory are the likeliest of a grid.
 
     Args:
@@ -135,7 +135,7 @@ def _by_signal(series: Sequence[Series]) -> list[list[Array]]:
 
 
 def _likelihoods(series: Sequence[Array], largest: float) -> Array:
-    """(memories, 1 + ratios) of the series of a signal, the first of each memory without a slow course."""
+    """(memories, 1 + ratios) of the series of a signal, the first of each memory without a slow drift."""
     longest, samples = max(map(len, series)), sum(map(len, series))
     squares, determinants = np.zeros(1), np.zeros(1)
     for values in series:
@@ -148,13 +148,13 @@ def _likelihoods(series: Sequence[Array], largest: float) -> Array:
 
 
 def _ratios() -> Array:
-    """Of the grid: no slow course at all, and ever larger ones."""
+    """Ratios of the grid: no slow drift, and increasing ones."""
     return np.append(0.0, np.exp(_RATIOS))
 
 
 @lru_cache(maxsize=128)
 def _spectra(samples: int, longest: int) -> tuple[NDArray[np.int_], Array, Array]:
-    """Of white noise with slow courses of a grid, in bands of frequency.
+    """Likelihoods of white noise with the slow drifts of a grid, in bands of frequency.
 
     Returns:
         where each band begins (b,), one over the spectra there (g, b), and the log-determinants (g,).

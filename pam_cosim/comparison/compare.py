@@ -58,12 +58,12 @@ class Comparison(Printed, Tabular):
         )
 
     def against(self, data: DataSet) -> Comparison:
-        """The same simulations beside other samples: ``data`` has the same runs, some of their samples set aside."""
+        """The same simulations compared with other samples: ``data`` has the same runs with fewer samples."""
         same = self.with_data(data)
         return replace(same, scores=_scores(data, same.runs))
 
     def without_data(self) -> Comparison:
-        """The same without the samples, which whoever asked for it has: ``with_data`` puts them back."""
+        """The same without the samples, which the caller has: ``with_data`` puts them back."""
         bare = (replace(r.run, time=r.run.time[:0], inputs={}, measurements={}) for r in self.runs)
         runs = tuple(replace(r, run=run) for r, run in zip(self.runs, bare, strict=True))
         return replace(self, data=replace(self.data, runs=()), runs=runs)

@@ -205,7 +205,7 @@ def condition_table(
 
     Args:
         model: name of the model.
-        runs: simulated beside the measurement.
+        runs: the simulated runs with their measurements.
         signal: what is scored.
         rows: name of a parameter that every run has.
         columns: of another one.

@@ -121,7 +121,7 @@ def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
 
 
 def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
-    """All samples of a signal, and the model's values beside them."""
+    """All samples of a signal, and the model's values at them."""
     pairs = [(r.run.measurements[name], r.model[name]) for r in runs if r.run.sample_count(name)]
     kept = [np.isfinite(measured) for measured, _ in pairs]
     both = [
@@ -138,25 +138,27 @@ def _rms(values: Array) -> float:
 def _markers_of_inputs(runs: Sequence[RunComparison], units: Mapping[str, str]) -> Iterator[Doubt]:
     driven = [r.run for r in runs if not r.run.is_static]
     for name in dict.fromkeys(name for run in driven for name in run.inputs):
-        courses = [(run, run.inputs[name]) for run in driven if name in run.inputs]
-        value = input_marker_of(np.concatenate([values for _, values in courses]))
+        values_by_run = [(run, run.inputs[name]) for run in driven if name in run.inputs]
+        value = input_marker_of(np.concatenate([values for _, values in values_by_run]))
         if value is not None:
-            yield _marker(name, units.get(name, ""), value, courses)
+            yield _marker(name, units.get(name, ""), value, values_by_run)
 
 
 def _markers(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> Iterator[Doubt]:
     value = marker_of(measured)
     if value is not None:
         read = [r.run for r in runs if r.run.sample_count(signal.name)]
-        courses = [(run, run.measurements[signal.name]) for run in read]
-        yield _marker(signal.name, signal.unit, value, courses)
+        values_by_run = [(run, run.measurements[signal.name]) for run in read]
+        yield _marker(signal.name, signal.unit, value, values_by_run)
 
 
-def _marker(name: str, unit: str, value: float, courses: Sequence[tuple[Run, Array]]) -> Doubt:
+def _marker(
+    name: str, unit: str, value: float, values_by_run: Sequence[tuple[Run, Array]]
+) -> Doubt:
     """One value farther from all others than these are apart, as loggers write where there is no reading."""
-    all_values = np.concatenate([values[np.isfinite(values)] for _, values in courses])
+    all_values = np.concatenate([values[np.isfinite(values)] for _, values in values_by_run])
     rest = all_values[all_values != value]
-    run, values = next((run, values) for run, values in courses if value in values)
+    run, values = next((run, values) for run, values in values_by_run if value in values)
     place = place_in(run, int(np.argmax(values == value)))
     count = len(all_values) - len(rest)
     shown, low, high = (format_quantity(float(v), unit) for v in (value, rest.min(), rest.max()))

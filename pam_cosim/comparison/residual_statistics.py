@@ -114,7 +114,7 @@ def series_of(
                 values = standardized_residuals(error[kept], signal, r.run.measurements[name][kept])
                 if shifts and (r.run.name, name) in shifts:
                     values = values + shifts[r.run.name, name][kept]
-                # Steps are what they are, also where the noise beside them is not known.
+                # Steps are what they are, also where the noise is not known.
                 noise_is_known = not signal.estimated or signal.is_coarse
                 series.append(
                     Series(values, expected_squares(error[kept], signal), noise_is_known, name)
@@ -185,9 +185,9 @@ def lag_one(series: Sequence[Series]) -> tuple[float, float]:
 
 
 def red_noise(series: Sequence[Series]) -> float:
-    """Variance of first-order autoregressive noise under a slow course.
+    """Variance of first-order autoregressive noise under a slow drift.
 
-    Samples at a distance l differ by noise, half mean square v (1 - r^l), and by what the slow course gains, a l^2.
+    Samples at a distance l differ by noise, half mean square v (1 - r^l), and by what the slow drift gains, a l^2.
     v, a >= 0 and the correlation r of neighbours are fitted to the first few distances.
 
     Args:

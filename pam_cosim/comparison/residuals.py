@@ -1,4 +1,4 @@
-"""One run of a model beside one run of the rig."""
+"""One run of a model compared with one run of the rig."""
 
 from __future__ import annotations
 

@@ -67,7 +67,7 @@ class AugmentedModel:
 def augmented_models(
     tree: ClassTree, model: str, effects: Sequence[str] = (), *, files: Sequence[Path] = ()
 ) -> list[AugmentedModel]:
-    """The model with every unknown input that replaces no law; then once more for each that replaces one.
+    """The model with every unknown input that replaces no law; then again for each that replaces one.
 
     Args:
         tree: the library and the user's files.
@@ -83,11 +83,11 @@ def augmented_models(
     place = partial(_placed, tree, structure, effects)
     placed_terms = [(t, place([t])) for t in unknown_terms(tree, origins(structure.parts))]
     placed = [(t, composition) for t, composition in placed_terms if composition is not None]
-    beside = [t for t, composition in placed if _lies_beside(t, composition)]
-    models = [_augmented(tree, place(beside), beside, False, files)]
+    parallel_terms = [t for t, composition in placed if _is_parallel(t, composition)]
+    models = [_augmented(tree, place(parallel_terms), parallel_terms, False, files)]
     for term, _ in placed:
-        if term not in beside:
-            terms = [*(t for t in beside if t.balance != term.balance), term]
+        if term not in parallel_terms:
+            terms = [*(t for t in parallel_terms if t.balance != term.balance), term]
             models.append(_augmented(tree, place(terms), terms, True, files))
     return models
 
@@ -98,7 +98,7 @@ def _placed(
     return compose_on(tree, structure, [*effects, *(t.name for t in terms)], _CLASS)
 
 
-def _lies_beside(term: EffectClass, composition: Composition) -> bool:
+def _is_parallel(term: EffectClass, composition: Composition) -> bool:
     return all(p.startswith(term.component_name) for p in composition.parameters[term.name])
 
 

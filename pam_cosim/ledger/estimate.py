@@ -1,6 +1,6 @@
 """Estimates the ledger of a model on a data set.
 
-The free parameters of the data set are estimated anew beside every missing term: what one of their values explains
+The free parameters of the data set are estimated anew with every missing term: what one of their values explains
 is not missing. What is compared are explanations of the same samples by their marginal likelihood, so that a term that
 may be any function of time does not win by being able to:
 
@@ -15,7 +15,7 @@ may be any function of time does not win by being able to:
 What cannot be told apart is found, not assumed: two unknown inputs that push every state and every signal in the same
 direction at all times are one, and the ledger says so. Not told apart, and not noticed: two missing terms of one
 balance; a term and what a free parameter can imitate of it (``Course.imitated``); a fault that changes from run to run
-and physics; two instruments at fault; a fault of an instrument beside a wrong law that only it shows.
+and physics; two instruments at fault; a fault of an instrument together with a wrong law that only it shows.
 """
 
 from __future__ import annotations
@@ -34,7 +34,7 @@ from pam_cosim.ledger.augmented import UnknownInput, augmented_models
 from pam_cosim.ledger.entries import balance_entries, sensor_readings
 from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.ledger import BalanceEntry, Ledger
-from pam_cosim.ledger.sensor import Unaugmented, fault_beside, try_sensors
+from pam_cosim.ledger.sensor import Unaugmented, additional_fault, try_sensors
 from pam_cosim.ledger.smoothed_models import SmoothedModel, SmoothedModels
 from pam_cosim.ledger.term_series import term_series
 from pam_cosim.measurement import DataSet
@@ -105,8 +105,8 @@ class _Estimation:
             self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
         )
         plain = replaced is not None and replaced.deviance < _NOISE_LEVEL * samples
-        beside = self._beside() if is_open and not plain else None
-        return self._judged(SmoothedModels(unaugmented, augmented, replaced, beside, samples))
+        with_fault = self._with_fault() if is_open and not plain else None
+        return self._judged(SmoothedModels(unaugmented, augmented, replaced, with_fault, samples))
 
     def _is_doubtful(self, unaugmented: Unaugmented, augmented: SmoothedModel | None) -> bool:
         """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
@@ -124,18 +124,18 @@ class _Estimation:
         ]
         return min(replacements, key=lambda winner: winner.smoothed.deviance, default=None)
 
-    def _beside(self) -> SmoothedModel | None:
+    def _with_fault(self) -> SmoothedModel | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
         if len(self.signals) < 2:
             return None
-        tried = [self._beside_fault(name) for name in self.signals]
+        tried = [self._model_with_fault(name) for name in self.signals]
         return min(
             (winner for winner in tried if winner is not None),
             key=lambda winner: winner.deviance,
             default=None,
         )
 
-    def _beside_fault(self, name: str) -> SmoothedModel | None:
+    def _model_with_fault(self, name: str) -> SmoothedModel | None:
         """The unknown inputs of what the other signals show, with a fault of the instrument of this one."""
         explainer, j = self.explainer, self.signals.index(name)
         explanation = explainer.explain(self.models[0], None, name)
@@ -143,7 +143,7 @@ class _Estimation:
             return None
         smoothed = explanation.smoothed
         measured = explainer.problem(self.models[0], ())[0].grid.measured[:, j]
-        fault = fault_beside(
+        fault = additional_fault(
             explanation.problem.grid,
             (name, self.data.signals[name].unit),
             measured,
@@ -242,7 +242,7 @@ class _Estimation:
         return next(u.balance for u in winner.augmented.unknown_inputs if u.parameter not in before)
 
     def _entries(self, rivals: SmoothedModels, losses: Mapping[str, float]) -> list[BalanceEntry]:
-        """An entry for each balance: what it explains, its part of the loss, and its course in time."""
+        """An entry for each balance: what it explains, its part of the loss, and the term over time."""
         total = sum(losses.values())
         shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
         entries = balance_entries(rivals, shares)
@@ -257,7 +257,7 @@ class _Estimation:
                 old = entries.get(unknown_input.balance) or BalanceEntry(
                     unknown_input.balance, 0.0, 0.0, 0.0
                 )
-                entries[unknown_input.balance] = self._with_course(old, shown, unknown_input)
+                entries[unknown_input.balance] = self._with_terms(old, shown, unknown_input)
         if rivals.fault is not None:
             entries["sensor"] = BalanceEntry(
                 "sensor",
@@ -268,16 +268,16 @@ class _Estimation:
             )
         return list(entries.values())
 
-    def _with_course(
+    def _with_terms(
         self, entry: BalanceEntry, shown: SmoothedModel, unknown_input: UnknownInput
     ) -> BalanceEntry:
-        courses, units = term_series(shown, unknown_input)
+        series, units = term_series(shown, unknown_input)
         return replace(
             entry,
             unit=unknown_input.unit,
             meaning=unknown_input.meaning,
             term=unknown_input.parameter,
-            courses=courses,
+            courses=series,
             units=units,
             base=unknown_input.base,
             same_as=()

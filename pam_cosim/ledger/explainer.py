@@ -198,7 +198,7 @@ class Explainer:
             return SmoothedModel(augmented, problem, kept, tuple(self.free), smooth(problem, start))
         except (np.linalg.LinAlgError, ValueError):
             self.notes.append(
-                "the balances could not be opened: the model breaks down near the measured course"
+                "the balances could not be opened: the simulation fails near the measured trajectory"
             )
             return None
 

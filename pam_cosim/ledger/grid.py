@@ -84,18 +84,18 @@ def make_grid(
     for r, run in enumerate(runs):
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
-        courses = _courses(ode, run, stated)
+        inputs_of_run = _input_pieces(ode, run, stated)
         shown = _shown(ode, run, p)
-        t = _node_times(run, shown, courses, spacing)
+        t = _node_times(run, shown, inputs_of_run, spacing)
         if extra_nodes:
             t = np.union1d(t, extra_nodes[r])
         end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
         inside = t[:-1] + STAGE * np.diff(t)
         times.append(t)
-        inputs.append(_at(courses, end))
-        stages.append(_at(courses, inside))
-        delayed.append(_delayed(ode, p, courses, end, t[0]))
-        stage_delayed.append(_delayed(ode, p, courses, inside, t[0]))
+        inputs.append(_at(inputs_of_run, end))
+        stages.append(_at(inputs_of_run, inside))
+        delayed.append(_delayed(ode, p, inputs_of_run, end, t[0]))
+        stage_delayed.append(_delayed(ode, p, inputs_of_run, inside, t[0]))
         measured.append(_samples(run, shown, t, signals))
         parameters.append(p)
         starts.append([stated.get(state.name, np.nan) for state in ode.states])
@@ -119,15 +119,15 @@ def make_grid(
     )
 
 
-def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
+def _input_pieces(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
     """Of each input: as recorded, as stated for the whole run, or the model's default."""
-    courses = []
+    inputs_of_run = []
     for name, variable in ode.interface.inputs.items():
         values = run.inputs.get(name)
         if values is None:
             values = np.full(len(run.time), stated.get(name, variable.start or 0.0))
-        courses.append(pieces(run.time, np.asarray(values, float), run.interpolation))
-    return courses
+        inputs_of_run.append(pieces(run.time, np.asarray(values, float), run.interpolation))
+    return inputs_of_run
 
 
 def _shown(ode: Ode, run: Run, p: Array) -> Array:
@@ -141,11 +141,11 @@ def _shown(ode: Ode, run: Run, p: Array) -> Array:
     return np.maximum(run.time - late, start_time(run)) if late else run.time
 
 
-def _node_times(run: Run, shown: Array, courses: Sequence[Pieces], spacing: float) -> Array:
+def _node_times(run: Run, shown: Array, inputs_of_run: Sequence[Pieces], spacing: float) -> Array:
     sampled = np.unique(shown)
     begin, end = start_time(run), float(sampled[-1])
     spacing = min(spacing, (end - begin) / _LEAST_STEPS)
-    bends = np.unique(np.concatenate([np.zeros(0), *(c.time[1:] for c in courses)]))
+    bends = np.unique(np.concatenate([np.zeros(0), *(c.time[1:] for c in inputs_of_run)]))
     bends = bends[(bends > begin) & (bends < end)]
     if len(bends) > len(sampled) / 4:  # a measured input bends at every sample
         bends = bends[:0]
@@ -163,11 +163,13 @@ def _node_times(run: Run, shown: Array, courses: Sequence[Pieces], spacing: floa
     return np.concatenate(kept)
 
 
-def _at(courses: Sequence[Pieces], times: Array) -> Array:
-    return np.column_stack([np.zeros((len(times), 0)), *(c.at(times)[0] for c in courses)])
+def _at(inputs_of_run: Sequence[Pieces], times: Array) -> Array:
+    return np.column_stack([np.zeros((len(times), 0)), *(c.at(times)[0] for c in inputs_of_run)])
 
 
-def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start: float) -> Array:
+def _delayed(
+    ode: Ode, p: Array, inputs_of_run: Sequence[Pieces], times: Array, start: float
+) -> Array:
     columns = [np.zeros((len(times), 0))]
     if ode.delays:
         late = np.array(
@@ -178,7 +180,7 @@ def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start:
             if delay.input is None:
                 columns.append((before >= start).astype(float))
             else:
-                columns.append(courses[delay.input].at(np.maximum(before, start))[0])
+                columns.append(inputs_of_run[delay.input].at(np.maximum(before, start))[0])
     return np.column_stack(columns)
 
 

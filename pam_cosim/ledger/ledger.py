@@ -149,7 +149,7 @@ class Ledger(Printed, Plain):
         return {e.balance: e.share for e in self.entries}
 
     def as_dict(self, courses: bool = True) -> dict[str, Any]:
-        """Plain data for JSON, SI units; without the courses it is short."""
+        """Plain data for JSON, SI units; short without the time series."""
         content = super().as_dict()
         if not courses:
             for entry in content["entries"]:

@@ -58,7 +58,7 @@ class Model:
     def initial(self, parameters: Array, grid: Grid) -> Array:
         """States at the starts of the runs, (R, n), with parameters (R, P) under the first inputs.
 
-        Those that the grid has as numbers stay; those of a model that begins at rest come to rest beside them.
+        Those that the grid has as numbers stay; those of a model that begins at rest come to rest with them.
         """
         nodes = grid.first[:-1]
         inputs = grid.node_inputs[nodes]

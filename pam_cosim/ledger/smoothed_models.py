@@ -64,14 +64,14 @@ class SmoothedModels:
         unaugmented: the model as it is, and with a fault of one instrument.
         augmented: an unknown input in each balance.
         replaced: a law replaced by an unknown input.
-        beside: unknown inputs together with a fault of one instrument.
+        with_fault: unknown inputs together with a fault of one instrument.
         samples: how many there are.
     """
 
     unaugmented: Unaugmented
     augmented: SmoothedModel | None
     replaced: SmoothedModel | None
-    beside: SmoothedModel | None
+    with_fault: SmoothedModel | None
     samples: int
 
     @property
@@ -86,7 +86,7 @@ class SmoothedModels:
         fitted_models = {
             "augmented": self.augmented,
             "replaced": self.replaced,
-            "beside": self.beside,
+            "with_fault": self.with_fault,
         }
         return {
             "none": self.unaugmented.deviance,
@@ -105,9 +105,11 @@ class SmoothedModels:
     @property
     def winner(self) -> SmoothedModel | None:
         """The best one, where it has unknown inputs."""
-        return {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}.get(
-            self.best
-        )
+        return {
+            "augmented": self.augmented,
+            "replaced": self.replaced,
+            "with_fault": self.with_fault,
+        }.get(self.best)
 
     @property
     def believed_fault(self) -> SensorFault | None:
@@ -118,7 +120,7 @@ class SmoothedModels:
 
     @property
     def is_confused(self) -> bool:
-        """Whether an unknown input beside a law, and one in its place, explain the samples about as well."""
+        """Whether an unknown input in addition to a law, and one in its place, explain the samples about as well."""
         rival = {"augmented": "replaced", "replaced": "augmented"}.get(self.best)
         deviances = self.deviances
         return (

@@ -88,7 +88,7 @@ def _newton_step(
     residual = value - gain * model
     information = float(slope @ slope) - len(at) * noise**2 / (2.0 * reach**2)
     if information <= 0.0 or gain == 0.0:
-        raise ClockError("the signal changes too little beside its noise")
+        raise ClockError("the signal changes too little compared with its noise")
     spread = sqrt(float(residual @ residual) / (len(at) - 3) / information) / abs(gain)
     return float(slope @ residual) / (gain * information), spread
 

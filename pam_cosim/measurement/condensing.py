@@ -44,7 +44,7 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
 
 
 def _lost(recording: Run, means: Run, name: str) -> float:
-    """What an input varies beside its means: standard deviation over the samples."""
+    """Variation of an input about its means: standard deviation over the samples."""
     at = np.interp(recording.time, means.time, means.inputs[name])
     return float(np.std(recording.inputs[name] - at))
 

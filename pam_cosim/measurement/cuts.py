@@ -103,7 +103,7 @@ def _ends(run: Run, cut: Cut) -> str:
 
 @dataclass(frozen=True)
 class Overrides:
-    """What whoever reads a data set says of its runs instead of what the data set says, by name or pattern.
+    """Cuts and initial states that the caller states in place of the data set, by run name or pattern.
 
     Attributes:
         cuts: from when to when a run goes.

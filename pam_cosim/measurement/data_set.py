@@ -287,7 +287,7 @@ class DataSet(Printed):
         """Which signals are recorded in steps that count, and how they are counted, in sentences."""
         return tuple(
             f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): a "
-            f"reading counts by the interval it stands for, beside noise of {format_quantity(s.noise, s.unit)}"
+            f"reading counts by its interval, with noise of {format_quantity(s.noise, s.unit)}"
             for name, s in self.signals.items()
             if s.step
         )

@@ -94,7 +94,7 @@ def _is_group(item: Any) -> bool:
 
 
 def _is_vector(item: Any) -> bool:
-    """One dimension, or another of length one besides as MATLAB writes it."""
+    """One dimension, or another of length one, as MATLAB writes it."""
     if _is_group(item) or item.dtype.kind not in "fiu" or item.is_virtual or item.external:
         return False
     return len(item.shape) in (1, 2) and max(item.shape) > 1 and item.size == max(item.shape)

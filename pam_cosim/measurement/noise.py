@@ -57,7 +57,7 @@ def _complete(stated: StatedSignal, runs: Sequence[Run]) -> Signal:
 
 
 def _growing(signal: Signal, growth: float, samples: Sequence[Array]) -> Signal:
-    """The signal with noise that grows with the reading; steps count as noise beside it, white and the same everywhere.
+    """The signal with noise that grows with the reading; steps count as additional white noise.
 
     What an instrument of a class of accuracy is off by at every reading alike is no noise: that is an effect.
     """

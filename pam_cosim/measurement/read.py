@@ -141,7 +141,7 @@ def _model_of(experiment: Experiment, benches: Callable[[], Sequence[str]]) -> s
 
 
 def _bench(experiment: Experiment) -> str:
-    """The model that the file names; a ``.mo`` or ``.fmu`` file beside the experiment is meant relative to it."""
+    """The model that the file names; a ``.mo`` or ``.fmu`` file in the folder of the experiment is relative to it."""
     name = experiment.model or ""
     return str(experiment.at("model").file_inside(name)) if is_file(name) else name
 

@@ -100,12 +100,16 @@ def _offset(run: RunTable, logger: LoggerTable, reference: Recording, shifted: R
     if logger.offset is not None:
         return Offset(logger.offset.quantity("s"))
     name = str(logger.match)
-    courses = [{**recording.inputs, **recording.measurements} for recording in (reference, shifted)]
+    signals_of_files = [
+        {**recording.inputs, **recording.measurements} for recording in (reference, shifted)
+    ]
     try:
-        for course, file in zip(courses, (run.file, logger.file), strict=True):
-            if name not in course:
-                raise ClockError(f"{file} has no {shown(name)}; {did_you_mean(name, course)}")
-        return estimate_offset((reference.time, courses[0][name]), (shifted.time, courses[1][name]))
+        for signals, file in zip(signals_of_files, (run.file, logger.file), strict=True):
+            if name not in signals:
+                raise ClockError(f"{file} has no {shown(name)}; {did_you_mean(name, signals)}")
+        return estimate_offset(
+            (reference.time, signals_of_files[0][name]), (shifted.time, signals_of_files[1][name])
+        )
     except ClockError as error:
         message = (
             f"the offset of {logger.file} cannot be estimated: {error}; state it as offset = ..."

@@ -102,7 +102,7 @@ def _has_near_input(a: Run, b: Run, name: str, span: float) -> bool:
         return True
     noise = estimate_noise(
         a.time, input_a - input_b
-    )  # of an input that rests beside others and is recorded
+    )  # of an input that is constant while others vary, and is recorded
     return square <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2
 
 

@@ -202,7 +202,7 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
     """The table of a file in which each column stands by itself; times of day are seconds since the first.
 
     Args:
-        vectors: heading, unit beside it ("": none) and values of each column; a text says what it holds instead of
+        vectors: heading, its unit ("": none) and values of each column; a text says what it holds instead of
             numbers.
         stated: how the file is written.
         file: path of the file.
@@ -211,8 +211,8 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
         InputError: a heading that cannot be read, no numbers, two columns of a name, or of unlike length.
     """
     named: dict[str, Column] = {}
-    for heading, beside, vector in vectors:
-        name, unit = _headed(heading, beside, file)
+    for heading, unit_next, vector in vectors:
+        name, unit = _headed(heading, unit_next, file)
         if not stated.keeps(heading, name):
             continue
         if name in named:
@@ -238,7 +238,7 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
 
 
 def _headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
-    """Name and unit of a column of a file that may state units beside names."""
+    """Name and unit of a column of a file that may state units next to names."""
     parts = split_heading(heading)
     if parts is None:
         raise InputError(

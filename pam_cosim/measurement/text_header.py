@@ -81,7 +81,7 @@ _NO_HEADER = (
 )
 
 
-_BESIDE = "where units stand beside the names, such as 'p [kPa]', leave units_line out"
+_BESIDE = "where units stand next to the names, such as 'p [kPa]', leave units_line out"
 
 
 def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Header | None:

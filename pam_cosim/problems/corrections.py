@@ -55,7 +55,7 @@ class Correction:
 
 
 def corrections_of(data: DataSet, values: Mapping[str, float]) -> tuple[Correction, ...]:
-    """What a model file has to keep beside parameter values, so that a comparison repeats the numbers.
+    """Content of a model file in addition to parameter values, so that a comparison repeats the numbers.
 
     Args:
         data: as it was compared or fitted.

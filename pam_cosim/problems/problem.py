@@ -39,7 +39,7 @@ class ParameterValue:
 
 @dataclass(frozen=True)
 class ModelValues:
-    """What a model says of values beside the defaults of its base class.
+    """Values of a model that differ from the defaults of its base class.
 
     Attributes:
         label: the model, as messages name it.

@@ -1,4 +1,4 @@
-"""Which course shows best what an effect does."""
+"""The run that shows best what an effect does."""
 
 from __future__ import annotations
 

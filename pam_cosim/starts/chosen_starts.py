@@ -86,9 +86,9 @@ def first_offsets(probe: StartProbe) -> list[FirstOffset]:
         return []
     when = {name: _first_time(probe.run, name) for name in probe.signals}
     times = np.unique(list(when.values()))
-    course = probe.course(times)
+    simulated = probe.course(times)
     offsets = [
-        _offset(probe, name, float(course[name][np.searchsorted(times, time)]))
+        _offset(probe, name, float(simulated[name][np.searchsorted(times, time)]))
         for name, time in when.items()
     ]
     showing = probe.signals_of_one_state()
@@ -174,7 +174,7 @@ class StartChoice:
         return replace(self._data, runs=tuple(runs))
 
     def _first_offsets(self, run: Run) -> list[FirstOffset] | None:
-        """None where the run cannot be simulated, of which whoever simulates it next reports why."""
+        """None where the run cannot be simulated, and the next simulation reports the reason."""
         if run.is_static or run.start.periodic:
             return []
         try:
@@ -304,7 +304,7 @@ def _sets_start(probe: StartProbe, free: FreeParameter) -> bool:
     """
     name, step = free.parameter, _SHARE_OF_RANGE * (free.max - free.min)
     declared = probe.simulator.interface.parameters.get(name)
-    if declared is None:  # as whoever fits reports
+    if declared is None:  # as the fit reports
         return False
     value = probe.parameters.get(name, declared.start or 0.0)
     moved = probe.changed({name: value + step if value + step <= free.max else value - step})
@@ -330,8 +330,8 @@ def _with_periods(probe: StartProbe) -> Run:
     begin_of_longest = start_time(longest)
     period = (float(run.time[0]) - begin_of_longest) / most
     times = begin_of_longest + period * np.arange(most + 1)
-    course = begin.trajectory(probe.simulator, longest, probe.parameters, times, signals)
-    from_last = [np.abs(course[n] - course[n][-1]) / data.signals[n].sigma for n in signals]
+    simulated = begin.trajectory(probe.simulator, longest, probe.parameters, times, signals)
+    from_last = [np.abs(simulated[n] - simulated[n][-1]) / data.signals[n].sigma for n in signals]
     differing = np.flatnonzero(np.max(from_last, axis=0, initial=0.0) > CRITERIA.starts.round)
     count = max(int(differing[-1]) + 1 if differing.size else 0, 1)
     length = format_quantity(period, "s", 4)

@@ -27,8 +27,8 @@ from pam_cosim.starts.start_values import (
 _STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
-class RestCourse(NamedTuple):
-    """The states of a run that begins where its first samples and the model's rest beside them put it.
+class RestTrajectory(NamedTuple):
+    """The states of a run that begins where its first samples and the equilibrium with them put it.
 
     Attributes:
         first: where each state begins then [SI].
@@ -97,26 +97,32 @@ class EliminatedStarts:
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
         if not self._is_placed:
-            courses = {
-                i: self._rest_course(i, values, about_given=self.to_first_order)
+            trajectories = {
+                i: self._rest_trajectory(i, values, about_given=self.to_first_order)
                 for i, run in enumerate(self._runs)
                 if run.start.mode == "estimated"
             }
             # a state that rests in one run may be on its way as that begins, as far as others take it
-            all_ranges = [self.state_ranges, *(course.ranges for course in courses.values())]
+            all_ranges = [
+                self.state_ranges,
+                *(run_trajectory.ranges for run_trajectory in trajectories.values()),
+            ]
             self.state_ranges = {
                 name: max(ranges.get(name, 0.0) for ranges in all_ranges)
                 for name in self._simulator.interface.states
             }
-            placed = {i: self._start_values(i, course) for i, course in courses.items()}
+            placed = {
+                i: self._start_values(i, run_trajectory)
+                for i, run_trajectory in trajectories.items()
+            }
             self.by_run = {
                 i: values_of_run for i, values_of_run in placed.items() if values_of_run.names
             }
             self._is_placed = True
         return self.by_run
 
-    def _start_values(self, i: int, course: RestCourse) -> StartValues:
-        moving = tuple(n for n in course.first if self.state_ranges[n])
+    def _start_values(self, i: int, run_trajectory: RestTrajectory) -> StartValues:
+        moving = tuple(n for n in run_trajectory.first if self.state_ranges[n])
         variables = [self._simulator.interface.start_values[n] for n in moving]
         low = np.array(
             [-np.inf if variable.min is None else variable.min for variable in variables]
@@ -124,16 +130,16 @@ class EliminatedStarts:
         high = np.array(
             [np.inf if variable.max is None else variable.max for variable in variables]
         )
-        mean = np.array([course.first[n] for n in moving])
+        mean = np.array([run_trajectory.first[n] for n in moving])
         sd = CRITERIA.starts.range * np.array([self.state_ranges[n] for n in moving])
-        values = np.clip(np.array([course.begin[n] for n in moving]), low, high)
-        still = {n: v for n, v in course.first.items() if n not in moving}
+        values = np.clip(np.array([run_trajectory.begin[n] for n in moving]), low, high)
+        still = {n: v for n, v in run_trajectory.first.items() if n not in moving}
         return StartValues(self._runs[i], moving, mean, sd, values, low, high, still)
 
-    def _rest_course(
+    def _rest_trajectory(
         self, i: int, values: Mapping[str, float], *, about_given: bool = False
-    ) -> RestCourse:
-        """The course of a run from where the first samples and the model's rest put it.
+    ) -> RestTrajectory:
+        """The trajectory of a run from its first samples and the equilibrium with them.
 
         ``about_given``: start values among the parameters take the place of the first samples: the start of another
         model is known, and this one has a state more.
@@ -148,9 +154,11 @@ class EliminatedStarts:
         probe = StartProbe(self._simulator, self._data, run, bare)
         start = measured_initial_state(probe, given if about_given else {})
         times = np.unique(np.append(start_time(run), run.time))
-        course = start.trajectory(self._simulator, run, bare, times, states)
-        initial = {n: float(course[n][0]) for n in states}
-        return RestCourse(initial, {n: _range(course[n]) for n in states}, initial | given)
+        run_trajectory = start.trajectory(self._simulator, run, bare, times, states)
+        initial = {n: float(run_trajectory[n][0]) for n in states}
+        return RestTrajectory(
+            initial, {n: _range(run_trajectory[n]) for n in states}, initial | given
+        )
 
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
         """Puts start values where ``z`` left them, or where new points look for them.
@@ -230,7 +238,7 @@ class EliminatedStarts:
     def _fresh(self, i: int, values: Mapping[str, float]) -> dict[str, float] | None:
         """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
         try:
-            return self._rest_course(i, values).begin
+            return self._rest_trajectory(i, values).begin
         except SimulationFailure:
             return None
 
@@ -292,10 +300,10 @@ class EliminatedStarts:
         return dict(zip(self.by_run, squares, strict=True))
 
 
-def _range(course: Array) -> float:
+def _range(run_trajectory: Array) -> float:
     """How far a state moves; nothing where that is rounding."""
-    moved = float(np.ptp(course))
-    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
+    moved = float(np.ptp(run_trajectory))
+    return moved if moved > _STILL * float(np.max(np.abs(run_trajectory))) else 0.0
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:

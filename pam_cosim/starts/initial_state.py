@@ -1,9 +1,9 @@
 """The state in which the simulation of a run begins: stated, measured, estimated or eliminated.
 
-The first samples show some of the states. The others follow: they are at rest beside these, under the first inputs.
+The first samples show some of the states. The others follow: they are in equilibrium with these under the first inputs.
 
 A signal that depends on one state alone shows it: a pressure reading the pressure, a ruler the position. An instrument
-that has states of its own, as a delay has, is at rest beside what it reads. Where the rate of such a state depends on
+with states of its own, as a delay has, is in equilibrium with its reading. Where the rate of such a state depends on
 one further state alone, the slope of the samples shows that: the speed, or what lies behind the lag of an instrument.
 Of an instrument it may depend on others that are shown: behind a thermometer lies the mass of a gas whose pressure is
 known.
@@ -64,7 +64,7 @@ def measured_initial_state(
     shown, values = _shown_by_first_samples(probe) if probe.first else ({}, {})
     values |= given
     signals = {state: observed.signal for state, observed in shown.items()}
-    return InitialState(values, probe.settle_beside(values), signals)
+    return InitialState(values, probe.settle_others(values), signals)
 
 
 def _shown_by_first_samples(
@@ -95,7 +95,7 @@ def _consistent_start(
     return shown, probe.corrected(shown, dependences, values)
 
 
-def state_course(
+def state_trajectory(
     simulator: AnySimulator,
     data: DataSet,
     run: Run,
@@ -141,7 +141,7 @@ def _observed_states(
 def _observed_by_signals(
     probe: StartProbe, matrix: Array, ignored: Collection[str]
 ) -> dict[int, ObservedState]:
-    """By number of the state: what signals read, and the states of instruments, which are at rest beside that."""
+    """By number of the state: what signals read, and the states of instruments, which are in equilibrium with that."""
     rates, shown = matrix[len(probe.signals) :], dict[int, ObservedState]()
     better: dict[int, float] = {}
     for row, (signal, sample) in enumerate(probe.first.items()):

@@ -161,8 +161,8 @@ class StartProbe:
             and abs(outputs[observed.row] - observed.aim) > CRITERIA.starts.away * observed.spread
         }
 
-    def settle_beside(self, values: Mapping[str, float]) -> Settle:
-        """Whether the other states come to rest beside these: "others"; "none" where they find no rest."""
+    def settle_others(self, values: Mapping[str, float]) -> Settle:
+        """Whether the other states come to rest with these: "others"; "none" where they find no rest."""
         try:
             if self.simulator.settles:
                 self.at(values, "others")

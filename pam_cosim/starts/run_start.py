@@ -40,7 +40,7 @@ def start_time(run: Run) -> float:
     """When the simulation of a run begins [s].
 
     A run that records inputs begins with its first row, or as long before as something is known of them. A run without
-    inputs is a free course from the state at time zero, which the first sample may come after.
+    inputs is a free motion from the state at time zero, which the first sample may come after.
     """
     first_time = float(run.time[0])
     if run.start.periodic:

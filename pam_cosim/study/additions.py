@@ -81,10 +81,10 @@ def _added(
     output: Path | str | None,
     values: Mapping[str, Setting],
     files: Sequence[Path],
-    beside: str = "",
+    class_text: str = "",
     origin: Path | None = None,
 ) -> str:
-    """The text of a model with effects and values, with classes that stand ``beside`` it.
+    """The text of a model with effects and values, with the text of further classes.
 
     Values that were read from a file, ``origin``, are looked at as those that are set.
     """
@@ -110,7 +110,7 @@ def _added(
             check_fitted(fitted, interface, origin)
         fitted = replace(fitted, values={**fitted.values, **_resolved(values, interface)})
         parameters = (*parameters, *fitted.values)
-    composition = compose_fitted(tree, fitted, name, parameters, files=extra, beside=beside)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra, class_text=class_text)
     if output:
         write_text(Path(output), composition.text)
     return composition.text

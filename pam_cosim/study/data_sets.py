@@ -98,7 +98,7 @@ def _read(
 
 
 def _check_there(folder: Path | str) -> None:
-    """Whatever else keeps a data set from being read is told by whoever reads it."""
+    """Other errors of the data set are reported when it is read."""
     try:
         os.lstat(folder)
     except FileNotFoundError:

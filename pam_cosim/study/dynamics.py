@@ -12,7 +12,7 @@ import numpy as np
 from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.isolated import work_on
 from pam_cosim.analysis.linear import LinearModel
-from pam_cosim.analysis.linear_course import LinearCourse
+from pam_cosim.analysis.linear_models import LinearModels
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
 from pam_cosim.analysis.sines import Sines, respond, respond_from_start
 from pam_cosim.errors import InputError
@@ -130,7 +130,7 @@ def linearise_along(
     outputs: Sequence[str] | None = None,
     files: models.Paths = (),
     timeout: float | None = None,
-) -> LinearCourse:
+) -> LinearModels:
     """The linear models at several times of one run.
 
     Args:
@@ -162,7 +162,7 @@ def linearise_along(
         points,
         _listed(outputs),
     )
-    return LinearCourse(tuple(linear_models))
+    return LinearModels(tuple(linear_models))
 
 
 def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
@@ -248,7 +248,7 @@ def frequency_response(
     progress: Callable[[int, int], None] | None = None,
     timeout: float | None = None,
 ) -> FrequencyResponse:
-    """How a model answers to sines of an input, nonlinear as it is, beside its linear model.
+    """Nonlinear response of a model to sines of an input, compared with its linear model.
 
     An FMU for co-simulation alone swings about its start values, prolonged until it settles, without a linear model.
 

@@ -212,7 +212,7 @@ def compose_fitted(
     name: str | None,
     parameters: Collection[str],
     files: Sequence[Path],
-    beside: str = "",
+    class_text: str = "",
 ) -> Composition:
     """The Modelica class of a model with effects and values; its text stands by itself.
 
@@ -222,7 +222,7 @@ def compose_fitted(
         name: of the class; None: made from the names.
         parameters: names of all parameters of the base model.
         files: the user's files.
-        beside: text of classes that it is made of, which its text then holds.
+        class_text: text of classes that it uses, which its text then holds.
 
     Raises:
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
@@ -246,8 +246,8 @@ def compose_fitted(
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
     if made.name in tree.classes or made.name in names.PREDEFINED:
         raise InputError(f"there is a class {made.name} already: choose another name")
-    if beside:
-        made = replace(made, text=f"{beside.rstrip()}\n\n{made.text}")
+    if class_text:
+        made = replace(made, text=f"{class_text.rstrip()}\n\n{made.text}")
     return replace(made, text=with_base(made, fitted.model))
 
 

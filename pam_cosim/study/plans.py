@@ -42,7 +42,7 @@ def plan(
 
     Raises:
         InputError: no other model is known; limits of something unknown or with another unit; nothing to choose.
-        SimulationFailure: no course could be simulated.
+        SimulationFailure: no run could be simulated.
     """
     if isinstance(diagnosis, Problem):
         files = (*as_paths(files), *diagnosis.files)

@@ -31,7 +31,7 @@ from pam_cosim.simulation.models import Paths, as_paths, opened
 from pam_cosim.study.fits import fit
 from pam_cosim.study.input_sources import Source
 from pam_cosim.study.problems import check_kind
-from pam_cosim.study.runs import _course
+from pam_cosim.study.runs import _input_series
 from pam_cosim.wording import did_you_mean, listed
 
 # of the parameters: the ends of a 95 % band are known to a seventh of a standard deviation
@@ -61,7 +61,7 @@ def predict(
         product: what was fitted; of a diagnosis, the model with all effects that were added. A problem is fitted first.
         inputs: over time, as for ``simulate``.
         parameters: what is set in the run, by name; what differs between the recorded runs has to be stated.
-        run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands, at its own times.
+        run: the name of a recorded run, instead of ``inputs``: its readings are shown with the bands, at its own times.
         stop_time: as for ``simulate``.
         interval: likewise.
         samples: of the parameters.
@@ -147,7 +147,7 @@ def _run(
     """A run that nobody made."""
     if data.is_static:
         raise InputError("points at rest have no run over time")
-    course, times = _course(interface, inputs, stop_time, interval)
+    input_series, times = _input_series(interface, inputs, stop_time, interval)
     values = resolve(parameters, interface)
     constants = data.runs[0].parameters
     recorded = {name: {run.parameters.get(name) for run in data.runs} for name in constants}
@@ -156,7 +156,7 @@ def _run(
     ]
     if open_ones:
         raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
-    if course is None:
+    if input_series is None:
         return further_run(data, times, {}, values, "a further run")
-    time, columns = rows_of(course, np.asarray(times))
+    time, columns = rows_of(input_series, np.asarray(times))
     return further_run(data, time, columns, values, "a further run")

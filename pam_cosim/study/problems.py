@@ -80,10 +80,10 @@ def problem(
 def as_problem(
     data: DataSet | Problem, model: str | None = None, files: Paths = (), **stated: object
 ) -> Problem:
-    """The problem itself, or that of a data set with what is stated beside it, as ``problem`` takes it.
+    """The problem itself, or that of a data set with the stated options, as ``problem`` takes it.
 
     Raises:
-        InputError: as ``problem``; a problem with more stated beside it.
+        InputError: as ``problem``; a problem together with further options.
     """
     if not isinstance(data, Problem):
         return problem(data, model, files=files, **stated)  # type: ignore[arg-type]

@@ -1,4 +1,4 @@
-"""Results as tables: the next run, comparisons beside earlier ones."""
+"""Results as tables: the next run, comparisons next to earlier ones."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Numbers that carry their unit while they are reckoned with: pint's quantities in SI base units."""
+"""Numbers that carry their unit through calculations: pint's quantities in SI base units."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def quantity(values: ArrayLike | str, unit: str = "") -> Any:
 
 
 def with_unit(value: Any) -> tuple[NDArray[np.float64], str]:
-    """Numbers and unit of what was reckoned: ``N`` and not the base units that it is made of."""
+    """Numbers and unit of a result: ``N`` and not the base units that it is made of."""
     if not hasattr(value, "magnitude"):
         return np.asarray(value, dtype=float), ""
     base = value.to_base_units()

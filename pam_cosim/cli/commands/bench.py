@@ -49,7 +49,7 @@ def bench(
             option is not None for option in (pneumatics, mechanics, muscle, measure, output)
         ):
             raise InputError(
-                "--list says what parts there are and writes no bench: leave out what is beside it"
+                "--list says what parts there are and writes no bench: leave out the other options"
             )
         return _list(study.rig_parts(files or []))
     if pneumatics is None or mechanics is None or output is None:

@@ -133,7 +133,7 @@ TimeoutOption = Annotated[
 ]
 KeepOption = Annotated[
     list[str] | None,
-    typer.Option("--keep", help="A variable to keep beside the model's outputs; may be repeated."),
+    typer.Option("--keep", help="Also record this variable; may be repeated."),
 ]
 Data = Annotated[
     Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")

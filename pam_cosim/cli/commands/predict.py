@@ -37,7 +37,7 @@ def predict(
     inputs: InputOption = None,
     settings: SetOption = None,
     run: Annotated[
-        str | None, typer.Option(help="A recorded run instead, with its readings beside the bands.")
+        str | None, typer.Option(help="A recorded run instead, with its readings in the bands.")
     ] = None,
     stop_time: Annotated[
         str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")
@@ -55,7 +55,7 @@ def predict(
     discrepancy: Annotated[
         bool,
         typer.Option(
-            help="Add to the bands of readings what the model is off by beside the noise: sd in the signal's unit, "
+            help="Add to the bands of readings the model error: sd in the signal's unit, "
             "memory in s, estimated from held-out runs, else from fitted ones."
         ),
     ] = True,

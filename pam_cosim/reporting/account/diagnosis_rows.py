@@ -99,7 +99,7 @@ def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
 
 
 def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
-    """A line of the ranking, beside the base model; ``path``: what was added."""
+    """A line of the ranking, compared with the base model; ``path``: what was added."""
     effect_parameters = [
         " ".join(filter(None, [name, "=", row["value"], row["unit"]]))
         + f" ({row['remark'] or row['interval']})"

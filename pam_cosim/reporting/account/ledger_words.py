@@ -14,7 +14,7 @@ _SHOWN = 0.005  # share that is worth a word
 
 
 def ledger_words(ledger: Ledger, added: Sequence[str]) -> dict[str, Any]:
-    """What is said of a ledger beside its picture; ``added``: the balances of the effects that were added."""
+    """Sentences about a ledger next to its picture; ``added``: the balances of the effects that were added."""
     return {
         "sentence": ledger_sentence(ledger),
         "rows": [_row(e) for e in ledger.entries],
@@ -32,13 +32,13 @@ def ledger_sentence(ledger: Ledger) -> str:
             "likelihood enough."
         )
     names = [_name(b, ledger) for b in ledger.failing]
-    course = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
+    errors = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
     rest = (
         "With what is missing there the model meets the samples to the noise"
         if ledger.closed
         else "What is missing there does not bring the model to the noise: something is missing elsewhere too"
     )
-    return f"The base model fails in {enumeration(names)}. {rest} ({course})."
+    return f"The base model fails in {enumeration(names)}. {rest} ({errors})."
 
 
 def ledger_line(ledger: Ledger) -> str:
@@ -103,7 +103,7 @@ def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
 
 
 def telling_entries(ledger: Ledger) -> list[BalanceEntry]:
-    """Entries that have a course and a part in the error; all that have a course where none has a part."""
+    """Entries with a term over time and a share of the error; all with a term if none has a share."""
     drawn = [e for e in ledger.entries if e.courses]
     return [e for e in drawn if e.balance in ledger.failing or e.share >= _SHOWN] or drawn
 

@@ -48,7 +48,7 @@ class CandidateBar:
 
 
 def where_picture(rules: Sequence[Rule]) -> Picture:
-    """Share of the error beside share of the time, rule by rule."""
+    """Share of the error and share of the time, rule by rule."""
     shown = list(rules[:_MOST_RULES])
     labels = [textwrap.fill(f"{r.signal}: {r.rule}", 46) for r in shown]
     with drawing():

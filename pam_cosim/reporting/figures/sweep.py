@@ -18,14 +18,14 @@ from pam_cosim.units import readable_factor
 
 _MAP = "cividis"  # alike for every kind of colour vision, and ordered in grey
 _LINES = 20  # values of one axis up to which each is a line of its own
-_RUNS = 60  # courses that are drawn at most, evenly chosen
+_RUNS = 60  # maximum number of runs that are drawn, evenly chosen
 _WIDE, _HIGH = 4.6, 3.4  # of a panel [in]
 
 
 def sweep_figure(sweep: Sweep) -> Figure:
     """A panel for each scalar: lines over one axis, a map or a family of lines over two, points over each of more."""
     if not sweep.scalars:
-        return _courses(sweep)
+        return _trajectories(sweep)
     names = sweep.design.names
     across = len(names) if len(names) > 2 else 1
     count = len(sweep.scalars)
@@ -128,7 +128,7 @@ def _colours(values: Array) -> ScalarMappable:
     return ScalarMappable(Normalize(float(values.min()), float(values.max())), _MAP)
 
 
-def _courses(sweep: Sweep) -> Figure:
+def _trajectories(sweep: Sweep) -> Figure:
     """The kept variables over time, coloured by what is varied first."""
     good = [i for i in range(len(sweep)) if not sweep.table.failure(i)]
     figure = new_figure(8.0, 0.7 + 1.9 * max(1, len(sweep.outputs)))

@@ -13,7 +13,7 @@ from pam_cosim.wording import Printed
 
 
 @dataclass(frozen=True)
-class LinearCourse(Printed, Plain):
+class LinearModels(Printed, Plain):
     """Linear models along a run, in the order of its times.
 
     Attributes:

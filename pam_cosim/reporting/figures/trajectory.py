@@ -12,7 +12,7 @@ from pam_cosim.units import readable_factor
 _WIDE = 6  # outputs up to which one column holds them
 
 
-def course(trajectory: Trajectory) -> Figure:
+def trajectory_figure(trajectory: Trajectory) -> Figure:
     """Every signal of ``trajectory`` over time, in readable units."""
     names = list(trajectory.values)
     columns = 1 if len(names) <= _WIDE else 2
