@@ -6,7 +6,7 @@ partial model Chamber "A rigid space behind an opening that takes the heat of it
     "Conductance of the opening at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.02
-    "Conductance from its gas to what stays at ambient temperature"
+    "Thermal conductance from the gas to ambient"
     annotation (Dialog(group="Effect"));
   Types.AbsolutePressure p_s(start=ambient.p) "Pressure in it";
   Types.Temperature T_s(start=ambient.T) "Temperature in it";

@@ -4,7 +4,8 @@ model ThermocoupleStem "The temperature reading lags and is drawn to the tempera
   extends FamilyMember(final absent="tau=1e-3, stem=0");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant without the stem"
     annotation (Dialog(group="Effect"));
-  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1 "Conductance to the stem by that to the gas"
+  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1
+    "Ratio of the conductance to the stem to that to the gas"
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau_stem(min=0.01, max=1e3, nominal=1) = 5 "Time constant of the stem"
     annotation (Dialog(group="Effect"));
