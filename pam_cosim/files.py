@@ -301,7 +301,7 @@ def read_json(path: Path) -> Any:
     try:
         return json.loads(read_file(path, MOST_TEXT).decode(), object_pairs_hook=_once)
     except _Twice as twice:
-        raise InputError(f"the key {shown(twice)} stands twice in one object", path) from None
+        raise InputError(f"the key {shown(twice)} appears twice in one object", path) from None
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
     except UnicodeDecodeError as problem:

@@ -82,5 +82,5 @@ def flow(
             return np.asarray(solution.y, dtype=float)
         message = str(solution.message)
     raise RunFailure(
-        f"no solver gets from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time
+        f"the integration failed from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time
     )

@@ -190,7 +190,7 @@ class LinearModel(Printed, Exported):
         fast_block = self.A[np.ix_(fast, fast)]
         if np.linalg.matrix_rank(fast_block) < len(fast):
             raise InputError(
-                f"{', '.join(self.states[i] for i in fast)}: cannot follow at once; keep one more state"
+                f"{', '.join(self.states[i] for i in fast)}: cannot be quasi-static; keep one more state"
             )
         on_x, on_u = (
             np.linalg.solve(fast_block, self.A[np.ix_(fast, slow)]),
@@ -217,7 +217,7 @@ class LinearModel(Printed, Exported):
             InputError: without states; SciPy's is of one at least.
         """
         if not self.states:
-            raise InputError(f"{self.model} has no states; its matrix D is all there is")
+            raise InputError(f"{self.model} has no states and only a matrix D")
         from scipy.signal import StateSpace  # a fifth of a second, which few need
 
         return StateSpace(self.A, self.B, self.C, self.D)

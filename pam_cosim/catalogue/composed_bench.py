@@ -158,7 +158,7 @@ class _Composer:
             wanted = self._wanted(_asked(measure), measurable)
         if not wanted:
             raise InputError(
-                f"the rig measures nothing; name signals to measure: {', '.join(measurable)}"
+                f"no signal is measured; name signals to measure: {', '.join(measurable)}"
             )
         return [(signal, *measurable[signal]) for signal in wanted]
 
@@ -289,7 +289,7 @@ class _Composer:
                 return frame
         missing = ", ".join(sorted(name for name, _ in needed))
         raise ModelError(
-            f"no class that extends {base} declares what these parts look for around them: {missing}"
+            f"no class that extends {base} declares the outer components of these parts: {missing}"
         )
 
     # ---- components and connections --------------------------------------------------------------------------------
@@ -328,7 +328,7 @@ class _Composer:
         ends = [c for c in connectors(self.tree, muscle.part.qualified_name) if c.type == end.type]
         if not ends:
             raise InputError(
-                f"{muscle.part.name} and {side.part.name} do not fit together: nothing takes '{end.name}'"
+                f"{muscle.part.name} and {side.part.name} do not fit together: no connector accepts '{end.name}'"
             )
         last = muscle_end = (muscle, ends[0])
         for instrument in instruments:

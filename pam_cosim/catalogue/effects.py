@@ -152,7 +152,7 @@ def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:
             values[name.strip()] = float(value)
         except ValueError:
             raise ModelError(
-                f"absent wants parameters with numbers, such as k=0, not {part!r}", file, line
+                f"absent needs parameters with numbers, such as k=0, not {part!r}", file, line
             ) from None
     return values
 

@@ -60,7 +60,7 @@ def parse_named(words: Sequence[str]) -> dict[str, str]:
         if not name or (equals and not text):
             raise InputError(f"'{word}': write a scalar, such as max(p), or NAME=SCALAR")
         if name in named:
-            raise InputError(f"'{name}' is asked for twice")
+            raise InputError(f"'{name}' is given twice")
         named[name] = text if equals else name
     return named
 

@@ -69,11 +69,9 @@ def keep_ledger(
     """
     name = data.model_for(model)
     if any(run.is_static for run in data.runs):
-        raise InputError("a ledger is kept over time, and points at rest have none", data.folder)
+        raise InputError("a ledger needs recordings over time, not points at rest", data.folder)
     if is_fmu(name):
-        raise InputError(
-            "a ledger can be kept of a Modelica model only: an FMU has no balances to open", name
-        )
+        raise InputError("a ledger needs a Modelica model: an FMU has no accessible balances", name)
     sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)

@@ -64,7 +64,7 @@ class Explainer:
         interface = models[0].ode.interface
         if not models[0].ode.states:
             raise InputError(
-                f"{data.model} has no states: there is no balance to keep a ledger of", data.model
+                f"{data.model} has no states: it has no balances for a ledger", data.model
             )
         self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
         self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)

@@ -200,7 +200,7 @@ def _without_undefined(
         raise table.error(message, name, int(np.flatnonzero(undefined)[0]))
     column = replace(column, values=np.where(undefined, np.nan, column.values))
     if np.isnan(column.values).all():
-        raise _error(name, entry, "the formula gives a finite number in no row", "formula")
+        raise _error(name, entry, "the formula has no finite value in any row", "formula")
     rows = f"{int(undefined.sum())} of {len(undefined)} rows"
     return column, [f"the formula of {name} is no finite number in {rows}, which count as missing"]
 

@@ -82,7 +82,7 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
     if is_complete.all():
         return table
     if not is_complete.any():
-        raise InputError(f"no row has all that is needed: {listed(needed)}", table.file)
+        raise InputError(f"no row has values in all required columns: {listed(needed)}", table.file)
     count, words = int((~is_complete).sum()), listed(map(shown, table.missing))
     note = f"{LEFT_OUT} {count} of {len(is_complete)} rows, in which a value that is needed is missing ({words})"
     return replace(table.rows(is_complete), notes=(*table.notes, note))

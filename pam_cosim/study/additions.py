@@ -55,7 +55,7 @@ def add(
 
     Raises:
         InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks;
-            nothing was learned.
+            the diagnosis has no learned term.
     """
     if not learned:
         origin = what if isinstance(what, Path) else None
@@ -63,7 +63,7 @@ def add(
     diagnosis = load(what) if isinstance(what, Path) else what
     if not isinstance(diagnosis, Diagnosis) or diagnosis.learned is None:
         raise InputError(
-            "nothing was learned: a term is learned where a diagnosis says unknown, and --save keeps it"
+            "this diagnosis has no learned term: only a saved diagnosis with the verdict unknown has one"
         )
     term, model = diagnosis.learned.term, diagnosis.learned.model
     fitted = FittedModel(diagnosis.model, model.effects, model.fit.values, diagnosis.data.constants)

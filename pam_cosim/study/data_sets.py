@@ -81,7 +81,8 @@ def _read(
     if folder.suffix.lower() == ".npz":
         if overrides != Overrides():
             raise InputError(
-                "what was judged keeps its ends and starts; cut the data set that it is of", folder
+                "a saved product keeps its cuts and initial states; cut its data set instead",
+                folder,
             )
         data = judged_data(folder)
         data = replace(data, model=model or data.model)

@@ -105,7 +105,7 @@ def linearise(
             _listed(outputs),
         )
     if free:
-        raise InputError("inputs are free at a rest only")
+        raise InputError("free inputs need a steady state")
     if isinstance(at, tuple):
         points = [_of_trajectory(at[0], float(at[1]), exchange_model)]
     else:
@@ -276,7 +276,7 @@ def frequency_response(
     if not chosen.size or not np.all(np.isfinite(chosen) & (chosen > 0)):
         raise InputError("frequencies must be above zero")
     if most_periods < 2:
-        raise InputError("two periods at least are compared")
+        raise InputError("at least two periods are needed")
     path = models.build(model, files=files)
     face = read_interface(path)
     exchanging = has_exchange(path)
@@ -303,6 +303,6 @@ def frequency_response(
             path, trusted, timeout, respond, settings, conditions, list(free), sines, callback
         )
     if conditions:
-        raise InputError("a rest can be looked for in an FMU with model exchange only", path)
+        raise InputError("a steady state needs an FMU for model exchange", path)
     with models.opened(model, files, timeout=timeout) as simulator:
         return respond_from_start(simulator, settings, sines, progress)

@@ -119,7 +119,7 @@ def _recorded(
         time, columns = rows.time, {**rows.inputs, **rows.measurements}
     if not noise:
         raise InputError(
-            "nothing is measured: give the noise of each signal that is, such as p: 0.5 kPa"
+            "no signal is measured: state the noise of each measured signal, such as p: 0.5 kPa"
         )
     inputs = {name: np.asarray(v) for name, v in columns.items() if name in face.inputs}
     readings = {name: np.asarray(v) for name, v in columns.items() if name not in inputs}

@@ -86,7 +86,7 @@ def predict(
         else (product, product.comparison.data)
     )
     if not fitted.parameters:
-        raise InputError("nothing was fitted: no parameter leaves anything open")
+        raise InputError("no parameter was fitted, so there are no bands")
     with _simulator(product, data, files) as simulator:
         free = _free(fitted, data, simulator.interface)
         posterior = _posterior(simulator, data, fitted, free, samples, seed)
@@ -155,7 +155,9 @@ def _run(
         name for name, distinct in recorded.items() if len(distinct) > 1 and name not in values
     ]
     if open_ones:
-        raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
+        raise InputError(
+            f"state {listed(open_ones)} of the run: the recorded runs have different values"
+        )
     if input_series is None:
         return further_run(data, times, {}, values, "a further run")
     time, columns = rows_of(input_series, np.asarray(times))

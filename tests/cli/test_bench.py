@@ -129,8 +129,8 @@ def test_an_instrument_of_ones_own_reads_its_signal(place: Path) -> None:
     [
         (("--mechanics", "spring", "-o", "R.mo"), "a bench needs --pneumatics"),
         (("--pneumatics", "regulator", "--mechanics", "spring"), "a bench needs -o FILE.mo"),
-        (("--list", "-o", "R.mo"), "--list says what parts there are and writes no bench"),
-        (("--list", "--static"), "--list says what parts there are and writes no bench"),
+        (("--list", "-o", "R.mo"), "--list prints the parts and writes no bench"),
+        (("--list", "--static"), "--list prints the parts and writes no bench"),
         (("--pneumatics", "regulator", "--mechanics", "spring", "-o", "R.txt"), "ends in .mo"),
         (
             ("--pneumatics", "regulater", "--mechanics", "spring", "-o", "R.mo"),

@@ -120,7 +120,7 @@ def test_random_runs_with_scalars_as_netcdf_and_picture(
         (["--design", "gird"], ["no design 'gird'"]),
         (["--runs", "3"], ["leave out the number of runs"]),
         (["--scalar", "max(q)"], ["no variable 'q'"]),
-        (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is asked for twice"]),
+        (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is given twice"]),
         (["--no-trajectories"], ["needs a scalar"]),
         (["--keep", "valve.inlet.mflow"], ["no variable 'valve.inlet.mflow'", "did you mean"]),
         (["--output", "valve.inlet.mflow"], ["--output is given 2 times; it takes one value"]),

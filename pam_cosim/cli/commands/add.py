@@ -54,9 +54,7 @@ def add(
     if bool(effects) == bool(origin):
         raise InputError("name effects, or a result with --from FILE; one of the two")
     if learned and (origin is None or origin.suffix != ".npz"):
-        raise InputError(
-            "--learned is of a diagnosis that 'diagnose --save' kept: name it with --from FILE.npz"
-        )
+        raise InputError("--learned needs a saved diagnosis: name it with --from FILE.npz")
     if origin is None and to is None:
         raise InputError("name the model that the effects are added to: --to MODEL")
     check_model_file(output)

@@ -49,15 +49,13 @@ def bench(
             option is not None for option in (pneumatics, mechanics, muscle, measure, output)
         ):
             raise InputError(
-                "--list says what parts there are and writes no bench: leave out the other options"
+                "--list prints the parts and writes no bench: leave out the other options"
             )
         return _list(study.rig_parts(files or []))
     if pneumatics is None or mechanics is None or output is None:
         needed = {"--pneumatics": pneumatics, "--mechanics": mechanics, "-o FILE.mo": output}
         missing = " and ".join(name for name, value in needed.items() if value is None)
-        raise InputError(
-            f"a bench needs {missing}; 'pam-cosim bench --list' says what parts there are"
-        )
+        raise InputError(f"a bench needs {missing}; 'pam-cosim bench --list' lists the parts")
     check_model_file(output)
     check_results(output, sources=files or [])
     typer.echo(

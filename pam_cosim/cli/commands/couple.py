@@ -91,7 +91,7 @@ def couple(
 ) -> None:
     """Several FMUs, coupled."""
     if ssp_version is not None and ssp is None:
-        raise InputError("--ssp-version is of the archive that --ssp FILE writes; name one")
+        raise InputError("--ssp-version needs --ssp FILE")
     files, controllers = files or [], controllers or []
     check_results(
         ssp,

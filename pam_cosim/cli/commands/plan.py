@@ -121,7 +121,7 @@ def _diagnosis(
         loaded = study.load(source)
         if not isinstance(loaded, Diagnosis):
             raise InputError(
-                f"a {type(loaded).__name__} leaves no rivals: name what 'diagnose --save' wrote",
+                f"a {type(loaded).__name__} has no competing models: name a file of 'diagnose --save'",
                 source,
             )
         return loaded

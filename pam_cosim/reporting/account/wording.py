@@ -69,7 +69,9 @@ def estimate_texts(estimate: Estimate) -> tuple[str, str]:
     if not estimate.determined or not math.isfinite(high - low):
         return number(value), NOTHING
     digits = _digits(value, (high - low) / 2)
-    return number(value, digits), f"{_bound_text(low, value, digits)} to {_bound_text(high, value, digits)}"
+    return number(
+        value, digits
+    ), f"{_bound_text(low, value, digits)} to {_bound_text(high, value, digits)}"
 
 
 def _digits(value: float, reach: float) -> int:
