@@ -40,9 +40,11 @@ class Store:
         self.path, self._study = path, study
         if path is not None:
             check_writable(path)
-        self._db = sqlite3.connect(
-            path or "", timeout=0, isolation_level=None, check_same_thread=False
-        )
+        is_new = path is not None and not path.exists()
+        with self._readable():
+            self._db = sqlite3.connect(
+                path or "", timeout=0, isolation_level=None, check_same_thread=False
+            )
         weakref.finalize(self, self._db.close)
         self._db.create_function("digest", 2, _digest, deterministic=True)
         try:
@@ -50,6 +52,8 @@ class Store:
                 self._begin({n: json.dumps(v) for n, v in {"study": study, **identity}.items()})
         except BaseException:
             self._db.close()
+            if path is not None and is_new:
+                path.unlink(missing_ok=True)
             raise
 
     def _begin(self, head: dict[str, str]) -> None:

@@ -59,7 +59,7 @@ def test_a_sweep_that_is_stopped_goes_on(
     if number == signal.SIGINT:
         assert running.returncode == 130
         assert said.splitlines()[-1].endswith("kept in s.csv.partial: the same command goes on")
-    assert _kept(place) >= 100_000 and not (place / "s.csv").exists()
+    assert _kept(place) and not (place / "s.csv").exists()
     again = _started(place)
     out, said = again.communicate(timeout=300)
     assert again.returncode == 0, said
