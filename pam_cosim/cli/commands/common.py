@@ -225,7 +225,8 @@ def read_data(
         cuts=parse_cuts(cuts or []),
         starts=parse_pairs(begins),
     )
-    check_spared(results, [data, read.model, *read.files])
+    saved = data.glob("workbench*") if data.is_dir() else ()  # a study, by the workbench
+    check_spared(results, [data, read.model, *read.files, *saved])
     return read
 
 
