@@ -76,6 +76,7 @@ NAMES = (
     "x" * 300,
     "a/" * 600 + "b",
     "a\x1bb",
+    "resources\\x",
 )
 
 
