@@ -114,6 +114,8 @@ class ResidualCriteria:
     """noise variances | excess as drifts have it: a wander of half a standard deviation has a quarter | blind score"""
     loud: float = 1.5
     """noise variances | mean square above which a verdict mentions more noise than stated"""
+    far_above: float = 9.0
+    """noise variances | mean square above which white residuals are no noise: few levels are three times off"""
     lags: int = 8
     """samples | distances over which the colour of the noise is distinguished from a slow time series"""
     reddest: float = 0.95
@@ -177,6 +179,8 @@ class EvidenceCriteria:
     nothing was added; where nothing checks an effect, with several effects, with a general one | blind score"""
     refuted: float = 2.0
     """times | ratio of the errors on signals that were not fitted, above which a rival is refuted"""
+    detection_limit: float = 0.3
+    """of what a signal moves | smallest rms error that is found, above which data show nothing that matters"""
 
 
 @dataclass(frozen=True)

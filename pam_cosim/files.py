@@ -131,10 +131,12 @@ def check_model_file(path: Path) -> None:
     """A model is written as Modelica, in a file whose name is that of the class.
 
     Raises:
-        InputError: the name ends otherwise.
+        InputError: the name ends otherwise, or is that of a package.
     """
     if path.suffix != ".mo":
         raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
+    if path.name == PACKAGE:
+        raise InputError(f"{PACKAGE} makes its folder a package: name a file after the model", path)
 
 
 def _processes() -> int | None:

@@ -41,7 +41,7 @@ DECIDE_NOTHING = {
     ),
     "comparison/plausibility": (
         "advice to look at the data first; physical constants",
-        "_LARGE_ERROR _NOISE_LIMIT _REMAINING_ERROR _SAME_FACTOR BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
+        "_LARGE_ERROR _NOISE_LIMIT _QUIET _REMAINING_ERROR _SAME_FACTOR BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
         "_MOST_SAMPLES _ZEROS _LEAST FEWEST_SAMPLES ATMOSPHERES STANDARD_ATMOSPHERE",
     ),
     "comparison/rounding": ("accuracy of a table", "_FINE _CENTRE _TAIL _NODES"),

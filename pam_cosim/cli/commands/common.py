@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from pam_cosim.problems import Problem
 
 PARAMETERS = (".json", ".ssv")  # endings of results
-PROGRESS = (".progress", ".json")
+PROGRESS = (".progress",)
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
@@ -225,7 +225,8 @@ def read_data(
         cuts=parse_cuts(cuts or []),
         starts=parse_pairs(begins),
     )
-    check_spared(results, [data, read.model, *read.files])
+    saved = data.glob("workbench*") if data.is_dir() else ()  # a study, by the workbench
+    check_spared(results, [data, read.model, *read.files, *saved])
     return read
 
 
