@@ -65,6 +65,7 @@ DECIDE_NOTHING = {
         "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION _SPEEDS _GROWTHS _WAVES",
     ),
     "diagnosis/description/learning_text": ("bounds of a learned coefficient", "_REACH"),
+    "diagnosis/judgement/family_table": ("rows of a table", "_LISTED _SURE _EXCLUSIVE"),
     "diagnosis/judgement/fitted_models": ("proposes a run", "MOST_RIVALS"),
     "diagnosis/judgement/missing_term": ("length of a list", "_MOST_RULES"),
     "diagnosis/judgement/next_experiment": ("proposes a run", "FACTORS _PACES _MOST_JOINED"),
@@ -73,6 +74,10 @@ DECIDE_NOTHING = {
         "_MOST_LISTED _SMALL_SHARE",
     ),
     "diagnosis/search/expectation": ("rank of a matrix", "_NOTHING_NEW _WEAK"),
+    "diagnosis/search/full_model": (
+        "how far a continuation goes in a step",
+        "_TURNS _SETTLED _EVALUATIONS _PRECISION _TOLERANCE _BEGIN _WIDE",
+    ),
     "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
     "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
     "diagnosis/search/step_times": (

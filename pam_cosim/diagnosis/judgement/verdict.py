@@ -20,6 +20,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     leaves_structure,
     missed_signals,
 )
+from pam_cosim.diagnosis.judgement.family_table import FamilyTable, family_table
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
@@ -93,9 +94,10 @@ class Verdict(Printed, Plain):
         check: whether held-out runs check the answer; all_runs_searched: all were fitted, for the held-out ones
             contradicted the model that was found without them.
         folds: where the residual has structure: which effects are needed whichever runs are left out.
+        table: the families that may be missing, each whatever else is.
     """
 
-    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior"
+    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior table"
 
     kind: Kind
     families: tuple[str, ...] = ()
@@ -117,6 +119,7 @@ class Verdict(Printed, Plain):
     at_bound: tuple[str, ...] = ()
     check: Check = "held_out"
     folds: Folds | None = None
+    table: FamilyTable = FamilyTable()
 
     @property
     def leaves_structure(self) -> bool:
@@ -232,7 +235,7 @@ def _with_probability(verdict: Verdict, models: FittedModels) -> Verdict:
     named = sum(one.probability for one in known.explanations if verdict.names(one.families))
     if verdict.kind == "unknown" and not verdict.families:
         named = known.something_else
-    return replace(verdict, posterior=known, probability=named)
+    return replace(verdict, posterior=known, probability=named, table=family_table(models, known))
 
 
 def _unusual(models: FittedModels, others: Iterable[Candidate]) -> tuple[UnusualParameter, ...]:

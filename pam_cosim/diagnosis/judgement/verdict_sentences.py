@@ -14,6 +14,7 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import enumeration, listed, words
 
 if TYPE_CHECKING:
+    from pam_cosim.diagnosis.judgement.family_table import FamilyRow
     from pam_cosim.diagnosis.judgement.verdict import SignalError, UnusualParameter, Verdict
 
 _MOST_LISTED = 3  # sets of families
@@ -84,14 +85,42 @@ def summary(verdict: Verdict) -> str:
 
 
 def verdict_lines(verdict: Verdict) -> list[str]:
-    """The summary, the reason, models that nobody expects, and what else may be missing."""
+    """The summary, the families, the reason, models that nobody expects, and what else may be missing."""
     other = otherwise(verdict)
     return [
         summary(verdict),
+        *table_lines(verdict),
         verdict.reason,
         *verdict.implausible,
         *[f"Otherwise: {other}"] * bool(other),
     ]
+
+
+def table_lines(verdict: Verdict) -> list[str]:
+    """A line for each family that may be missing: its probability, and what it is worth."""
+    table = verdict.table
+    cells = [
+        (" or ".join(row.families), _percent(row.probability), _worth(verdict, row))
+        for row in table.rows
+    ]
+    if cells and table.unexplained >= _SMALL_SHARE:
+        cells.append(("unexplained", "", f"{_percent(table.unexplained)} of the error"))
+    width = max((len(name) for name, _, _ in cells), default=0)
+    lines = [f"{what.ljust(width)}  {share:>5}  {worth}".rstrip() for what, share, worth in cells]
+    small = [f"{row.effects[0]} ({_worth(verdict, row)})" for row in table.small]
+    return [*lines, *[f"measurable, but small: {listed(small)}"] * bool(small)]
+
+
+def _worth(verdict: Verdict, row: FamilyRow) -> str:
+    """What families are worth in the units of the signals, and of the error; "" where they are not in the answer."""
+    if not row.effects:
+        return ""
+    parts = [
+        f"{format_quantity(rms, verdict.units[name])} of {name}"
+        for name, rms in row.rms.items()
+        if rms > 0 and name in verdict.units
+    ]
+    return ", ".join([*parts, f"{100 * row.share:.2g} % of the error"])
 
 
 def _percent(share: float) -> str:

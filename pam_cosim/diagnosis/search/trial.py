@@ -130,7 +130,7 @@ def crashed(trial: Trial) -> FailedTrial:
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
-    return _attempted(trial, _fitted, brief=trial.brief)
+    return attempted(trial, _fitted, brief=trial.brief)
 
 
 def run_trial_without_samples(trial: Trial) -> Attempt:
@@ -145,15 +145,15 @@ def run_trial_without_samples(trial: Trial) -> Attempt:
 
 def run_probe(trial: Trial) -> EffectProbe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
-    return _attempted(trial, _probe, brief=True)
+    return attempted(trial, _probe, brief=True)
 
 
 def run_stated(trial: Trial) -> StatedEffect | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, its effect as strong as it is stated."""
-    return _attempted(trial, _stated_effect, brief=True)
+    return attempted(trial, _stated_effect, brief=True)
 
 
-def _attempted(
+def attempted(
     trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool
 ) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
