@@ -10,7 +10,7 @@ their family, left out and added, until none of it pays.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -278,19 +278,16 @@ class _Models:
         Other members are tried in the place of each effect before any is left out: what a wrong member leaves is taken
         up by others.
         """
-        most, seen = CRITERIA.search.most_effects, set[tuple[str, ...]]()
-        while (c := self.fitted.get(effects)) is not None and effects not in seen:
-            seen.add(effects)
-            if self._is_effort_spent([]):
-                return
-            better = self._best_of([effects, *self._exchange_members(c)])
-            assert better is not None
-            if better.effects != effects:
-                effects = better.effects
-                continue
-            few = max(most, len(effects) - CRITERIA.search.together)
-            effects = self.search.needed(better, few)
-            self._try([FitRequest(effects, better.fit.values)])
+        first = self.fitted.get(effects)
+        if first is None or self._is_effort_spent([]):
+            return
+        leading = self.search.needed(first, CRITERIA.search.together)
+        best = self._best_of([effects, *self._exchange_members(first, leading)])
+        while best is not None and len(best.effects) > CRITERIA.search.most_effects:
+            some = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
+            fewer = self.search.needed(best, some)
+            self._try([FitRequest(fewer, best.fit.values)])
+            best = self.fitted.get(fewer)
 
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
@@ -319,23 +316,31 @@ class _Models:
         """The model to go on from: the answer, or what leaves least while nothing beats the base model."""
         return self.ranking.answer() or self.ranking.leader()
 
-    def _exchange_members(self, best: Candidate) -> list[tuple[str, ...]]:
+    def _exchange_members(
+        self, best: Candidate, leading: Collection[str] | None = None
+    ) -> list[tuple[str, ...]]:
         """Tries other members of its family in the place of each effect, and the best of all of them together.
 
-        Where the model leaves noise, only members with fewer parameters.
+        Where the model leaves noise, only members with fewer parameters; beside many effects, only plain ones.
+
+        Args:
+            best: the model.
+            leading: the effects that are exchanged; None: all.
 
         Returns:
             the sets of effects.
         """
-        structured = self.ranking.has_structure(best)
+        cost, structured = self.search.cost, self.ranking.has_structure(best)
+        plain = CRITERIA.search.combined_parameters if len(best.effects) > 2 else max(cost.values())
         forms = {
             name: [
                 effects
                 for e, effects in self._other_forms(best.effects, name).items()
                 if e not in self.search.general
-                and (structured or self.search.cost[e] < self.search.cost[name])
+                and cost[e] <= plain
+                and (structured or cost[e] < cost[name])
             ]
-            for name in best.effects
+            for name in (best.effects if leading is None else leading)
         }
         every = [effects for sets in forms.values() for effects in sets]
         self._try([FitRequest(effects, best.fit.values) for effects in every])
