@@ -19,7 +19,6 @@ from pam_cosim.catalogue import (
 )
 from pam_cosim.compiler import ClassTree, read_library, read_structure
 from pam_cosim.compiler.names import last
-from pam_cosim.errors import InputError
 from pam_cosim.files import identity
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.study.fitted_model import FittedModel, compose_fitted
@@ -71,10 +70,7 @@ class Catalogue:
         Raises:
             InputError: an effect that there is not, or that finds no place in the model.
         """
-        composition = compose(self.tree(model), model, effects, name, files=self.sources(model))
-        if composition is None:
-            raise InputError(f"{model} has no place for {', '.join(effects)} together")
-        return composition
+        return compose(self.tree(model), model, effects, name, files=self.sources(model))
 
     def written(self, fitted: FittedModel, name: str, parameters: Collection[str]) -> str:
         """The Modelica text of a model with effects and values; see ``compose_fitted``."""
