@@ -14,6 +14,7 @@ from pam_cosim.errors import ModelError
 from pam_cosim.wording import Printed
 
 _TYPICAL = "typical"
+_AT_BOUNDS = ("at_min", "at_max")
 _LIMITS = ("above", "below")
 UNKNOWN = "unknown"  # the family of unknown inputs, which are no hypotheses
 
@@ -92,13 +93,7 @@ def _of_library(tree: ClassTree, library: str) -> list[EffectClass]:
             raise ModelError(f"there are two effects named {effect.name}", effect.file)
         declared[effect.name] = effect
     for effect in declared.values():
-        for parameter, left in effect.simpler.items():
-            stray = next((one for one in left if one and one not in declared), None)
-            if stray:
-                raise ModelError(
-                    f"there is no effect {stray}, to be left of {effect.name} at a bound of {parameter}",
-                    effect.file,
-                )
+        _check_simpler(tree, effect, declared.keys())
     return sorted(declared.values(), key=lambda e: (e.family, e.name))
 
 
@@ -147,7 +142,7 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         typical={c.name: _typical(c, info.file) for c in own if _TYPICAL in c.own_annotation},
         simpler={name: left for name, left in simpler.items() if left != (None, None)},
         limits={
-            c.name: (side, _text_entry(c, side, info.file))
+            c.name: (side, _text_entry(c, side, "a signal", info.file))
             for c in own
             for side in _LIMITS
             if side in c.own_annotation
@@ -161,12 +156,14 @@ def _simpler(
     """What is left at the ends of a parameter: as annotated, or nothing where the effect is absent by it alone."""
     alone = {str(value) for value in absent.values() if absent.keys() == {parameter.name}}
 
-    def left(bound: str) -> str | None:
-        if f"at_{bound}" in parameter.own_annotation:
-            return _text_entry(parameter, f"at_{bound}", file)
-        return "" if _as_number(parameter.modifications[bound]) in alone else None
+    def left(at_bound: str) -> str | None:
+        if at_bound in parameter.own_annotation:
+            return _text_entry(parameter, at_bound, "an effect", file)
+        bound = parameter.modifications[at_bound.removeprefix("at_")]
+        return "" if _as_number(bound) in alone else None
 
-    return left("min"), left("max")
+    at_min, at_max = map(left, _AT_BOUNDS)
+    return at_min, at_max
 
 
 def _as_number(text: str) -> str:
@@ -177,14 +174,23 @@ def _as_number(text: str) -> str:
         return text
 
 
-def _text_entry(parameter: ComponentInfo, entry: str, file: Path | str) -> str:
+def _text_entry(parameter: ComponentInfo, entry: str, kind: str, file: Path | str) -> str:
     """A text in the annotation of a parameter such as ``__PamCosim(at_max="LinearBladder")``."""
     text = parameter.own_annotation[entry]
     if not isinstance(text, str):
         raise ModelError(
-            f"{entry} of {parameter.name} wants a text in quotes", file, parameter.line
+            f"{entry} of {parameter.name} wants the name of {kind} in quotes", file, parameter.line
         )
     return text
+
+
+def _check_simpler(tree: ClassTree, effect: EffectClass, known: Collection[str]) -> None:
+    """Raises ModelError where a parameter names a simpler effect that the library has not."""
+    for parameter in tree.components(effect.qualified_name):
+        for bound, left in zip(_AT_BOUNDS, effect.simpler.get(parameter.name, ()), strict=False):
+            if left and left not in known:
+                says = f"{bound} of {parameter.name} names {left}, which is no effect of {effect.library}"
+                raise ModelError(says, effect.file, parameter.line)
 
 
 def _typical(parameter: ComponentInfo, file: Path | str) -> tuple[float, float]:
