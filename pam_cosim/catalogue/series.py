@@ -91,8 +91,8 @@ def _quantities(tree: ClassTree, signal: ComponentInfo) -> set[str]:
     return {signal.type, *(tree.bases(signal.type) if signal.type in tree.classes else ())}
 
 
-def _declaration(tree: ClassTree, law: str, parameter: ComponentInfo) -> str:
-    """A parameter as a law has it, with what the law's ``extends`` clauses modify in it."""
+def modified(tree: ClassTree, law: str, parameter: ComponentInfo) -> dict[str, str]:
+    """The modifications of a parameter, with those of the law's ``extends`` clauses; ``value`` is the binding."""
     modifications = {**parameter.modifications, "value": parameter.value}
     for heir in reversed([law, *tree.bases(law)]):
         for clause in tree.classes[heir].extends:
@@ -100,6 +100,11 @@ def _declaration(tree: ClassTree, law: str, parameter: ComponentInfo) -> str:
                 first, *rest = names.parts(path)
                 if first == parameter.name:
                     modifications[".".join(rest) or "value"] = text
+    return modifications
+
+
+def _declaration(tree: ClassTree, law: str, parameter: ComponentInfo) -> str:
+    modifications = modified(tree, law, parameter)
     value = modifications.pop("value", "")
     attributes = ", ".join(f"{key}={text}" for key, text in modifications.items())
     sizes = f"[{', '.join(parameter.dimensions)}]" if parameter.dimensions else ""

@@ -38,7 +38,7 @@ a fitting. A hose of another bore is <a
 href=\"modelica://PneumaticMuscle.Effects.SupplyLine.LongLine\">LongLine</a>, whose resistance is a parameter of its
 own.</p>
 <p>Fingerprint: filling and venting are slower, most while the muscle is long and its own volume small, as behind
-<a href=\"modelica://PneumaticMuscle.Effects.DeadVolume\">DeadVolume</a>; the pressure in the muscle goes on rising for a
-moment after the inlet valve has shut.</p>
+<a href=\"modelica://PneumaticMuscle.Effects.DeadVolume\">DeadVolume</a>; the pressure in the muscle goes on rising
+for a moment after the inlet valve has shut.</p>
 </html>"));
 end HoseLine;

@@ -27,7 +27,7 @@ is that of <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6358
 choke. The quotient is finite at r = 1. Source: ISO 6358 states b for each component; several restrictions in series,
 such as port, seat and silencer, choke at a lower ratio than a nozzle. Typical 0.2 to 0.5; at b = 0.5283, the critical
 ratio of air, the law is within 0.12 % of the isentropic one.</p>
-<p>Fingerprint: the beginning of filling is right and its end too slow; venting is right at high pressure and too slow at
-low pressure, from b on.</p>
+<p>Fingerprint: the beginning of filling is right and its end too slow; venting is right at high pressure and too slow
+at low pressure, from b on.</p>
 </html>"));
 end CriticalRatioArea;
