@@ -151,7 +151,7 @@ def try_learned(
         files: the user's Modelica files.
 
     Raises:
-        InputError: the term finds no place in the model.
+        InputError: the term finds no place in the model (NoPlace).
     """
     file = folder / f"{term.name}.mo"
     write_text(file, term.modelica_source)
@@ -159,8 +159,6 @@ def try_learned(
     tree = read_library(files=sources)
     base = data.model_for(model)
     composition = compose(tree, base, [*effects, term.name], files=sources)
-    if composition is None:
-        raise InputError(f"{base} has no place for {term.name}", file)
     effect = next(e for e in effect_classes(tree) if e.file == file)
     names = (*effects, term.name)
     return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))

@@ -21,7 +21,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import (
     Composition,
     EffectClass,
-    compose,
+    compose_on,
     effect_classes,
     origins,
     unknown_terms,
@@ -141,7 +141,7 @@ def _variables_beside(
     search: Search, effects: Sequence[str], term: EffectClass, values: Mapping[str, float]
 ) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
     """The variables beside a term over all fitted samples, their units, and the parameter that is the term."""
-    composition = compose(search.tree, search.model, [*effects, term.name], files=search.files)
+    composition = compose_on(search.tree, search.structure, [*effects, term.name])
     if composition is None:
         return None
     parameter = composition.parameters[term.name][0]
@@ -246,7 +246,7 @@ def _linearised_with_terms(
         write_text(file, modelica_text(search.tree, _SCRATCH, entry, terms, 0.0))
         sources = (*search.files, file)
         tree = read_library(files=sources)
-        composition = compose(tree, search.model, [*effects, _SCRATCH], files=sources)
+        composition = compose_on(tree, search.structure, [*effects, _SCRATCH])
         if composition is None or not any(e.name == _SCRATCH for e in effect_classes(tree)):
             raise InputError(f"the model has no place for a term of {entry.balance}")
         own = [name for names in composition.parameters.values() for name in names]
