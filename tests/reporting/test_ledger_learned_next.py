@@ -59,7 +59,7 @@ def make_ledger(
 
 def make_learned(data):
     term = LearnedTerm("LearnedForce", "force", "missing force = 5.1 N (exp(x/(40 mm)) - 1)",
-                       "model LearnedForce\nend LearnedForce;\n", "N", (), 0.97, 0.98, {})  # fmt: skip
+                       "model LearnedForce\nend LearnedForce;\n", "N", 0.97, 0.98)  # fmt: skip
     return LearnedModel(term, make_candidate(data, "LearnedForce", "learned", "force", 0.5))
 
 
