@@ -233,13 +233,13 @@ def fit(
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
     known = (simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker)
-    points = [{f.name: f.start for f in chosen}, *starts]
+    points, is_over = [{f.name: f.start for f in chosen}, *starts], options.limit()
     if resume is None:
-        objective = Objective(*known)
+        objective = Objective(*known, is_over=is_over)
         solution = METHODS[options.method](FitProblem(objective, points, options))
     else:
         log = FitLog(resume, identity_of(simulator, data, chosen, fixed or {}, options))
-        objective = LoggedObjective(*known)
+        objective = LoggedObjective(*known, is_over=is_over)
         objective.log, objective.failures = log, list(log.failures)
         try:
             solution = METHODS[options.method](FitProblem(objective, points, options))
@@ -259,7 +259,7 @@ def fit(
         data.holdout_runs,
         values,
         objective.tolerance,
-        options.second_look,
+        options.second_look and not is_over(),
         objective.starts.state_ranges,
     )
     values |= {name: e.value for name, e in starts_estimated.items()}

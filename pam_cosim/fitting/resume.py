@@ -95,7 +95,8 @@ def identity_of(
 
 
 def _options_text(options: FitOptions) -> str:
-    saved = asdict(options)
+    limits = ("simulations", "deadline")  # a fit that a limit ended goes on
+    saved = {name: value for name, value in asdict(options).items() if name not in limits}
     saved["leeway"] = saved.pop("holdout_uncertainty")  # the name in version 1 of the file
     return json.dumps(saved, sort_keys=True)
 

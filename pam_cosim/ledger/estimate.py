@@ -20,6 +20,7 @@ and physics; two instruments at fault; a fault of an instrument beside a wrong l
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -51,6 +52,7 @@ def keep_ledger(
     effects: Sequence[str] = (),
     files: Sequence[Path] = (),
     tree: ClassTree | None = None,
+    deadline: float = math.inf,
 ) -> Ledger:
     """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
 
@@ -61,8 +63,10 @@ def keep_ledger(
         effects: names of effects that the model has.
         files: the user's Modelica files.
         tree: the library with these files, if it was read already.
+        deadline: of ``time.monotonic`` [s], after which nothing more is smoothed.
 
     Raises:
+        TimeoutError: the deadline came first.
         InputError: an FMU, which has no balances to open; an unknown effect; points at rest, while balances are kept
             over time.
         ModelError: the model cannot be compiled.
@@ -77,7 +81,7 @@ def keep_ledger(
     sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)
-    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name))
+    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name), deadline)
     return _Estimation(explainer).ledger()
 
 

@@ -9,6 +9,8 @@ standard deviations (the smoother of Rauch, Tung and Striebel, in information fo
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -70,17 +72,20 @@ class Smoothed:
     linear: LinearisedProblem
 
 
-def smooth(problem: SmoothingProblem, start: Point) -> Smoothed:
+def smooth(problem: SmoothingProblem, start: Point, deadline: float = math.inf) -> Smoothed:
     """Smooths all runs, from a start.
 
     Raises:
         numpy.linalg.LinAlgError: the model gives no finite numbers about the start.
+        TimeoutError: the deadline, of ``time.monotonic`` [s], came first.
     """
     q = np.full(len(problem.unknown_size), 1 / float(run_spans(problem.grid).max()))
     point, converged, rounds, before, part, growing = start, False, 0, np.inf, 1.0, False
     linear = linearise(problem, point, _FIRST_SLACKS[0])
     enough = _NOISE_INTENSITY_ROUNDS if len(q) else 0
     for iteration in range(_ITERATIONS):
+        if time.monotonic() >= deadline:
+            raise TimeoutError("the time limit came first")
         last = iteration >= len(_FIRST_SLACKS)
         slack = SLACK if last else _FIRST_SLACKS[iteration]
         settled = before < _SETTLED or iteration >= _ITERATIONS // 2

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.diagnosis import LearnedModel, NextExperiment
+from pam_cosim.diagnosis.description.explanation import disagreement
 from pam_cosim.diagnosis.description.learning import LearnedTerm
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
@@ -58,7 +59,7 @@ def make_ledger(
 
 def make_learned(data):
     term = LearnedTerm("LearnedForce", "force", "missing force = 5.1 N (exp(x/(40 mm)) - 1)",
-                       "model LearnedForce\nend LearnedForce;\n", "N", (), 0.97, 0.98, {})  # fmt: skip
+                       "model LearnedForce\nend LearnedForce;\n", "N", 0.97, 0.98)  # fmt: skip
     return LearnedModel(term, make_candidate(data, "LearnedForce", "learned", "force", 0.5))
 
 
@@ -101,13 +102,31 @@ def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
 @pytest.mark.usefixtures("without_pictures")
 def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
-    text = checked(diagnosis_report(diagnosis)).text
     assert (
-        "The effects that were added act in the force balance; a free term in the mass balance explains"
-        in text
+        "The ledger disagrees: a free term in the mass balance explains" in diagnosis.disagreement
     )
-    agreed = checked(diagnosis_report(make_diagnosis("identified", ledger=make_ledger()))).text
-    assert "act in the force balance" not in agreed
+    assert diagnosis.as_dict()["disagreement"] == diagnosis.disagreement
+    for shown in (checked(diagnosis_report(diagnosis)).text, diagnosis_text(diagnosis)):
+        assert diagnosis.disagreement in shown
+    agreed = make_diagnosis("identified", ledger=make_ledger())
+    assert not agreed.disagreement and "disagrees" not in checked(diagnosis_report(agreed)).text
+
+
+@pytest.mark.parametrize(
+    ("balance", "failing", "said"),
+    [
+        ("force", ("force",), ""),
+        ("force", (), ""),
+        ("mass", ("force",), ""),  # in this model a force term does the same
+        ("energy", ("force",), "The ledger disagrees: a free term in the force balance"),
+        ("energy", ("force", "energy"), ""),
+        ("sensor", ("force",), "The ledger has no instruments and no stated values"),
+    ],
+)
+def test_a_verdict_says_where_the_ledger_fails_elsewhere(balance, failing, said):
+    candidate = make_candidate(make_data(), "Own", "own", balance, 1.0)
+    sentence = disagreement((candidate,), make_ledger(failing=failing))
+    assert sentence.startswith(said) and bool(sentence) == bool(said)
 
 
 @pytest.mark.full

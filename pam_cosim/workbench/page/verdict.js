@@ -15,7 +15,7 @@ export function verdictParts(v, take, addLearned) {
     said(v.error),
     said(v.probability),
     probabilities(v.probabilities),
-    said([v.reason, v.compared].filter(Boolean).join(" ")),
+    said([v.reason, v.compared, v.disagreement].filter(Boolean).join(" ")),
     ...(v.doubts ?? []).map((doubt) => said(`LOOK FIRST: ${doubt}`, "p", { class: "caution" })),
     said(v.not_tried, "p", { class: "soft" }),
     v.complete ? make("p", { class: "steps-on" }, takeButton(v, take), reportLink()) : "",
