@@ -41,6 +41,7 @@ class Composition:
         parameters: for each effect, the full names of its parameters that are to be fitted.
         base: full name of the class that it extends.
         typical: ends of the range in which 95 % of all rigs have a parameter, by its full name; not known of all.
+        limits: ("above", signal) of a parameter that lies above every value that the signal shows; or "below".
     """
 
     name: str
@@ -48,6 +49,7 @@ class Composition:
     parameters: dict[str, tuple[str, ...]]
     base: str
     typical: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    limits: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -306,21 +308,19 @@ def _composed(
     made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
     chosen = names.identifier(name or base + (made or "Alone"))
     text = _text(chosen, structure, draft, classes, ratios, annotation)
-    return Composition(
-        chosen, text, draft.parameters, structure.model, _typical(classes, draft.parameters)
-    )
-
-
-def _typical(
-    classes: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]
-) -> dict[str, tuple[float, float]]:
-    """Typical ranges of the parameters of effects by their full names."""
-    every = [
-        (full, effect.typical.get(names.last(full)))
+    own = {
+        full: (effect, names.last(full))
         for effect in classes
-        for full in parameters[effect.name]
-    ]
-    return {full: known for full, known in every if known is not None}
+        for full in draft.parameters[effect.name]
+    }
+    return Composition(
+        chosen,
+        text,
+        draft.parameters,
+        structure.model,
+        {full: e.typical[name] for full, (e, name) in own.items() if name in e.typical},
+        {full: e.limits[name] for full, (e, name) in own.items() if name in e.limits},
+    )
 
 
 def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) -> list[EffectClass]:

@@ -145,6 +145,9 @@ class LinearWorld(Search):
         kept = [n for n in plain.values() if abs(fit.values[f"{n}.strength"]) > _NEEDED]
         return [FullModel(tuple(kept), {})]
 
+    def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
+        return []
+
     def needed(self, c: Candidate, most: int) -> tuple[str, ...]:
         strengths = {e: abs(c.fit.values[f"{e}.strength"]) for e in c.effects}
         strongest = sorted(c.effects, key=lambda e: -strengths[e])[:most]

@@ -283,6 +283,25 @@ class Search:
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
         return needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
 
+    def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
+        """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""
+        composition, linear = compose_on(self.tree, self.structure, c.effects), c.fit.linear
+        if composition is None or linear is None:
+            return []
+        near = CRITERIA.fit.at_bound * (linear.high - linear.low)
+        at_low, at_high = linear.values <= linear.low + near, linear.values >= linear.high - near
+        ends = dict(zip(linear.names, zip(at_low, at_high, strict=True), strict=True))
+        laws = []
+        for name in c.effects:
+            rest = tuple(e for e in c.effects if e != name)
+            for full in composition.parameters[name]:
+                simpler = self.effect(name).simpler.get(full.rpartition(".")[2], (None, None))
+                for law, is_there in zip(simpler, ends.get(full, (False, False)), strict=True):
+                    family = self.family.get(law or "")
+                    if law and family and is_there and family not in self.families_of(rest):
+                        laws.append((*rest, law))
+        return laws
+
     def _full_sets(self, promising: Sequence[str]) -> list[tuple[str, ...]]:
         """Sets of effects, one of each family; a law that replaces the base model's has a set of its own."""
         plain: dict[str, EffectClass] = {}

@@ -303,6 +303,7 @@ class _Models:
             refined.add(frozenset(best.effects))
             self.set_outliers_aside()
             self._exchange_members(best)
+            self._try([FitRequest(e, best.fit.values) for e in self.search.simpler_laws(best)])
             self.improve(len(best.effects))
             self._leave_out(best)
             if self._leading() is not best:
