@@ -372,6 +372,9 @@ class _Models:
         self._record(self.search.fit_briefly([FitRequest(s, best.fit.values) for s in sets]))
         less = [c for s in sets if (c := self.fitted.get(s)) is not None and c.brief]
         self._finish_within_effort([c for c in less if not self.ranking.matters(best, c, 2.0)])
+        nearest = self._best_of(sets)
+        if nearest is not None:  # another member may say alone what two say together
+            self._exchange_members(nearest)
         self.improve(len(best.effects) - 1)
 
     def _add_one(self, best: Candidate) -> None:
