@@ -61,7 +61,7 @@ def select_effects(
     models.improve(1)
     models.try_forms()
     models.improve(1)
-    if models.ranking.unsolved():
+    if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
     models.try_earlier(earlier)
     models.refine()
@@ -260,6 +260,11 @@ class _Models:
             self._try([FitRequest(c.effects, c.fit.values) for c in first])
             self.improve(max(len(c.effects) for c in first))
 
+    def has_general_answer(self) -> bool:
+        """Whether a general member leads, which may say what several laws say together."""
+        best = self.ranking.best()
+        return best is not None and not self.ranking.is_specific(best.effects)
+
     def try_full_models(self) -> None:
         """The effects that models with a member of every family need, fitted without the others."""
         first = [
@@ -288,6 +293,9 @@ class _Models:
             fewer = self.search.needed(best, some)
             self._try([FitRequest(fewer, best.fit.values)])
             best = self.fitted.get(fewer)
+        for names in [n for n in self.fitted if len(n) > CRITERIA.search.most_effects]:
+            del self.fitted[names]  # they only led the way
+        self.ranking.update_scale()
 
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
