@@ -96,19 +96,38 @@ def verdict_lines(verdict: Verdict) -> list[str]:
     ]
 
 
-def table_lines(verdict: Verdict) -> list[str]:
-    """A line for each family that may be missing: its probability, and what it is worth."""
+class FamilyCells(NamedTuple):
+    """A row of the table of families, as text."""
+
+    families: str
+    probability: str
+    worth: str
+
+
+def family_cells(verdict: Verdict) -> list[FamilyCells]:
+    """The families that may be missing, and what is unexplained, if there is any."""
     table = verdict.table
-    cells = [
-        (" or ".join(row.families), _percent(row.probability), _worth(verdict, row))
+    rows = [
+        FamilyCells(" or ".join(row.families), _percent(row.probability), _worth(verdict, row))
         for row in table.rows
     ]
-    if cells and table.unexplained >= _SMALL_SHARE:
-        cells.append(("unexplained", "", f"{_percent(table.unexplained)} of the error"))
-    width = max((len(name) for name, _, _ in cells), default=0)
-    lines = [f"{what.ljust(width)}  {share:>5}  {worth}".rstrip() for what, share, worth in cells]
-    small = [f"{row.effects[0]} ({_worth(verdict, row)})" for row in table.small]
-    return [*lines, *[f"measurable, but small: {listed(small)}"] * bool(small)]
+    if rows and table.unexplained >= _SMALL_SHARE:
+        rows.append(FamilyCells("unexplained", "", f"{_percent(table.unexplained)} of the error"))
+    return rows
+
+
+def small_effects(verdict: Verdict) -> str:
+    """The effects that are measurable, but small; "" where there are none."""
+    small = [f"{row.effects[0]} ({_worth(verdict, row)})" for row in verdict.table.small]
+    return f"Measurable, but small: {listed(small)}." * bool(small)
+
+
+def table_lines(verdict: Verdict) -> list[str]:
+    """A line for each family that may be missing: its probability, and what it is worth."""
+    rows = family_cells(verdict)
+    width = max((len(row.families) for row in rows), default=0)
+    lines = [f"{r.families.ljust(width)}  {r.probability:>5}  {r.worth}".rstrip() for r in rows]
+    return [*lines, *filter(None, [small_effects(verdict)])]
 
 
 def _worth(verdict: Verdict, row: FamilyRow) -> str:
