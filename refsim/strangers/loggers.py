@@ -11,7 +11,7 @@ import numpy as np
 from strangers.physics import Array, Solved, Truth, solve
 from strangers.rigs import Rig, RunPlan
 
-FURTHER_RATES = {"camera": 30.0, "loadcell": 80.0, "thermometer": 4.0}
+FURTHER_RATES = {"camera": 30.0, "loadcell": 80.0, "thermometer": 10.0}
 _PAUSE = 30.0  # between the runs of one file [s]
 _MARGIN = 0.1  # before and after a recording, for clocks that differ [s]
 _PSI, _INCH, _POUND = 6894.757293168, 0.0254, 4.4482216152605

@@ -43,18 +43,22 @@ SPRING_RIG = """model SpringRig "A muscle that stretches a spring, fed by two va
     "Gauge pressure of the supply";
   PneumaticMuscle.Interfaces.Signals.GaugePressureOutput p "Gauge pressure in the muscle";
   PneumaticMuscle.Interfaces.Signals.LengthOutput x "Contraction";
+  PneumaticMuscle.Interfaces.Signals.TemperatureOutput T "Temperature reading";
   PneumaticMuscle.Pneumatics.Valves valve(u_in=u_in, u_out=u_out, p_supply=p_supply) "Valves";
   PneumaticMuscle.Muscles.Physical muscle(F_start=spring.F_start) "Muscle";
   PneumaticMuscle.Mechanics.Spring spring(x_start=muscle.x_start) "Spring";
   PneumaticMuscle.Instruments.Pressure pressure "Pressure transducer at the muscle";
   PneumaticMuscle.Instruments.Position position "Displacement transducer at the load end";
+  PneumaticMuscle.Instruments.Temperature temperature "Thermometer in the gas";
 equation
   connect(muscle.port, pressure.port);
-  connect(muscle.port, valve.port);
+  connect(muscle.port, temperature.port_a);
+  connect(temperature.port_b, valve.port);
   connect(muscle.flange_a, position.flange);
   connect(muscle.flange_a, spring.flange);
   p = pressure.p;
   x = position.x;
+  T = temperature.T;
 end SpringRig;
 """
 
@@ -244,7 +248,8 @@ def _maps(rig: Rig, quantities: list[str]) -> Iterator[str]:
         elif quantity == "p" and column.offset:
             yield f'p = {{ column = {name}, offset = "{-rig.truth.p_amb / 1e3:g} kPa" }}'
         elif column.gain < 0:
-            yield f"{quantity} = {{ formula = '\"{1e3 * rig.truth.L0:g} mm\" - {column.name}' }}"
+            formula = f"\"{1e3 * rig.truth.L0:g} mm\" - '{column.name}'"
+            yield f"{quantity} = {{ formula = {json.dumps(formula, ensure_ascii=False)} }}"
         elif column.name != quantity:
             yield f"{quantity} = {{ column = {name} }}"
 

@@ -115,10 +115,9 @@ def shortened(one: Rig) -> Rig:
     return replace(one, runs=tuple(replace(p, end=p.begin + 3) for p in one.runs[:3]))
 
 
-@pytest.mark.parametrize("layout", FILES)
-def test_a_drafted_data_set_reads_what_was_recorded(layout: str, tmp_path: Path) -> None:
-    one = next(r for r in map(rig, range(RIGS)) if r.layout == layout and r.drive != "controller")
-    one = shortened(one)
+@pytest.mark.parametrize("number", [1, 5, 7, 13, 14, 18, 25])  # every load and every layout
+def test_a_drafted_data_set_reads_what_was_recorded(number: int, tmp_path: Path) -> None:
+    one = shortened(rig(number))
     runs = [record(one, i) for i in range(3)]
     files = write(one, runs, tmp_path)
     (tmp_path / "experiment.toml").write_text(draft(one, files), encoding="utf-8")
@@ -132,9 +131,12 @@ def test_a_drafted_data_set_reads_what_was_recorded(layout: str, tmp_path: Path)
             assert kept.sum() == pytest.approx(len(at), abs=2)
             ours = np.interp(read.time[kept] - begin, at, values)
             assert np.median(np.abs(ours - read.measurements[signal][kept])) <= steps[signal]
+        if callable(run.plan.imposed):
+            assert np.ptp(read.inputs["s"]) > 1e-3
         sheet = 0.145 + one.truth.A_in * run.commands[0] / 1.8e-6
         current = np.interp(run.times[""] + begin, read.time, read.inputs["u_in"])
-        assert np.median(np.abs(current - sheet)) < 1e-3
+        step = one.truth.A_in / 1.8e-6 / 400  # of the commands that a rig puts out
+        assert np.median(np.abs(current - sheet)) < step
 
 
 def test_a_rig_comes_the_same_twice(tmp_path: Path) -> None:
