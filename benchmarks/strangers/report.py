@@ -39,7 +39,8 @@ def calibration(results: Iterable[Result]) -> tuple[list[tuple[float, float, int
     pairs = [
         (p, float(f in there(r)))
         for r in results
-        for f, p in r.get("families", {}).items()
+        if "families" in r
+        for f, p in (dict.fromkeys(there(r), 0.0) | r["families"]).items()
         if f in there(r) or f not in r["departures"]
     ]
     rows = []

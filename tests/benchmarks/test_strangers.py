@@ -172,8 +172,9 @@ def test_the_score_counts_as_the_protocol_says() -> None:
     recall, precision = recall_and_precision(results)
     assert (recall, precision) == (1 / 4, 1 / 2)  # a departure too small to count is left out
     rows, brier = calibration(results)
-    assert [(n, there) for _, there, n, _ in rows if n] == [(1, 0.0), (1, 1.0), (1, 0.0), (1, 1.0)]
-    assert brier == pytest.approx((0.01 + 0.36 + 0.49 + 0.01) / 4)
+    # gas_energy has no probability in the second verdict: zero
+    assert [(n, share) for _, share, n, _ in rows] == [(1, 1), (1, 0), (1, 1), (1, 0), (1, 1)]
+    assert brier == pytest.approx((1 + 0.01 + 0.49 + 0.36 + 0.01) / 5)
     assert held_out(results[0])["final"] == pytest.approx(math.sqrt(2.5))
     text = "\n".join(report(results))
     assert (
