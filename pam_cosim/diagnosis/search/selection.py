@@ -61,14 +61,13 @@ def select_effects(
     models.improve(1)
     models.try_forms()
     models.improve(1)
+    if models.ranking.unsolved() or models.ranking.more_effects_can_pay(2):
+        models.probe_again()
+        models.improve(2)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
     models.try_earlier(earlier)
     models.refine()
-    if models.ranking.unsolved() or models.ranking.more_effects_can_pay(2):
-        models.probe_again()
-        models.improve(2)
-        models.refine()
     retimed = models.with_step_times() if retime and models.ranking.unsolved() else None
     if retimed is not None:
         return models.result(retimed=retimed)
@@ -79,6 +78,9 @@ def select_effects(
         untried=tuple(models.untried),
         probes=tuple(models.probes),
     )
+
+
+_FEW = 3  # effects of a model that is fitted in no time: all moves are tried
 
 
 class _Models:
@@ -305,13 +307,18 @@ class _Models:
         beside others that need it no more, or that need another one, once they are fitted together.
         """
         refined = set[frozenset[str]]()
+        exchanged = False
         while (best := self._leading()) is not None and frozenset(best.effects) not in refined:
             if self._is_effort_spent([]):
                 return
             refined.add(frozenset(best.effects))
             self.set_outliers_aside()
+            if len(best.effects) > _FEW:
+                self._refine_many(best, not exchanged)
+                exchanged = True
+                continue
             self._exchange_members(best)
-            self._try([FitRequest(e, best.fit.values) for e in self.search.simpler_laws(best)])
+            self._try(self._requests(best, self.search.simpler_laws(best)))
             self.improve(len(best.effects))
             self._leave_out(best)
             if self._leading() is not best:
@@ -320,6 +327,38 @@ class _Models:
             self.improve(len(best.effects))
             if self.ranking.has_structure(best) and self._leading() is best:
                 self._add_one(best)
+        if best is not None and len(best.effects) > _FEW:
+            self._try(self._requests(best, [_without(best.effects, n) for n in best.effects]))
+
+    def _refine_many(self, best: Candidate, exchange: bool) -> None:
+        """The moves from a model of many effects, of which a fit takes long: as few as may do."""
+        if exchange:
+            self._exchange_members(best)
+            self._try(self._requests(best, self.search.simpler_laws(best)))
+            self._finish_best()
+        fewer = self.search.needed(best, len(best.effects) - 1)
+        self._try(self._requests(best, [fewer]))
+        less = self.fitted.get(fewer)
+        if less is not None and less.brief and not self.ranking.matters(best, less, 2.0):
+            self._finish_within_effort([less])
+        self._finish_best()
+        if self._leading() is best and self.ranking.has_structure(best):
+            self._add_one(best)
+
+    def _finish_best(self) -> None:
+        """Fits to the end what is best after a few steps, if it may lead."""
+        best = min(
+            self.fitted.values(),
+            key=lambda c: (self.ranking.information_criterion(c), c.effects),
+            default=None,
+        )
+        if best is not None and best.brief:
+            self._finish_within_effort([best])
+
+    @staticmethod
+    def _requests(best: Candidate, sets: Sequence[tuple[str, ...]]) -> list[FitRequest]:
+        """Sets of effects, to be fitted from where a model stands."""
+        return [FitRequest(effects, best.fit.values) for effects in sets]
 
     def _leading(self) -> Candidate | None:
         """The model to go on from: the answer, or what leaves least while nothing beats the base model."""
@@ -390,11 +429,13 @@ class _Models:
         count = len(best.effects) + 1
         if count > CRITERIA.search.most_effects:
             return
-        if best.fit.linear is None or best.brief:
-            self._finish_within_effort([best])
-            best = self.fitted[best.effects]
         self._probe_further(best)
-        self.improve(count)
+        if count <= _FEW:
+            self.improve(count)
+            return
+        proposed = [p.prediction for p in self.predicted.proposals(count)]
+        self._try([self.predicted.fit_request(e) for e in proposed])
+        self._finish_best()
 
     def _try_imitations(self, best: Candidate) -> None:
         """A model with each of its effects exchanged for what does the likest to the samples.
