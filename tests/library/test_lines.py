@@ -13,15 +13,14 @@ from tests.library.shelf import built, effects, on_bench, values
 BENCH = "PneumaticMuscle.Benches.TankFilling"
 TIMES = np.linspace(0, 30, 301)
 V_TANK, N, P_SUPPLY = 1e-3, 1.2, 207e3
-D, BORE = 4e-3, np.pi * 4e-6
 
 
 def laminar(p_a: float, p_b: float) -> float:
     return 3e-9 * (p_a**2 - p_b**2) / (2 * P_ATM)
 
 
-def turbulent(p_a: float, p_b: float, area: float = 2e-7) -> float:
-    return float(area * np.sign(p_a - p_b) * np.sqrt(abs(p_a**2 - p_b**2) / (R * T_ATM)))
+def turbulent(p_a: float, p_b: float) -> float:
+    return float(2e-7 * np.sign(p_a - p_b) * np.sqrt(abs(p_a**2 - p_b**2) / (R * T_ATM)))
 
 
 ISOTHERMAL = "FrictionLine"
@@ -39,13 +38,6 @@ LINES = {
     ),
     "LaminarLine": ({"G": 3e-9}, 2e-7, lambda p_a, t_a, p_b, t_b: laminar(p_a, p_b)),
     "FrictionLine": ({"A": 2e-7, "V": 5e-5}, 5e-5, lambda p_a, t_a, p_b, t_b: turbulent(p_a, p_b)),
-    "HoseLine": (
-        {"V": 5e-5},
-        5e-5,
-        lambda p_a, t_a, p_b, t_b: turbulent(
-            p_a, p_b, BORE / (1.5 + 0.03 * 5e-5 / BORE / D) ** 0.5
-        ),
-    ),
 }
 
 

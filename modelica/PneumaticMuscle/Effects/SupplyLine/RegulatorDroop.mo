@@ -21,10 +21,10 @@ equation
   port_a.m_flow + port_b.m_flow = 0;
   port_a.H_flow + port_b.H_flow = 0;
   annotation (Documentation(info="<html>
-<p>p_b = p_a - D m_flow/(0.1 g/s), between the supply and the inlet valve; a time of 5 ms keeps the flow a state. Source:
-the flow characteristic of a regulator, <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6953</a>, as a
-straight line; the same of a supply behind a filter or a manifold. Typical 0 to 30 kPa: small regulators lose 20 to
-100 kPa at 1 g/s.
+<p>p_b = p_a - D m_flow/(0.1 g/s), between the supply and the inlet valve; a time of 5 ms keeps the flow a state.
+Source: the flow characteristic of a regulator,
+<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">ISO 6953</a>, as a straight line; the same of a supply
+behind a filter or a manifold. Typical 0 to 30 kPa: small regulators lose 20 to 100 kPa at 1 g/s.
 <a href=\"modelica://PneumaticMuscle.Effects.SupplyLine.SupplyDroop\">SupplyDroop</a> has other powers of the flow and a
 time of its own.</p>
 <p>Fingerprint: filling is held back, most where much flows; it ends at the right pressure; venting is right.</p>
