@@ -136,7 +136,9 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
     page = checked(diagnosis_report(diagnosis))  # with its pictures; what follows is about words
     request.getfixturevalue("without_pictures")
     assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
-    assert "explains 97 % of the mean square of the missing term of the force balance" in page.text
+    assert (
+        "This term of the force balance explains 97 % of the model's mean square error" in page.text
+    )
     assert "This is a description, not a cause" in page.text
     assert diagnosis.learned.term.modelica_source in "".join(page.texts)
     before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3
