@@ -46,7 +46,7 @@ def make_ledger(
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
     course = TermSeries("run-1", "fit", t, np.full_like(t, -4.0), np.full_like(t, 0.3), against)
     units = {"x": "m", "v": "m/s", "p_gauge": "Pa"}
-    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
+    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", (course,), units,
                   note="known but for friction", same_as=("mass",))  # fmt: skip
     entries = (
         force,
