@@ -88,7 +88,9 @@ def _learned(
 ) -> LearnedModel | None:
     """A formula for what a model leaves, and the model with it; None where none reduces it."""
     description = learn(search, balances, effects, present, effort)
-    for part in _PARTS if description else ():
+    if description is None:
+        return None
+    for part in _PARTS:
         if effort.spent:
             break
         term = description.with_part(part).term(search.tree)
