@@ -271,10 +271,8 @@ class _Estimation:
             entry,
             unit=unknown_input.unit,
             meaning=unknown_input.meaning,
-            term=unknown_input.parameter,
             courses=courses,
             units=units,
-            base=unknown_input.base,
             same_as=()
             if shown.augmented.replaced
             else self.explainer.same.get(unknown_input.balance, ()),

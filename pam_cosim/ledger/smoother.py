@@ -58,7 +58,6 @@ class Smoothed:
         noise_intensity: (m,) of the random walks: variance per second over the square of the term's size.
         deviance: minus twice the logarithm of the marginal likelihood, but for a constant of the samples.
         chi2: sum of squared residuals in noise variances.
-        converged: whether the iteration came to rest.
         linear: the problem about the estimate.
     """
 
@@ -68,7 +67,6 @@ class Smoothed:
     noise_intensity: Array
     deviance: float
     chi2: float
-    converged: bool
     linear: LinearisedProblem
 
 
@@ -80,7 +78,7 @@ def smooth(problem: SmoothingProblem, start: Point, deadline: float = math.inf) 
         TimeoutError: the deadline, of ``time.monotonic`` [s], came first.
     """
     q = np.full(len(problem.unknown_size), 1 / float(run_spans(problem.grid).max()))
-    point, converged, rounds, before, part, growing = start, False, 0, np.inf, 1.0, False
+    point, rounds, before, part, growing = start, 0, np.inf, 1.0, False
     linear = linearise(problem, point, _FIRST_SLACKS[0])
     enough = _NOISE_INTENSITY_ROUNDS if len(q) else 0
     for iteration in range(_ITERATIONS):
@@ -95,10 +93,9 @@ def smooth(problem: SmoothingProblem, start: Point, deadline: float = math.inf) 
             part = max(part / 2, 0.25) if growing else min(2 * part, 1.0)
         point, linear, moved = _advanced(problem, linear, point, q, part, slack)
         growing, before = moved > 0.7 * before, moved
-        converged = last and moved < _CLOSE
-        if converged and rounds == enough:
+        if last and moved < _CLOSE and rounds == enough:
             break
-    return _result(problem, linear, point, q, converged)
+    return _result(problem, linear, point, q)
 
 
 def _advanced(
@@ -125,7 +122,7 @@ def _advanced(
 
 
 def _result(
-    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, converged: bool
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array
 ) -> Smoothed:
     factored = CholeskyFactor(with_walk(problem, linear.matrix, q))
     covariance, _ = factored.covariances()
@@ -137,7 +134,6 @@ def _result(
         q,
         deviance(problem, linear, point, q, factored),
         float(np.nansum((linear.residual / problem.sigma) ** 2)),
-        converged,
         linear,
     )
 

@@ -46,7 +46,7 @@ def make_ledger(
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
     course = TermSeries("run-1", "fit", t, np.full_like(t, -4.0), np.full_like(t, 0.3), against)
     units = {"x": "m", "v": "m/s", "p_gauge": "Pa"}
-    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
+    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", (course,), units,
                   note="known but for friction", same_as=("mass",))  # fmt: skip
     entries = (
         force,
@@ -136,7 +136,9 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
     page = checked(diagnosis_report(diagnosis))  # with its pictures; what follows is about words
     request.getfixturevalue("without_pictures")
     assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
-    assert "explains 97 % of the mean square of the missing term of the force balance" in page.text
+    assert (
+        "This term of the force balance explains 97 % of the model's mean square error" in page.text
+    )
     assert "This is a description, not a cause" in page.text
     assert diagnosis.learned.term.modelica_source in "".join(page.texts)
     before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3

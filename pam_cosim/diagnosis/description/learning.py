@@ -184,11 +184,12 @@ def _in_balance(
     search: Search, effects: Sequence[str], present: Fit, term: EffectClass
 ) -> Description | None:
     values = present.values_and_starts
-    watched = _variables_beside(search, effects, term, values)
+    base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
+    meant = [c.name for c in search.tree.classes[base].components]
+    watched = _variables_beside(search, effects, term, values, meant)
     if watched is None:
         return None
     variables, units, own = watched
-    base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
     place = TermPlace(term.balance, base, own.unit, own.description)
     known = quantities(variables, units)
     signed = tuple(q.name for q in known if q.signed)
@@ -221,9 +222,16 @@ def _in_balance(
 
 
 def _variables_beside(
-    search: Search, effects: Sequence[str], term: EffectClass, values: Mapping[str, float]
+    search: Search,
+    effects: Sequence[str],
+    term: EffectClass,
+    values: Mapping[str, float],
+    meant: Sequence[str],
 ) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
-    """The variables beside a term over all fitted samples, their units, and the parameter that is the term."""
+    """The variables beside a term over all fitted samples, their units, and the parameter that is the term.
+
+    Those that its class means a law to be of come first: of two that say the same the first is taken.
+    """
     composition = compose_on(search.tree, search.structure, [*effects, term.name])
     if composition is None:
         return None
@@ -234,6 +242,7 @@ def _variables_beside(
         file.write_text(composition.text, encoding="utf-8")
         interface = compile_model(composition.name, files=[*search.files, file]).interface
     inside = [n for n in interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
+    inside.sort(key=lambda n: n[len(prefix) :] not in meant)
     names = {n[len(prefix) :]: n for n in inside if n != prefix + TERM}
     if not names:
         return None

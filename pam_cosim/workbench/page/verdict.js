@@ -157,8 +157,8 @@ function learned(term, add) {
     make(
       "p",
       {},
-      `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not ` +
-        `asked for it, ${term.fit_score} in those that were.`,
+      `${beside}It acts in the ${term.balance} balance and explains ${term.score} of the mean square error in runs that ` +
+        `were not asked for it, ${term.fit_score} in those that were.`,
     ),
     make("p", { class: "caution" }, term.caution),
     table(["signal", "runs", "#before", "#with the formula", "#noise"], rows),
