@@ -319,6 +319,9 @@ class _Models:
                 continue
             self._exchange_members(best)
             self._try(self._requests(best, self.search.simpler_laws(best)))
+            law = self.ranking.leader(specific=True)
+            if law is not None and law is not best:  # what a general member says, laws may say
+                self._exchange_members(law)
             self.improve(len(best.effects))
             self._leave_out(best)
             if self._leading() is not best:
