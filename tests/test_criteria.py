@@ -50,21 +50,21 @@ DECIDE_NOTHING = {
         "_BANDS _REST_RATE _ZERO_EDGE",
     ),
     "comparison/outliers": ("a property of the normal distribution", "MEDIAN_TO_SIGMA"),
-    "diagnosis/description/explanation": ("describes the missing term", "_FACTORS"),
+    "diagnosis/description/explanation": ("describes the missing term", "_PARTS _PART"),
+    "diagnosis/description/forms": (
+        "describes the missing term",
+        "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION",
+    ),
     "diagnosis/description/learning": (
         "describes the missing term",
-        "_MOST_FORMS LEAST_GAIN _LEAST_GAIN_OF_TERM _DESCRIBED_ERROR BLOCKS _MOST_WEIGHT _SHAPE_SPAN INTERVAL "
-        "_INTERVAL",
+        "_REST_SPAN _BLOCKS LEAST_GAIN",
     ),
-    "diagnosis/description/learning_direct": (
+    "diagnosis/description/selection": (
         "describes the missing term",
-        "_MOST_RAMPS _REST_SPAN BLOCKS LEAST_GAIN",
-    ),
-    "diagnosis/description/learning_library": (
-        "describes the missing term",
-        "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION _SPEEDS _GROWTHS _WAVES",
+        "_MOST_FORMS LEAST_GAIN _LEAST_GAIN_OF_TERM _DESCRIBED_ERROR",
     ),
     "diagnosis/description/learning_text": ("bounds of a learned coefficient", "_REACH"),
+    "diagnosis/judgement/family_table": ("rows of a table", "_LISTED _SURE _EXCLUSIVE"),
     "diagnosis/judgement/fitted_models": ("proposes a run", "MOST_RIVALS"),
     "diagnosis/judgement/missing_term": ("length of a list", "_MOST_RULES"),
     "diagnosis/judgement/next_experiment": ("proposes a run", "FACTORS _PACES _MOST_JOINED"),
@@ -73,8 +73,13 @@ DECIDE_NOTHING = {
         "_MOST_LISTED _SMALL_SHARE",
     ),
     "diagnosis/search/expectation": ("rank of a matrix", "_NOTHING_NEW _WEAK"),
+    "diagnosis/search/full_model": (
+        "how far a continuation goes in a step",
+        "_TURNS _SETTLED _EVALUATIONS _PRECISION _TOLERANCE _BEGIN _WIDE",
+    ),
     "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
     "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
+    "diagnosis/search/selection": ("how many moves are tried at once", "_FEW"),
     "diagnosis/search/step_times": (
         "accuracy of times and slopes",
         "_ROUNDS _INSIDE DIFFERENCE_TOLERANCE",

@@ -240,7 +240,10 @@ def fit(
                 known, data, chosen, fixed=fixed, starts=starts, options=options, progress=progress
             )
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
-    objective = Objective(simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker)
+    is_over = options.limit()
+    objective = Objective(
+        simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker, is_over=is_over
+    )
     points = [{f.name: f.start for f in chosen}, *starts]
     solution = METHODS[options.method](FitProblem(objective, points, options))
     end = solution.end
@@ -257,7 +260,7 @@ def fit(
         data.holdout_runs,
         values,
         objective.tolerance,
-        options.second_look,
+        options.second_look and not is_over(),
         objective.starts.state_ranges,
     )
     values |= {name: e.value for name, e in starts_estimated.items()}

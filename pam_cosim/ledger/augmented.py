@@ -33,15 +33,13 @@ class UnknownInput:
         balance: as its class declares.
         unit: of the term.
         meaning: the parameter's description, with the sign convention.
-        base: full name of the partial class that declares the term, ``missing``, and leaves its equation open.
-        variables: names that class declares: arguments of a law for the term.
+        variables: names that the partial class with the open equation declares: arguments of a law for the term.
     """
 
     parameter: str
     balance: str
     unit: str
     meaning: str
-    base: str = ""
     variables: tuple[str, ...] = ()
 
 
@@ -58,10 +56,6 @@ class AugmentedModel:
     ode: Ode
     unknown_inputs: tuple[UnknownInput, ...]
     replaced: bool
-
-    def unknown_input(self, balance: str) -> UnknownInput | None:
-        """The unknown input of a balance; None where the model has no place for it."""
-        return next((u for u in self.unknown_inputs if u.balance == balance), None)
 
 
 def augmented_models(
@@ -119,12 +113,7 @@ def _augmented(
         term_parameters = [c.name for c in tree.classes[base].components if c.name != TERM]
         unknown_inputs.append(
             UnknownInput(
-                name,
-                term.balance,
-                variable.unit,
-                variable.description,
-                base,
-                tuple(term_parameters),
+                name, term.balance, variable.unit, variable.description, tuple(term_parameters)
             )
         )
     return AugmentedModel(ode, tuple(unknown_inputs), replaced)

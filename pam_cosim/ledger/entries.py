@@ -40,7 +40,6 @@ def balance_entries(rivals: SmoothedModels, shares: Mapping[str, float]) -> dict
                 shares.get(balance, 0.0),
                 unknown_input.unit,
                 unknown_input.meaning,
-                unknown_input.parameter,
             )
             if balance not in entries or entry.gain > entries[balance].gain:
                 entries[balance] = entry

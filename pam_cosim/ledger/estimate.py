@@ -20,6 +20,7 @@ and physics; two instruments at fault; a fault of an instrument together with a 
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -51,6 +52,7 @@ def keep_ledger(
     effects: Sequence[str] = (),
     files: Sequence[Path] = (),
     tree: ClassTree | None = None,
+    deadline: float = math.inf,
 ) -> Ledger:
     """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
 
@@ -61,8 +63,10 @@ def keep_ledger(
         effects: names of effects that the model has.
         files: the user's Modelica files.
         tree: the library with these files, if it was read already.
+        deadline: of ``time.monotonic`` [s], after which nothing more is smoothed.
 
     Raises:
+        TimeoutError: the deadline came first.
         InputError: an FMU, which has no balances to open; an unknown effect; points at rest, while balances are kept
             over time.
         ModelError: the model cannot be compiled.
@@ -75,7 +79,7 @@ def keep_ledger(
     sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)
-    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name))
+    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name), deadline)
     return _Estimation(explainer).ledger()
 
 
@@ -274,10 +278,8 @@ class _Estimation:
             entry,
             unit=unknown_input.unit,
             meaning=unknown_input.meaning,
-            term=unknown_input.parameter,
             courses=series,
             units=units,
-            base=unknown_input.base,
             same_as=()
             if shown.augmented.replaced
             else self.explainer.same.get(unknown_input.balance, ()),

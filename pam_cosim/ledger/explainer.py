@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -42,6 +43,7 @@ class Explainer:
         values: parameters [SI], as a fit of the model found them.
         models: the augmented ones; the first has an unknown input in each balance.
         domain: of the library.
+        deadline: of ``time.monotonic`` [s], at which a smoother gives up with a TimeoutError.
 
     Attributes:
         signals: that are fitted and that the model gives; ``sigma`` (S,) their noise.
@@ -59,7 +61,9 @@ class Explainer:
         values: Mapping[str, float],
         models: Sequence[AugmentedModel],
         domain: Domain,
+        deadline: float = math.inf,
     ) -> None:
+        self.deadline = deadline
         self.data, self.values, self.models, self.domain = data, values, models, domain
         interface = models[0].ode.interface
         if not models[0].ode.states:
@@ -195,7 +199,8 @@ class Explainer:
         problem, _ = self.problem(augmented, kept, hidden, states)
         start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
         try:
-            return SmoothedModel(augmented, problem, kept, tuple(self.free), smooth(problem, start))
+            smoothed = smooth(problem, start, self.deadline)
+            return SmoothedModel(augmented, problem, kept, tuple(self.free), smoothed)
         except (np.linalg.LinAlgError, ValueError):
             self.notes.append(
                 "the balances could not be opened: the simulation fails near the measured trajectory"

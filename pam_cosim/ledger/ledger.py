@@ -47,12 +47,10 @@ class BalanceEntry:
         explains: part of the error beyond the noise that this entry alone takes away, 0 to 1.
         share: what is lost without it in the best explanation, over the sum of the same for all balances.
         unit: of the term; ``meaning``: what is positive. Empty for a sensor.
-        term: the name of the parameter that was moved.
         courses: the missing term in every run; none for a sensor, or where the model has no place for it.
         units: of what the term can be looked at against.
         note: what must be known to read it.
         same_as: balances whose missing term would do the same in this model: they may be meant as well.
-        base: full name of the partial class whose equation for the term is open.
     """
 
     json_keys = "balance gain explains share unit meaning size outside note same_as courses"
@@ -63,11 +61,9 @@ class BalanceEntry:
     share: float
     unit: str = ""
     meaning: str = ""
-    term: str = ""
     courses: tuple[TermSeries, ...] = ()
     units: dict[str, str] = field(default_factory=dict)
     note: str = ""
-    base: str = ""
     same_as: tuple[str, ...] = ()
 
     @property

@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.starts.probe import ObservedState, StartProbe
@@ -126,7 +127,8 @@ def state_trajectory(
 def _observed_states(
     probe: StartProbe, dependences: Array, ignored: Collection[str] = ()
 ) -> dict[str, ObservedState]:
-    """The observed states by name. Of two signals that show the same state, the one that shows it better.
+    """The observed states by name. Of two signals that show the same state, the one that shows it better: a
+    pressure that of a gas, not a temperature, which hardly follows its mass.
 
     Args:
         probe: of the run, with the first samples of its signals.
@@ -152,7 +154,9 @@ def _observed_by_signals(
         slope = _slope_at_rest(matrix[row], rates, source, instrument)
         if not slope:
             continue
-        spread = sample.sd / abs(slope)
+        # the law between a reading and a state is no more exact than that, be the reading as precise as it may
+        error = CRITERIA.noise.assumed_share * abs(sample.value)
+        spread = float(np.hypot(sample.sd, error)) / abs(slope)
         if spread < better.get(source, np.inf):
             better[source] = spread
             rate = sample.slope / slope if sample.moves else 0.0

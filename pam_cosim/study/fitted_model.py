@@ -238,8 +238,6 @@ def compose_fitted(
         values=values,
         annotation=annotation_of(kept),
     )
-    if made is None:
-        raise InputError(f"{fitted.model} has no place for {', '.join(fitted.effects)}")
     parameter_names = {*parameters, *(n for names in made.parameters.values() for n in names)}
     stray = next((n for n in values if n not in parameter_names), None)
     if stray is not None:

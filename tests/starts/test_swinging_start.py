@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.fitting import FitProgress, Free, fit
+from pam_cosim.fitting import FitOptions, FitProgress, Free, fit
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import Run
@@ -65,6 +65,12 @@ def test_a_fit_from_another_diameter_finds_both_swings(objective: Objective) -> 
     found = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
     assert found.parameters["muscle.D0"].value == pytest.approx(TRUE["muscle.D0"], rel=1e-3)
     assert found.residuals["fit"].chi2_reduced < 1.2
+
+
+def test_no_first_samples_are_asked_once_a_limit_is_reached(objective: Objective) -> None:
+    before = Simulator.simulations
+    fit(objective.simulator, objective.data, FREE, fixed=TRUE, options=FitOptions(simulations=20))
+    assert Simulator.simulations - before < 100  # start values of two runs, once and for the result
 
 
 def test_a_fit_that_is_resumed_finds_them_too(objective: Objective, tmp_path: Path) -> None:

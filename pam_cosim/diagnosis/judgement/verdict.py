@@ -21,6 +21,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     leaves_structure,
     missed_signals,
 )
+from pam_cosim.diagnosis.judgement.family_table import FamilyTable, family_table
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
@@ -98,9 +99,10 @@ class Verdict(Printed, Plain):
         limits: where no effect was added, the smallest errors that would have been found.
         doubt: why it is unknown although the residual is white: "noise", it is far above the noise level; "limits", no
             error that matters would have been found.
+        table: the families that may be missing, each whatever else is.
     """
 
-    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior"
+    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior table"
 
     kind: Kind
     families: tuple[str, ...] = ()
@@ -124,6 +126,7 @@ class Verdict(Printed, Plain):
     folds: Folds | None = None
     limits: tuple[DetectionLimit, ...] = ()
     doubt: Doubt = ""
+    table: FamilyTable = FamilyTable()
 
     @property
     def leaves_structure(self) -> bool:
@@ -250,7 +253,7 @@ def _with_probability(verdict: Verdict, models: FittedModels) -> Verdict:
     named = sum(one.probability for one in known.explanations if verdict.names(one.families))
     if verdict.kind == "unknown" and not verdict.families:
         named = known.something_else
-    return replace(verdict, posterior=known, probability=named)
+    return replace(verdict, posterior=known, probability=named, table=family_table(models, known))
 
 
 def _unusual(models: FittedModels, others: Iterable[Candidate]) -> tuple[UnusualParameter, ...]:

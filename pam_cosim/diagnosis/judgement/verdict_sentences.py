@@ -14,6 +14,7 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import enumeration, listed, words
 
 if TYPE_CHECKING:
+    from pam_cosim.diagnosis.judgement.family_table import FamilyRow
     from pam_cosim.diagnosis.judgement.verdict import SignalError, UnusualParameter, Verdict
 
 _MOST_LISTED = 3  # sets of families
@@ -92,14 +93,61 @@ def summary(verdict: Verdict) -> str:
 
 
 def verdict_lines(verdict: Verdict) -> list[str]:
-    """The summary, the reason, models that nobody expects, and what else may be missing."""
+    """The summary, the families, the reason, models that nobody expects, and what else may be missing."""
     other = otherwise(verdict)
     return [
         summary(verdict),
+        *table_lines(verdict),
         verdict.reason,
         *verdict.implausible,
         *[f"Otherwise: {other}"] * bool(other),
     ]
+
+
+class FamilyCells(NamedTuple):
+    """A row of the table of families, as text."""
+
+    families: str
+    probability: str
+    worth: str
+
+
+def family_cells(verdict: Verdict) -> list[FamilyCells]:
+    """The families that may be missing, and what is unexplained, if there is any."""
+    table = verdict.table
+    rows = [
+        FamilyCells(" or ".join(row.families), _percent(row.probability), _worth(verdict, row))
+        for row in table.rows
+    ]
+    if rows and table.unexplained >= _SMALL_SHARE:
+        rows.append(FamilyCells("unexplained", "", f"{_percent(table.unexplained)} of the error"))
+    return rows
+
+
+def small_effects(verdict: Verdict) -> str:
+    """The effects that are measurable, but small; "" where there are none."""
+    small = [f"{row.effects[0]} ({_worth(verdict, row)})" for row in verdict.table.small]
+    return f"Measurable, but small: {listed(small)}." * bool(small)
+
+
+def table_lines(verdict: Verdict) -> list[str]:
+    """A line for each family that may be missing: its probability, and what it is worth."""
+    rows = family_cells(verdict)
+    width = max((len(row.families) for row in rows), default=0)
+    lines = [f"{r.families.ljust(width)}  {r.probability:>5}  {r.worth}".rstrip() for r in rows]
+    return [*lines, *filter(None, [small_effects(verdict)])]
+
+
+def _worth(verdict: Verdict, row: FamilyRow) -> str:
+    """What families are worth in the units of the signals, and of the error; "" where they are not in the answer."""
+    if not row.effects:
+        return ""
+    parts = [
+        f"{format_quantity(rms, verdict.units[name])} of {name}"
+        for name, rms in row.rms.items()
+        if rms > 0 and name in verdict.units
+    ]
+    return ", ".join([*parts, f"{100 * row.share:.2g} % of the error"])
 
 
 def _percent(share: float) -> str:

@@ -82,11 +82,6 @@ def place_text(place: str) -> str:
     return words(place) if place == STATED else f"{words(place)} balance"
 
 
-def acting_balances(path: Sequence[Candidate]) -> list[str]:
-    """The balances in which effects were added; a stated value is in none."""
-    return [place_of(c) for c in path if place_of(c) != STATED]
-
-
 def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
     """Share of each balance; a stated value stands for itself where it explains most among what acts in a balance."""
     single = [c for c in diagnosis.candidates if len(c.effects) == 1]

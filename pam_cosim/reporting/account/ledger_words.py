@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading
@@ -13,14 +12,14 @@ from pam_cosim.wording import enumeration, words
 _SHOWN = 0.005  # share that is worth a word
 
 
-def ledger_words(ledger: Ledger, added: Sequence[str]) -> dict[str, Any]:
-    """Sentences about a ledger next to its picture; ``added``: the balances of the effects that were added."""
+def ledger_words(ledger: Ledger) -> dict[str, Any]:
+    """Sentences about a ledger next to its picture."""
     return {
         "sentence": ledger_sentence(ledger),
         "rows": [_row(e) for e in ledger.entries],
         "meanings": [_sign(e) for e in ledger.entries if e.meaning],
         "readings": [_reading(r) for r in ledger.readings],
-        "notes": [*_disagreement(added, ledger), *ledger.notes],
+        "notes": [*ledger.notes],
     }
 
 
@@ -86,20 +85,6 @@ def _reading(r: SensorReading) -> dict[str, str]:
         "lag": quantity_text(r.lag, "s", 2) if r.lag else "none",
         "explains": percent(r.explains),
     }
-
-
-def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
-    """Where the effects that were added act elsewhere than the ledger says: both explain the samples."""
-    added = [b for b in dict.fromkeys(balances) if b not in ledger.failing]
-    if not added or not ledger.failing:
-        return []
-    acting = enumeration([words(balance) for balance in added])
-    failing = enumeration([words(balance) for balance in ledger.failing])
-    return [
-        f"The effects that were added act in the {acting} balance; a free term in the "
-        f"{failing} balance explains the same samples. The effects do it with a law "
-        "of physics and fewer numbers, the ledger without any law."
-    ]
 
 
 def telling_entries(ledger: Ledger) -> list[BalanceEntry]:

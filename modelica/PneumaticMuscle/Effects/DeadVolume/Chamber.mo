@@ -1,7 +1,8 @@
 within PneumaticMuscle.Effects.DeadVolume;
 partial model Chamber "A rigid space behind an opening that takes the heat of its gas"
   extends FamilyMember;
-  parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume" annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min=""));
   parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 2e-9
     "Conductance of the opening at ambient pressure"
     annotation (Dialog(group="Effect"));

@@ -5,7 +5,7 @@ model ConvectiveGas "Mass and energy balance, with heat exchange that grows with
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
   parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 10 "Increase at the reference flow"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="EnergyGas"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected

@@ -5,7 +5,7 @@ model OpeningRateLimit "The openings of the valves change at a limited rate, ano
   extends FamilyMember(final absent="travel=1e-6, ratio=1");
   parameter Types.Time travel(min=1e-6, max=4, nominal=0.1) = 0.1
     "Time of opening from shut to 3.69e-7 m2"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min=""));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Ratio of the times of closing and opening"
     annotation (Dialog(group="Effect"));
 protected
