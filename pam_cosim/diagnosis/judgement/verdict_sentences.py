@@ -147,7 +147,7 @@ def _worth(verdict: Verdict, row: FamilyRow) -> str:
         for name, rms in row.rms.items()
         if rms > 0 and name in verdict.units
     ]
-    return ", ".join([*parts, f"{100 * row.share:.2g} % of the error"])
+    return ", ".join([*parts, f"{100 * row.share:.3g} % of the error"])
 
 
 def _percent(share: float) -> str:

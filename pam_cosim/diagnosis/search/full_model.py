@@ -94,7 +94,7 @@ def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
     }
     owned = {n for own in trial.composition.parameters.values() for n in own}
     free = [
-        _near_absence(f, absent.get(f.name))
+        near_absence(f, absent.get(f.name))
         if f.name in owned
         else f.starting_at(trial.start.get(f.name, f.start))
         for f in every_parameter(trial.data, trial.composition, simulator.interface)
@@ -113,7 +113,7 @@ def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
         effects = needed
 
 
-def _near_absence(free: Free, absent: float | None) -> Free:
+def near_absence(free: Free, absent: float | None) -> Free:
     """A parameter of an effect with a prior about the value at which the effect vanishes; a shape has a wide one.
 
     A strength that is larger where the effect is away, as a conductance in series, is searched by its logarithm.
