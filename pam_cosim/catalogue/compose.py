@@ -97,7 +97,7 @@ class _Draft:
         free = [slot for slot, clash in clashes.items() if not clash]
         for slot in free:
             self._redeclare(effect, slot)
-        hosts = [] if free else self._hosts(effect)
+        hosts = [] if slots else self._hosts(effect)
         for host, terminals in hosts:
             self._connect(effect, host, terminals)
         if not free and not hosts:
@@ -229,7 +229,7 @@ class _Draft:
         name, number = wanted, 1
         while name in self.names or self.tree.resolve(self.structure.model, name):
             number += 1
-            name = f"{wanted}{number}"
+            name = names.identifier(f"{names.unquoted(wanted)}{number}")
         self.names.add(name)
         return name
 

@@ -247,9 +247,9 @@ def test_effects_shows_one_in_full_and_a_family(command: Command, place: Path) -
     for line in (
         "tau*der(q) = x - q;",
         "f = k*(x - q);",
-        "tau = 2 [s], 0.1 to 10000: Time in which it relaxes; at its minimum: ViscousFriction; "
+        "tau = 2 [s], 0.1 to 10000: Time constant of relaxation; at its minimum: ViscousFriction; "
         "at its maximum: LinearBladder",
-        "k = 300 [N/m], 0 to 20000: Stiffness that relaxes; at its minimum: nothing",
+        "k = 300 [N/m], 0 to 20000: Stiffness of the Maxwell element; at its minimum: nothing",
         "vanishes at k = 0",
         "Source: Maxwell's element",
         f"has a place in: {', '.join(creep['benches'])}",

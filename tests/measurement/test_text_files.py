@@ -248,7 +248,7 @@ def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) 
             1,
             "no line above it holds names; state theirs too, such as header_line = 2",
         ),
-        ("time [s],p [kPa]", None, 1, "beside the names, such as 'p [kPa]', leave units_line out"),
+        ("time [s],p [kPa]", None, 1, "next to the names, such as 'p [kPa]', leave units_line out"),
         (
             "time [s],p [kPa]",
             1,

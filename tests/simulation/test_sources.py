@@ -13,7 +13,7 @@ import xarray
 import pam_cosim as pam
 from pam_cosim.measurement import rows_of
 from pam_cosim.study.input_sources import inputs_of
-from pam_cosim.study.runs import _course
+from pam_cosim.study.runs import _input_series
 
 BENCH = "TankFilling"
 TIME = np.array([0.0, 1.0, 1.0, 3.0])
@@ -93,7 +93,7 @@ def test_a_run_that_is_predicted_ends_where_it_is_to_end(held: bool) -> None:
     inputs = pam.Inputs(
         [0.0, 2.0, 5.0, 60.0], {"u_in": [0.3, 0.3, 0.2, 0.0]}, "previous" if held else "linear"
     )
-    course, times = _course(pam.describe(BENCH), inputs, 5, 1)
+    course, times = _input_series(pam.describe(BENCH), inputs, 5, 1)
     assert course is not None
     rows, columns = rows_of(course, times)
     np.testing.assert_allclose(rows, [0, 1, 2, 3, 4, 5, 5] if held else [0, 1, 2, 3, 4, 5])

@@ -256,9 +256,11 @@ class Search:
         misfit = max(base.residuals["fit"].chi2_reduced, 1.0)
         fulls = [
             FullTrial(trial, tuple(self.effect(name) for name in trial.effects), misfit, self.price)
-            for effects in self._full_sets(promising)
+            for effects in filter(None, self._full_sets(promising))
             for trial in self._trials([FitRequest(effects, base.values_and_starts)])
         ]
+        if not fulls:
+            return []
         self.say(Remark(f"fitting {len(fulls)} models with a member of every family").message)
         results = self.effort.run_tasks(run_full, fulls, full_crashed, lambda _: None, self.workers)
         self.failed.extend(r for r in results if isinstance(r, FailedTrial))
