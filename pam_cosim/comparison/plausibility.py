@@ -57,7 +57,7 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "warning": the model itself warns; "copy": two runs have the same samples; "marker": a value that is no
+        kind: "warning": the model itself warns; "undriven": an input has the model's default; "copy": two runs have the same samples; "marker": a value that is no
             reading, as for missing samples; "still": a signal never moves, where the model does; "impossible": no such
             reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
             where the model does; "contradiction": runs differ the other way than in the model.
@@ -98,7 +98,21 @@ def doubts(
             ]
             every += _contradictions(runs, signal, float(np.ptp(measured)), units)
     warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
-    return (*warnings, *_copies(runs), *_markers_of_inputs(runs, units), *every)
+    return (*warnings, *_undriven(runs), *_copies(runs), *_markers_of_inputs(runs, units), *every)
+
+
+def _undriven(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
+    """Inputs that nothing drives: neither a column nor a stated value."""
+    by_inputs: dict[tuple[str, ...], list[str]] = {}
+    for r in runs:
+        by_inputs.setdefault(r.run.default_inputs, []).append(r.run.name)
+    for names, own in by_inputs.items():
+        if names:
+            verb, them = ("is", "it") if len(names) == 1 else ("are", "them")
+            text = f"{listed(own)}: {listed(names)} {verb} neither a column nor stated, and the model's default is used"
+            yield Doubt(
+                "undriven", "", f"{text}; record {them}, or state a value under [parameters]"
+            )
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:

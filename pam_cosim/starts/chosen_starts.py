@@ -216,7 +216,7 @@ class StartChoice:
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
         where = ", ".join(f"{one.name} = {one.text(one.model)}" for one in differing)
-        reason = f"{begins}: the model begins at {where}, and cannot begin elsewhere"
+        reason = f"{begins}: the model begins at {where}, and has no start value of a state that can be set"
         return _begun(run, "rest", reason)
 
     def _as_others(self, run: Run) -> Run:
