@@ -74,6 +74,8 @@ class Variable:
 
     def allows(self, number: float) -> bool:
         """Whether a number is a value of this kind; ranges are not looked at."""
+        if self.kind == "String":
+            return True
         if self.kind == "Boolean":
             return number in (0.0, 1.0)
         if self.items is not None:

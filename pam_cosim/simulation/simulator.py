@@ -275,6 +275,10 @@ class Simulator:
         """Inputs that are held, and parameters."""
         values = {name: _number(name, value) for name, value in (parameters or {}).items()}
         self._check_names(values, self._settable, "parameter or input")
+        for name, value in values.items():
+            variable = self._settable[name]
+            if not variable.allows(value):
+                raise InputError(f"'{name}={value:g}': must be {variable.values}")
         held = {name: value for name, value in values.items() if name in self.interface.inputs}
         return held, {name: value for name, value in values.items() if name not in held}
 

@@ -216,7 +216,8 @@ class StartChoice:
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
         where = ", ".join(f"{one.name} = {one.text(one.model)}" for one in differing)
-        reason = f"{begins}: the model begins at {where}, and has no start value of a state that can be set"
+        hint = "no start value of a state can be set: free a parameter that moves it"
+        reason = f"{begins}: the model begins at {where}, and {hint}"
         return _begun(run, "rest", reason)
 
     def _as_others(self, run: Run) -> Run:
