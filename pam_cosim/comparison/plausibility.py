@@ -60,7 +60,8 @@ class Doubt:
         kind: "warning": the model itself warns; "undriven": an input has the model's default; "copy": two runs have the
             same samples; "marker": a value that is no reading, as for missing samples; "still": a signal never moves,
             where the model does; "impossible": no such reading exists; "far_off": the model explains little of it;
-            "one_sided": the measurement never passes zero where the model does; "contradiction": runs differ the other way than in the model.
+            "one_sided": the measurement never passes zero where the model does; "contradiction": runs differ the other
+            way than in the model.
         signal: which it is seen in; "": none.
         text: a sentence.
     """

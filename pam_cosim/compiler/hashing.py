@@ -10,7 +10,6 @@ from pathlib import Path
 
 from pam_cosim.compiler.library import (
     Signature,
-    modelica_files,
     package_folder,
     signature_of,
     source_bytes,
@@ -47,9 +46,9 @@ def flat_hash(
         if folder is None:
             _add(digest, source_bytes(file))
             continue
-        for part in modelica_files(folder):
-            _add(digest, part.relative_to(folder).as_posix().encode())
-            _add(digest, source_bytes(part))
+        for name, changed, size in signature_of(folder):  # a large library is not read for this
+            _add(digest, Path(name).relative_to(folder).as_posix().encode())
+            _add(digest, f"{changed} {size}".encode())
     return digest.hexdigest()
 
 
