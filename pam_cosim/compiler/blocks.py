@@ -8,6 +8,7 @@ import casadi as ca
 
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.matching import Matching
+from pam_cosim.compiler.nonlinear import NonlinearLoops
 from pam_cosim.errors import ModelError
 
 _LARGEST_BY_MINORS = 4
@@ -18,10 +19,12 @@ def solve(
     unknowns: Sequence[str],
     symbols: Mapping[str, ca.SX],
     wanted: Iterable[str] | None = None,
+    loops: NonlinearLoops | None = None,
 ) -> dict[str, ca.SX]:
     """Every unknown as an expression of states, inputs, parameters and time.
 
     ``wanted``: names of those that are asked for; default all. Only what they depend on is solved for besides.
+    ``loops``: solves nonlinear blocks; None: these are errors.
 
     Raises:
         ModelError: the system is structurally singular, or a block of it is nonlinear.
@@ -43,7 +46,7 @@ def solve(
         names = [unknowns[j] for j in columns]
         present = [unknowns[j] for j in _columns_in(rows, held)]
         known = [name for name in present if name in solved]
-        _solve_block([residuals[i] for i in rows], names, known, symbols, solved)
+        _solve_block([residuals[i] for i in rows], names, known, symbols, solved, loops)
     return solved
 
 
@@ -89,6 +92,7 @@ def _solve_block(
     known: Sequence[str],
     symbols: Mapping[str, ca.SX],
     solved: dict[str, ca.SX],
+    loops: NonlinearLoops | None,
 ) -> None:
     """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first."""
     if len(names) == 1 and (side := _other_side(equations[0].expression, names[0])) is not None:
@@ -99,7 +103,11 @@ def _solve_block(
     variables = _column([symbols[name] for name in names])
     matrix = ca.jacobian(system, variables)
     if not matrix.is_constant() and ca.depends_on(matrix, variables):
-        raise ModelError(_nonlinear(equations, names))
+        values = None if loops is None else loops.solve(system, variables, names)
+        if values is None:
+            raise ModelError(_nonlinear(equations, names))
+        solved.update(values)
+        return
     if matrix.is_zero():
         raise ModelError(
             f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}"
