@@ -12,8 +12,8 @@ import casadi as ca
 from pam_cosim.compiler import metadata
 from pam_cosim.compiler.arithmetic import PrintedNumber, Text
 from pam_cosim.compiler.assertions import Assertion
-from pam_cosim.compiler.blocks import solve
-from pam_cosim.compiler.budget import check_unknowns
+from pam_cosim.compiler.blocks import Loop, solve
+from pam_cosim.compiler.budget import check_operations, check_unknowns
 from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.flattening import FlatModel, Residual
 from pam_cosim.compiler.index_reduction import EquationSystem, reduce_index, select_states
@@ -50,8 +50,11 @@ class Assembly:
         self.system = system = self._system()
         reduce_index(system)
         selection = select_states(system, self._preference)
-        loops = self.loops = NonlinearLoops(self._guess)
-        self.solved = solve(system.residuals, selection.unknowns, system.variables, loops=loops)
+        loops: list[Loop] = []
+        nonlinear = self.nonlinear = NonlinearLoops(self._guess)
+        self.solved = solve(
+            system.residuals, selection.unknowns, system.variables, None, loops, nonlinear
+        )
         self._assert_convergence(at_start=False)
         self.states = selection.states
         self.parameters = [leaf for leaf in root.leaves() if leaf in symbols.free]
@@ -59,6 +62,8 @@ class Assembly:
         self.p_values = _column([symbols.defaults[leaf] for leaf in self.parameters])
         initial = self._initial()
         self._assert_convergence(at_start=True)
+        states = self._state_variables(initial.states)
+        self._check_start(states, loops)
         delayed = self._delayed()
         outputs = [leaf for leaf in symbols.unknowns if self._is_output(leaf)]
         local = self._locals(outputs)
@@ -69,7 +74,7 @@ class Assembly:
         )
         return Ode(
             interface=self._interface(outputs, [leaf for leaf, _ in local]),
-            states=self._state_variables(initial.states),
+            states=states,
             t=symbols.t,
             x=_column([system.variables[name] for name in self.states]),
             u=_column(list(symbols.inputs.values())),
@@ -90,16 +95,17 @@ class Assembly:
 
     def _assert_convergence(self, at_start: bool) -> None:
         """An error of the model where the iterations of a nonlinear loop have not converged."""
-        for condition, names in self.loops.conditions:
+        for condition, names in self.nonlinear.conditions:
             text = f"Newton's method finds no solution of the nonlinear loop for {', '.join(names)}"
             self.flat.symbols.assertion(condition, Text((text,)), True, at_start)
-        self.loops.conditions.clear()
+        self.nonlinear.conditions.clear()
 
     # ---- the system of equations --------------------------------------------------------------------------
 
     def _system(self) -> EquationSystem:
         symbols = self.flat.symbols
         check_unknowns(len(symbols.unknowns))
+        check_operations(ca.n_nodes(_column([one.expression for one in self.flat.residuals])))
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
         derivative_of = {}
         for name, symbol in symbols.derivatives.items():
@@ -223,6 +229,15 @@ class Assembly:
             variables.append(known)
         return tuple(variables)
 
+    def _check_start(self, states: Sequence[Variable], loops: Sequence[Loop]) -> None:
+        """Refuses linear loops that are singular where the model begins."""
+        inputs = [self._variable(leaf) for leaf in self.flat.symbols.inputs]
+        values = {one.name: one.start or 0.0 for one in (*states, *inputs)}
+        values |= {leaf.name: float(v) for leaf, v in self.flat.symbols.defaults.items()}
+        values[self.flat.symbols.t.name()] = 0.0
+        for loop in loops:
+            loop.check_at(values)
+
     # ---- initial values -----------------------------------------------------------------------------------
 
     def _initial(self) -> InitialValues:
@@ -241,7 +256,7 @@ class Assembly:
                 defaults=(self.p, self.p_values),
                 late=symbols.late,
                 present=frozenset(leaf.name for leaf in symbols.inputs),
-                loops=self.loops,
+                loops=self.nonlinear,
             )
         )
         self.beginning = beginning(begin.parameters, symbols.late, symbols.comparisons, symbols.t)

@@ -223,7 +223,7 @@ def _solution(
     wanted = dict.fromkeys([*asked, *(name for r in superfluous for name in _names(r, unknown))])
     try:
         equations = [_at_start(r, problem.system, problem.late) for r in chosen.equations]
-        solved = solve(equations, list(unknown), unknown, wanted, loops)
+        solved = solve(equations, list(unknown), unknown, wanted, None, loops)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
     _check_superfluous(superfluous, solved, unknown, problem.defaults)

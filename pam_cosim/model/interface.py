@@ -164,8 +164,8 @@ class Interface(Printed):
     @property
     def start_values(self) -> dict[str, Variable]:
         """The continuous states whose start values can be set."""
-        known = self.locals | self.outputs
-        return {name: known[name] for name in self.states}
+        variables = self.locals | self.outputs
+        return {name: variables[name] for name in self.states}
 
     def unknown(self, name: str, role: str, known: Mapping[str, object]) -> str:
         """Why ``name`` cannot be used in a ``role`` such as "input", for which there are the ``known`` names."""
