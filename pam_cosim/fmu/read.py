@@ -157,13 +157,11 @@ def _check_names(path: Path) -> None:
     if sum(entry.filename == _DESCRIPTION for entry in entries) > 1:
         raise InputError(f"the archive has two files {shown(_DESCRIPTION)}", path)
     for entry in entries:
-        parts = entry.filename.split("/")
-        odd = {":", "\\"} & {*entry.filename} or not entry.filename.isprintable()
+        parts = re.split(r"[/\\]", entry.filename)
+        odd = ":" in entry.filename or not entry.filename.isprintable()
         if odd or parts[0] == "" or ".." in parts:
             raise InputError(
-                f"the archive has a file {shown(entry.filename)} that leaves its folder, or whose folders are not "
-                "separated by /",
-                path,
+                f"the archive has a file {shown(entry.filename)} that leaves its folder", path
             )
         if len(entry.filename) > _LONGEST_NAME or max(map(len, parts)) > _LONGEST_PART:
             raise InputError(
