@@ -45,9 +45,24 @@ EXPORT void pam_driver_free(void *block) { free(block); }
 
 typedef void (*driver_function)(void); /* of the type that its version of FMI gives it */
 
+/* Value references of one type. Mirrored by pam_cosim/simulation/values.py. */
+typedef struct {
+    int32_t type; /* see value_type */
+    driver_function set, get;
+    size_t n;
+    const uint32_t *references;
+    size_t n_values; /* of all of them: an array has several */
+} driver_group;
+
+typedef struct {
+    size_t n;
+    const driver_group *groups;
+    size_t n_values;
+} driver_variables;
+
 /* One run. Mirrored by pam_cosim/simulation/driver.py. */
 typedef struct {
-    driver_function reset, setup, enter, leave, set_real, get_real, set_slopes, do_step, terminate, settle;
+    driver_function reset, setup, enter, leave, set_values, get_values, set_slopes, do_step, terminate, settle;
     void *instance;
     int32_t version; /* of FMI: 2 or 3; the latter has no function for setup */
     int32_t must_reset, tolerance_defined;
@@ -58,19 +73,20 @@ typedef struct {
     int32_t settle_start; /* 0: the run begins with the start values, 1: what is not among those set settles, 2: all does */
     int (*settle_at)(void *instance, int keep); /* pam_settle_start of our own FMUs, or null */
     int32_t at_rest; /* each point is an equilibrium under its own inputs, found from the start values, not a time */
-    size_t n_parameters;
-    const uint32_t *parameters;
+    driver_variables parameters;
     const double *parameter_values;
-    size_t n_inputs;
-    const uint32_t *inputs;
+    const char *const *texts; /* of the parameters that are strings */
+    driver_variables inputs;
     const double *input_values, *input_slopes; /* knots by inputs; slopes null where they are not understood */
-    const int32_t *orders;                     /* n_inputs ones */
-    size_t n_outputs;
-    const uint32_t *outputs;
+    size_t n_slopes;                           /* of the first inputs, which are continuous */
+    const int32_t *orders;                     /* n_slopes ones */
+    driver_variables outputs;
     double *output_values; /* rows by outputs */
+    void *buffer;          /* for the values of any group, of 8 bytes each */
     size_t n_points;
     const double *times;
     const int64_t *knots;       /* per point: row of the inputs to set there, or -1 */
+    const int64_t *means;       /* per point: row of the inputs to set for the step from there on, or -1; or null */
     const int64_t *rows_before; /* per point: row of output values before the inputs are set, or -1 */
     const int64_t *rows_after;  /* and after */
     /* results */
@@ -79,9 +95,10 @@ typedef struct {
     int32_t active; /* number of the function that is called, in the order above */
     int32_t stage; /* number of the function that failed, in the order above; -1: none */
     int32_t status;
+    const driver_group *group; /* that was set or read last */
 } driver_run;
 
-enum { RESET, SETUP, ENTER, LEAVE, SET_REAL, GET_REAL, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, TOO_SLOW };
+enum { RESET, SETUP, ENTER, LEAVE, SET_VALUES, GET_VALUES, SET_SLOPES, DO_STEP, TERMINATE, SETTLE, TOO_SLOW };
 
 /* The status codes of both versions agree, and so do the arguments of functions without any but the instance. */
 enum { OK = 0, WARNING = 1, DISCARD = 2 };
@@ -105,14 +122,66 @@ static void begin_call(driver_run *r, int32_t number) {
 
 static int call(const driver_run *r, driver_function f) { return (int)((fmi2ResetTYPE *)f)(r->instance); }
 
-static int set_real(const driver_run *r, const uint32_t *vr, size_t n, const double *values) {
-    if (r->version == 2) return (int)((fmi2SetRealTYPE *)r->set_real)(r->instance, vr, n, values);
-    return (int)((fmi3SetFloat64TYPE *)r->set_real)(r->instance, vr, n, values, n);
+/* Types of values; those of all others are doubles already. */
+#define VALUE_TYPES(X)                                                                                               \
+    X(1, float) X(2, int8_t) X(3, uint8_t) X(4, int16_t) X(5, uint16_t) X(6, int32_t) X(7, uint32_t) X(8, int64_t)  \
+    X(9, uint64_t)
+enum { TEXT = 10 };
+
+typedef int set_2(void *instance, const uint32_t *references, size_t n, const void *values);
+typedef int set_3(void *instance, const uint32_t *references, size_t n, const void *values, size_t n_values);
+typedef int get_2(void *instance, const uint32_t *references, size_t n, void *values);
+typedef int get_3(void *instance, const uint32_t *references, size_t n, void *values, size_t n_values);
+
+static const void *typed(const driver_run *r, const driver_group *g, const double *values) {
+    if (g->type == TEXT) return r->texts;
+    switch (g->type) {
+#define TO_TYPE(number, type)                                                                   \
+    case number:                                                                                \
+        for (size_t i = 0; i < g->n_values; i++) ((type *)r->buffer)[i] = (type)values[i];       \
+        return r->buffer;
+        VALUE_TYPES(TO_TYPE)
+    }
+    return values;
 }
 
-static int get_real(const driver_run *r, const uint32_t *vr, size_t n, double *values) {
-    if (r->version == 2) return (int)((fmi2GetRealTYPE *)r->get_real)(r->instance, vr, n, values);
-    return (int)((fmi3GetFloat64TYPE *)r->get_real)(r->instance, vr, n, values, n);
+static void untyped(const driver_run *r, const driver_group *g, double *values) {
+    switch (g->type) {
+#define FROM_TYPE(number, type)                                                                   \
+    case number:                                                                                  \
+        for (size_t i = 0; i < g->n_values; i++) values[i] = (double)((const type *)r->buffer)[i]; \
+        return;
+        VALUE_TYPES(FROM_TYPE)
+    }
+}
+
+static int set_values(driver_run *r, const driver_variables *v, const double *values) {
+    int worst = OK;
+    for (size_t k = 0; k < v->n && worst <= WARNING; k++) {
+        const driver_group *g = &v->groups[k];
+        r->group = g;
+        const void *given = typed(r, g, values);
+        int status = r->version == 2 ? ((set_2 *)g->set)(r->instance, g->references, g->n, given)
+                                     : ((set_3 *)g->set)(r->instance, g->references, g->n, given, g->n_values);
+        worst = status > worst ? status : worst;
+        values += g->n_values;
+    }
+    return worst;
+}
+
+static int get_values(driver_run *r, const driver_variables *v, double *values) {
+    int worst = OK;
+    for (size_t k = 0; k < v->n && worst <= WARNING; k++) {
+        const driver_group *g = &v->groups[k];
+        r->group = g;
+        void *place = g->type ? r->buffer : values;
+        int status = r->version == 2 ? ((get_2 *)g->get)(r->instance, g->references, g->n, place)
+                                     : ((get_3 *)g->get)(r->instance, g->references, g->n, place, g->n_values);
+        untyped(r, g, values);
+        worst = status > worst ? status : worst;
+        values += g->n_values;
+    }
+    return worst;
 }
 
 static int enter(const driver_run *r) {
@@ -132,15 +201,15 @@ static int do_step(const driver_run *r, double from, double step) {
 }
 
 static int set_inputs(driver_run *r, int64_t knot) {
-    const double *values = r->input_values + (size_t)knot * r->n_inputs;
-    begin_call(r, SET_REAL);
-    int status = set_real(r, r->inputs, r->n_inputs, values);
-    r->stage = SET_REAL;
-    if (status <= WARNING && r->input_slopes) {
-        const double *slopes = r->input_slopes + (size_t)knot * r->n_inputs;
+    const double *values = r->input_values + (size_t)knot * r->inputs.n_values;
+    begin_call(r, SET_VALUES);
+    int status = set_values(r, &r->inputs, values);
+    r->stage = SET_VALUES;
+    if (status <= WARNING && r->input_slopes && r->n_slopes) {
+        const double *slopes = r->input_slopes + (size_t)knot * r->inputs.n_values;
         fmi2SetRealInputDerivativesTYPE *set_slopes = (fmi2SetRealInputDerivativesTYPE *)r->set_slopes;
         begin_call(r, SET_SLOPES);
-        status = (int)set_slopes(r->instance, r->inputs, r->n_inputs, r->orders, slopes);
+        status = (int)set_slopes(r->instance, r->inputs.groups->references, r->n_slopes, r->orders, slopes);
         r->stage = SET_SLOPES;
     }
     r->status = (int32_t)status;
@@ -153,21 +222,21 @@ static void initialise(driver_run *r, int64_t knot) {
     if (r->must_reset) CALL(RESET, call(r, r->reset));
     if (r->follow) r->follow(r->instance, !r->plain);
     if (r->keep_starts) r->keep_starts(r->instance, 1);
-    if (r->n_parameters) CALL(SET_REAL, set_real(r, r->parameters, r->n_parameters, r->parameter_values));
+    if (r->parameters.n) CALL(SET_VALUES, set_values(r, &r->parameters, r->parameter_values));
     if (r->version == 2) {
         fmi2SetupExperimentTYPE *setup = (fmi2SetupExperimentTYPE *)r->setup;
         CALL(SETUP, setup(r->instance, r->tolerance_defined, r->tolerance, r->times[0], fmi2False, 0.0));
     }
     CALL(ENTER, enter(r));
-    if (r->n_inputs && knot >= 0 && set_inputs(r, knot)) return;
+    if (r->inputs.n && knot >= 0 && set_inputs(r, knot)) return;
     CALL(LEAVE, call(r, r->leave));
     if (r->settle_start) CALL(SETTLE, r->settle_at(r->instance, r->settle_start == 1));
 }
 
 static void read_outputs(driver_run *r, int64_t row) {
-    if (row < 0 || !r->n_outputs) return;
-    double *values = r->output_values + (size_t)row * r->n_outputs;
-    CALL(GET_REAL, get_real(r, r->outputs, r->n_outputs, values));
+    if (row < 0 || !r->outputs.n) return;
+    double *values = r->output_values + (size_t)row * r->outputs.n_values;
+    CALL(GET_VALUES, get_values(r, &r->outputs, values));
 }
 
 /* The clock of the process costs as much as a step: it is asked at some points, and when another second of the day has
@@ -200,13 +269,14 @@ static void loop(driver_run *r) {
             r->time_reached = r->times[k];
             read_outputs(r, r->rows_before[k]);
             if (r->stage >= 0) return;
-            if (r->n_inputs && r->knots[k] >= 0 && set_inputs(r, r->knots[k])) return;
+            if (r->inputs.n && r->knots[k] >= 0 && set_inputs(r, r->knots[k])) return;
         } else {
             read_outputs(r, r->rows_before[k]);
             if (r->stage >= 0) return;
         }
         read_outputs(r, r->rows_after[k]);
         if (r->stage >= 0) return;
+        if (r->means && r->means[k] >= 0 && set_inputs(r, r->means[k])) return;
     }
 }
 

@@ -17,12 +17,12 @@ from fmpy.model_description import ModelDescription
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, real_variables
+from pam_cosim.fmu.read import exchange_description, fmi_version, interface_of, slots, state_names
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import instantiate, load_instance
-from pam_cosim.wording import did_you_mean
+from pam_cosim.simulation.values import Values
 
 EXACT, DIFFERENCES = "directional derivatives of the FMU", "central differences"
 # Of central differences, relative: the cube root of the rounding error balances it with the truncation error.
@@ -57,11 +57,9 @@ class ExchangeModel:
         self._description = exchange_description(self.path)
         self.interface: Interface = interface_of(self._description)
         self._variables = self.interface.variables
-        scalars = real_variables(self._description)
-        self._references = {v.name: v.valueReference for v in scalars}
-        derivatives = [unknown.variable for unknown in self._description.derivatives]
-        self.rate_names = [v.name for v in derivatives]
-        self.states = [v.derivative.name for v in derivatives]
+        self._references = slots(self._description)
+        pairs = list(state_names(self._description))
+        self.rate_names, self.states = [rate for _, rate in pairs], [state for state, _ in pairs]
         self.exact = _gives_derivatives(self.path, self._description)
         self.nominal = np.ones(len(self.states))
         self._calls = 0
@@ -84,6 +82,8 @@ class ExchangeModel:
         self._state = (c_double * max(1, len(self.states)))()
         instantiate(model, self._callbacks, self.path.name)
         self._model = model
+        version = 3 if isinstance(model, FMU3Model) else 2
+        self._values = Values(model, self._references, version)
 
     def __enter__(self) -> ExchangeModel:
         return self
@@ -117,10 +117,8 @@ class ExchangeModel:
         settings = dict(parameters or {})
         for name in settings:
             if name not in self.interface.settable:
-                raise InputError(
-                    f"{self.interface.model} has no parameter or input '{name}'; "
-                    f"{did_you_mean(name, self.interface.settable)}"
-                )
+                settable = self.interface.settable
+                raise InputError(self.interface.unknown(name, "parameter or input", settable))
         self._call(lambda: self._initialise(settings, time))
         self.time = time
 
@@ -129,14 +127,10 @@ class ExchangeModel:
         if self._started:
             model.reset()
         self._started = True
-        references = [self._references[name] for name in settings]
+        self._values.set(settings)
         if isinstance(model, FMU3Model):
-            if references:
-                model.setFloat64(references, list(settings.values()))
             model.enterInitializationMode(startTime=time)
         else:
-            if references:
-                model.setReal(references, list(settings.values()))
             model.setupExperiment(startTime=time)
             model.enterInitializationMode()
         model.exitInitializationMode()
@@ -168,9 +162,7 @@ class ExchangeModel:
         )
         for name in names:
             if name not in available:
-                raise InputError(
-                    f"{self.interface.model} has no {role} '{name}'; {did_you_mean(name, available)}"
-                )
+                raise InputError(self.interface.unknown(name, role, available))
 
     def state(self) -> Array:
         """(n,) the present state."""
@@ -194,16 +186,10 @@ class ExchangeModel:
             self._model.setTime(time)
             self.time = time
         if inputs is not None and len(inputs):
-            self._write([self._references[name] for name in self._inputs], inputs)
+            self._values.set(dict(zip(self._inputs, inputs.tolist(), strict=True)))
         if state is not None and self.states:
             self._state[: len(state)] = state.tolist()
             self._model.setContinuousStates(self._state, len(self.states))
-
-    def _write(self, references: list[int], values: Array) -> None:
-        write = (
-            self._model.setFloat64 if isinstance(self._model, FMU3Model) else self._model.setReal
-        )
-        write(references, np.asarray(values, dtype=float).tolist())
 
     def rates(self) -> Array:
         """(n,) derivatives of the states by time."""
@@ -219,11 +205,7 @@ class ExchangeModel:
 
     def values(self, names: Sequence[str]) -> Array:
         """(k,) of any variables."""
-        references = [self._references[name] for name in names]
-        if not references:
-            return np.zeros(0)
-        read = self._model.getFloat64 if isinstance(self._model, FMU3Model) else self._model.getReal
-        return np.array(self._call(lambda: read(references)), dtype=float)
+        return np.array(self._call(lambda: self._values.get(names)), dtype=float)
 
     def jacobian(self, unknowns: Sequence[str], knowns: Sequence[str]) -> tuple[Array, str]:
         """(k, l) derivatives of rates and other variables by states and inputs, here; and how they were found.
@@ -238,8 +220,10 @@ class ExchangeModel:
         return self._differences(unknowns, knowns), DIFFERENCES
 
     def _exact(self, unknowns: Sequence[str], knowns: Sequence[str]) -> Array:
-        rows = [self._references[name] for name in unknowns]
-        columns = [self._references[name] for name in knowns]
+        rows, columns = (
+            [self._references[name].scalar.valueReference for name in names]
+            for names in (unknowns, knowns)
+        )
         derivatives = np.zeros((len(rows), len(columns)))
         for j, column in enumerate(columns if rows else ()):
             derivatives[:, j] = self._call(

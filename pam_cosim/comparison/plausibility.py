@@ -58,11 +58,11 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "warning": the model itself warns; "copy": two runs have the same samples; "marker": a value that is
-            no reading, as for missing samples; "still": a signal never moves, where the model does; "too_quiet":
-            the samples differ by less than their noise; "impossible": no such reading exists; "far_off": the model
-            explains little of it; "one_sided": the measurement never passes zero where the model does;
-            "contradiction": runs differ the other way than in the model.
+        kind: "warning": the model itself warns; "undriven": an input has the model's default; "copy": two runs have the
+            same samples; "marker": a value that is no reading, as for missing samples; "still": a signal never moves,
+            where the model does; "too_quiet": the samples differ by less than their noise; "impossible": no such
+            reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
+            where the model does; "contradiction": runs differ the other way than in the model.
         signal: which it is seen in; "": none.
         text: a sentence.
     """
@@ -101,7 +101,27 @@ def doubts(
             ]
             found_doubts += _contradictions(runs, signal, float(np.ptp(measured)), units)
     warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
-    return (*warnings, *_copies(runs), *_markers_of_inputs(runs, units), *found_doubts)
+    return (
+        *warnings,
+        *_undriven(runs),
+        *_copies(runs),
+        *_markers_of_inputs(runs, units),
+        *found_doubts,
+    )
+
+
+def _undriven(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
+    """Inputs that nothing drives: neither a column nor a stated value."""
+    by_inputs: dict[tuple[str, ...], list[str]] = {}
+    for r in runs:
+        by_inputs.setdefault(r.run.default_inputs, []).append(r.run.name)
+    for names, own in by_inputs.items():
+        if names:
+            verb, them = ("is", "it") if len(names) == 1 else ("are", "them")
+            text = f"{listed(own)}: {listed(names)} {verb} neither a column nor stated, and the model's default is used"
+            yield Doubt(
+                "undriven", "", f"{text}; record {them}, or state a value under [parameters]"
+            )
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:

@@ -10,7 +10,7 @@ from itertools import pairwise
 import casadi as ca
 
 from pam_cosim.compiler import metadata
-from pam_cosim.compiler.arithmetic import PrintedNumber
+from pam_cosim.compiler.arithmetic import PrintedNumber, Text
 from pam_cosim.compiler.assertions import Assertion
 from pam_cosim.compiler.blocks import Loop, solve
 from pam_cosim.compiler.budget import check_operations, check_unknowns
@@ -25,6 +25,7 @@ from pam_cosim.compiler.initialization import (
 )
 from pam_cosim.compiler.instance import Instance
 from pam_cosim.compiler.instantiation import Instantiator
+from pam_cosim.compiler.nonlinear import NonlinearLoops
 from pam_cosim.compiler.ode import Ode, Statement
 from pam_cosim.compiler.part import parts_of
 from pam_cosim.compiler.start import beginning
@@ -50,12 +51,17 @@ class Assembly:
         reduce_index(system)
         selection = select_states(system, self._preference)
         loops: list[Loop] = []
-        self.solved = solve(system.residuals, selection.unknowns, system.variables, loops=loops)
+        nonlinear = self.nonlinear = NonlinearLoops(self._guess)
+        self.solved = solve(
+            system.residuals, selection.unknowns, system.variables, None, loops, nonlinear
+        )
+        self._assert_convergence(at_start=False)
         self.states = selection.states
         self.parameters = [leaf for leaf in root.leaves() if leaf in symbols.free]
         self.p = _column([symbols.free[leaf] for leaf in self.parameters])
         self.p_values = _column([symbols.defaults[leaf] for leaf in self.parameters])
         initial = self._initial()
+        self._assert_convergence(at_start=True)
         states = self._state_variables(initial.states)
         self._check_start(states, loops)
         delayed = self._delayed()
@@ -86,6 +92,13 @@ class Assembly:
             resting=initial.resting,
             following=tuple(initial.following.items()),
         )
+
+    def _assert_convergence(self, at_start: bool) -> None:
+        """An error of the model where the iterations of a nonlinear loop have not converged."""
+        for condition, names in self.nonlinear.conditions:
+            text = f"Newton's method finds no solution of the nonlinear loop for {', '.join(names)}"
+            self.flat.symbols.assertion(condition, Text((text,)), True, at_start)
+        self.nonlinear.conditions.clear()
 
     # ---- the system of equations --------------------------------------------------------------------------
 
@@ -243,6 +256,7 @@ class Assembly:
                 defaults=(self.p, self.p_values),
                 late=symbols.late,
                 present=frozenset(leaf.name for leaf in symbols.inputs),
+                loops=self.nonlinear,
             )
         )
         self.beginning = beginning(begin.parameters, symbols.late, symbols.comparisons, symbols.t)
@@ -275,6 +289,11 @@ class Assembly:
         }
         inputs = list(symbols.inputs.values())
         return DelayedInputs(calls, self.solved, self.system.variables, inputs, self.p, begun)
+
+    def _guess(self, name: str) -> ca.SX:
+        """Where the iterations for a variable begin."""
+        value = self._start(name).value
+        return ca.SX(value) if not ca.symvar(value) else ca.SX(0)
 
     def _start(self, name: str) -> StartAttribute:
         leaf = self._leaf(name)

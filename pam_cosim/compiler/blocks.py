@@ -12,6 +12,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.compiler.budget import check_operations
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.matching import Matching
+from pam_cosim.compiler.nonlinear import NonlinearLoops
 from pam_cosim.errors import ModelError
 
 _LARGEST_BY_MINORS = 4
@@ -93,11 +94,13 @@ def solve(
     symbols: Mapping[str, ca.SX],
     wanted: Iterable[str] | None = None,
     loops: list[Loop] | None = None,
+    nonlinear: NonlinearLoops | None = None,
 ) -> dict[str, ca.SX]:
     """Every unknown as an expression of states, inputs, parameters and time.
 
     ``wanted``: names of those that are asked for; default all. Only what they depend on is solved for besides.
     ``loops``: gets the linear loops that are solved.
+    ``nonlinear``: solves nonlinear blocks; None: these are errors.
 
     Raises:
         ModelError: the system is singular, by its structure or its numbers, or a block of it is nonlinear.
@@ -119,7 +122,8 @@ def solve(
         names = [unknowns[j] for j in columns]
         present = [unknowns[j] for j in _columns_in(rows, held)]
         known = [name for name in present if name in solved]
-        loop = _solve_block([residuals[i] for i in rows], names, known, symbols, solved)
+        equations = [residuals[i] for i in rows]
+        loop = _solve_block(equations, names, known, symbols, solved, nonlinear)
         if loops is not None and loop is not None:
             loops.append(loop)
     return solved
@@ -167,11 +171,12 @@ def _solve_block(
     known: Sequence[str],
     symbols: Mapping[str, ca.SX],
     solved: dict[str, ca.SX],
+    nonlinear: NonlinearLoops | None,
 ) -> Loop | None:
     """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first.
 
     Returns:
-        The block, if it has several equations.
+        The block, if it is linear and has several equations.
     """
     if len(names) == 1 and (side := _other_side(equations[0].expression, names[0])) is not None:
         solved[names[0]] = _put_in(side, known, symbols, solved)
@@ -181,7 +186,11 @@ def _solve_block(
     variables = _column([symbols[name] for name in names])
     matrix = ca.jacobian(system, variables)
     if not matrix.is_constant() and ca.depends_on(matrix, variables):
-        raise ModelError(_nonlinear(equations, names))
+        values = None if nonlinear is None else nonlinear.solve(system, variables, names)
+        if values is None:
+            raise ModelError(_nonlinear(equations, names))
+        solved.update(values)
+        return None
     if matrix.is_zero():
         raise ModelError(
             f"{names[0]!r} drops out of the equation that should determine it: {equations[0].place}"

@@ -34,10 +34,12 @@ from pam_cosim.compiler.syntax import (
     Conditional,
     Element,
     Expression,
+    FunctionArgument,
     Group,
     Iterator,
     Last,
     Literal,
+    Matrix,
     Member,
     Modification,
     Range,
@@ -404,6 +406,20 @@ class Evaluator:
             ]
         return [self.evaluate(item, scope, names) for item in node.items]
 
+    def _matrix(self, node: Matrix, scope: Scope, names: Environment) -> Value:
+        rows = []
+        for row in node.rows:
+            blocks = [as_matrix(self.evaluate(item, scope, names)) for item in row]
+            if len({len(block) for block in blocks}) > 1:
+                raise ModelError("the parts of a row of this matrix differ in height")
+            rows += [[v for part in parts for v in part] for parts in zip(*blocks, strict=True)]
+        if len({len(row) for row in rows}) > 1:
+            raise ModelError("the rows of this matrix differ in length")
+        return rows
+
+    def _function_argument(self, node: FunctionArgument, scope: Scope, names: Environment) -> Value:
+        raise ModelError("a function as an argument is not supported")
+
     def points(
         self, iterators: tuple[Iterator, ...], scope: Scope, names: Environment
     ) -> list[Environment]:
@@ -412,6 +428,8 @@ class Evaluator:
         for iterator in iterators:
             following: list[Environment] = []
             for point in points:
+                if isinstance(iterator.range, Whole):
+                    raise ModelError("the range of a loop must be written: 'for i in 1:n loop'")
                 values = self.evaluate(iterator.range, scope, point)
                 if not isinstance(values, list):
                     raise scope.definition.source.error(
@@ -522,6 +540,12 @@ class Evaluator:
         ]
 
 
+def as_matrix(value: Value) -> list[list[Value]]:
+    """A value with two dimensions: a vector is a column (Modelica 3.6, section 10.4.2.1)."""
+    items = value if isinstance(value, list) else [value]
+    return [item if isinstance(item, list) else [item] for item in items]
+
+
 def _written(node: Expression) -> Expression | None:
     """The text of an element where an array is written out: the others need not be evaluated for it."""
     if not isinstance(node, Element):
@@ -547,6 +571,8 @@ _HANDLERS: dict[type, Callable[[Evaluator, Any, Scope, Environment], Value]] = {
     Conditional: Evaluator._conditional,
     Call: Evaluator._call,
     Array: Evaluator._array,
+    Matrix: Evaluator._matrix,
+    FunctionArgument: Evaluator._function_argument,
     Range: Evaluator._range,
     Element: Evaluator._element,
     Member: Evaluator._member,

@@ -15,10 +15,12 @@ from pam_cosim.compiler.syntax import (
     Call,
     Conditional,
     Expression,
+    FunctionArgument,
     Group,
     Iterator,
     Last,
     Literal,
+    Matrix,
     Range,
     Reference,
     TypeName,
@@ -265,7 +267,7 @@ class ExpressionParser:
             self.index += 1
             return Last(at)
         if kind == "[":
-            self.fail("matrix brackets [a, b; c, d] are not supported: write {{a, b}, {c, d}}")
+            return self.matrix()
         self.fail(f"expected an expression, found '{self.text}'")
 
     def number(self, text: str) -> int | float:
@@ -304,9 +306,9 @@ class ExpressionParser:
             if self.kind == "name" and self.peek() == "=":
                 name = self.advance()
                 self.index += 1
-                named.append((name, self.expression()))
+                named.append((name, self.argument_of_call()))
             else:
-                arguments.append(self.expression())
+                arguments.append(self.argument_of_call())
                 if self.accept("for"):
                     iterators = self.iterators()
             if not self.accept(","):
@@ -314,14 +316,20 @@ class ExpressionParser:
         self.expect(")")
         return Call(function.at, function, tuple(arguments), tuple(named), iterators)
 
+    def argument_of_call(self) -> Expression:
+        """An expression, or a function with some of its arguments."""
+        at = self.offset
+        if not self.accept("function"):
+            return self.expression()
+        return FunctionArgument(at, self.call(self.reference()))
+
     def iterators(self) -> tuple[Iterator, ...]:
         """``i in r, j in s``, after ``for``."""
         iterators = []
         while True:
             name = self.expect("name")
-            if not self.accept("in"):
-                self.fail("the range of a loop must be written: 'for i in 1:n loop'")
-            iterators.append(Iterator(name, self.expression()))
+            given = self.accept("in")
+            iterators.append(Iterator(name, self.expression() if given else Whole(self.offset)))
             if not self.accept(","):
                 return tuple(iterators)
 
@@ -349,6 +357,23 @@ class ExpressionParser:
             items.append(self.expression())
         self.expect("}")
         return Array(at, tuple(items), iterators)
+
+    def matrix(self) -> Expression:
+        """``[a, b; c, d]``."""
+        at = self.offset
+        self.expect("[")
+        rows = [self.row()]
+        while self.accept(";"):
+            rows.append(self.row())
+        self.expect("]")
+        return Matrix(at, tuple(rows))
+
+    def row(self) -> tuple[Expression, ...]:
+        """One row of a matrix."""
+        items = [self.expression()]
+        while self.accept(","):
+            items.append(self.expression())
+        return tuple(items)
 
 
 def unquote(token: str) -> str:

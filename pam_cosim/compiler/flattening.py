@@ -132,6 +132,8 @@ class _Flattener:
         self, equation: Equation, scope: Scope, names: Environment, initial: bool
     ) -> None:
         if isinstance(equation, Equality):
+            if self.symbols.definitions.is_definition(equation, scope):
+                return
             self._equality(equation, scope, names, initial)
         elif isinstance(equation, Connect):
             if any(condition is not True for condition in self.symbols.branches):
@@ -261,6 +263,8 @@ class _Flattener:
 
     def _connection_set(self, connected: ConnectionSet) -> None:
         members = connected.members
+        if members[0][0].primitive != "Real":
+            return  # one of them determines the others
         if connected.is_flow:
             total = ca.SX(0)
             for variable, inside in members:

@@ -10,7 +10,6 @@ from pathlib import Path
 
 from pam_cosim.compiler.library import (
     Signature,
-    modelica_files,
     package_folder,
     signature_of,
     source_bytes,
@@ -18,6 +17,8 @@ from pam_cosim.compiler.library import (
 from pam_cosim.errors import ModelError
 from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
+
+_LARGE = 2_000_000  # bytes of a package: a larger one is not read whole for every model
 
 
 def flat_hash(
@@ -47,9 +48,11 @@ def flat_hash(
         if folder is None:
             _add(digest, source_bytes(file))
             continue
-        for part in modelica_files(folder):
-            _add(digest, part.relative_to(folder).as_posix().encode())
-            _add(digest, source_bytes(part))
+        parts = signature_of(folder)
+        is_large = sum(size for _, _, size in parts) > _LARGE
+        for name, changed, size in parts:
+            _add(digest, Path(name).relative_to(folder).as_posix().encode())
+            _add(digest, f"{changed} {size}".encode() if is_large else source_bytes(Path(name)))
     return digest.hexdigest()
 
 

@@ -15,6 +15,7 @@ from pam_cosim.compiler.blocks import solve
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.index_reduction import EquationSystem
 from pam_cosim.compiler.matching import Matching
+from pam_cosim.compiler.nonlinear import NonlinearLoops
 from pam_cosim.compiler.rest import AtRest, at_rest, leans_on, refuse_parameters, variable_at_rest
 from pam_cosim.errors import ModelError
 
@@ -63,6 +64,7 @@ class InitialProblem:
         defaults: the parameters' symbols and values, to judge superfluous equations.
         late: symbols of the parameters that are not fixed.
         present: inputs on which states may depend, as they are at the start.
+        loops: solves nonlinear equations; None: these are errors.
     """
 
     system: EquationSystem
@@ -75,6 +77,7 @@ class InitialProblem:
     defaults: tuple[ca.SX, ca.SX]
     late: Mapping[str, ca.SX]
     present: frozenset[str] = frozenset()
+    loops: NonlinearLoops | None = None
 
     @property
     def unknown(self) -> dict[str, ca.SX]:
@@ -96,7 +99,9 @@ def initial_values(problem: InitialProblem) -> InitialValues:
     rest = _rest(problem, said, still)
     time, following = problem.system.time, dict[str, ca.SX]()
     try:
-        values = _solution(problem, [*said, *rest.others, *rest.equations], free, problem.unknown)
+        equations = [*said, *rest.others, *rest.equations]
+        loops = None if rest.states else problem.loops  # the runtime seeks states at rest
+        values = _solution(problem, equations, free, problem.unknown, loops)
     except ModelError:
         if not rest.states:
             raise
@@ -207,6 +212,7 @@ def _solution(
     said: Sequence[Residual],
     free: Sequence[Residual],
     unknown: Mapping[str, ca.SX],
+    loops: NonlinearLoops | None = None,
 ) -> dict[str, ca.SX]:
     """The states and parameters among the unknowns, from what is said and, where that is not enough, what is free."""
     chosen = _Chosen(problem.system.residuals, unknown)
@@ -217,7 +223,7 @@ def _solution(
     wanted = dict.fromkeys([*asked, *(name for r in superfluous for name in _names(r, unknown))])
     try:
         equations = [_at_start(r, problem.system, problem.late) for r in chosen.equations]
-        solved = solve(equations, list(unknown), unknown, wanted)
+        solved = solve(equations, list(unknown), unknown, wanted, None, loops)
     except ModelError as error:
         raise ModelError(f"initial values: {error.message}") from None
     _check_superfluous(superfluous, solved, unknown, problem.defaults)

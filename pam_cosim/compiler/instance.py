@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field, replace
 from typing import Any
 
+from pam_cosim.compiler.lazy import LazyDict
 from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     ClassDefinition,
@@ -148,7 +149,7 @@ class Instance:
     type: Class | None = None
     elements: list[Instance] | None = None
     children: dict[str, Instance] = field(default_factory=dict)
-    classes: dict[str, Class] = field(default_factory=dict)
+    classes: LazyDict[Class] = field(default_factory=LazyDict)
     sections: list[tuple[Section, Scope]] = field(default_factory=list)
     attributes: dict[str, Bound] = field(default_factory=dict)
     binding: Bound | None = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import replace
+from functools import partial
 from typing import TypeAlias
 
 from pam_cosim.compiler.budget import Budget, checked_size
@@ -156,8 +157,14 @@ class Instantiator:
         return scope
 
     def _register_classes(self, instance: Instance, scope: Scope, modification: Mod) -> None:
-        for name, nested in scope.definition.classes.items():
+        declared = scope.definition.classes
+        for name in declared:
             scope.classes.add(name)
+            if declared.is_waiting(name) and name not in modification.entries:
+                if name not in instance.classes:
+                    instance.classes.later(name, partial(_class_in, scope, name))
+                continue
+            nested = declared[name]
             under = (
                 None if nested.constraint is None else bind(nested.constraint.modification, scope)
             )
@@ -174,6 +181,8 @@ class Instantiator:
     def _report_missing_base(self, of: Class) -> None:
         definition = of.definition
         for extends in definition.extends:
+            if extends.type.text == "ExternalObject":
+                raise definition.source.error("external objects are not supported", definition.at)
             if self.lookup.base(of, extends) is None:
                 raise self.lookup.missing(extends.type, definition, "base class")
 
@@ -405,6 +414,12 @@ class Instantiator:
                 f"'{instance.name}' needs an array as its value", value.expression.at
             )
         return len(array)
+
+
+def _class_in(scope: Scope, name: str) -> Class:
+    nested = scope.definition.classes[name]
+    under = None if nested.constraint is None else bind(nested.constraint.modification, scope)
+    return Class(nested, scope, None, under)
 
 
 def instance_source(instance: Instance) -> SourceText:

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Sequence
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 
 from pam_cosim.compiler import names
-from pam_cosim.compiler.budget import LIMITS
+from pam_cosim.compiler.budget import LIMITS, bounded
 from pam_cosim.compiler.parser import parse_source
 from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import ClassDefinition
@@ -34,6 +34,8 @@ class Library:
             if not root.is_dir():
                 raise ModelError("the Modelica library directory does not exist", root)
             self.top.update(_packages(root, signature_of(root)))
+        self._own = frozenset(self.top)
+        self._apart: set[ClassDefinition] = set()
         read: dict[Path, list[ClassDefinition]] = {}
         for file in files:  # one that is named twice, or in two ways, is one file
             folder = package_folder(file)
@@ -57,12 +59,13 @@ class Library:
         return node
 
     def walk(self) -> Iterator[ClassDefinition]:
-        """Every class, parents before their children."""
-        stack = list(reversed([*self.top.values(), *self.inserted.values()]))
+        """Every class, parents before their children, but for libraries that say they use none of the project's own."""
+        tops = [node for node in self.top.values() if node not in self._apart]
+        stack = list(reversed([*tops, *self.inserted.values()]))
         while stack:
             node = stack.pop()
             yield node
-            stack.extend(reversed(node.classes.values()))
+            stack.extend(reversed(list(node.classes.values())))
 
     def similar(self, name: str, kind: str = "") -> str:
         """A hint to classes of the same last name, or of one that is nearly the same; empty where there are none."""
@@ -80,8 +83,22 @@ class Library:
         package = _package(folder, signature_of(folder))
         if self._is_taken(package.name):
             raise _exists(package, package.name)
+        uses = _uses(package)
+        if uses is not None and not uses & self._own:
+            self._apart.add(package)
         self.top[package.name] = package
+        for name in sorted(uses or ()):
+            self._read_used(folder.parent, name)
         return [package]
+
+    def _read_used(self, place: Path, name: str) -> None:
+        """A library that another one uses, where it lies beside that one."""
+        for found in (place / name, *sorted(place.glob(f"{name} *")), place / f"{name}.mo"):
+            if not self._is_taken(name) and (found.suffix == ".mo" or (found / PACKAGE).is_file()):
+                if found.is_file():
+                    self._read_user_file(found)
+                elif found.is_dir():
+                    self._read_user_package(found)
 
     def _is_taken(self, name: str) -> bool:
         return name in self.top or name in names.PREDEFINED
@@ -213,14 +230,20 @@ def _packages(root: Path, of: Signature) -> dict[str, ClassDefinition]:
     return top
 
 
-def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefinition:
+def _read_package(
+    directory: Path, parent: ClassDefinition | None, lazy: bool = False
+) -> ClassDefinition:
     file = directory / PACKAGE
     within, classes = parse_source(_read(file))
-    if len(classes) != 1 or classes[0].name != directory.name:
+    # a released version has its number in the name of the folder
+    if len(classes) != 1 or classes[0].name not in (directory.name, directory.name.split(" ")[0]):
         raise ModelError(f"package.mo must hold the one package '{directory.name}'", file, 1, 1)
     package = classes[0]
     _check_within(within, parent, file)
     package.parent = parent
+    if lazy or _uses(package) is not None:
+        _read_later(directory, package)
+        return package
     for entry in sorted(directory.iterdir()):
         if entry.is_dir() and (entry / PACKAGE).exists():
             _put(_read_package(entry, package), package)
@@ -231,6 +254,35 @@ def _read_package(directory: Path, parent: ClassDefinition | None) -> ClassDefin
                 child.parent = package
                 _put(child, package)
     return package
+
+
+def _uses(package: ClassDefinition) -> frozenset[str] | None:
+    """The libraries that a package says it uses (Modelica 3.6, section 18.9.1); None: it does not say."""
+    uses = package.annotation.argument("uses")
+    return None if uses is None else frozenset(a.name for a in uses.modification.arguments)
+
+
+def _read_later(directory: Path, package: ClassDefinition) -> None:
+    """Classes in files of their own, each read when somebody asks for it; the name of a file is that of its class."""
+    for entry in sorted(directory.iterdir()):
+        name = entry.name.removesuffix(".mo")
+        if entry.name == PACKAGE or name in package.classes:
+            continue
+        if entry.suffix == ".mo":
+            package.classes.later(name, partial(_read_class, entry, name, package))
+        elif (entry / PACKAGE).is_file():
+            package.classes.later(name, partial(_read_package, entry, package, True))
+
+
+@bounded
+def _read_class(file: Path, name: str, package: ClassDefinition) -> ClassDefinition:
+    within, classes = parse_source(_read(file))
+    _check_within(within, package, file)
+    for child in classes:
+        child.parent = package
+        if child.name == name:
+            return child
+    raise ModelError(f"the file must hold the class '{name}'", file, 1, 1)
 
 
 def _put(child: ClassDefinition, package: ClassDefinition) -> None:

@@ -161,6 +161,8 @@ class Lookup:
 
     def base(self, of: Class, clause: Extends) -> Class | None:
         """The class that one ``extends`` of a class names; its name is not looked up among what is inherited."""
+        if clause.inherited:
+            return self._inherited(of, clause.type.names[0])
         names, absolute = clause.type.names, clause.type.absolute
         own = of.definition.classes.get(names[0]) if not absolute else None
         here = (
@@ -169,6 +171,16 @@ class Lookup:
             else self._imported(of.definition, names[0])
         )
         return self._descend(here or self.first(of.outer, names[0], absolute), names[1:])
+
+    def _inherited(self, of: Class, name: str) -> Class | None:
+        """The class of a name that the class around ``of`` inherits."""
+        if of.outer is None:
+            return None
+        for base in self.bases(Class(of.outer.definition, of.outer.outer)):
+            found = self.member(self.inside(base), name)
+            if found is not None:
+                return found
+        return None
 
     def inside(self, of: Class) -> Scope:
         """The place inside a class that is not instantiated."""

@@ -67,6 +67,9 @@ def first_of(components: Holders, name: str, scope: Scope, node: Reference) -> A
         member = components.lookup.member(place, name)
         if member is not None:
             return ClassValue(member)
+        constant = _imported_constant(components, place, name, node)
+        if constant is not None:
+            return constant
         place = place.outer
     top = components.lookup.first(None, name, True)
     if top is not None:
@@ -74,6 +77,19 @@ def first_of(components: Holders, name: str, scope: Scope, node: Reference) -> A
     if name in ENUMERATIONS:
         return name
     raise ModelError(f"'{node.text}' not found in {scope.definition.qualified_name}")
+
+
+def _imported_constant(components: Holders, place: Scope, name: str, node: Reference) -> Any:
+    """A constant of a package that a class imports by name, or with all others of its package; None: there is none."""
+    for entry in place.definition.imports:
+        *holder, last = entry.type.names if entry.alias != "*" else (*entry.type.names, name)
+        if name == (entry.alias if entry.alias != "*" else last) and holder:
+            package = components.lookup.qualified(".".join(holder))
+            if package is not None and package.definition.kind == "package":
+                child = components.package(package).children.get(last)
+                if child is not None:
+                    return child
+    return None
 
 
 def member_of(components: Holders, holder: Any, name: str, node: Reference) -> Any:

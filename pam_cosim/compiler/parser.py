@@ -16,6 +16,7 @@ from pam_cosim.compiler.syntax import (
     Extends,
     Import,
     Modification,
+    Reference,
     Section,
     TypeName,
 )
@@ -83,14 +84,14 @@ class Parser(EquationParser):
         self.deeper()
         if kind == "operator" and self.kind in ("function", "record"):
             kind = self.advance()
-        if self.kind == "extends":
-            self.fail(
-                "'class extends' is not supported: write 'redeclare model Name = NewClass' instead"
-            )
+        inherits = self.accept("extends")
         at = self.offset
         name = self.expect("name")
         node = ClassDefinition(name, kind, at, self.source, parent, prefixes)
-        if self.accept("="):
+        if inherits:
+            base = Extends(at, TypeName(at, (name,)), self.class_modification(), inherited=True)
+            node.extends.append(base)
+        if not inherits and self.accept("="):
             self.short_class(node)
         else:
             node.description = self.string_comment()
@@ -112,6 +113,7 @@ class Parser(EquationParser):
             self.advance()
             self.expect("(")
             literals = []
+            self.accept(":")
             while self.kind == "name":
                 literals.append((self.advance(), self.string_comment()))
                 self.annotation_clause()
@@ -119,6 +121,10 @@ class Parser(EquationParser):
                     break
             self.expect(")")
             node.literals = tuple(literals)
+        elif self.kind == "der":
+            self.advance()
+            self.call(Reference(self.offset, (("der", ()),)))
+            node.external = True
         else:
             words = []
             while self.kind in ("input", "output", "flow", "stream"):
@@ -190,7 +196,7 @@ class Parser(EquationParser):
     def element(self, node: ClassDefinition, visibility: str) -> None:
         """An import, extends, class or component clause."""
         if self.accept("import"):
-            node.imports.append(self.import_clause())
+            node.imports += self.import_clause()
             return
         if self.kind == "extends":
             at = self.offset
@@ -235,26 +241,33 @@ class Parser(EquationParser):
         """What follows ``constrainedby``."""
         return Constraint(self.type_name(), self.class_modification())
 
-    def import_clause(self) -> Import:
-        """What follows ``import``."""
+    def import_clause(self) -> list[Import]:
+        """What follows ``import``: ``C = A.B``, ``A.B``, ``A.*`` or ``A.{B, C}``."""
         if self.kind == "name" and self.peek() == "=":
             alias = self.advance()
             self.advance()
-            clause = Import(alias, self.type_name())
+            clauses = [Import(alias, self.type_name())]
         else:
             at = self.offset
-            names = [self.expect("name")]
-            alias = ""
-            while not alias and self.kind in (".", ".*"):
+            self.accept(".")
+            names, aliases = [self.expect("name")], list[str]()
+            while not aliases and self.kind in (".", ".*"):
                 if self.advance() == ".*":
-                    alias = "*"
-                elif self.kind == "{":
-                    self.fail("import lists are not supported: write one import for each name")
+                    aliases = ["*"]
+                elif self.accept("{"):
+                    aliases.append(self.expect("name"))
+                    while self.accept(","):
+                        aliases.append(self.expect("name"))
+                    self.expect("}")
                 else:
                     names.append(self.expect("name"))
-            clause = Import(alias or names[-1], TypeName(at, tuple(names)))
+            full = [TypeName(at, (*names, a) if a != "*" else tuple(names)) for a in aliases]
+            aliases = aliases or names[-1:]
+            full = full or [TypeName(at, tuple(names))]
+            clauses = [Import(alias, name) for alias, name in zip(aliases, full, strict=True)]
         self.string_comment()
-        return clause
+        self.annotation_clause()
+        return clauses
 
     def component_clause(self, prefixes: frozenset[str]) -> list[ComponentDeclaration]:
         """``prefixes Type a, b(...) ...``."""

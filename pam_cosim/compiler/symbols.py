@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from functools import cached_property
+
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.arithmetic import PrintedNumber, Text
 from pam_cosim.compiler.assertions import Assertion
+from pam_cosim.compiler.definitions import Definitions
 from pam_cosim.compiler.delays import DelayCall, check_time, same
 from pam_cosim.compiler.evaluation import Evaluator, Value
 from pam_cosim.compiler.instance import Instance, Scope
@@ -48,15 +51,22 @@ class SymbolTable(Evaluator):
         self.comparisons: dict[str, TimeComparison] = {}
         self._by_name: dict[str, Instance] = {}
 
+    @cached_property
+    def definitions(self) -> Definitions:
+        """What determines the variables that are not Real."""
+        return Definitions(self, self.root)
+
     def variable(self, instance: Instance) -> Value:
         """The symbol of a Real variable; a Boolean or Integer one stands for its binding."""
         if instance.primitive != "Real":
-            if instance.binding is None:
+            bound = instance.binding or self.definitions.of(instance)
+            if bound is None:
                 raise self.at_declaration(
                     instance,
-                    f"'{instance.name}': a variable of type {instance.primitive} needs a value in its declaration",
+                    f"no declaration and no equation gives '{instance.name}' a value: an event does, and 'when', "
+                    f"'pre' and inputs of type {instance.primitive} are not supported",
                 )
-            return self.bound(instance.binding)
+            return self.bound(bound)
         symbol = ca.SX.sym(instance.name)
         is_top = instance.parent is self.root or self._in_top_connector(instance)
         if "input" in instance.prefixes and is_top and instance.binding is None:

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, field
 
+from pam_cosim.compiler.lazy import LazyDict
 from pam_cosim.compiler.source import SourceText
 
 # ---- expressions ------------------------------------------------------------------------------------------
@@ -82,6 +83,20 @@ class Array(Expression):
 
     items: tuple[Expression, ...]
     iterators: tuple[Iterator, ...] = ()
+
+
+@dataclass(eq=False, repr=False, slots=True)
+class Matrix(Expression):
+    """``[a, b; c, d]``."""
+
+    rows: tuple[tuple[Expression, ...], ...]
+
+
+@dataclass(eq=False, repr=False, slots=True)
+class FunctionArgument(Expression):
+    """``function f(a = 1)`` as the argument of a function."""
+
+    call: Call
 
 
 @dataclass(eq=False, repr=False, slots=True)
@@ -276,11 +291,12 @@ class ComponentDeclaration:
 
 @dataclass(eq=False, repr=False, slots=True)
 class Extends:
-    """``extends Base(modification)``."""
+    """``extends Base(modification)``; of ``class extends X`` the class of the same name that is ``inherited``."""
 
     at: int
     type: TypeName
     modification: Modification = EMPTY
+    inherited: bool = False
 
 
 @dataclass(eq=False, repr=False, slots=True)
@@ -305,7 +321,7 @@ class ClassDefinition:
     annotation: Modification = EMPTY
     imports: list[Import] = field(default_factory=list)
     extends: list[Extends] = field(default_factory=list)
-    classes: dict[str, ClassDefinition] = field(default_factory=dict)
+    classes: LazyDict[ClassDefinition] = field(default_factory=LazyDict)
     components: dict[str, ComponentDeclaration] = field(default_factory=dict)
     redeclared: list[ComponentDeclaration | ClassDefinition] = field(default_factory=list)
     alias: Extends | None = None

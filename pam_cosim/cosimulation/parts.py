@@ -178,6 +178,11 @@ def joined(source: Port, target: Port, components: Mapping[str, Component]) -> C
         taken = input_of(target.variable, components[target.component].interface)
     except InputError as problem:
         raise InputError(f"connection '{source} -> {target}': {problem.message}") from None
+    if not _takes(given, taken):
+        raise InputError(
+            f"connection '{source} -> {target}': the source is of type {given.kind}, and the target must be "
+            f"{taken.values}"
+        )
     if (
         not given.unit
         or not taken.unit
@@ -192,6 +197,17 @@ def joined(source: Port, target: Port, components: Mapping[str, Component]) -> C
     return Connection(source, target, float(high - low), float(low))
 
 
+def _takes(given: Variable, taken: Variable) -> bool:
+    """Whether every value of one variable is one of another: 0 and 1 are numbers, and items are whole ones."""
+    if taken.kind == "Enumeration":
+        return {*(given.items or {}).values()} <= {*(taken.items or {}).values()} and bool(
+            given.items
+        )
+    order = ["Boolean", "Integer", "Real"]
+    kind = "Integer" if given.kind == "Enumeration" else given.kind
+    return order.index(kind) <= order.index(taken.kind)
+
+
 def output_of(name: str, interface: Interface) -> Variable:
     """The output of that name.
 
@@ -199,8 +215,7 @@ def output_of(name: str, interface: Interface) -> Variable:
         InputError: there is none; says which name is nearest.
     """
     if name not in interface.outputs:
-        hint = did_you_mean(name, interface.outputs)
-        raise InputError(f"{interface.model} has no output '{name}'; {hint}")
+        raise InputError(interface.unknown(name, "output", interface.outputs))
     return interface.outputs[name]
 
 

@@ -276,11 +276,7 @@ def input_of(name: str, interface: Interface) -> Variable:
         return interface.inputs[name]
     if name in interface.settable:
         raise InputError(f"'{name}' is no input of {interface.model}: it is set at the start")
-    if name in interface.outputs:
-        raise InputError(f"'{name}' is an output of {interface.model} and cannot be set")
-    raise InputError(
-        f"{interface.model} has no input '{name}'; {did_you_mean(name, interface.inputs)}"
-    )
+    raise InputError(interface.unknown(name, "input", interface.inputs))
 
 
 def positive_seconds(value: float | str, what: str = "the interval of a controller") -> float:

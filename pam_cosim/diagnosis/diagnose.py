@@ -291,12 +291,13 @@ def diagnose(
         began + (math.inf if time_limit is None else time_limit),
         math.inf if simulation_limit is None else simulation_limit,
     )
+    library = subject.library
     with effort.counting(), subject.simulator() as simulator:
         available = subject.effects(simulator.interface)
         excluded, expected = _excluded_and_expected(available, subject.data, exclude, expect)
         data, base, outliers = fit_base_model(simulator, subject.data, say)
     search = Search(
-        subject.tree,
+        library,
         subject.name,
         [e for e in available if e.name not in excluded],
         data,

@@ -52,6 +52,9 @@ def named_entry(
     if kind == "force" and fits(column.unit, "mass"):
         return _weight(name, column)
     numbers = _converted(name, column, variable.unit)
+    if column.absolute and kind == "pressure" and not variable.pressures:
+        why = (*column.why, f"its heading says absolute: state an offset if {name} is gauge")
+        return ColumnEntry(name, column.name, column.unit or None, why=why), numbers
     if column.absolute and kind == "pressure":
         return _gauge_pressure(name, column, numbers, ambient)
     return ColumnEntry(name, column.name, unit_to_state(column), why=column.why), numbers

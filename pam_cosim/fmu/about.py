@@ -7,7 +7,7 @@ from datetime import UTC, datetime
 from importlib.metadata import PackageNotFoundError, metadata
 
 from pam_cosim.compiler.ode import Ode
-from pam_cosim.fmu.description import TOOL
+from pam_cosim.fmu.read import TOOL
 from pam_cosim.resources import modelica_root
 
 

@@ -22,9 +22,10 @@ from pam_cosim.fmu.about import date, identity
 from pam_cosim.fmu.built_here import note_built
 from pam_cosim.fmu.c_text import c_string
 from pam_cosim.fmu.compile import compile_library, headers, source_key, universal_binary
-from pam_cosim.fmu.description import TOOL, model_identifier
+from pam_cosim.fmu.description import model_identifier
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.platforms import PLATFORMS, binary_folder, native_platform
+from pam_cosim.fmu.read import TOOL
 from pam_cosim.fmu.table import table
 from pam_cosim.fmu.tape import NoTapeError, TapedModel, tape_files, taped
 from pam_cosim.resources import fmu_runtime

@@ -22,9 +22,6 @@ _LONGEST = 150
 # What XML 1.0 has no place for, not even as a reference.
 _NOT_XML = re.compile("[^\t\n\r\x20-\ud7ff\ue000-\ufffd\U00010000-\U0010ffff]")
 
-# Names the annotations that are this tool's own.
-TOOL = "pam-cosim"
-
 _LOG_CATEGORIES = {
     "logEvents": "parameters that change in a run",
     "logStatusWarning": "what may be unexpected",

@@ -7,6 +7,7 @@ from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import description as shared
+from pam_cosim.fmu.read import TOOL
 from pam_cosim.fmu.table import Kind, VariableEntry
 
 _SHARED = {"canGetAndSetFMUstate": "true", "canSerializeFMUstate": "true"}
@@ -60,7 +61,7 @@ def model_description(
     shared.default_experiment(root, ode)
     if ode.libraries:
         annotations = Xml.SubElement(root, "VendorAnnotations")
-        shared.contents(Xml.SubElement(annotations, "Tool", {"name": shared.TOOL}), ode)
+        shared.contents(Xml.SubElement(annotations, "Tool", {"name": TOOL}), ode)
     variables = Xml.SubElement(root, "ModelVariables")
     positions = {e.index: i for i, e in enumerate(entries, 1) if e.kind is Kind.STATE}
     for entry in entries:

@@ -7,6 +7,7 @@ from xml.etree import ElementTree as Xml
 
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.fmu import description as shared
+from pam_cosim.fmu.read import TOOL
 from pam_cosim.fmu.table import Kind, VariableEntry
 
 _SHARED = {
@@ -71,7 +72,7 @@ def model_description(
     _structure(root, ode, entries)
     if ode.libraries:
         annotations = Xml.SubElement(root, "Annotations")
-        shared.contents(Xml.SubElement(annotations, "Annotation", {"type": shared.TOOL}), ode)
+        shared.contents(Xml.SubElement(annotations, "Annotation", {"type": TOOL}), ode)
     return shared.document(root)
 
 

@@ -8,9 +8,11 @@ import re
 import zipfile
 import zlib
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from contextlib import ExitStack
+from dataclasses import dataclass
 from functools import lru_cache
+from itertools import product
 from pathlib import Path
 from typing import Any
 from xml.etree.ElementTree import iterparse
@@ -20,7 +22,14 @@ from fmpy.model_description import ModelDescription, ValidationError
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_regular
-from pam_cosim.model.interface import Interface, Variable, is_sensitivity, sensitivity_name
+from pam_cosim.model.interface import (
+    Interface,
+    Kind,
+    Pressures,
+    Variable,
+    is_sensitivity,
+    sensitivity_name,
+)
 from pam_cosim.wording import printable, shown
 
 MOST_BYTES = 2_000_000_000  # of all files of an archive, unpacked
@@ -35,6 +44,7 @@ DAMAGED = (
     lzma.LZMAError,
 )  # what reading an archive raises that is none, or not whole
 TABLES = "tape.json"  # in the folder of a model as data
+TOOL = "pam-cosim"  # in what an FMU says of the tool that made it
 _DESCRIPTION = "modelDescription.xml"
 _LONGEST_NAME, _LONGEST_PART = (
     1000,
@@ -42,6 +52,16 @@ _LONGEST_NAME, _LONGEST_PART = (
 )  # letters; systems have 4096 and 255, of which a folder takes some
 _LARGEST_REFERENCE = 2**32 - 1
 _IDENTIFIER = re.compile(r"[A-Za-z_][A-Za-z0-9_]{0,199}")
+_KINDS: dict[str, Kind] = {
+    **dict.fromkeys(("Real", "Float64", "Float32"), "Real"),
+    **dict.fromkeys(
+        ("Integer", *(f"{u}Int{n}" for u in ("", "U") for n in (8, 16, 32, 64))), "Integer"
+    ),
+    "Boolean": "Boolean",
+    "Enumeration": "Enumeration",
+    "String": "String",
+}
+_MOST_ELEMENTS = 10_000  # of an array
 _KEPT = 128  # descriptions: a diagnosis comes back to those of the catalogue's effects
 
 
@@ -137,13 +157,11 @@ def _check_names(path: Path) -> None:
     if sum(entry.filename == _DESCRIPTION for entry in entries) > 1:
         raise InputError(f"the archive has two files {shown(_DESCRIPTION)}", path)
     for entry in entries:
-        parts = entry.filename.split("/")
-        odd = {":", "\\"} & {*entry.filename} or not entry.filename.isprintable()
+        parts = re.split(r"[/\\]", entry.filename)
+        odd = ":" in entry.filename or not entry.filename.isprintable()
         if odd or parts[0] == "" or ".." in parts:
             raise InputError(
-                f"the archive has a file {shown(entry.filename)} that leaves its folder, or whose folders are not "
-                "separated by /",
-                path,
+                f"the archive has a file {shown(entry.filename)} that leaves its folder", path
             )
         if len(entry.filename) > _LONGEST_NAME or max(map(len, parts)) > _LONGEST_PART:
             raise InputError(
@@ -242,9 +260,17 @@ def _check_numbers(description: ModelDescription, path: Path) -> None:
             raise InputError(
                 f"the value reference {reference} of {shown(scalar.name)} is beyond 32 bits", path
             )
-    for scalar in real_variables(description):
+    for scalar in description.modelVariables:
+        if _KINDS.get(scalar.type) not in ("Real", "Integer", "Enumeration"):
+            continue
         for key in ("start", "min", "max", "nominal"):
-            _check_number(_attribute(scalar, key), f"{key} of {shown(scalar.name)}", path)
+            for text in _numbers(_attribute(scalar, key)):
+                _check_number(text, f"{key} of {shown(scalar.name)}", path)
+
+
+def _numbers(given: Any) -> list[Any]:
+    """The numbers of an attribute, of which an array has several."""
+    return given.split() if isinstance(given, str) else [given]
 
 
 def _check_number(text: Any, what: str, path: Path) -> None:
@@ -263,15 +289,75 @@ def fmi_version(description: ModelDescription) -> str:
     return ".".join(str(description.fmiVersion).split("-")[0].split(".")[:2])
 
 
-def real_variables(description: ModelDescription) -> list[Any]:
-    """FMPy's scalar variables of double precision."""
-    return [
-        v for v in description.modelVariables if v.type in ("Real", "Float64") and not v.dimensions
-    ]
+@dataclass(frozen=True)
+class Slot:
+    """Where the value of a variable is in an FMU: an array has one value reference for all its elements.
+
+    Attributes:
+        scalar: FMPy's variable.
+        name: of the variable, or of the element: ``a[1,2]``.
+        place, size: which element it is, from 0, and how many there are.
+        starts: start values of all elements; a String has a text.
+    """
+
+    scalar: Any
+    name: str
+    place: int
+    size: int
+    starts: tuple[float | str | None, ...]
+
+    @property
+    def kind(self) -> Kind:
+        """Type of the values."""
+        return _KINDS[self.scalar.type]
+
+
+@lru_cache(maxsize=_KEPT)
+def slots(description: ModelDescription) -> Mapping[str, Slot]:
+    """By name, each variable of a type that has numbers or texts, and each element of an array."""
+    return {
+        slot.name: slot
+        for scalar in description.modelVariables
+        if scalar.type in _KINDS and _size(scalar) <= _MOST_ELEMENTS
+        for slot in _slots_of(scalar)
+    }
+
+
+def _size(scalar: Any) -> int:
+    return math.prod(scalar.shape or ())
+
+
+def _slots_of(scalar: Any) -> Iterator[Slot]:
+    starts, size = _starts(scalar, _size(scalar)), _size(scalar)
+    if not scalar.shape:
+        yield Slot(scalar, scalar.name, 0, 1, starts)
+        return
+    places = product(*(range(1, count + 1) for count in scalar.shape))
+    for place, indices in enumerate(places):
+        name = f"{scalar.name}[{','.join(map(str, indices))}]"
+        yield Slot(scalar, name, place, size, starts)
+
+
+def _starts(scalar: Any, size: int) -> tuple[float | str | None, ...]:
+    """Of every element; FMPy has those of an array as one text, or as a list."""
+    given = None if scalar.variability == "constant" else scalar.start
+    if given is None:
+        return (None,) * size
+    if scalar.type == "String":
+        several = given if isinstance(given, (list, tuple)) else [given]
+    else:
+        several = given.split() if isinstance(given, str) else [given]
+    read = [str(v) if scalar.type == "String" else _start(v) for v in several]
+    return tuple(read[i % len(read)] for i in range(size)) if read else (None,) * size
+
+
+def _start(text: Any) -> float:
+    word = str(text).casefold()
+    return float(word == "true") if word in ("true", "false") else float(text)
 
 
 def read_interface(path: Path) -> Interface:
-    """Names, units and start values of an FMU's real variables.
+    """Names, units and start values of an FMU's variables; the elements of an array are variables.
 
     ``locals`` holds every other variable that can be read, states, derivatives and calculated parameters included.
 
@@ -290,10 +376,30 @@ def interface_of(description: ModelDescription) -> Interface:
         "parameter": {},
         "local": {},
     }
-    for scalar in real_variables(description):
-        causality = "local" if scalar.causality == "calculatedParameter" else scalar.causality
-        if causality in groups:
-            groups[causality][scalar.name] = _variable(scalar)
+    refused: dict[str, str] = {}
+    calculated: list[str] = []
+    known = slots(description)
+    own = str(description.generationTool).startswith(TOOL)
+    pressures: Pressures = "gauge" if own else ""
+    for name, slot in known.items():
+        causality = slot.scalar.causality
+        if causality == "calculatedParameter":
+            calculated.append(name)
+            causality = "local"
+        reason = _refusal(slot)
+        if reason:
+            refused[name] = reason
+        elif causality in groups:
+            groups[causality][name] = _variable(slot, pressures)
+    for scalar in description.modelVariables:
+        if scalar.name not in known and not scalar.shape:
+            refused[scalar.name] = f"it is of type {scalar.type}, which has no number"
+        elif scalar.shape:
+            first = f"{scalar.name}[{','.join('1' * len(scalar.shape))}]"
+            shape = " by ".join(map(str, scalar.shape))
+            refused[scalar.name] = f"it is an array of {shape} elements; name one, as {first}"
+            if first not in known:
+                refused[scalar.name] = f"it is an array of {shape} elements of {scalar.type}"
     experiment = description.defaultExperiment
     given = {}
     if experiment is not None:
@@ -318,15 +424,46 @@ def interface_of(description: ModelDescription) -> Interface:
         sensitivities={n: v for n, v in outputs.items() if n in slopes},
         states=tuple(states),
         rates=tuple(states.values()),
+        refused=refused,
+        calculated=tuple(calculated),
     )
+
+
+def _refusal(slot: Slot) -> str:
+    """Why a variable is neither set nor read; "" where it can be."""
+    causality = slot.scalar.causality
+    if causality == "independent":
+        return "it is the time"
+    if causality == "structuralParameter":
+        start = slot.starts[0]
+        return f"it is a structural parameter, which sets sizes of arrays, and stays {start:g}"
+    if slot.kind == "String" and causality != "parameter":
+        return f"it is a String and an {causality}, of which there is no curve"
+    return ""
 
 
 def _states(description: ModelDescription, known: Mapping[str, Variable]) -> dict[str, str]:
     """The continuous states that a run can be given other start values of, with their rates; no sensitivities."""
-    rates = [unknown.variable for unknown in description.derivatives]
-    names = {rate.derivative.name: rate.name for rate in rates if rate.derivative is not None}
+    rates = dict(state_names(description))
+    names = {state: rate for state, rate in rates.items() if state in known}
     begun = {name for name, variable in known.items() if variable.start is not None}
     return {n: r for n, r in names.items() if n in begun and not is_sensitivity(n)}
+
+
+def fixed_step(description: ModelDescription) -> float | None:
+    """The step of communication that an FMU declares [s]; None: none."""
+    experiment = description.defaultExperiment
+    declared = getattr(description.coSimulation, "fixedInternalStepSize", None)
+    return _float(declared or (experiment.stepSize if experiment is not None else None)) or None
+
+
+def state_names(description: ModelDescription) -> Iterator[tuple[str, str]]:
+    """Names of the continuous states and of their derivatives by time, in the FMU's order; of arrays the elements."""
+    for unknown in description.derivatives:
+        rate = unknown.variable
+        if rate.derivative is not None:
+            states, rates = _slots_of(rate.derivative), _slots_of(rate)
+            yield from zip((s.name for s in states), (r.name for r in rates), strict=False)
 
 
 def _float(text: Any) -> float | None:
@@ -347,17 +484,27 @@ def _text(scalar: Any, name: str) -> str:
     return printable(own or "")
 
 
-def _variable(scalar: Any) -> Variable:
+def _variable(slot: Slot, pressures: Pressures) -> Variable:
+    scalar, start = slot.scalar, slot.starts[slot.place]
+    least, greatest, nominal = (
+        _numbers(_attribute(scalar, key)) for key in ("min", "max", "nominal")
+    )
+    items = scalar.declaredType.items if slot.kind == "Enumeration" else None
     return Variable(
-        name=scalar.name,
+        name=slot.name,
         unit=_text(scalar, "unit"),
         description=_text(scalar, "description"),
-        start=None if scalar.variability == "constant" else _float(scalar.start),
-        min=_float(_attribute(scalar, "min")),
-        max=_float(_attribute(scalar, "max")),
-        nominal=_float(_attribute(scalar, "nominal")),
+        start=start if isinstance(start, float) else None,
+        min=_float(least[slot.place % len(least)]),
+        max=_float(greatest[slot.place % len(greatest)]),
+        nominal=_float(nominal[slot.place % len(nominal)]),
         display_unit=_text(scalar, "displayUnit"),
         quantity=_text(scalar, "quantity"),
+        kind=slot.kind,
+        items={printable(item.name): float(item.value) for item in items} if items else None,
+        text=start if isinstance(start, str) else "",
+        is_discrete=slot.kind != "Real" or scalar.variability == "discrete",
+        pressures=pressures,
     )
 
 
@@ -370,14 +517,15 @@ def feedthrough(path: Path) -> tuple[dict[str, frozenset[str]], bool]:
         InputError: not an FMU of FMI 2.0 or 3.0.
     """
     description = read_description(path)
-    inputs = frozenset(v.name for v in real_variables(description) if v.causality == "input")
-    outputs = [v.name for v in real_variables(description) if v.causality == "output"]
+    interface, by_name = interface_of(description), slots(description)
+    inputs, outputs = frozenset(interface.inputs), [*interface.outputs, *interface.sensitivities]
     declared = {u.variable.name: u.dependencies for u in description.outputs}
-    known = {
-        name: frozenset(v.name for v in declared[name]) & inputs
-        for name in outputs
-        if declared.get(name) is not None
-    }
+    known = {}
+    for name in outputs:
+        dependencies = declared.get(by_name[name].scalar.name)
+        if dependencies is not None:
+            sources = {v.name for v in dependencies}
+            known[name] = frozenset(i for i in inputs if by_name[i].scalar.name in sources)
     return {name: known.get(name, inputs) for name in outputs}, len(known) == len(
         outputs
     ) or not inputs

@@ -12,6 +12,7 @@ from datetime import datetime
 from functools import lru_cache
 
 from pam_cosim.measurement.table import is_unit
+from pam_cosim.model.interface import SWITCH_WORDS
 
 NUMBER = re.compile(r"[+-]?(\d+(?:[.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?", re.ASCII)
 _MEASURED = re.compile(rf"(?:{NUMBER.pattern})\s*(?P<unit>[A-Za-zµμ%°][^\s\d]*)", re.ASCII)
@@ -21,36 +22,6 @@ _DATE_TIME = re.compile(
 )
 _TIME_OF_DAY = re.compile(r"(.*\D)?\d{1,2}:\d\d(:\d\d([.,]\d+)?)?(\D.*)?", re.ASCII)
 _DATE = re.compile(r"\d{1,2}([./-])\d{1,2}\1(\d{2}|\d{4})|\d{4}([./-])\d{1,2}\3\d{1,2}", re.ASCII)
-_ON = [
-    "on",
-    "true",
-    "open",
-    "high",
-    "ein",
-    "an",
-    "auf",
-    "offen",
-    "wahr",
-    "ouvert",
-    "vrai",
-    "marche",
-]
-_OFF = [
-    "off",
-    "false",
-    "closed",
-    "low",
-    "aus",
-    "zu",
-    "geschlossen",
-    "falsch",
-    "fermé",
-    "ferme",
-    "faux",
-    "arrêt",
-]
-SWITCH_WORDS = {word: float(word in _ON) for word in (*_ON, *_OFF)}
-"""1 or 0 by the word in small letters."""
 
 
 def is_number(cell: str) -> bool:

@@ -25,7 +25,9 @@ from pam_cosim.measurement.table import Layout
 def _value(value: object) -> Stated:
     if isinstance(value, dict):
         raise ValueError('names with a dot need quotes: "component.parameter" = ...')
-    if isinstance(value, bool) or not isinstance(value, str | int | float):
+    if isinstance(value, bool):
+        return Stated("true" if value else "false")
+    if not isinstance(value, str | int | float):
         raise ValueError(
             'write a text with a unit such as "2.27 kg", or a number where there is no unit'
         )
@@ -243,6 +245,7 @@ class Experiment(CheckedTable):
     runs: list[RunTable]
     title: Prose = ""
     model: Name | None = None
+    pressures: Literal["absolute", "gauge"] | None = None
     kind: Literal["dynamic", "static"] = "dynamic"
     start: StartMode | None = None
     before: dict[str, Value] | None = None

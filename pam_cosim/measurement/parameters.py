@@ -5,11 +5,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from math import inf
 
+from pam_cosim.errors import InputError
 from pam_cosim.measurement.experiment_tables import FreeTable
 from pam_cosim.measurement.free_parameter import FreeParameter, Prior
 from pam_cosim.measurement.place import Place, Stated
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.model.settings import value_of
+from pam_cosim.wording import shown
 
 
 def known_values(interface: Interface, values: Mapping[str, Stated]) -> dict[str, float]:
@@ -19,9 +21,9 @@ def known_values(interface: Interface, values: Mapping[str, Stated]) -> dict[str
         InputError: an unknown name, a unit that does not fit, a value outside the model's range.
     """
     variables = {**interface.parameters, **interface.inputs}
-    what = f"{interface.model} has no parameter or input"
+    role = "parameter or input"
     return {
-        name: _value(_variable(variables, name, what, stated.place), stated)
+        name: _value(_variable(interface, variables, name, role, stated.place), stated)
         for name, stated in values.items()
     }
 
@@ -44,8 +46,10 @@ def free_parameter(
             f"{shown(name)} is an input of {interface.model}, and only parameters can be fitted"
         )
         raise table.error(f"{message}; state its value under [parameters]")
-    what = f"{interface.model} has no parameter"
-    parameter = _variable(interface.parameters, name, what, table.at())
+    parameter = _variable(interface, interface.parameters, name, "parameter", table.at())
+    if parameter.kind != "Real":
+        message = f"{name} is of type {parameter.kind}, and only Real parameters can be fitted"
+        raise table.error(f"{message}; state its value under [parameters]")
     low, high = _value(parameter, table.min), _value(parameter, table.max)
     bounds = f"min = {shown(table.min.value)} and max = {shown(table.max.value)}"
     if not low < high:
@@ -68,13 +72,20 @@ def free_parameter(
     return FreeParameter(full_name, low, high, start, parameter.unit, table.transform, prior, run)
 
 
-def _variable(variables: Mapping[str, Variable], name: str, what: str, place: Place) -> Variable:
-    if name not in variables:
-        raise place.error(f"{what} {shown(name)}; {did_you_mean(name, variables)}")
-    return variables[name]
+def _variable(
+    interface: Interface, known: Mapping[str, Variable], name: str, role: str, place: Place
+) -> Variable:
+    if name not in known:
+        raise place.error(interface.unknown(name, role, known))
+    return known[name]
 
 
 def _value(parameter: Variable, stated: Stated) -> float:
+    if parameter.kind != "Real":
+        try:
+            return value_of(stated.value, parameter)
+        except InputError as error:
+            raise stated.place.error(error.message) from None
     number = stated.quantity(parameter.unit, parameter.name)
     low = -inf if parameter.min is None else parameter.min
     high = inf if parameter.max is None else parameter.max

@@ -73,14 +73,12 @@ def points_of(
     _check_columns(table, interface)
     table = only_whole_rows(table, interface.inputs)
     imposed = {
-        name: without_gaps(
-            table, name, interface.inputs[name].unit, "a row must say what is imposed"
-        )
+        name: without_gaps(table, name, interface.inputs[name], "a row must say what is imposed")
         for name in table.columns
         if name in interface.inputs
     }
     read = {
-        n: converted(table, n, interface.outputs[n].unit)
+        n: converted(table, n, interface.outputs[n])
         for n in table.columns
         if n in interface.outputs
     }

@@ -27,7 +27,7 @@ from pam_cosim.model.input_map import InputMap
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_file, is_fmu
 from pam_cosim.units import LARGEST
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.wording import shown
 
 
 def read_data_set(
@@ -55,6 +55,8 @@ def read_data_set(
     experiment = read_experiment(_experiment_file(Path(folder)))
     base = model or _model_of(experiment, benches)
     interface = describe(base) if model else _interface(experiment, base, describe)
+    if experiment.pressures is not None:
+        interface = interface.with_pressures(experiment.pressures)
     maps = input_maps(experiment, interface)
     name = base
     if maps:
@@ -83,8 +85,7 @@ def _converted(
     shared = {name: value for name, value in values.items() if name not in free}
     for name, signal in experiment.signals.items():
         if name not in interface.outputs:
-            message = f"{interface.model} has no output {shown(name)}; {did_you_mean(name, interface.outputs)}"
-            raise signal.error(message)
+            raise signal.error(interface.unknown(name, "output", interface.outputs))
     tables = experiment.full_runs()
     check_runs(tables, experiment)
     of_runs = [

@@ -13,7 +13,12 @@ from pam_cosim.measurement.experiment_tables import LoggerTable, RecordingTable,
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.pieces import with_time_going_on
 from pam_cosim.measurement.points import WORDS, Points, points_of
-from pam_cosim.measurement.recording import Recording, recording_of, with_held_values
+from pam_cosim.measurement.recording import (
+    Recording,
+    recording_of,
+    with_held_values,
+    words_of,
+)
 from pam_cosim.measurement.table import TIME, Layout
 from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
 from pam_cosim.model.interface import Interface
@@ -68,7 +73,8 @@ def read_points(
     words = WORDS
     if branch is not None and branch.words is not None:
         words = {cell.casefold(): WORDS[word] for cell, word in branch.words.items()}
-    layout = replace(_layout(stated, columns, interface), words={source: words})
+    layout = _layout(stated, columns, interface)
+    layout = replace(layout, words={**layout.words, source: words})
     table = with_columns(read_table(file, layout), columns, interface.inputs)
     return points_of(with_zeros(table, columns), interface, run, held), (file,)
 
@@ -119,4 +125,6 @@ def _offset(run: RunTable, logger: LoggerTable, reference: Recording, shifted: R
 
 def _layout(stated: RecordingTable, columns: Columns, interface: Interface) -> Layout:
     needed = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
-    return stated.layout(asked=needed, clock=clock_of(columns))
+    headings = {n: one.column for n, one in columns.items() if isinstance(one.column, str)}
+    layout = stated.layout(asked=needed, clock=clock_of(columns))
+    return replace(layout, words=words_of(interface, headings))

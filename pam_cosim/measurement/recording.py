@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass, field, replace
 from pathlib import Path
 
@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.signal import Averaged
-from pam_cosim.measurement.table import LEFT_OUT, TIME, Table
-from pam_cosim.model.interface import Interface
-from pam_cosim.units import LARGEST, UnitError, convert
+from pam_cosim.measurement.table import LEFT_OUT, TIME, Layout, Table, Words
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.units import LARGEST, UnitError, convert, pressure_reference
 from pam_cosim.wording import did_you_mean, listed, shown
 
 EMPTY_SHARE = 0.1  # of the rows: a column with more keeps its value, or is a slower measurement
@@ -45,7 +45,7 @@ def read_recording(file: Path, interface: Interface) -> Recording:
     Raises:
         InputError: see ``read_table`` and ``recording_of``.
     """
-    return recording_of(read_table(file), interface)
+    return recording_of(read_table(file, Layout(words=words_of(interface))), interface)
 
 
 def recording_of(table: Table, interface: Interface) -> Recording:
@@ -63,9 +63,9 @@ def recording_of(table: Table, interface: Interface) -> Recording:
     inputs, measurements = {}, {}
     for name in table.columns:
         if name in interface.inputs:
-            inputs[name] = without_gaps(table, name, interface.inputs[name].unit)
+            inputs[name] = without_gaps(table, name, interface.inputs[name])
         elif name in interface.outputs:
-            measurements[name] = converted(table, name, interface.outputs[name].unit)
+            measurements[name] = converted(table, name, interface.outputs[name])
     return Recording(time, inputs, measurements, table.notes)
 
 
@@ -122,26 +122,63 @@ def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
     """What to say of a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
-    names = [*([TIME] if time else []), *interface.inputs, *interface.outputs]
+    known = dict.fromkeys([*([TIME] if time else []), *interface.inputs, *interface.outputs])
     hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
-    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, names)}; {hint}"
+    return f"{interface.unknown(name, 'input or output', known)}; {hint}"
 
 
-def converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:
-    """(n,) values of a column in a unit of the bench.
+def words_of(interface: Interface, columns: Mapping[str, str] | None = None) -> Words:
+    """Words that columns of inputs and outputs may hold: of Booleans on and off, the items of enumerations.
+
+    Args:
+        interface: of the model.
+        columns: by name, the heading in the file, where it is another one.
+    """
+    variables = {**interface.inputs, **interface.outputs}
+    headings = columns or {}
+    return {headings.get(n, n): dict(v.words) for n, v in variables.items() if v.words}
+
+
+def converted(table: Table, name: str, variable: Variable) -> NDArray[np.float64]:
+    """(n,) values of a column in the unit of a variable of the bench.
 
     Raises:
-        InputError: the units do not fit, a value is too large.
+        InputError: the units do not fit, a value is too large, or none that the variable may have.
     """
     column = table.columns[name]
+    unit, reference = pressure_reference(column.unit)
+    if reference and variable.pressures != "gauge":
+        _check_pressure(table, name, reference, variable.pressures)
+    else:
+        unit = column.unit
     try:
-        values = convert(column.values, column.unit, unit)
+        values = convert(column.values, unit, variable.unit)
     except UnitError as error:
         raise table.error(f"{error}; the heading is '{name} [unit]'", name) from None
     too_large = np.flatnonzero(np.abs(values) > LARGEST)
     if too_large.size:
         raise table.error("the value is too large", name, int(too_large[0]))
+    if variable.kind != "Real":
+        for value in np.unique(values[np.isfinite(values)]):
+            if not variable.allows(float(value)):
+                row = int(np.flatnonzero(values == value)[0])
+                message = f"{value:g} is no value of {name}, which must be {variable.values}"
+                raise table.error(message, name, row)
     return locked(values)
+
+
+def _check_pressure(table: Table, name: str, reference: str, of_model: str) -> None:
+    """Raises InputError where a column says "absolute" or "gauge", and the pressures of the model are not known so."""
+    if reference == of_model:
+        return
+    unit = table.columns[name].unit
+    said = f"unit {shown(unit)} says that the pressure is {reference}"
+    if of_model:
+        plain = pressure_reference(unit)[0]
+        hint = f'state unit = "{plain}", offset = "101.325 kPa" under [columns]'
+        raise table.error(f"{said}, those of the model are {of_model}; {hint}", name)
+    hint = 'pressures = "absolute" or pressures = "gauge" at the top of experiment.toml, above all tables'
+    raise table.error(f"{said}, and nothing says what those of the model are; state {hint}", name)
 
 
 def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -153,11 +190,11 @@ def locked(values: NDArray[np.float64]) -> NDArray[np.float64]:
 def without_gaps(
     table: Table,
     name: str,
-    unit: str,
+    variable: Variable,
     rule: str = "only measured outputs may lack samples, time and inputs may not",
 ) -> NDArray[np.float64]:
     """As ``converted``; an empty cell is an error, which ends with the ``rule``."""
-    values = converted(table, name, unit)
+    values = converted(table, name, variable)
     gaps = np.flatnonzero(np.isnan(values))
     if gaps.size:
         raise table.error(f"the cell is empty; {rule}", name, int(gaps[0]))
@@ -169,7 +206,7 @@ def _time(table: Table) -> NDArray[np.float64]:
     if TIME not in table.columns:
         message = f"there is no column 'time [s]'; {did_you_mean(TIME, table.columns)}"
         raise InputError(message, table.file, table.header_line)
-    time = without_gaps(table, TIME, "s")
+    time = without_gaps(table, TIME, Variable(TIME, "s"))
     if len(time) < 2:
         raise table.error("there is only one row; a recording needs two at least", TIME, 0)
     with np.errstate(over="ignore"):

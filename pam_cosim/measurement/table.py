@@ -28,6 +28,10 @@ _ROUND = re.compile(r"(.+?)\s*\(((?:[^()]|\([^()]*\))+)\)")
 _OVER = re.compile(r"(.+?)\s+(?:/|in)\s+([^\s(]\S*(?:\s+\S+)?)")
 
 
+Words = Mapping[str, Mapping[str, float]]
+"""By column, the numbers of the words that it may hold, in small letters."""
+
+
 @dataclass(frozen=True)
 class Column:
     """One column: values (n,) in ``unit``, NaN where a sample is missing; what the file calls it, and which it is.
@@ -117,7 +121,7 @@ class Layout:
     missing: frozenset[str] = frozenset()
     asked: frozenset[str] = field(default=frozenset())
     clock: frozenset[str | int] | None = None
-    words: Mapping[str, Mapping[str, float]] = field(default_factory=dict)
+    words: Words = field(default_factory=dict)
 
     def keeps(self, heading: str, name: str) -> bool:
         """Whether a column is read."""

@@ -15,7 +15,6 @@ from numpy.typing import NDArray
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.cell_kinds import (
-    SWITCH_WORDS,
     date_time,
     is_date,
     seconds_between,
@@ -23,6 +22,7 @@ from pam_cosim.measurement.cell_kinds import (
 )
 from pam_cosim.measurement.text_layout import WORDS, TextLayout
 from pam_cosim.measurement.text_rows import Line, split_cells
+from pam_cosim.model.interface import SWITCH_WORDS
 from pam_cosim.wording import shown
 
 _BLOCK = 20_000  # Lines that are turned into numbers at once.

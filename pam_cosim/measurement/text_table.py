@@ -13,7 +13,6 @@ import numpy as np
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import labview_text
 from pam_cosim.measurement.cell_kinds import (
-    SWITCH_WORDS,
     are_switch_words,
     date_time,
     is_date,
@@ -33,6 +32,7 @@ from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
+from pam_cosim.model.interface import SWITCH_WORDS
 from pam_cosim.wording import shown
 
 _MOST_LINES = 5_000_000  # Each takes some 200 bytes while it is read.

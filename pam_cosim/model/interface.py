@@ -2,17 +2,53 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass, field, replace
+from types import MappingProxyType
+from typing import Literal
 
-from pam_cosim.wording import Printed
+from pam_cosim.wording import Printed, did_you_mean, shown
 
 RECORD_DELAY = "RecordDelay"
 """The quantity of a parameter by which the record of all readings is late against that of the inputs [s]."""
 
 
+Pressures = Literal["gauge", "absolute", ""]
+Kind = Literal["Real", "Integer", "Boolean", "Enumeration", "String"]
+
+_ON = {
+    "on",
+    "true",
+    "open",
+    "high",
+    "ein",
+    "an",
+    "auf",
+    "offen",
+    "wahr",
+    "ouvert",
+    "vrai",
+    "marche",
+}
+_OFF = {"off", "false", "closed", "low", "aus", "zu", "geschlossen", "falsch", "fermé", "ferme"}
+_OFF |= {"faux", "arrêt"}
+SWITCH_WORDS: Mapping[str, float] = MappingProxyType(
+    {word: float(word in _ON) for word in sorted(_ON | _OFF)}
+)
+"""1 or 0 by the word, in small letters, for a state of a switch."""
+
+
 @dataclass(frozen=True)
 class Variable:
-    """One scalar quantity of a model; all numbers in the unit named by ``unit`` (SI)."""
+    """One scalar quantity of a model; all numbers in the unit named by ``unit`` (SI).
+
+    Attributes:
+        kind: type of the values. All but those of a String are numbers; a Boolean is 0 or 1.
+        items: of an Enumeration, the numbers of its names.
+        text: of a String, the start value.
+        is_discrete: the value changes at events alone, and is constant between them.
+        pressures: of a pressure, whether it is "gauge" or "absolute"; "": nothing says so.
+    """
 
     name: str
     unit: str = ""
@@ -23,6 +59,36 @@ class Variable:
     nominal: float | None = None
     display_unit: str = ""
     quantity: str = ""
+    kind: Kind = "Real"
+    items: Mapping[str, float] | None = field(default=None, hash=False)
+    text: str = ""
+    is_discrete: bool = False
+    pressures: Pressures = "gauge"
+
+    @property
+    def words(self) -> Mapping[str, float]:
+        """Numbers of the words that are values, in small letters."""
+        if self.kind == "Boolean":
+            return SWITCH_WORDS
+        return {name.casefold(): number for name, number in (self.items or {}).items()}
+
+    def allows(self, number: float) -> bool:
+        """Whether a number is a value of this kind; ranges are not looked at."""
+        if self.kind == "String":
+            return True
+        if self.kind == "Boolean":
+            return number in (0.0, 1.0)
+        if self.items is not None:
+            return number in self.items.values()
+        return self.kind == "Real" or number == round(number)
+
+    @property
+    def values(self) -> str:
+        """What values of this kind are, for messages."""
+        if self.items is not None:
+            return f"one of {', '.join(self.items)}"
+        names = {"Boolean": "0 or 1 (off, on)", "Integer": "a whole number", "String": "a text"}
+        return names.get(self.kind, "a number")
 
 
 @dataclass(frozen=True)
@@ -38,6 +104,8 @@ class Interface(Printed):
         sensitivities: outputs that are derivatives of outputs with respect to parameters; not among ``outputs``.
         states: names of the continuous states whose start values can be set; they are locals or outputs too.
         rates: names of their derivatives by time.
+        refused: variables of the model that are in none of the groups, and why.
+        calculated: names of the parameters that the model computes from others; they are among ``locals``.
     """
 
     model: str
@@ -51,6 +119,16 @@ class Interface(Printed):
     sensitivities: dict[str, Variable] = field(default_factory=dict)
     states: tuple[str, ...] = ()
     rates: tuple[str, ...] = ()
+    refused: dict[str, str] = field(default_factory=dict)
+    calculated: tuple[str, ...] = ()
+
+    def with_pressures(self, pressures: Pressures) -> Interface:
+        """The same, where it is stated what the pressures of inputs and outputs are."""
+        inputs, outputs = (
+            {name: replace(v, pressures=pressures) for name, v in group.items()}
+            for group in (self.inputs, self.outputs)
+        )
+        return replace(self, inputs=inputs, outputs=outputs)
 
     def __str__(self) -> str:
         """Inputs, outputs and parameters, a line each: name, default, range, unit, meaning."""
@@ -89,6 +167,25 @@ class Interface(Printed):
         variables = self.locals | self.outputs
         return {name: variables[name] for name in self.states}
 
+    def unknown(self, name: str, role: str, known: Mapping[str, object]) -> str:
+        """Why ``name`` cannot be used in a ``role`` such as "input", for which there are the ``known`` names."""
+        if name in self.refused:
+            return f"{shown(name)} of {self.model} cannot be used: {self.refused[name]}"
+        if name in self.calculated:
+            return (
+                f"{shown(name)} is a calculated parameter of {self.model}: it follows from other "
+                "parameters, and cannot be set; set those"
+            )
+        roles = {"input": self.inputs, "output": self.outputs, "parameter": self.parameters}
+        for own, variables in (*roles.items(), ("variable inside", self.locals)):
+            if name in variables and own not in role:
+                article = "an" if own in ("input", "output") else "a"
+                is_set = own in ("input", "parameter") or role == "output"
+                end = f", and no {role}" if is_set else " and cannot be set"
+                return f"{shown(name)} is {article} {own} of {self.model}{end}"
+        hint = did_you_mean(name, known) if known else f"it has no {role}s"
+        return f"{self.model} has no {role} {shown(name)}; {hint}"
+
 
 _SENSITIVITY = "sensitivity."
 
@@ -105,7 +202,15 @@ def is_sensitivity(name: str) -> bool:
 
 def _line(variable: Variable) -> str:
     start = "" if variable.start is None else f" = {variable.start:g}"
-    head = f"{variable.name}{start} [{variable.unit or '1'}]{_bounds(variable)}"
+    kind = f"[{variable.unit or '1'}]{_bounds(variable)}"
+    if variable.kind != "Real":
+        kind = f"({variable.kind}{_bounds(variable)}: {variable.values})"
+    if variable.kind == "String":
+        start = f" = {shown(variable.text)}"
+    names = {number: name for name, number in (variable.items or {}).items()}
+    if variable.start in names:
+        start = f" = {names[variable.start]}"
+    head = f"{variable.name}{start} {kind}"
     return f"{head}: {variable.description}".rstrip(": ")
 
 

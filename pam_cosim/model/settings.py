@@ -9,10 +9,37 @@ import numpy as np
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, parse_quantity
-from pam_cosim.wording import did_you_mean, shown
+from pam_cosim.wording import shown
 
-# A number in the model's own (SI) unit, or a text such as "207 kPa".
+# A number in the model's own (SI) unit, or a text such as "207 kPa", "on", or the name of an enumeration's item.
 Setting = float | str
+
+
+class Text(float):
+    """The value of a parameter of type String, where those of all others are numbers."""
+
+    text: str
+
+    def __new__(cls, text: str) -> Text:
+        """Of the text itself."""
+        made = super().__new__(cls)
+        made.text = text
+        return made
+
+    def __str__(self) -> str:
+        return self.text
+
+    def __format__(self, form: str) -> str:
+        return self.text
+
+    def __getnewargs__(self) -> tuple[str]:  # type: ignore[override]
+        return (self.text,)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Text) and self.text == other.text
+
+    def __hash__(self) -> int:
+        return hash(self.text)
 
 
 def resolve(settings: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
@@ -30,14 +57,10 @@ def settable(name: str, interface: Interface) -> Variable:
     Raises:
         InputError: nothing of that name can be set; says which name is nearest.
     """
-    variables = interface.settable
-    if name not in variables:
-        if name in interface.outputs:
-            raise InputError(f"'{name}' is an output of {interface.model} and cannot be set")
-        raise InputError(
-            f"{interface.model} has no parameter or input '{name}'; {did_you_mean(name, variables)}"
-        )
-    return variables[name]
+    known = interface.settable
+    if name not in known:
+        raise InputError(interface.unknown(name, "parameter or input", known))
+    return known[name]
 
 
 def value_of(value: Setting, variable: Variable) -> float:
@@ -46,7 +69,32 @@ def value_of(value: Setting, variable: Variable) -> float:
     Raises:
         InputError: as ``resolve``.
     """
+    if variable.kind != "Real":
+        return discrete_value(value, variable)
     number = _finite(value, variable, difference=False)
+    return _within_range(number, value, variable)
+
+
+def discrete_value(value: Setting, variable: Variable) -> float:
+    """A value of a variable that is not Real: a number or a word, or of a String the text.
+
+    Raises:
+        InputError: none of the values that the variable may have.
+    """
+    if variable.kind == "String":
+        return Text(str(value))
+    number = variable.words.get(str(value).strip().casefold())
+    if number is None:
+        try:
+            number = float(value)
+        except (TypeError, ValueError):
+            number = np.nan
+    if not np.isfinite(number) or not variable.allows(number):
+        raise InputError(f"{_said(value, variable)}: must be {variable.values}")
+    return _within_range(number, value, variable)
+
+
+def _within_range(number: float, value: Setting, variable: Variable) -> float:
     low, high = variable.min, variable.max
     if (low is not None and number < low) or (high is not None and number > high):
         raise InputError(f"{_said(value, variable)}: must be {_range(variable)}")

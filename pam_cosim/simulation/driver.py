@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import ctypes
-from collections.abc import Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, Literal, Protocol
 
@@ -16,21 +16,30 @@ from fmpy.fmi2 import (
 )
 
 from pam_cosim.arrays import Array
-from pam_cosim.simulation.native import SLOTS, DriverRun, MessageLog, address, driver_library
+from pam_cosim.fmu.read import Slot
+from pam_cosim.simulation.native import (
+    SLOTS,
+    DriverRun,
+    DriverVariables,
+    MessageLog,
+    address,
+    driver_library,
+)
 from pam_cosim.simulation.plan import CommunicationPlan
+from pam_cosim.simulation.values import Selection
 from pam_cosim.wording import printable
 
 # In the order of the function pointers in driver_run, by major version of FMI; version 3 sets up the experiment when
 # it enters initialization mode, and has no slopes of inputs: our own FMUs have a function for them beside FMI, and one
-# for equilibria.
+# for equilibria. Functions that set and get values are those of the variables' types.
 FUNCTIONS: dict[int, tuple[str | None, ...]] = {
     2: (
         "fmi2Reset",
         "fmi2SetupExperiment",
         "fmi2EnterInitializationMode",
         "fmi2ExitInitializationMode",
-        "fmi2SetReal",
-        "fmi2GetReal",
+        None,
+        None,
         "fmi2SetRealInputDerivatives",
         "fmi2DoStep",
         "fmi2Terminate",
@@ -41,8 +50,8 @@ FUNCTIONS: dict[int, tuple[str | None, ...]] = {
         None,
         "fmi3EnterInitializationMode",
         "fmi3ExitInitializationMode",
-        "fmi3SetFloat64",
-        "fmi3GetFloat64",
+        None,
+        None,
         "pam_set_input_slopes",
         "fmi3DoStep",
         "fmi3Terminate",
@@ -116,8 +125,8 @@ class Request:
 
     Attributes:
         plan: when what is set and read.
-        parameters: their value references, and values.
-        inputs, outputs: value references; the plan has the values of the inputs.
+        parameters: by name.
+        inputs, outputs: names; the plan has the values of the inputs.
         tolerance: relative, of the solver; None: the model's.
         must_reset: the instance was used before.
         max_seconds: of processor time; None: as long as it likes.
@@ -127,9 +136,9 @@ class Request:
     """
 
     plan: CommunicationPlan
-    parameters: tuple[Sequence[int], Sequence[float]]
-    inputs: Sequence[int]
-    outputs: Sequence[int]
+    parameters: Mapping[str, float]
+    inputs: Sequence[str]
+    outputs: Sequence[str]
     tolerance: float | None
     must_reset: bool
     max_seconds: float | None
@@ -153,6 +162,24 @@ class AnyDriver(Protocol):
         """One simulation."""
 
 
+class _Selected:
+    """Variables of a run, as C reads them.
+
+    Attributes:
+        selection: which they are.
+        variables: the same for C.
+        functions: types in the names of functions, by the addresses of groups.
+    """
+
+    def __init__(self, selection: Selection, library: Any) -> None:
+        self.selection = selection
+        groups, self._kept = selection.driver_groups(lambda name: address(library, name))
+        self._groups = groups
+        begin, size = ctypes.addressof(groups), ctypes.sizeof(groups) // len(groups)
+        self.functions = {begin + i * size: g.function for i, g in enumerate(selection.groups)}
+        self.variables = DriverVariables(len(selection.groups), begin, selection.width)
+
+
 class Driver:
     """Runs one instance of an FMU.
 
@@ -160,13 +187,23 @@ class Driver:
         library: the FMU's shared library.
         instance: its fmi2Component or fmi3Instance.
         slopes: whether the FMU understands derivatives of inputs.
+        slots: its variables by name.
         version: major version of FMI, 2 or 3.
 
     Attributes:
         settles: whether the FMU finds equilibria.
     """
 
-    def __init__(self, library: Any, instance: int, slopes: bool, version: int = 2) -> None:
+    def __init__(
+        self,
+        library: Any,
+        instance: int,
+        slopes: bool,
+        slots: Mapping[str, Slot],
+        version: int = 2,
+    ) -> None:
+        self._library, self._slots = library, slots
+        self._selected: dict[tuple[str, ...], _Selected] = {}
         names = dict(zip(SLOTS, FUNCTIONS[version], strict=True))
         self._names = [name or "" for name in names.values()]
         self._addresses = {slot: address(library, name) for slot, name in names.items()}
@@ -184,22 +221,40 @@ class Driver:
         return (
             None
             if run is None
-            else RunProgress(self._names[run.active], run.calls, run.time_reached)
+            else RunProgress(self._function(run, run.active), run.calls, run.time_reached)
         )
+
+    def _function(self, run: DriverRun, stage: int) -> str:
+        """The function of FMI of a stage; of values that of their type."""
+        way = {"set_values": "Set", "get_values": "Get"}.get(SLOTS[stage])
+        if way is None:
+            return self._names[stage]
+        kinds = (one.functions.get(run.group) for one in [*self._selected.values()])
+        kind = next(filter(None, kinds), "")
+        return f"fmi{self._version}{way}{kind}"
+
+    def _select(self, names: Iterable[str]) -> _Selected:
+        key = tuple(names)
+        if key not in self._selected:
+            selection = Selection(key, self._slots, self._version)
+            self._selected[key] = _Selected(selection, self._library)
+        return self._selected[key]
 
     def run(self, request: Request) -> Outcome:
         """One simulation."""
-        plan, parameters, inputs, outputs = (
-            request.plan,
-            request.parameters,
-            request.inputs,
-            request.outputs,
-        )
-        tolerance = request.tolerance
-        references = [np.array(r, dtype=np.uint32) for r in (parameters[0], inputs, outputs)]
-        values = np.array(parameters[1], dtype=np.float64)
-        orders = np.ones(len(inputs), dtype=np.int32)
-        result = np.empty((plan.row_count, len(outputs)))
+        plan, tolerance = request.plan, request.tolerance
+        selected = [self._select(n) for n in (request.parameters, request.inputs, request.outputs)]
+        parameters, inputs, outputs = (one.selection for one in selected)
+        settings = list(request.parameters.values())
+        values = parameters.spread(np.array(settings, dtype=np.float64))
+        texts = parameters.texts(settings)
+        strings = (ctypes.c_char_p * max(1, len(texts)))(*texts)
+        course, slopes = inputs.spread(plan.values), inputs.spread(plan.slopes, 0.0)
+        sloped = [group for group in inputs.groups if group.is_slope]
+        count = len(sloped[0].references) if sloped else 0
+        orders = np.ones(count, dtype=np.int32)
+        result = np.empty((plan.row_count, outputs.width))
+        buffer = np.empty(max(1, *(one.selection.width for one in selected)))
         run = DriverRun(
             **self._addresses,
             instance=self._instance,
@@ -214,20 +269,21 @@ class Driver:
             settle_start=_SETTLING[request.settle],
             settle_at=self._settle_at,
             at_rest=request.at_rest,
-            n_parameters=values.size,
-            parameters=references[0].ctypes.data,
+            parameters=selected[0].variables,
             parameter_values=values.ctypes.data,
-            n_inputs=len(inputs),
-            inputs=references[1].ctypes.data,
-            input_values=plan.values.ctypes.data,
-            input_slopes=plan.slopes.ctypes.data if self._slopes and not request.at_rest else None,
+            texts=ctypes.addressof(strings),
+            inputs=selected[1].variables,
+            input_values=course.ctypes.data,
+            input_slopes=slopes.ctypes.data if self._slopes and not request.at_rest else None,
+            n_slopes=count,
             orders=orders.ctypes.data,
-            n_outputs=len(outputs),
-            outputs=references[2].ctypes.data,
+            outputs=selected[2].variables,
             output_values=result.ctypes.data,
+            buffer=buffer.ctypes.data,
             n_points=plan.times.size,
             times=plan.times.ctypes.data,
             knots=plan.knots.ctypes.data,
+            means=None if plan.means is None else plan.means.ctypes.data,
             rows_before=plan.rows_before.ctypes.data,
             rows_after=plan.rows_after.ctypes.data,
         )
@@ -236,5 +292,9 @@ class Driver:
             driver_library().pam_driver_run(ctypes.byref(run))
         finally:
             self._running = None
-        failed = (*self._names, TOO_SLOW)[run.stage] if run.stage >= 0 else None
-        return Outcome(result[plan.rows], run.time_reached, failed)
+        failed = None
+        if run.stage >= 0:
+            failed = TOO_SLOW if run.stage == len(SLOTS) else self._function(run, run.stage)
+        return Outcome(
+            plan.table(outputs.named(result), outputs.is_discrete), run.time_reached, failed
+        )

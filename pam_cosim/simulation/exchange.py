@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 import time
+from collections.abc import Mapping
 from ctypes import c_double
 from typing import Any
 
@@ -13,9 +14,10 @@ from fmpy.model_description import ModelDescription
 from fmpy.sundials import CVodeSolver
 from fmpy.sundials.nvector_serial import NV_DATA_S
 
-from pam_cosim.fmu.read import real_variables
+from pam_cosim.fmu.read import slots
 from pam_cosim.simulation.driver import TOO_SLOW, Callbacks, Outcome, Request, RunProgress
 from pam_cosim.simulation.instance import Instance, major_version
+from pam_cosim.simulation.values import Values
 
 CVODE = "CVode"
 _MOST_STEPS = 100_000  # from row to row, as our own solver
@@ -116,9 +118,7 @@ class ExchangeDriver:
         self.indicators = int(description.numberOfEventIndicators or 0)
         self._told_steps = bool(description.modelExchange.needsCompletedIntegratorStep)
         self._tolerance = _given(description)
-        self._discrete = {
-            v.valueReference for v in real_variables(description) if v.variability == "discrete"
-        }
+        self._variables = Values(model, slots(description), major_version(model))
         self._calls, self._function = 0, ""
         self.time = 0.0
 
@@ -131,6 +131,7 @@ class ExchangeDriver:
         """As ``Driver.run``; there are neither sensitivities nor equilibria."""
         plan = self._plan = request.plan
         self._inputs, self._outputs = list(request.inputs), list(request.outputs)
+        self._is_held = self._variables.selection(self._inputs).is_discrete
         self._deadline = time.process_time() + (request.max_seconds or math.inf)
         self._values = np.full((plan.row_count, len(self._outputs)), np.nan)
         self._knot, self._next_event = -1, math.inf
@@ -166,8 +167,7 @@ class ExchangeDriver:
         self.time = start = float(self._plan.times[0])
         if request.must_reset:
             self._calling("reset").reset()
-        references, values = request.parameters
-        self._write(list(references), list(values))
+        self._write(request.parameters)
         model = self._calling("enterInitializationMode")
         if major_version(model) == 3:
             model.enterInitializationMode(tolerance=request.tolerance, startTime=start)
@@ -206,21 +206,19 @@ class ExchangeDriver:
 
     # Inputs and outputs
 
-    def _write(self, references: list[int], values: list[float]) -> None:
-        if references:
-            model = self._calling("set")
-            (model.setFloat64 if major_version(model) == 3 else model.setReal)(references, values)
+    def _write(self, values: Mapping[str, float]) -> None:
+        if values:
+            self._calling("set")
+            self._variables.set(values)
 
     def _take_knot(self, knot: int) -> None:
         """The inputs from here on."""
         if knot < 0:
             return
         self._knot, self._since = knot, self.time
-        self._write(self._inputs, self._plan.values[knot].tolist())
+        self._write(dict(zip(self._inputs, self._plan.values[knot].tolist(), strict=True)))
         slopes = self._plan.slopes[knot]
-        self._rising = [
-            i for i, vr in enumerate(self._inputs) if slopes[i] != 0.0 and vr not in self._discrete
-        ]
+        self._rising = np.flatnonzero((slopes != 0.0) & ~self._is_held).tolist()
 
     def move_to(self, time: float) -> None:
         """Tells the FMU the time [s], and the inputs that change with it."""
@@ -228,15 +226,12 @@ class ExchangeDriver:
         if self._knot >= 0 and self._rising:
             values, slopes = self._plan.values[self._knot], self._plan.slopes[self._knot]
             ahead = values + slopes * (time - self._since)
-            self._write(
-                [self._inputs[i] for i in self._rising], [float(ahead[i]) for i in self._rising]
-            )
+            self._write({self._inputs[i]: float(ahead[i]) for i in self._rising})
 
     def _read(self, row: int) -> None:
         if row >= 0 and self._outputs:
-            model = self._calling("get")
-            get = model.getFloat64 if major_version(model) == 3 else model.getReal
-            self._values[row] = get(self._outputs)
+            self._calling("get")
+            self._values[row] = self._variables.get(self._outputs)
 
     def scales(self, values: Any, count: int) -> None:
         """Sizes of the states, by which their errors are judged: nominal values, or else where they start."""

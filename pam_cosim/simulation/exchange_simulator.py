@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.simulation.driver import AnyDriver, Callbacks
 from pam_cosim.simulation.exchange import ExchangeDriver
 from pam_cosim.simulation.instance import Instance, load_instance
+from pam_cosim.simulation.plan import Steps
 from pam_cosim.simulation.simulator import Simulator
 from pam_cosim.simulation.stepper import Stepper
 
@@ -26,6 +28,10 @@ class ExchangeSimulator(Simulator):
 
     def _new_driver(self, instance: Instance) -> AnyDriver:
         return ExchangeDriver(instance, self._description, self._callbacks)
+
+    def _steps(self, times: Array) -> Steps:
+        """The solver sets inputs at any time."""
+        return Steps()
 
     def stepper(self) -> Stepper:
         """Raises InputError: steps need co-simulation."""

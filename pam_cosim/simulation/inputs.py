@@ -99,6 +99,15 @@ class Pieces:
         since = np.where(self.slope[i] == 0.0, 0.0, t - np.where(i == 0, 0.0, self.time[i]))
         return self.value[i] + self.slope[i] * since, self.slope[i]
 
+    def means(self, points: Array) -> Array:
+        """(n - 1,) means between times that increase, (n,)."""
+        corners = np.unique(np.concatenate((points, self.time[self.time > points[0]])))
+        corners = corners[corners <= points[-1]]
+        lengths = np.diff(corners)
+        middle = self.at(corners[:-1] + lengths / 2)[0]
+        integral = np.concatenate(([0.0], np.cumsum(middle * lengths)))
+        return np.diff(np.interp(points, corners, integral)) / np.diff(points)
+
 
 def pieces(time: Array, values: Array, interpolation: Interpolation) -> Pieces:
     """The fewest straight lines that say the same as the samples."""

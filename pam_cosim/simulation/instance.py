@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 import os
+import shutil
+import zipfile
 from pathlib import Path
 from typing import Any, TypeAlias
 
-import fmpy
 from fmpy.fmi2 import FMU2Model, FMU2Slave
 from fmpy.fmi3 import FMU3Model, FMU3Slave
 from fmpy.model_description import ModelDescription
@@ -77,7 +78,7 @@ def load_instance(
         directory = os.path.abspath(path)
     else:
         try:
-            fmpy.extract(str(path), unzipdir=directory, include=_needed)
+            _extract(path, Path(directory))
         except (*DAMAGED, OSError) as problem:  # a file and a folder of one name, among others
             reason = getattr(problem, "strerror", None) or problem
             raise InputError(f"the archive cannot be unpacked: {reason}", path) from None
@@ -108,9 +109,20 @@ def load_instance(
         os.chdir(folder)  # FMPy goes to the library's folder and stays there when loading fails
 
 
-def _needed(name: str) -> bool:
-    """Sources and documentation are not for running."""
-    return not name.startswith(("sources/", "documentation/"))
+def _extract(path: Path, directory: Path) -> None:
+    """Unpacks what is for running; names were looked at by ``read_description``, and may have backslashes."""
+    with zipfile.ZipFile(path) as archive:
+        for entry in archive.infolist():
+            name = entry.filename.replace("\\", "/")
+            if name.startswith(("sources/", "documentation/")):
+                continue
+            target = directory / name
+            if name.endswith("/"):
+                target.mkdir(parents=True, exist_ok=True)
+                continue
+            target.parent.mkdir(parents=True, exist_ok=True)
+            with archive.open(entry) as source, target.open("wb") as file:
+                shutil.copyfileobj(source, file)
 
 
 def own_library(directory: str, identifier: str) -> str | None:
@@ -130,7 +142,7 @@ def instantiate(instance: Instance, callbacks: Callbacks, file: str) -> None:
         if major_version(instance) == 3:
             instance.instantiate(loggingOn=True, logMessage=callbacks.note)
         else:
-            instance.instantiate(callbacks=callbacks.functions)
+            instance.instantiate(callbacks=callbacks.functions, loggingOn=True)
     except Exception as error:  # fmpy raises bare Exceptions
         messages = " ".join(callbacks.take_messages()) or str(error)
         instance.freeLibrary()

@@ -14,13 +14,19 @@ SLOTS = (
     "setup",
     "enter",
     "leave",
-    "set_real",
-    "get_real",
+    "set_values",
+    "get_values",
     "set_slopes",
     "do_step",
     "terminate",
     "settle",
 )
+
+
+class DriverVariables(ctypes.Structure):
+    """Variables that are set or read together."""
+
+    _fields_ = [("n", ctypes.c_size_t), ("groups", ctypes.c_void_p), ("n_values", ctypes.c_size_t)]
 
 
 class MessageLog(ctypes.Structure):
@@ -46,20 +52,21 @@ class DriverRun(ctypes.Structure):
         ("settle_start", ctypes.c_int32),
         ("settle_at", ctypes.c_void_p),
         ("at_rest", ctypes.c_int32),
-        ("n_parameters", ctypes.c_size_t),
-        ("parameters", ctypes.c_void_p),
+        ("parameters", DriverVariables),
         ("parameter_values", ctypes.c_void_p),
-        ("n_inputs", ctypes.c_size_t),
-        ("inputs", ctypes.c_void_p),
+        ("texts", ctypes.c_void_p),
+        ("inputs", DriverVariables),
         ("input_values", ctypes.c_void_p),
         ("input_slopes", ctypes.c_void_p),
+        ("n_slopes", ctypes.c_size_t),
         ("orders", ctypes.c_void_p),
-        ("n_outputs", ctypes.c_size_t),
-        ("outputs", ctypes.c_void_p),
+        ("outputs", DriverVariables),
         ("output_values", ctypes.c_void_p),
+        ("buffer", ctypes.c_void_p),
         ("n_points", ctypes.c_size_t),
         ("times", ctypes.c_void_p),
         ("knots", ctypes.c_void_p),
+        ("means", ctypes.c_void_p),
         ("rows_before", ctypes.c_void_p),
         ("rows_after", ctypes.c_void_p),
         ("time_reached", ctypes.c_double),
@@ -67,6 +74,7 @@ class DriverRun(ctypes.Structure):
         ("active", ctypes.c_int32),
         ("stage", ctypes.c_int32),
         ("status", ctypes.c_int32),
+        ("group", ctypes.c_void_p),
     ]
 
 

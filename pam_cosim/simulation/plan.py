@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+import math
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -17,6 +18,8 @@ Indices = NDArray[np.int64]
 
 # Points closer than this part of the time scale are one.
 _SAME_TIME = 1e-12
+_ON_GRID = 1e-6  # of a step: a time so close to the end of one is there
+_JUMP = 0.05  # of the range of an input, above which it is a step and not noise
 _KEPT = 64  # plans: a fit runs the same few experiments over and over
 
 
@@ -31,6 +34,8 @@ class CommunicationPlan:
         rows_before, rows_after: (m,) row of outputs read before and after the inputs are set, or -1.
         rows: (n,) row of each time asked for.
         row_count: number of rows.
+        means: (m,) row of ``values`` to set at the point after reading, or -1; None: none.
+        grid: of an FMU with equal steps, where the times asked for are among them; None: they are points.
     """
 
     times: Array
@@ -41,10 +46,67 @@ class CommunicationPlan:
     rows_after: Indices
     rows: Indices
     row_count: int
+    means: Indices | None = None
+    grid: EqualSteps | None = None
+
+    def table(self, values: Array, held: NDArray[np.bool_]) -> Array:
+        """(n, k) values at the times asked for, of those of the rows; (k,) ``held`` are not interpolated."""
+        return values[self.rows] if self.grid is None else self.grid.table(values, held)
+
+
+@dataclass(frozen=True)
+class EqualSteps:
+    """Times among the ends of equal steps, between which outputs are interpolated.
+
+    Attributes:
+        place: (n,) of each time, in steps from the start.
+        ends: (m,) numbers of the points between which the outputs are smooth: at the others an input jumps.
+    """
+
+    place: Array
+    ends: Indices
+
+    def table(self, values: Array, held: NDArray[np.bool_]) -> Array:
+        """(n, k) of (rows, k): a row for every point, and for each of the ``ends`` but the first one from before it."""
+        from scipy.interpolate import Akima1DInterpolator
+
+        count, last = int(self.ends[-1]), np.floor(self.place).astype(np.int64)
+        made, before = values[last], values[count + 1 :]
+        is_first = np.append(self.place[1:] == self.place[:-1], False)
+        for a, b, end in zip(self.ends[:-1], self.ends[1:], before, strict=True):
+            points, own = np.arange(a, b + 1), np.concatenate((values[a:b], end[None]))
+            inside = (self.place > a) & (self.place < b)
+            if not inside.any():
+                pass
+            elif b - a == 1 or not np.isfinite(own).all():
+                share = (self.place[inside] - a)[:, None]
+                made[inside] = own[0] + share * (own[1] - own[0])
+            else:
+                made[inside] = Akima1DInterpolator(points, own, method="makima")(self.place[inside])
+            made[is_first & (self.place == b)] = end
+        made[:, held] = values[last][:, held]
+        return made
+
+
+@dataclass(frozen=True)
+class Steps:
+    """What an FMU needs of communication points.
+
+    Attributes:
+        ramps: distance [s] of the points at which inputs that change over time are set, where it takes no slopes.
+        fixed: length of each of its steps [s]; None: steps of any length.
+    """
+
+    ramps: float | None = None
+    fixed: float | None = None
 
 
 def plan(
-    times: Array, start: float, inputs: Inputs | None, sample_ramps: float | None = None
+    times: Array,
+    start: float,
+    inputs: Inputs | None,
+    steps: Steps = Steps(),
+    held: Collection[str] = (),
 ) -> CommunicationPlan:
     """Lays out a run.
 
@@ -55,18 +117,19 @@ def plan(
         times: (n,) [s] of the outputs, never decreasing.
         start: of the run [s].
         inputs: or None: start values.
-        sample_ramps: for FMUs that do not understand slopes: distance [s] of the points that approximate ramps.
+        steps: what the FMU needs.
+        held: inputs that change at samples alone, whatever the interpolation: those that are no continuous numbers.
 
     Raises:
         InputError: times that decrease or come before the start.
     """
     _check(times, start)
     if inputs is None:
-        return _laid_out(times.tobytes(), start, b"", (), "linear", sample_ramps)
+        return _laid_out(times.tobytes(), start, b"", (), (), "linear", steps)
     columns = tuple(values.tobytes() for values in inputs.values.values())
-    return _laid_out(
-        times.tobytes(), start, inputs.time.tobytes(), columns, inputs.interpolation, sample_ramps
-    )
+    discrete = tuple(name in held for name in inputs.values)
+    time = inputs.time.tobytes()
+    return _laid_out(times.tobytes(), start, time, columns, discrete, inputs.interpolation, steps)
 
 
 def points(values: Mapping[str, Array], count: int) -> CommunicationPlan:
@@ -90,29 +153,86 @@ def _laid_out(
     start: float,
     input_time: bytes,
     columns_of_inputs: tuple[bytes, ...],
+    discrete: tuple[bool, ...],
     interpolation: Interpolation,
-    sample_ramps: float | None,
+    steps: Steps,
 ) -> CommunicationPlan:
     """The plan, of the bytes of the arrays."""
     times, changing = np.frombuffer(time), np.frombuffer(input_time)
-    lines = [pieces(changing, np.frombuffer(values), interpolation) for values in columns_of_inputs]
+    lines = [
+        pieces(changing, np.frombuffer(values), "previous" if is_held else interpolation)
+        for values, is_held in zip(columns_of_inputs, discrete, strict=True)
+    ]
+    if steps.fixed is not None:
+        return _on_grid(times, start, lines, discrete, steps.fixed)
     end = float(times[-1])
     changes = _changes(lines, start, end)
-    if sample_ramps is not None and any(line.slope.any() for line in lines):
-        grid = np.arange(start, end, sample_ramps)
+    ramps = steps.ramps is not None and any(line.slope.any() for line in lines)
+    if ramps:
+        grid = np.arange(start, end, steps.ramps)
         changes = _inside(np.concatenate((changes, changing, grid, times)), start, end)
     points, evaluated, point_of_time = _merge(times, start, changes)
     known = ~np.isnan(evaluated) if lines else np.zeros(points.size, dtype=bool)
     at = evaluated[known]
     columns = [line.at(at) for line in lines]
     values, slopes = _stacked(columns, 0, at.size), _stacked(columns, 1, at.size)
+    knots = np.where(known, np.cumsum(known) - 1, -1).astype(np.int64)
+    means = None
+    if ramps:  # every point is a knot, and the inputs are straight up to the next one
+        halves = np.append(np.diff(points), 0.0)[:, None] / 2.0
+        means = np.where(np.arange(points.size) < points.size - 1, knots + len(values), -1)
+        values = np.concatenate((values, values + halves * slopes))
+        slopes = np.zeros_like(values)
+    return CommunicationPlan(
+        points, knots, values, slopes, *_rows(point_of_time, points.size), means
+    )
+
+
+def _on_grid(
+    times: Array, start: float, lines: Sequence[Pieces], discrete: Sequence[bool], length: float
+) -> CommunicationPlan:
+    """Equal steps past the last time: inputs are means over each, those that are discrete the values in the middle."""
+    count = max(1, math.ceil((times[-1] - start) / length - _ON_GRID))
+    numbers = np.arange(count + 1, dtype=np.int64)
+    points = start + length * numbers
+    exact = [line.at(points)[0] for line in lines]
+    means = [
+        line.at(points[:-1] + length / 2)[0] if is_discrete else line.means(points)
+        for line, is_discrete in zip(lines, discrete, strict=True)
+    ]
+    values = np.concatenate((np.stack(exact, 1), np.stack(means, 1))) if lines else np.zeros((0, 0))
+    ends = _smooth_ends(lines, points)
+    before = np.full(count + 1, -1, dtype=np.int64)
+    before[ends[1:]] = count + 1 + np.arange(len(ends) - 1)
+    place = (times - start) / length
+    place = np.where(np.abs(place - np.round(place)) < _ON_GRID, np.round(place), place)
+    none = np.full(count + 1, -1, dtype=np.int64)
     return CommunicationPlan(
         points,
-        np.where(known, np.cumsum(known) - 1, -1).astype(np.int64),
+        numbers if lines else none,
         values,
-        slopes,
-        *_rows(point_of_time, points.size),
+        np.zeros_like(values),
+        before,
+        numbers,
+        np.floor(place).astype(np.int64),
+        count + len(ends),
+        np.where(numbers < count, numbers + count + 1, -1) if lines else none,
+        EqualSteps(place, ends),
     )
+
+
+def _smooth_ends(lines: Sequence[Pieces], points: Array) -> Indices:
+    """(m,) numbers of the first and the last point, and of those at or around jumps of inputs."""
+    ends = [np.array([0, len(points) - 1])]
+    for line in lines:
+        before = line.value[:-1] + line.slope[:-1] * np.append(0.0, np.diff(line.time[1:]))
+        jumps = np.abs(line.value[1:] - before) > _JUMP * np.ptp(line.value)
+        place = (line.time[1:][jumps] - points[0]) / (points[1] - points[0])
+        near = np.round(place)
+        near = np.where(np.abs(place - near) < _ON_GRID, near, place)
+        ends += [np.floor(near).astype(int), np.ceil(near).astype(int)]
+    every = np.unique(np.concatenate(ends))
+    return every[(every >= 0) & (every < len(points))].astype(np.int64)
 
 
 def _stacked(columns: Sequence[tuple[Array, Array]], place: int, count: int) -> Array:

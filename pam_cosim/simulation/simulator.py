@@ -17,8 +17,9 @@ from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.fmu.read import interface_of, read_description, real_variables
+from pam_cosim.fmu.read import fixed_step, interface_of, read_description, slots
 from pam_cosim.model.interface import Interface
+from pam_cosim.model.settings import Text
 from pam_cosim.simulation.any_stepper import Abilities, abilities_of
 from pam_cosim.simulation.driver import (
     TOO_SLOW,
@@ -40,11 +41,11 @@ from pam_cosim.simulation.instance import (
     major_version,
     takes_slopes,
 )
-from pam_cosim.simulation.plan import CommunicationPlan, plan, points
+from pam_cosim.simulation.plan import CommunicationPlan, Steps, plan, points
 from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
+from pam_cosim.simulation.values import named_references
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import did_you_mean
 
 # [s] of processor time, and for each row: a thousand times what a run needs
 LONGEST_RUN = (30.0, 1e-2)
@@ -87,7 +88,8 @@ class Simulator:
         self._description = read_description(self.path)
         self.interface: Interface = interface_of(self._description)
         self._settable = self.interface.settable
-        self._references = {v.name: v.valueReference for v in real_variables(self._description)}
+        self._slots = slots(self._description)
+        self._held = frozenset(n for n, v in self.interface.inputs.items() if v.is_discrete)
         self._units = {name: variable.unit for name, variable in self.interface.variables.items()}
         self._instance: Instance | None = None
         self._stepper: Stepper | None = None
@@ -125,7 +127,8 @@ class Simulator:
 
     def _new_driver(self, instance: Instance) -> AnyDriver:
         """What makes the runs of an instance."""
-        return Driver(instance.dll, instance.component, self._slopes, major_version(instance))
+        version = major_version(instance)
+        return Driver(instance.dll, instance.component, self._slopes, self._slots, version)
 
     def __enter__(self) -> Simulator:
         return self
@@ -190,7 +193,7 @@ class Simulator:
             own.get(name, v.start or 0.0) for name, v in self.interface.record_delays.items()
         )
         shown = np.maximum(wanted - late, start) if late else wanted
-        layout = plan(shown, start, course, None if self._slopes else self.interface.interval)
+        layout = plan(shown, start, course, self._steps(wanted), self._held)
         names = self._wanted(outputs)
         values = course.values if course else {}
         if settle != "none" and not self._driver.settles:
@@ -201,7 +204,15 @@ class Simulator:
         if outcome.failed is not None:
             raise self._failure(outcome.failed, outcome.time, settings, limit)
         self._check_finite(wanted, names, outcome.values, settings)
-        return self._trajectory(wanted, names, outcome)
+        return self._trajectory(wanted, names, outcome, _steps_note(layout))
+
+    def _steps(self, times: Array) -> Steps:
+        """What the FMU needs of communication points."""
+        if not self.abilities.any_step:
+            apart = np.diff(np.unique(times))
+            usual = float(np.median(apart)) if apart.size else self.interface.interval
+            return Steps(fixed=fixed_step(self._description) or usual)
+        return Steps(ramps=None if self._slopes else self.interface.interval)
 
     def equilibria(
         self,
@@ -263,7 +274,11 @@ class Simulator:
     ) -> tuple[dict[str, float], dict[str, float]]:
         """Inputs that are held, and parameters."""
         values = {name: _number(name, value) for name, value in (parameters or {}).items()}
-        self._lookup(values, self._settable, "parameter or input")
+        self._check_names(values, self._settable, "parameter or input")
+        for name, value in values.items():
+            variable = self._settable[name]
+            if not variable.allows(value):
+                raise InputError(f"'{name}={value:g}': must be {variable.values}")
         held = {name: value for name, value in values.items() if name in self.interface.inputs}
         return held, {name: value for name, value in values.items() if name not in held}
 
@@ -285,22 +300,20 @@ class Simulator:
     ) -> Outcome:
         if self._instance is None:
             raise RuntimeError("the simulator is closed")
-        parameter_references = self._lookup(own, self._settable, "parameter")
-        input_references = self._lookup(inputs, self.interface.inputs, "input")
-        output_references = self._lookup(names, self._references, "output")
+        self._check_names(own, self._settable, "parameter")
+        self._check_names(inputs, self.interface.inputs, "input")
+        self._check_names(names, self.interface.variables, "output")
         self._callbacks.take_messages()
-        parameter_values = list(own.values())
         plain = all(
             name in self.interface.outputs for name in names
         )  # sensitivities stand elsewhere
 
         def drive() -> Outcome:
-            parameters = parameter_references, parameter_values
             request = Request(
                 layout,
-                parameters,
-                input_references,
-                output_references,
+                own,
+                [*inputs],
+                names,
                 tolerance,
                 self._used,
                 max_seconds,
@@ -319,10 +332,12 @@ class Simulator:
         self._used = True
         return outcome
 
-    def _trajectory(self, time: Array, names: Sequence[str], outcome: Outcome) -> Trajectory:
+    def _trajectory(
+        self, time: Array, names: Sequence[str], outcome: Outcome, note: str = ""
+    ) -> Trajectory:
         columns = np.ascontiguousarray(outcome.values.T)
         units = {name: self._units.get(name, "") for name in names}
-        warnings = tuple(self._callbacks.take_messages())
+        warnings = (*([note] if note else []), *self._messages())
         return Trajectory(time.copy(), dict(zip(names, columns, strict=True)), units, warnings)
 
     def stepper(self) -> Stepper:
@@ -338,7 +353,7 @@ class Simulator:
             self._fresh(self._instance)
         self._used = True
         self._stepper = Stepper(
-            self._instance, self.abilities, self._callbacks, self._references, self.path.name
+            self._instance, self.abilities, self._callbacks, self._slots, self.path.name
         )
         return self._stepper
 
@@ -380,13 +395,14 @@ class Simulator:
         self._instance.dll.pam_get_statistics(ctypes.c_void_p(self._instance.component), numbers)
         return SolverStatistics(*numbers)
 
-    def _lookup(self, names: Iterable[str], known: Mapping[str, object], role: str) -> list[int]:
-        references = []
+    def _check_names(self, names: Iterable[str], known: Mapping[str, object], role: str) -> None:
         for name in names:
             if name not in known:
-                raise _unknown(name, known, role, self.interface.model)
-            references.append(self._references[name])
-        return references
+                raise InputError(self.interface.unknown(name, role, known))
+
+    def _messages(self) -> list[str]:
+        """What the FMU has said since the last run, with its variables named."""
+        return [named_references(text, self._slots) for text in self._callbacks.take_messages()]
 
     def _changed(self, values: Mapping[str, float]) -> dict[str, float]:
         return {
@@ -396,7 +412,7 @@ class Simulator:
     def _failure(
         self, function: str, time: float | None, values: Mapping[str, float], limit: float | None
     ) -> RunFailure:
-        messages = self._callbacks.take_messages()
+        messages = self._messages()
         if function == TOO_SLOW:
             messages = [
                 f"the run takes longer than it may, {limit:.3g} s of processor time; {_REMEDY}"
@@ -419,12 +435,20 @@ class Simulator:
 
 
 def _number(name: str, value: float) -> float:
+    if isinstance(value, Text):
+        return value
     number = float(value)
     if not math.isfinite(number):
         raise InputError(f"parameter '{name}' must be a finite number, not {value}")
     return number
 
 
-def _unknown(name: str, known: Mapping[str, object], role: str, model: str) -> InputError:
-    hint = did_you_mean(name, known) if known else f"it has no {role}s"
-    return InputError(f"{model} has no {role} '{name}'; {hint}")
+def _steps_note(layout: CommunicationPlan) -> str:
+    """What equal steps do to a run; "" where all times are ends of them."""
+    if layout.grid is None or not (layout.grid.place % 1.0).any():
+        return ""
+    length = float(layout.times[1] - layout.times[0])
+    return (
+        f"the FMU takes steps of {length:g} s alone (canHandleVariableCommunicationStepSize is false): outputs "
+        "between their ends are interpolated, and inputs are means over each"
+    )

@@ -9,10 +9,12 @@ from typing import Any
 from fmpy.fmi1 import FMICallException
 
 from pam_cosim.errors import InputError
+from pam_cosim.fmu.read import Slot
 from pam_cosim.simulation.any_stepper import Abilities
 from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import Instance, major_version
+from pam_cosim.simulation.values import Values, named_references
 
 _SLOPES_BESIDE_FMI = (
     "pam_set_input_slopes"  # of our own FMUs of version 3.0, which has no slopes of inputs
@@ -40,7 +42,7 @@ class Stepper:
         instance: FMPy's face of it, instantiated.
         abilities: what it can do.
         callbacks: where its messages arrive.
-        references: value references by name.
+        slots: its variables by name.
         file: its name, for messages.
     """
 
@@ -49,12 +51,13 @@ class Stepper:
         instance: Instance,
         abilities: Abilities,
         callbacks: Callbacks,
-        references: Mapping[str, int],
+        slots: Mapping[str, Slot],
         file: str,
     ) -> None:
         self._instance, self._abilities, self._callbacks = instance, abilities, callbacks
-        self._references, self._file = references, file
+        self._slots, self._file = slots, file
         self._version = major_version(instance)
+        self._variables = Values(instance, slots, self._version)
         self._states: dict[int, tuple[Any, float]] = {}
         self._next = 0
         self._begun = False
@@ -74,7 +77,7 @@ class Stepper:
 
     def take_messages(self) -> list[str]:
         """As ``AnyStepper``."""
-        return self._callbacks.take_messages()
+        return [named_references(one, self._slots) for one in self._callbacks.take_messages()]
 
     def begin(
         self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
@@ -103,10 +106,8 @@ class Stepper:
         self._set(inputs or {})
         if not names:
             return []
-        function = "fmi2GetReal" if self._version == 2 else "fmi3GetFloat64"
-        get = self._instance.getReal if self._version == 2 else self._instance.getFloat64
-        with self._calling(function):
-            values = get([self._references[name] for name in names])
+        with self._calling(f"fmi{self._version}Get{self._variables.kinds(names)}"):
+            values = self._variables.get(names)
         for name, value in zip(names, values, strict=True):
             if not math.isfinite(value):
                 raise RunFailure(
@@ -123,10 +124,21 @@ class Stepper:
         can_go_back: bool = False,
     ) -> list[float]:
         """As ``AnyStepper``."""
-        given, rising, ends = dict(inputs or {}), slopes or {}, dict[str, float]()
+        given, ends = dict(inputs or {}), dict[str, float]()
+        rising = {
+            name: slope
+            for name, slope in (slopes or {}).items()
+            if not self._variables.selection((name,)).is_discrete[0]
+        }
         if self._abilities.slopes:
             self._set(given)
-            self._set_slopes({name: rising.get(name, 0.0) for name in given})
+            self._set_slopes(
+                {
+                    name: rising.get(name, 0.0)
+                    for name in given
+                    if any(g.is_slope for g in self._variables.selection((name,)).groups)
+                }
+            )
         else:
             self._set(
                 {
@@ -205,18 +217,14 @@ class Stepper:
     def _set(self, values: Mapping[str, float]) -> None:
         if not values:
             return
-        references = [self._references[name] for name in values]
-        if self._version == 2:
-            with self._calling("fmi2SetReal"):
-                self._instance.setReal(references, list(values.values()))
-        else:
-            with self._calling("fmi3SetFloat64"):
-                self._instance.setFloat64(references, list(values.values()))
+        with self._calling(f"fmi{self._version}Set{self._variables.kinds([*values])}"):
+            self._variables.set(values)
 
     def _set_slopes(self, slopes: Mapping[str, float]) -> None:
         if not slopes:
             return
-        references, values = [self._references[name] for name in slopes], list(slopes.values())
+        references = [self._slots[name].scalar.valueReference for name in slopes]
+        values = list(slopes.values())
         if self._version == 2:
             with self._calling("fmi2SetRealInputDerivatives"):
                 self._instance.setRealInputDerivatives(references, [1] * len(values), values)
@@ -274,6 +282,6 @@ class Stepper:
         return reached if math.isfinite(reached) and reached > self.time else self.time
 
     def _failure(self, function: str, time: float, default: str = "") -> RunFailure:
-        messages = self._callbacks.take_messages()
+        messages = self.take_messages()
         reason = default or f"the FMU reports an error in {function} and no reason"
         return RunFailure("; ".join(messages) or reason, time)

@@ -220,7 +220,8 @@ class StartChoice:
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
         where = ", ".join(f"{offset.name} = {offset.text(offset.model)}" for offset in differing)
-        reason = f"{begins}: the model begins at {where}, and cannot begin elsewhere"
+        hint = "no start value of a state can be set: free a parameter that moves it"
+        reason = f"{begins}: the model begins at {where}, and {hint}"
         return _begun(run, "rest", reason)
 
     def _as_others(self, run: Run) -> Run:

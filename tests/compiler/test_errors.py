@@ -18,7 +18,6 @@ from tests.compiler.run import MODELS, WRONG, compiled
         ("UnknownModifier", 3, 10, ["no 'AA' in Tanks.Tank"]),
         ("TooFew", 1, 7, ["1 equations for 2 variables", "no equation determines 'force'"]),
         ("TooMany", 1, 7, ["2 equations for 1 variables", "TooMany.mo:5: x = 5;"]),
-        ("Nonlinear", 1, 7, ["nonlinear", "'root'", "Nonlinear.mo:6: root^3 + root = x;"]),
         ("InputDerivative", 1, 7, ["input 'position'", "InputDerivative.mo:5"]),
         ("FinalModified", 5, 7, ["final"]),
         ("NotReplaceable", 6, 23, ["'B' is not replaceable"]),

@@ -74,7 +74,6 @@ def test_it_is_saved() -> None:
             "Late",
             "the parameter 'z' depends on states that begin at rest, known only when the model has settled",
         ),
-        ("Hard", "initial values: a nonlinear algebraic loop for 'x'"),
     ],
 )
 def test_refused(model: str, words: str) -> None:

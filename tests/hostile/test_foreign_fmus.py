@@ -76,7 +76,6 @@ NAMES = (
     "x" * 300,
     "a/" * 600 + "b",
     "a\x1bb",
-    "resources\\x",
 )
 
 

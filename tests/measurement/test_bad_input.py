@@ -172,7 +172,7 @@ TOML_FAULTS = [
         ["did you mean 'load.m'"],
     ),
     ("unknown signal", "signals.x", "signals.y", "signals.y", ["no output 'y'", "eps"]),
-    ("input as signal", "signals.x", "signals.u_in", "signals.u_in", ["no output 'u_in'"]),
+    ("input as signal", "signals.x", "signals.u_in", "signals.u_in", ["'u_in' is an input of"]),
     ("number without unit", '"2.27 kg"', "2.27", '"load.m"', ["needs a unit", '"2.27 kg"']),
     ("text without unit", '"2.27 kg"', '"2.27"', '"load.m"', ["needs a unit", '"2.27 kg"']),
     ("text without number", '"2.27 kg"', '"heavy"', '"load.m"', ["'heavy'", '"0.7 kg"']),

@@ -112,7 +112,8 @@ def test_a_start_value_moves_the_curve_at_once(window: Window, recorded: Path) -
 
 def test_what_the_model_cannot_begin_as_is_a_warning(window: Window) -> None:
     session = window.session
-    reason = "run-01 begins at 118 kPa: the model begins at p = 0 kPa, and cannot begin elsewhere"
+    hint = "no start value of a state can be set: free a parameter that moves it"
+    reason = f"run-01 begins at 118 kPa: the model begins at p = 0 kPa, and {hint}"
     first, *others = session.state.data.runs
     stuck = replace(first, start=replace(first.start, mode="rest", reason=reason, chosen=True))
     state = replace(session.state, data=replace(session.state.data, runs=(stuck, *others)))

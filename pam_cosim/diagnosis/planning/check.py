@@ -263,10 +263,12 @@ def check(
             f"looking at what each of {len(available_effects)} effects does at its stated strength"
         ).message
     )
-    search = Search(
-        subject.tree, name, available_effects, possible.data, subject.sources, say, workers
-    )
-    probes = search.probe_stated(base, objective.starts.settings, count)
+    probes, failed = [], []
+    if available_effects:
+        search = Search(
+            subject.library, name, available_effects, possible.data, subject.sources, say, workers
+        )
+        probes, failed = search.probe_stated(base, objective.starts.settings, count), search.failed
     belongs = [possible.option[run.name, signal] for run, signal in objective.series]
     samples: Counter[Option] = Counter()
     for option, (run, signal) in zip(belongs, objective.series, strict=True):
@@ -274,7 +276,7 @@ def check(
     option_of_rows = [belongs[i] for i in rows_of_series(objective, count)]
     rows = Rows(base, {f.name: f.unit for f in free}, probes, option_of_rows, samples)
     identifiability = rows.identifiability()
-    tried = {p.family for p in probes} | {f.family for f in search.failed}
+    tried = {p.family for p in probes} | {f.family for f in failed}
     return Check(
         data=data,
         model=name,
@@ -283,7 +285,7 @@ def check(
             f for f in dict.fromkeys(e.family for e in available_effects) if f not in tried
         ),
         helps=tuple(_helps(rows, identifiability)),
-        failed=tuple(search.failed),
+        failed=tuple(failed),
         warnings=warnings,
     )
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, replace
 
 import numpy as np
@@ -63,6 +63,7 @@ def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
     signals = {**data.signals, **_unmeasured(simulator, data, list(modelled.values()))}
     # where a reading would lie between two steps nobody knows: rounding is noise here
     signals = {name: replace(s, fitted=True, step=0.0) for name, s in signals.items() if s.sigma}
+    discrete = {n for n, v in simulator.interface.inputs.items() if v.is_discrete}
     runs: list[Run] = []
     option: dict[tuple[str, str], Option] = {}
     for run in data.fit_runs:
@@ -72,7 +73,7 @@ def with_all_outputs(simulator: AnySimulator, data: DataSet) -> AllOutputs:
             option[run.name, name] = (
                 AS_MEASURED if measured else Option("signal", _measurement_text(signal))
             )
-    for number, (varied, change) in enumerate(_varied_runs(data)):
+    for number, (varied, change) in enumerate(_varied_runs(data, discrete)):
         try:
             model = _modelled(simulator, data, varied)
         except SimulationFailure:
@@ -119,9 +120,10 @@ def _measurement_text(signal: Signal) -> str:
     return f"{signal.name} in every run, to {format_quantity(signal.sigma, signal.unit, 2)}"
 
 
-def _varied_runs(data: DataSet) -> Iterator[tuple[Run, str]]:
-    """The run with most samples, made once more with one thing changed as far as one would think of."""
+def _varied_runs(data: DataSet, discrete: Collection[str]) -> Iterator[tuple[Run, str]]:
+    """The run with most samples, made once more with one thing changed that is not ``discrete``, as a switch is."""
     longest = max(data.fit_runs, key=lambda run: len(run.time))
     factors = FACTORS
     for one in variations(data, [longest], (min(factors), max(factors))):
-        yield one.run, one.change
+        if not any(name in discrete for name in one.factors):
+            yield one.run, one.change

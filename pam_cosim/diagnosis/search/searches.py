@@ -27,13 +27,13 @@ from pam_cosim.diagnosis.search.selection import select_effects
 from pam_cosim.diagnosis.search.subject import Subject
 from pam_cosim.fitting import Fit, FitOptions, fit
 from pam_cosim.measurement import DataSet, Role
-from pam_cosim.simulation import Simulator
+from pam_cosim.simulation import AnySimulator
 
 _ALL_RUNS = "the answer of the fitted runs fails on the held-out runs; restarting the search with all runs fitted"
 
 
 def fit_base_model(
-    simulator: Simulator, data: DataSet, say: Callable[[Message], None]
+    simulator: AnySimulator, data: DataSet, say: Callable[[Message], None]
 ) -> tuple[DataSet, Fit, dict[str, int]]:
     """The data without outliers, the base model fitted to them, and how many samples were set aside."""
     options = FitOptions(rows=CRITERIA.search.rows, holdout_uncertainty=True)

@@ -19,7 +19,8 @@ from pam_cosim.measurement import DataSet, condensed
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.processes.workers import wake
-from pam_cosim.simulation import Simulator
+from pam_cosim.simulation import AnySimulator, Simulator
+from pam_cosim.simulation.models import opened
 from pam_cosim.starts import starts_are_open
 
 
@@ -30,7 +31,7 @@ class Subject:
     Attributes:
         name: of the model.
         files: further Modelica files, as stated. sources: with the model's own.
-        tree: the Modelica library with these.
+        tree: the Modelica library with these; None: the model is an FMU, to which no effect can be added.
         data: with noise levels, and the words of the model's field.
         means: where very many rows became means: a sentence on it.
     """
@@ -38,22 +39,38 @@ class Subject:
     name: str
     files: tuple[Path, ...]
     sources: tuple[Path, ...]
-    tree: ClassTree
+    tree: ClassTree | None
     data: DataSet
     means: str = ""
 
-    def simulator(self) -> Simulator:
+    @property
+    def library(self) -> ClassTree:
+        """The Modelica library of a model to which effects can be added.
+
+        Raises:
+            InputError: an FMU.
+        """
+        if self.tree is None:
+            message = "effects can be added to a Modelica model only; an FMU can be compared, fitted and checked"
+            raise InputError(message, self.name)
+        return self.tree
+
+    def simulator(self) -> AnySimulator:
         """The model, with slopes by the free parameters where it is smooth."""
         names = self.data.differentiated
+        if self.tree is None:
+            return opened(self.name)
         return Simulator(build_model(self.name, self.files, sensitivities=names, where_smooth=True))
 
     def effects(self, interface: Interface) -> list[EffectClass]:
         """All that the model may lack: effects of the library and of files, and wrong parameters that are stated."""
+        if self.tree is None:
+            return []
         available_effects = effect_classes(self.tree, origins(self._parts()))
         return [*available_effects, *stated_parameters(self.data, interface)]
 
     def _parts(self) -> Sequence[Part]:
-        return read_structure(qualified(self.tree, self.name), files=self.sources).parts
+        return read_structure(qualified(self.library, self.name), files=self.sources).parts
 
 
 def subject_of(
@@ -73,24 +90,18 @@ def subject_of(
         files: further Modelica files.
         workers: number of processes; 0: this one alone.
         say: told where rows become means.
-
-    Raises:
-        InputError: an FMU.
     """
     name = data.model_for(model)
-    if is_fmu(name):
-        raise InputError(
-            "effects can be added to a Modelica model only; an FMU can be compared and fitted", name
-        )
-    wake(workers, run_trial.__module__)
     sources = sources_of(files, name)
-    tree = read_library(files=sources)
+    tree = None if is_fmu(name) else read_library(files=sources)
     data, said = condensed(data)
     if said:
         say(Remark(said).message)
-    data = replace(data, domain=domain_of(tree, name))
+    if tree is not None:
+        wake(workers, run_trial.__module__)
+        data = replace(data, domain=domain_of(tree, name))
     if starts_are_open(data):
-        with Simulator(build_model(name, files)) as simulator:
+        with opened(name, files) as simulator:
             data = with_starts(simulator, data)
         for sentence in data.starts:
             say(Remark(sentence).message)

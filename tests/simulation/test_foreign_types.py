@@ -1,0 +1,260 @@
+"""FMUs of others: variables of all types, arrays, fixed steps, smooth inputs, and what they say."""
+
+from __future__ import annotations
+
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pam_cosim as pam
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.fmu.read import read_interface
+from pam_cosim.model.settings import resolve
+from pam_cosim.simulation import Inputs, IsolatedSimulator
+from tests.fmu.foreign import Scalar, foreign
+
+MODES = {
+    2: '<SimpleType name="Mode"><Enumeration><Item name="slow" value="1"/><Item name="fast" value="4"/>'
+    "</Enumeration></SimpleType>",
+    3: '<EnumerationType name="Mode"><Item name="slow" value="1"/><Item name="fast" value="4"/></EnumerationType>',
+}
+LAG = "double g = $on * $gain * $mode; $p += (g * $u - $p) * (1 - exp(-h / $tau)); return 0;"
+INTEGERS = [f"{u}Int{n}" for u in ("", "U") for n in (8, 16, 32, 64)]
+
+
+def valve(fmi: int) -> list[Scalar]:
+    """A lag behind a valve that is on or off, with parameters of every type."""
+    real = "Real" if fmi == 2 else "Float64"
+    return [
+        Scalar("u", real, "input", "0"),
+        Scalar("on", "Boolean", "input", "true", "discrete"),
+        Scalar("gain", "Integer" if fmi == 2 else "UInt8", "parameter", "1", "fixed"),
+        Scalar("mode", "Enumeration", "parameter", "1", "fixed", 'declaredType="Mode"'),
+        Scalar("tau", real, "parameter", "0.3", "fixed"),
+        Scalar("label", "String", "parameter", "none", "fixed"),
+        Scalar("p", real, "output"),
+        Scalar("length", "Integer" if fmi == 2 else "Int32", "output", None, "discrete"),
+        Scalar("twice", real, "calculatedParameter", None, "fixed"),
+    ]
+
+
+def valve_fmu(folder: Path, fmi: int, **options: str) -> Path:
+    """The same as a file."""
+    outputs = "$length = strlen(m->text); $twice = 2 * $gain;"
+    model = {"outputs": outputs, "step": LAG.replace("return 0;", ""), "types": MODES[fmi]}
+    return foreign(folder / f"valve{fmi}.fmu", fmi, valve(fmi), **(model | options))  # type: ignore[arg-type]
+
+
+def exact(times: np.ndarray, gain: float, tau: float = 0.3) -> np.ndarray:
+    """Of the lag, filled for half a second and then shut."""
+    rise = gain * (1 - np.exp(-np.minimum(times, 0.5) / tau))
+    return np.asarray(rise * np.exp(-np.maximum(times - 0.5, 0) / tau))
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_every_type_is_driven_and_set(fmi: int, tmp_path: Path) -> None:
+    """The switch changes at its sample, between those of a smooth input; strings and enumerations are set."""
+    with IsolatedSimulator(valve_fmu(tmp_path, fmi)) as simulator:
+        words = {"gain": 3, "mode": "fast", "label": "spring"}
+        settings = resolve(words, simulator.interface)
+        time = np.array([0.0, 0.5, 1.0])
+        inputs = Inputs(time, {"u": np.ones(3), "on": np.array([1.0, 0.0, 0.0])})
+        times = np.linspace(0, 1, 21)
+        run = simulator.run(times, parameters=settings, inputs=inputs)
+        assert np.abs(run["p"] - exact(times, 12.0)).max() < 1e-12
+        assert (run["length"] == 6.0).all()
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+@pytest.mark.parametrize(
+    ("setting", "message"),
+    [
+        ({"mode": "quick"}, "must be one of slow, fast"),
+        ({"mode": 2}, "must be one of slow, fast"),
+        ({"on": "maybe"}, "must be 0 or 1"),
+        ({"on": 0.5}, "must be 0 or 1"),
+        ({"gain": 1.5}, "must be a whole number"),
+        ({"twice": 2}, "'twice' is a calculated parameter of m: it follows from other parameters"),
+        ({"length": 2}, "'length' is an output of m and cannot be set"),
+    ],
+)
+def test_what_a_variable_cannot_be(
+    fmi: int, setting: dict[str, float | str], message: str, tmp_path: Path
+) -> None:
+    interface = read_interface(valve_fmu(tmp_path, fmi))
+    with pytest.raises(InputError, match=message):
+        resolve(setting, interface)
+
+
+def test_arrays_by_element_and_every_integer(tmp_path: Path) -> None:
+    """An element that is set leaves the others at their start values; sizes of types are kept."""
+    scalars = [
+        Scalar("a", "Float64", "input", "1 2 3", size=3),
+        Scalar("b", "Int16", "parameter", "-7 8", "fixed", size=2),
+        *(Scalar(f"i_{t}", t, "parameter", "1", "fixed") for t in INTEGERS),
+        Scalar("f", "Float32", "parameter", "0.5", "fixed"),
+        Scalar("y", "Float64", "output", size=2),
+        Scalar("s", "Int64", "output", None, "discrete"),
+        Scalar("raw", "Binary", "input", None, "discrete"),
+    ]
+    total = " + ".join(f"$i_{t}" for t in INTEGERS)
+    outputs = f"$y[0] = $a[0] + 10 * $a[1] + 100 * $a[2]; $y[1] = $b[0] * $b[1] * $f; $s = {total};"
+    path = foreign(tmp_path / "a.fmu", 3, scalars, outputs=outputs)
+    with IsolatedSimulator(path) as simulator:
+        settings = {"a[2]": 5.0, "b[1]": -9.0, "i_Int64": 2.0**40, "i_UInt8": 200.0, "f": 0.25}
+        run = simulator.run([0.0, 1.0], parameters=settings)
+    assert run["y[1]"][0] == 1 + 50 + 300 and run["y[2]"][0] == -9 * 8 * 0.25
+    assert run["s"][0] == 2.0**40 + 200 + 6
+    interface = read_interface(path)
+    assert "'a' of m cannot be used: it is an array of 3 elements; name one, as a[1]" in (
+        interface.unknown("a", "input", interface.inputs)
+    )
+    assert "it is of type Binary" in interface.unknown("raw", "input", interface.inputs)
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_model_exchange_has_types_too(fmi: int, tmp_path: Path) -> None:
+    real = "Real" if fmi == 2 else "Float64"
+    state = [
+        Scalar("x", real, "local", "0"),
+        Scalar("der(x)", real, "local"),
+        Scalar("p", real, "output"),
+    ]
+    scalars = [*(s for s in valve(fmi) if s.name != "p"), *state]
+    path = foreign(
+        tmp_path / "x.fmu",
+        fmi,
+        scalars,
+        outputs="$p = $x; $length = strlen(m->text);",
+        rate="($on * $gain * $mode * $u - $x) / $tau",
+        kind="ModelExchange",
+        types=MODES[fmi],
+    )
+    with IsolatedSimulator(path) as simulator:
+        times = np.linspace(0, 1, 11)
+        inputs = Inputs(times, {"u": np.ones(11), "on": (times < 0.45).astype(float)})
+        settings = resolve({"mode": "fast", "label": "ab"}, simulator.interface)
+        run = simulator.run(times, parameters=settings, inputs=inputs, tolerance=1e-8)
+    assert np.abs(run["p"] - exact(times, 4.0)).max() < 1e-5 and run["length"][0] == 2
+
+
+SINE = Scalar("u", "Real", "input", "0"), Scalar("p", "Real", "output", "0")
+FIRST_ORDER = "$p += ($u - $p) * (1 - exp(-h / 0.3));"
+
+
+def _sine(times: np.ndarray) -> np.ndarray:
+    """The lag behind a sine of 1 Hz, from rest."""
+    w, tau = 2 * np.pi, 0.3
+    settled = np.sin(w * times) - w * tau * np.cos(w * times) + w * tau * np.exp(-times / tau)
+    return np.asarray(settled / (1 + (w * tau) ** 2))
+
+
+def test_smooth_inputs_are_means_over_the_step(tmp_path: Path) -> None:
+    """Held values at the beginning of each step would lag by half of it: the error is of second order instead."""
+    times = np.linspace(0, 2, 201)
+    path = foreign(tmp_path / "s.fmu", 2, SINE, step=FIRST_ORDER, interval=0.05)
+    with IsolatedSimulator(path) as simulator:
+        rows = np.linspace(0, 2, 41)
+        run = simulator.run(rows, inputs=Inputs(times, {"u": np.sin(2 * np.pi * times)}))
+    error = np.abs(run["p"] - _sine(rows)).max()
+    assert error < 0.05**2 * (2 * np.pi) / 0.3 / 4  # a held input is off by 0.05
+
+
+FIXED = 'canHandleVariableCommunicationStepSize="false"'
+STRICT = 'if (fabs(h - 0.1) > 1e-9) return say(m, 3, "steps of 0.1 s alone");'
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_fixed_steps_are_kept(fmi: int, tmp_path: Path) -> None:
+    """Rows between the ends of steps are interpolated, on each side of a step of the input by itself."""
+    real = "Real" if fmi == 2 else "Float64"
+    scalars = [Scalar("u", real, "input", "0"), Scalar("p", real, "output")]
+    path = foreign(
+        tmp_path / "f.fmu", fmi, scalars, step=STRICT + FIRST_ORDER, flags=FIXED, interval=0.1
+    )
+    rows = np.sort(np.random.default_rng(1).uniform(0, 1, 60))
+    steps = Inputs(np.array([0.0, 0.5]), {"u": np.array([1.0, 0.0])}, "previous")
+    with IsolatedSimulator(path) as simulator:
+        run = simulator.run(rows, inputs=steps, start_time=0.0)
+        on_grid = simulator.run(np.linspace(0, 1, 11), inputs=steps)
+    assert np.abs(run["p"] - exact(rows, 1.0)).max() < 0.01  # a line would be off by 0.014
+    assert np.abs(on_grid["p"] - exact(on_grid.time, 1.0)).max() < 1e-12
+    assert on_grid.warnings == ()
+    assert len(run.warnings) == 1 and "takes steps of 0.1 s alone" in run.warnings[0]
+
+
+def test_messages_reach_the_reader_with_names(tmp_path: Path) -> None:
+    said = 'if (m->time == 0) say(m, 1, "#r0# is low"); if (m->time > 0.5) return say(m, 3, "#r1# burst");'
+    path = foreign(tmp_path / "w.fmu", 2, SINE, step=said + FIRST_ORDER)
+    with IsolatedSimulator(path) as simulator:
+        assert simulator.run([0.0, 0.3]).warnings == ("u is low",)
+        with pytest.raises(SimulationFailure, match="p burst"):
+            simulator.run([0.0, 0.6, 0.9])
+
+
+def test_backslashes_in_an_archive(tmp_path: Path) -> None:
+    path = foreign(tmp_path / "b.fmu", 2, SINE, step=FIRST_ORDER, slashes="\\")
+    assert pam.simulate(str(path), {"u": 1.0}, stop_time=0.3)["p"][-1] == pytest.approx(
+        1 - np.exp(-1.0)
+    )
+
+
+def _folder(path: Path, model: Path, rows: list[str], more: str = "", sigma: str = "0.01") -> Path:
+    """A data set of the valve."""
+    path.mkdir()
+    shutil.copy(model, path)
+    (path / "r.csv").write_text("\n".join(rows))
+    (path / "experiment.toml").write_text(
+        f'model = "{model.name}"\n{more}\n[signals.p]\nsigma = "{sigma}"\n[fit]\ntau = {{ min = 0.05, max = 3 }}\n'
+        '[parameters]\nmode = "fast"\nlabel = "a"\n[[runs]]\nfile = "r.csv"\n'
+    )
+    return path
+
+
+@pytest.mark.parametrize(
+    ("on", "off"), [("1", "0"), ("on", "off"), ("TRUE", "FALSE"), ("open", "closed")]
+)
+def test_a_fit_with_a_switch(on: str, off: str, tmp_path: Path) -> None:
+    times = np.linspace(0, 1, 101)
+    noise = 0.01 * np.random.default_rng(2).standard_normal(101)
+    values = exact(times, 4.0, 0.25) + noise
+    rows = ["time [s],u,on,p"]
+    rows += [
+        f"{t:.2f},1,{on if t < 0.495 else off},{p:.5f}" for t, p in zip(times, values, strict=True)
+    ]
+    data = pam.read(_folder(tmp_path / "d", valve_fmu(tmp_path, 2), rows))
+    tau = pam.fit(data).parameters["tau"]
+    assert tau.low < 0.25 < tau.high and tau.high - tau.low < 0.01
+
+
+def test_an_input_that_nothing_drives_is_named(tmp_path: Path) -> None:
+    rows = ["time [s],u,p", *(f"{i / 10},1,{i}" for i in range(11))]
+    compared = pam.compare(pam.read(_folder(tmp_path / "d", valve_fmu(tmp_path, 2), rows)))
+    assert "r: on is neither a column nor stated" in str(compared)
+
+
+def test_absolute_pressures_are_asked_for_once(tmp_path: Path) -> None:
+    """Of an FMU nobody knows whether its pressures are absolute: the advice is followed."""
+    scalars = [
+        Scalar("u", "Real", "input", "0", further='unit="Pa"'),
+        Scalar("p", "Real", "output", further='unit="Pa"'),
+        *valve(2)[3:6],
+    ]
+
+    path = foreign(
+        tmp_path / "p.fmu",
+        2,
+        scalars,
+        step="$p += ($u - $p) * (1 - exp(-h / $tau));",
+        types=MODES[2],
+    )
+    rows = [
+        "time [s],u [kPa],p [kPa abs]",
+        *(f"{i / 10},{200 + i % 3},{100 + i}" for i in range(21)),
+    ]
+    with pytest.raises(InputError, match='state pressures = "absolute" or pressures = "gauge"'):
+        pam.read(_folder(tmp_path / "a", path, rows))
+    made = pam.read(_folder(tmp_path / "b", path, rows, 'pressures = "absolute"', "1 kPa"))
+    assert made.runs[0].measurements["p"][0] == pytest.approx(100e3)
