@@ -15,7 +15,7 @@ from pam_cosim.catalogue.composed_bench import compose_bench
 from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, with_usual_unit
-from pam_cosim.drafting.evidence import DraftRequests, Evidence
+from pam_cosim.drafting.evidence import DraftRequests, Evidence, used_in
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike
 from pam_cosim.drafting.shapes import LEAST_CORRELATION, correlation, span
 from pam_cosim.drafting.texts import muscle_in
@@ -273,20 +273,21 @@ def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
     known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
     unknown = [name for name in said if name not in known]
     name = next(iter([*unknown, *said]), "")
-    if unknown or not able:
-        told = f"input or output {shown(name)}"
-    else:
-        told = f"input {shown(name)} beside {listed(named)}"
-    raise InputError(f"no bench has an {told}; {did_you_mean(name, known)}")
+    beside = "" if unknown or not able else f" beside {listed(named)}"
+    raise InputError(
+        f"no bench has an input or output {shown(name)}{beside}; {did_you_mean(name, known)}"
+    )
 
 
 def _fed(one: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
     """A bench with the columns that feed it best, and what that costs."""
     headings, runs = evidence.headings, len(evidence.sources)
-    whole = [c for c in evidence.signals if len(c.values) == runs and c.whole]
+    reserved = used_in(evidence)  # by formulas of the user
+    signals = [c for c in evidence.signals if c.name not in reserved]
+    whole = [c for c in signals if len(c.values) == runs and c.whole]
     inputs, far_inputs = _assign(one.inputs, whole, evidence)
     readable = _readable(one, headings)
-    recorded = [c for c in evidence.signals if not c.in_names]
+    recorded = [c for c in signals if not c.in_names]
     left = [c for c in recorded if c not in inputs.values()]
     outputs, far_outputs = _assign(readable, left, evidence)
     used = [*inputs.values(), *outputs.values()]
@@ -429,7 +430,7 @@ def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, Record
     held = [c for c in read if _held(c, pressure)]
     moved = [c for c in imposed if not _held(c, pressure)]
     doubt = len(held) + sum(0.5 if c.kind == "force" else 0.4 for c in moved)
-    doubt += sum(_follows(c, pressure) for c in moved if c.kind in LENGTHS)
+    doubt += sum(_follows(c, pressure) for c in moved if c.kind in LENGTHS and not c.points)
     return doubt + (0.5 if len(read) > 1 and not held else 0.0)
 
 
@@ -439,8 +440,8 @@ def _held(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
 
 
 def _follows(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
-    """Whether a column goes with the pressure over time."""
-    if pressure is None or column.points:
+    """Whether a column goes with the pressure."""
+    if pressure is None:
         return False
     return abs(correlation(pressure.values, column.values)) >= LEAST_CORRELATION
 
@@ -492,21 +493,11 @@ def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
 def _example(nearest: BenchChoice, filled: Sequence[RecordedColumn], evidence: Evidence) -> str:
     """How to say what a column is: one that there is, for a variable of the nearest bench that it may be; else ""."""
     taken = {one.name for one in nearest.fed.values()}
-    unused = [c for c in filled if c.name not in taken]
     variables = {**nearest.ports.inputs, **nearest.ports.outputs}
-    missing = {n: v for n, v in variables.items() if n in nearest.unfed or n not in nearest.fed}
-    for name, variable in missing.items():
-        meaning = evidence.headings.variable(variable)
-        kind = meaning.kind if meaning else ""
-        for column in unused:
-            fitting = column.kind == kind or (
-                column.meaning is None and alike(column.unit, variable.unit)
-            )
-            if fitting and name not in evidence.asked:
+    for name in (n for n in variables if n not in {*nearest.fed, *evidence.asked}):
+        meaning = evidence.headings.variable(variables[name])
+        for column in (c for c in filled if c.name not in taken):
+            fits = not column.unit or alike(column.unit, variables[name].unit)
+            if column.meaning == meaning or (column.meaning is None and fits):
                 return f", as --column {name}={shown(column.name)}"
     return ""
-
-
-def driving_inputs(interface: Interface, headings: Headings, unfed: Collection[str]) -> list[str]:
-    """Inputs that are what runs are about, and that no column feeds."""
-    return [n for n in unfed if _drives(headings.variable(interface.inputs[n]))]

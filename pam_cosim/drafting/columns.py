@@ -336,7 +336,7 @@ def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -
     """Raises InputError where recordings call the same quantity by different names: one would be lost."""
     for one in columns:
         for other in columns:
-            alike = one.meaning is not None and one.meaning == other.meaning
+            alike = one.kind not in ("", "time") and one.meaning == other.meaning
             if alike and not one.values.keys() & other.values.keys():
                 there, here = sources[min(one.values)].file.name, sources[min(other.values)].file
                 message = f"{there} calls the {one.meaning} {shown(one.name)}"

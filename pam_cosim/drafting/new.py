@@ -278,20 +278,11 @@ def _simulated(data: DataSet, made: Draft, simulate: Callable[[DataSet], object]
             raise InputError(f"{begins} Say it, as in {say}") from None
         unknown = [*made.unfed, *(n for n in made.open.to_state if not made.is_known(n))]
         hint = (
-            f"state what the rig has, --parameter NAME=VALUE, of {listed(unknown)}"
-            if unknown
-            else "--model takes another"
+            f"state what the rig has, --parameter NAME=VALUE, of {listed(unknown)}; or --model NAME"
         )
-        message = (
-            f"{bench_text(made)} cannot be simulated with what was recorded: {failure}; {hint}"
-        )
-        raise InputError(message) from None
-
-
-def bench_text(made: Draft) -> str:
-    """The bench and what feeds it, in words."""
-    fed = listed(f"{name} = {column.name}" for name, column in made.bench.choice.inputs.items())
-    return f"the bench {made.bench.choice.ports.name} ({fed})"
+        fed = listed(f"{n} = {column.name}" for n, column in made.bench.choice.fed.items())
+        said = f"{made.bench.choice.ports.name} ({fed}) cannot be simulated with what was recorded"
+        raise InputError(f"{said}: {failure}; {hint}") from None
 
 
 # ---- the place of a new data set: drafted beside it, and put there as a whole or not at all --------------------------
@@ -342,13 +333,12 @@ def _temporary_sibling(folder: Path) -> Iterator[Path]:
 
 def _copies(files: Sequence[Path], place: Path) -> list[str]:
     """Copies under their own names; where two are called alike, with a number."""
-    made = []
-    taken = {one.stem.casefold() for one in place.iterdir()} | {Path(FILE_NAME).stem}
+    made, taken = [], {Path(FILE_NAME).stem}
     for file in files:
         letters = [c if c.isprintable() and c not in _NOT_IN_NAMES else "_" for c in file.stem]
         stem = "".join(letters) or "run"
         name, number = stem, 2
-        while name.casefold() in taken:
+        while name.casefold() in taken or (place / f"{name}{file.suffix}").exists():
             name, number = f"{stem}-{number}", number + 1
         taken.add(name.casefold())
         try:

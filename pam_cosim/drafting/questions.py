@@ -97,8 +97,9 @@ def guesses(made: Draft) -> tuple[Guess, ...]:
     entries = made.mapped.entries.items()
     rows = [_of_column(name, entry, columns.get(name), made) for name, entry in entries]
     rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
-    for name, (value, why) in made.follows.items():
-        rows.append(Guess(name, value, f"guessed: {why}"))
+    for reason in dict.fromkeys(why for _, why in made.follows.values()):
+        names = {n: value for n, (value, why) in made.follows.items() if why == reason}
+        rows.append(Guess(", ".join(names), ", ".join(names.values()), f"guessed: {reason}"))
     for name, sigma in made.sigmas.items():
         unit = made.interface.outputs[name].unit
         noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
@@ -358,10 +359,12 @@ def below_zero(made: Draft) -> Iterator[tuple[str, float, str]]:
             continue
         least = float(np.nanmin(values))
         if least < -CRITERIA.starts.offset * span(values):
-            column = made.bench.choice.fed[name]
-            term = column.name if column.stated else f'{column.name}*"1 {column.unit}"'
-            far = format_quantity(-least, "m")
-            yield name, least, f"--column '{name}={term} + \"{far}\"'"
+            column, far = made.bench.choice.fed[name], format_quantity(-least, "m")
+            term = column.name if column.name.isidentifier() else f"'{column.name}'"
+            term += "" if column.stated else f' * "1 {column.unit}"'
+            turned = (made.mapped.entries[name].formula or "").startswith("-")
+            formula = f'"{far}" - {term}' if turned else f'{term} + "{far}"'
+            yield name, least, f"--column {quote(f'{name}={formula}')}"
 
 
 def _below_zero(made: Draft) -> Iterator[str]:

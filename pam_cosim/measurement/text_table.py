@@ -216,7 +216,9 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
         parts = every[number - 1]
         if not heading and any(every):  # as of an index of rows
             parts = (f"column {number}", "")
-        if parts is not None and several[parts[0]] > 1:  # in two units: each is called as its heading is
+        if (
+            parts is not None and several[parts[0]] > 1
+        ):  # in two units: each is called as its heading is
             parts = (heading, parts[1])
         if parts is None:
             message = f"the heading {shown(heading)} of column {number} must be 'name [unit]'"

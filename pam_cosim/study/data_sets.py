@@ -18,7 +18,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation.models import Paths, as_paths, describe
-from pam_cosim.study.comparisons import compare
+from pam_cosim.study.comparisons import compared
 from pam_cosim.study.fitted_model import judged_data
 from pam_cosim.study.library import benches
 from pam_cosim.study.mapped_model import mapped_model
@@ -181,4 +181,4 @@ def _simulated(data: DataSet, files: Sequence[Path]) -> None:
     Raises:
         SimulationFailure: a run does not reach its end.
     """
-    compare(data, files=files, timeout=_LONGEST)
+    compared(problem(data, files=files), _LONGEST, whole=False)
