@@ -4,7 +4,8 @@ What makes a Modelica package a library is said in ``place``; ``effects`` reads 
 ``compose`` puts them where their types say that they belong;
 ``bench_parts`` finds what a bench can be composed of, and ``composed_bench`` composes it;
 ``input_maps`` gives a model maps of its inputs;
-``domain`` reads how results are told, and how recordings are named, in the field of the library. No effect and no library has a name here.
+``domain`` reads how results are told, and how recordings are named, in the field of the library. No effect and no
+library has a name here.
 """
 
 from pam_cosim.catalogue.bench_parts import BenchPart, rig_parts

@@ -28,6 +28,9 @@ _LATEST = (
 )
 _PRICE_OF_DELAY = 3.0  # log-likelihood that commands on time are ahead of late ones
 _GAIN = 8.0  # log-likelihood that another convention is ahead by, so that it is named
+_NEAR_NOISE = (
+    1.3  # chi-square with late readings; where more is left, a lag of the rig may be missing
+)
 _LARGE_ERROR = 0.5  # of what a signal moves: a model that explains little of it
 _REMAINING_ERROR = 0.3  # of an error, that remains at most where a simple mistake explains it
 _SAME_FACTOR = 0.02  # of a factor or an offset, by which it may differ from a usual mistake
@@ -173,7 +176,7 @@ def _in_time(
             f'{chi2_before:.3g}; write interpolation = "{other}" in each [[runs]]'
         )
         return Convention(words[other], text, _between(data, other), chi2, chi2_before)
-    if rival[0] == own and best == rival:
+    if rival[0] == own and best == rival and chi2 < _NEAR_NOISE:
         late = rival[1]
         how = "half a sample" if late == 0.5 else "one sample"
         text = (

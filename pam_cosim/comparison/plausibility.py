@@ -44,7 +44,8 @@ class Doubt:
     Attributes:
         kind: "warning": the model itself warns; "convention": what was recorded fits much better if it is meant
             otherwise; "copy": two runs have the same samples; "marker": a value that is no
-            reading, as for missing samples; "still": a signal never moves, where the model does; "stuck": for a part of a run; "impossible": no such
+            reading, as for missing samples; "still": a signal never moves, where the model does; "stuck": for a part
+            of a run; "impossible": no such
             reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
             where the model does; "contradiction": runs differ the other way than in the model.
         signal: which it is seen in; "": none.
@@ -196,7 +197,7 @@ def _stuck(runs: Sequence[RunComparison], signal: Signal) -> Iterator[Doubt]:
                 signal.name,
                 f"{signal.name}: {format_quantity(float(measured[first]), signal.unit)} in every sample from "
                 f"{times[first]:.4g} to {times[last]:.4g} s of {r.run.name}, where the model moves by "
-                f"{format_quantity(moves, signal.unit)}: is the sensor stuck? Leave that part out, from or to of the run",
+                f"{format_quantity(moves, signal.unit)}: is the sensor stuck? Leave it out, by from or to of the run",
             )
 
 

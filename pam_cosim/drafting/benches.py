@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Collection, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, replace
 from pathlib import Path
@@ -361,7 +361,7 @@ def _assign(
 
 
 def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings) -> RecordedColumn:
-    """A column that is a variable because the user says so: where no unit is written, none of another kind is guessed."""
+    """A column that is a variable because the user says so; no unit of another kind is guessed where none is written."""
     written = any(one.unit.strip() for one in column.places.values())
     if written or column.unknown or (column.unit and not column.why):
         return column

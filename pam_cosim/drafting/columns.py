@@ -348,7 +348,7 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """Which pressure is the supply's, where words leave it open.
 
     Of two that are called so and no other, as of a tank and a source, the one that moves more is what is filled; one
-    alone is, where it is not steady. Of two of which none is called so, the one that stays above the other is the supply.
+    alone is, where it is not steady. Of two of which none is called so, the one that stays above the other supplies it.
     """
     supplies = [c for c in columns if c.of("pressure", "supply")]
     plain = [c for c in columns if c.of("pressure")]
@@ -468,7 +468,7 @@ def _kept(column: RecordedColumn) -> RecordedColumn:
 
 
 def as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
-    """The columns of points at rest: a pressure was reached, a mass was hung on, a length that stays is that at rest."""
+    """The columns of points at rest: a pressure was reached, a mass was hung on, a length that stays is at rest."""
     made = [replace(c, points=True) for c in columns]
     varying = next((c for c in made if c.kind in ("contraction", "ratio")), None)
     if varying is not None:

@@ -1,4 +1,4 @@
-"""From columns of the files to the bench: entries of ``[columns]`` with name, unit, sign and zero; and their numbers."""
+"""From columns of the files to the bench: entries of ``[columns]`` with name, unit, sign and zero, and numbers."""
 
 from __future__ import annotations
 
@@ -479,7 +479,7 @@ class _Begin:
 
     @property
     def common(self) -> bool:
-        """Whether that is the lowest that the signal comes to: as of a machine that sets out from where it was mounted."""
+        """Whether that is the lowest that the signal comes to, as of a machine that begins where it was mounted."""
         low = self.reading - self.lowest <= CRITERIA.starts.offset * self.moved
         return self.moved > 0.0 and low and self.same
 

@@ -41,11 +41,12 @@ _PASSING = frozenset(
 _ABSOLUTE = re.compile(r"abs|pabs|absol.*")
 _STANDS_FOR = {"ratio": ("contraction", "length"), "mass": ("force",), "current": ("command",)}
 _WRITTEN = {
-    "bar": "bar", "kPa": "kpa", "hPa": "hpa", "Pa": "pa", "psi": "psi", "s": "sec, sek, sek., secs, seconds, sekunden, secondes",
-    "kgf/cm2": "kgf/cm2, kg/cm2, kg/cm^2, kp/cm2", "lbf/in2": "lb/in2, lbs/in2, lb/in^2, lbs/in^2", "ms": "msec", "MPa": "mpa",
-    "mbar": "mbar", "N": "newton, n", "kN": "kn", "torr": "torr", "degC": "celsius, c, degc, grad c, deg c",
-    "degF": "fahrenheit, f, degf, grad f, deg f", "kg": "kg", "A": "ampere, amp, a", "mA": "ma", "V": "volt, volts, v",
-    "mm": "mm, millimeter", "inch": "inch, in., zoll, \", ''", "cm": "cm", "%": "prozent, percent, pct", "K": "kelvin", "deg": "grad",
+    "bar": "bar", "kPa": "kpa", "hPa": "hpa", "Pa": "pa", "psi": "psi", "MPa": "mpa", "mbar": "mbar", "torr": "torr",
+    "kgf/cm2": "kgf/cm2, kg/cm2, kg/cm^2, kp/cm2", "lbf/in2": "lb/in2, lbs/in2, lb/in^2, lbs/in^2", "ms": "msec",
+    "s": "sec, sek, sek., secs, seconds, sekunden, secondes", "N": "newton, n", "kN": "kn", "kg": "kg",
+    "degC": "celsius, c, degc, grad c, deg c", "degF": "fahrenheit, f, degf, grad f, deg f", "K": "kelvin",
+    "A": "ampere, amp, a", "mA": "ma", "V": "volt, volts, v", "mm": "mm, millimeter", "cm": "cm", "deg": "grad",
+    "inch": "inch, in., zoll, \", ''", "%": "prozent, percent, pct",
 }  # fmt: skip
 _SPELLINGS = {
     written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")
@@ -335,10 +336,8 @@ class Headings:
             and alike(unit or "s", "s")
         ):
             return Meaning("time")
-        if unit:
-            kind = self._kind_with_unit(named, unit, exact)
-        else:
-            kind = self._kind_without_unit(named, roles)
+        by_words = self._kind_without_unit(named, roles)
+        kind = self._kind_with_unit(named, unit, exact) if unit else by_words
         if kind is None or kind in ("count", "direction"):
             return Meaning(kind) if kind else None
         is_valve = kind in ("command", "current")

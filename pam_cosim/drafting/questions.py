@@ -190,12 +190,12 @@ def _what_holds_it(made: Draft) -> Iterator[str]:
             f"{choice.inputs[forces[0]].name} is the reading of a load cell, name the bench, --model NAME "
             "('pam-cosim bench --list')"
         )
-    if made.bench.why and not recorded & set(MECHANICAL) and not made.points:
-        if not any(one and one.kind in MECHANICAL for one in meanings.values()):
-            yield (
-                "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
-                "is a muscle, say what holds it, --model NAME ('pam-cosim bench --list')"
-            )
+    has_body = any(one and one.kind in MECHANICAL for one in meanings.values())
+    if made.bench.why and not recorded & set(MECHANICAL) and not made.points and not has_body:
+        yield (
+            "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
+            "is a muscle, say what holds it, --model NAME ('pam-cosim bench --list')"
+        )
 
 
 def _what_drives_it(made: Draft) -> Iterator[str]:
@@ -242,8 +242,8 @@ def _valve_data(made: Draft) -> Iterator[str]:
     ]
     if names:
         yield (
-            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area at a current, state it "
-            "under [parameters], and an offset current as a formula of the input, as in u_in = { formula = "
+            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area at a current, state "
+            "it under [parameters], and an offset current as a formula of the input, as in u_in = { formula = "
             '"\'I_in\' - \\"20 mA\\"" }'
         )
 
@@ -370,8 +370,8 @@ def below_zero(made: Draft) -> Iterator[tuple[str, float, str]]:
 def _below_zero(made: Draft) -> Iterator[str]:
     for name, least, say in below_zero(made):
         yield (
-            f"{name} goes down to {format_quantity(least, 'm')}, as if the muscle were longer than at rest: its zero is "
-            f"that of the instrument; which reading is zero? Say it, as in {say}"
+            f"{name} goes down to {format_quantity(least, 'm')}, as if the muscle were longer than at rest: its zero "
+            f"is that of the instrument; which reading is zero? Say it, as in {say}"
         )
 
 

@@ -1,4 +1,4 @@
-"""What names of files and remarks above the rows say: a muscle, its length, and quantities that hold for a whole file."""
+"""What names of files and remarks above the rows say: a muscle, its length, quantities of a whole file."""
 
 from __future__ import annotations
 

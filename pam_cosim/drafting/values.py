@@ -309,10 +309,8 @@ def open_parameters(interface: Interface, headings: Headings, points: bool) -> O
     hidden = _hidden(interface)
     free = hidden if points else _told_by_fit(interface, words.calibrated, words.chosen)
     perhaps = _told_by_fit(interface, words.uncertain, words.chosen)
-    if points:
-        perhaps = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
-    else:
-        perhaps = {**perhaps, **hidden}
+    rubbing = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
+    perhaps = rubbing if points else {**perhaps, **hidden}
     own = {
         n: v
         for n, v in interface.parameters.items()

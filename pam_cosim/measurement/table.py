@@ -129,7 +129,7 @@ class Layout:
 
 
 def split_heading(text: str) -> tuple[str, str] | None:
-    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p/kPa(g)``, ``p / bar (a)`` or ``p in kPa``.
+    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p/kPa(g)`` or ``p in kPa``.
 
     Only square brackets always hold a unit: "sensor (left)" is a name. None: the text is no heading.
     """
