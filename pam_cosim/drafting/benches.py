@@ -361,7 +361,7 @@ def _assign(
 
 
 def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings) -> RecordedColumn:
-    """A column that is a variable because the user says so; no unit of another kind is guessed where none is written."""
+    """A column that is a variable because the user says so; a unit of another kind is never guessed."""
     written = any(one.unit.strip() for one in column.places.values())
     if written or column.unknown or (column.unit and not column.why):
         return column

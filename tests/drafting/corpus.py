@@ -5,6 +5,7 @@ one rig, as a logger writes them; ``truth`` has the signals of the first run und
 ``answer`` is the one thing that a laboratory would state where the file does not say it.
 """
 
+# ruff: noqa: E501, E731 -- a table, a line for each recording
 from __future__ import annotations
 
 import io

@@ -24,7 +24,9 @@ def test_there_are_enough() -> None:
 @pytest.mark.parametrize(
     "case",
     [
-        pytest.param(c, id=c.name.replace(": ", "-"), marks=[pytest.mark.full] * (c.name not in QUICK))
+        pytest.param(
+            c, id=c.name.replace(": ", "-"), marks=[pytest.mark.full] * (c.name not in QUICK)
+        )
         for c in CASES
     ],
 )
