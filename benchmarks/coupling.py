@@ -144,7 +144,7 @@ def error_at_cost(points: Points, cost: float, of: str = "cost") -> float | None
 
 
 def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
-    """The picture of ``docs/co-simulation.md``."""
+    """The picture of ``docs/own-fmu.md``."""
     from pathlib import Path
 
     from pam_cosim.reporting.style import (

@@ -20,8 +20,8 @@ from pam_cosim.lazy_names import LazyNames
 if TYPE_CHECKING:
     from pam_cosim.analysis import (
         FrequencyResponse,  # of frequency_response: amplitude and phase by frequency
-        LinearCourse,  # of linearise_along: linear models along a run
         LinearModel,  # of linearise: the matrices A, B, C and D
+        LinearModels,  # of linearise_along: linear models along a run
         Observation,  # of observe: estimated states over time
         OperatingPoint,  # about which a model was linearised
     )
@@ -94,7 +94,7 @@ __all__ = [
     "FrequencyResponse",
     "InputError",
     "Inputs",
-    "LinearCourse",
+    "LinearModels",
     "LinearModel",
     "ModelError",
     "Observation",

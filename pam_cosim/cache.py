@@ -69,7 +69,7 @@ def cached(kind: str, key: str, suffix: str, make: Callable[[], bytes]) -> Path:
 
 
 def _write(sums: Path, files: Mapping[str, bytes]) -> None:
-    """Files beside their sums, which are written last."""
+    """Files with their checksums, which are written last."""
     lines = "".join(f"{_sum(content)} {name}\n" for name, content in sorted(files.items()))
     try:
         for name, content in files.items():
@@ -96,8 +96,8 @@ def is_whole(sums: Path) -> bool:
     A disk may have been full, or somebody has tidied up. A process reads each file once, as long as nobody writes it.
     """
     try:
-        known = _seen.get(sums, {})
-        if known and all(_state(path) == state for path, state in known.items()):
+        checked = _seen.get(sums, {})
+        if checked and all(_state(path) == state for path, state in checked.items()):
             return True
         _seen[sums] = _states_if_whole(sums)
     except (OSError, ValueError, InputError):

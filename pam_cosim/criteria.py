@@ -114,6 +114,8 @@ class ResidualCriteria:
     """noise variances | excess as drifts have it: a wander of half a standard deviation has a quarter | blind score"""
     loud: float = 1.5
     """noise variances | mean square above which a verdict mentions more noise than stated"""
+    far_above: float = 9.0
+    """noise variances | mean square above which white residuals are no noise: few levels are three times off"""
     lags: int = 8
     """samples | distances over which the colour of the noise is distinguished from a slow time series"""
     reddest: float = 0.95
@@ -168,6 +170,10 @@ class EvidenceCriteria:
     """independent samples | at least, in the BIC penalty of a parameter"""
     beyond_doubt: float = 0.02
     """of the excess | largest remainder of the one family that is named although its law is not listed | blind score"""
+    least_rms: float = 0.5
+    """sd rms | in a signal, that a further effect takes away at least to be called missing | blind score"""
+    least_share: float = 0.05
+    """of the excess | of the base model, that a further effect takes away otherwise | blind score"""
     rival_ratio: float = 3.0
     """times that | smallest remainder of every other family in that case | blind score"""
     temperature: float = 4.0
@@ -177,6 +183,8 @@ class EvidenceCriteria:
     nothing was added; where nothing checks an effect, with several effects, with a general one | blind score"""
     refuted: float = 2.0
     """times | ratio of the errors on signals that were not fitted, above which a rival is refuted"""
+    detection_limit: float = 0.3
+    """of what a signal moves | smallest rms error that is found, above which data show nothing that matters"""
 
 
 @dataclass(frozen=True)
@@ -213,7 +221,7 @@ class SearchCriteria:
     """models | that other effects are added to by prediction, and effects combined to two"""
     step: float = 0.6
     """of the excess | largest predicted remainder with another effect that is tried"""
-    most_effects: int = 3
+    most_effects: int = 8
     """effects | in one explanation, at most"""
     evaluations: int = 40
     """evaluations | of each descent of a candidate: some valleys are long"""

@@ -49,7 +49,7 @@ def write_bytes(path: Path, content: bytes | bytearray) -> None:
 
 @contextmanager
 def written_whole(path: Path) -> Iterator[Path]:
-    """A temporary name beside ``path`` for a program to write; moved to ``path`` at the end, removed after an error.
+    """A temporary name next to ``path`` for a program to write; moved to ``path`` at the end, removed after an error.
 
     Raises:
         InputError: as ``write_bytes``.
@@ -117,24 +117,26 @@ def _target(path: Path) -> Path:
     return place
 
 
-def check_ending(path: Path, what: str, known: Sequence[str]) -> None:
+def check_ending(path: Path, what: str, endings: Sequence[str]) -> None:
     """A file that is not what its name says is opened by nothing; a name without an ending says nothing.
 
     Raises:
         InputError: the name ends in none of ``known``.
     """
-    if path.suffix and path.suffix.lower() not in known:
-        raise InputError(f"{what}: name a file that ends in {' or '.join(known)}", path)
+    if path.suffix and path.suffix.lower() not in endings:
+        raise InputError(f"{what}: name a file that ends in {' or '.join(endings)}", path)
 
 
 def check_model_file(path: Path) -> None:
     """A model is written as Modelica, in a file whose name is that of the class.
 
     Raises:
-        InputError: the name ends otherwise.
+        InputError: the name ends otherwise, or is that of a package.
     """
     if path.suffix != ".mo":
         raise InputError("the model is written as Modelica: name a file that ends in .mo", path)
+    if path.name == PACKAGE:
+        raise InputError(f"{PACKAGE} makes its folder a package: name a file after the model", path)
 
 
 def _processes() -> int | None:
@@ -166,9 +168,9 @@ def plain(value: Any) -> Any:
     if hasattr(value, "as_dict") and not isinstance(value, type):
         return plain(value.as_dict())
     if isinstance(value, Mapping):
-        return {str(key): plain(one) for key, one in value.items()}
+        return {str(key): plain(entry) for key, entry in value.items()}
     if isinstance(value, (list, tuple)):
-        return [plain(one) for one in value]
+        return [plain(entry) for entry in value]
     if is_dataclass(value) and not isinstance(value, type):
         return plain_fields(value)
     if isinstance(value, frozenset):
@@ -301,7 +303,7 @@ def read_json(path: Path) -> Any:
     try:
         return json.loads(read_file(path, MOST_TEXT).decode(), object_pairs_hook=_once)
     except _Twice as twice:
-        raise InputError(f"the key {shown(twice)} stands twice in one object", path) from None
+        raise InputError(f"the key {shown(twice)} appears twice in one object", path) from None
     except OSError as problem:
         raise InputError(f"cannot be read: {problem.strerror}", path) from problem
     except UnicodeDecodeError as problem:
@@ -378,8 +380,10 @@ def check_spared(results: Iterable[Path], sources: Iterable[Path | str]) -> None
         InputError: names that result.
     """
     read = {os.path.realpath(source) for source in sources}
-    folders = {os.path.dirname(one) if os.path.basename(one) == PACKAGE else one for one in read}
-    packages = [Path(one) for one in folders if os.path.isfile(os.path.join(one, PACKAGE))]
+    folders = {
+        os.path.dirname(place) if os.path.basename(place) == PACKAGE else place for place in read
+    }
+    packages = [Path(place) for place in folders if os.path.isfile(os.path.join(place, PACKAGE))]
     for path in results:
         target = _target(path)
         if str(target) in read or any(_is_part(target, package) for package in packages):

@@ -104,9 +104,9 @@ def _exact_line(lines: list[str], path: tuple[str | int, ...]) -> int | None:
     def present(count: int) -> bool:
         return _holds(beginnings.shortest(count), path)
 
-    whole = beginnings.parsed(len(lines))
+    document = beginnings.parsed(len(lines))
     while path:
-        if _holds(whole, path):
+        if _holds(document, path):
             return bisect_left(range(len(lines) + 1), True, key=present)
         path = path[:-1]
     return None

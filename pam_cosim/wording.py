@@ -36,8 +36,8 @@ def listed(names: Iterable[str]) -> str:
 
 def enumeration(names: Iterable[str]) -> str:
     """``a, b and c``; "" when there are none."""
-    *first, last = [*names] or [""]
-    return f"{', '.join(first)} and {last}" if first else last
+    *leading, last = [*names] or [""]
+    return f"{', '.join(leading)} and {last}" if leading else last
 
 
 def words(identifier: str) -> str:
@@ -56,17 +56,17 @@ def distinct_warnings(warnings: Mapping[str, Sequence[str]]) -> tuple[str, ...]:
     Args:
         warnings: of every run, by its name.
     """
-    found: dict[str, dict[str, str]] = {}
+    by_text: dict[str, dict[str, str]] = {}
     for run, texts in warnings.items():
         for text in texts:
-            found.setdefault(_NUMBER.sub("", text), {}).setdefault(run, text)
-    return tuple(_warning(by_run, len(warnings)) for by_run in found.values())
+            by_text.setdefault(_NUMBER.sub("", text), {}).setdefault(run, text)
+    return tuple(_warning(by_run, len(warnings)) for by_run in by_text.values())
 
 
 def _warning(by_run: Mapping[str, str], count: int) -> str:
-    (first, text), *_ = by_run.items()
+    (run, text), *_ = by_run.items()
     runs = "every run" if len(by_run) == count > 1 else listed(by_run)
-    return f"{runs}: {text}" + (f" (in {first})" if len({*by_run.values()}) > 1 else "")
+    return f"{runs}: {text}" + (f" (in {run})" if len({*by_run.values()}) > 1 else "")
 
 
 def runs_in_words(count: int) -> str:
@@ -74,16 +74,16 @@ def runs_in_words(count: int) -> str:
     return f"{count} run" if count == 1 else f"{count} runs"
 
 
-def closest(name: str, known: Iterable[str], most: int = 1) -> list[str]:
+def closest(name: str, candidates: Iterable[str], most: int = 1) -> list[str]:
     """The names among ``known`` that ``name`` may have been meant for, best first; case does not matter.
 
     A name with all parts of ``name`` in their order comes first: "muscle.sleeve.L0" for "muscle.L0".
     """
-    folded = {one.casefold(): one for one in known}
+    folded = {candidate.casefold(): candidate for candidate in candidates}
     wanted = name[:_LONGEST].casefold()
-    longer = sorted((one for one in folded if _has_parts(wanted, one)), key=len)
+    longer = sorted((candidate for candidate in folded if _has_parts(wanted, candidate)), key=len)
     alike = get_close_matches(wanted, list(folded), n=most, cutoff=_ALIKE)
-    return [folded[one] for one in dict.fromkeys([*longer, *alike])][:most]
+    return [folded[candidate] for candidate in dict.fromkeys([*longer, *alike])][:most]
 
 
 def _has_parts(name: str, longer: str) -> bool:
@@ -92,12 +92,12 @@ def _has_parts(name: str, longer: str) -> bool:
     return all(part in parts for part in name.split("."))
 
 
-def did_you_mean(name: str, known: Iterable[str]) -> str:
+def did_you_mean(name: str, candidates: Iterable[str]) -> str:
     """A hint to append to "unknown name": the closest known name, then all of them."""
-    known = list(known)
-    close = closest(name, known)
+    candidates = list(candidates)
+    close = closest(name, candidates)
     hint = f"did you mean '{close[0]}'? " if close else ""
-    return f"{hint}Known: {listed(known)}"
+    return f"{hint}Known: {listed(candidates)}"
 
 
 class Printed:

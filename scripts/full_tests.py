@@ -1,4 +1,4 @@
-"""Writes docs/full-tests.md: which version all tests passed of.
+"""Writes tests/full-tests.md: which version all tests passed of.
 
 ``./scripts/test --full`` calls it with ``before``, to say what will keep it from that, and when they have passed with
 ``after``; the arguments of the tests follow.
@@ -13,7 +13,7 @@ from collections.abc import Sequence
 
 from scripts import repository
 
-PAGE = repository.ROOT / "docs" / "full-tests.md"
+PAGE = repository.ROOT / "tests" / "full-tests.md"
 TITLE = "# When the full tests last passed\n\n"
 
 
@@ -24,7 +24,7 @@ def main(words: Sequence[str]) -> int:
         return 0
     why = repository.missing()
     if when == "before" and why:
-        print(f"a pass will not be recorded in docs/full-tests.md: {why}", file=sys.stderr)
+        print(f"a pass will not be recorded in tests/full-tests.md: {why}", file=sys.stderr)
     if when == "after" and not why:  # otherwise that was said before
         record()
     return 0
@@ -34,7 +34,7 @@ def record() -> None:
     """Writes the page, where what passed is committed."""
     if repository.changed():
         print(
-            "not recorded in docs/full-tests.md: there are changes that are not committed",
+            "not recorded in tests/full-tests.md: there are changes that are not committed",
             file=sys.stderr,
         )
         return

@@ -28,17 +28,6 @@ class RepositoryFiles(Files):
         )
 
 
-def on_config(config: MkDocsConfig) -> MkDocsConfig:
-    """Entries of the navigation that end in a slash become the pages of that folder."""
-    sections = [(title, entry) for item in config.nav or [] for title, entry in item.items()]
-    expanded = [
-        (title, _pages_of(config, entry) if str(entry).endswith("/") else entry)
-        for title, entry in sections
-    ]
-    config.nav = [{title: entry} for title, entry in expanded if entry]
-    return config
-
-
 def on_files(files: Files, config: MkDocsConfig) -> Files:
     """Adds what the pages link to outside ``docs``, and what those pages link to."""
     whole = RepositoryFiles(files)
@@ -77,13 +66,6 @@ def _from_docs(path: str) -> str:
     """The shortest way to ``path`` from ``docs``: without ``../docs``."""
     path = posixpath.normpath(PurePosixPath(path).as_posix())
     return path.removeprefix("../docs/")
-
-
-def _pages_of(config: MkDocsConfig, folder: str) -> list[str]:
-    return sorted(
-        file.relative_to(config.docs_dir).as_posix()
-        for file in Path(config.docs_dir, folder).glob("*.md")
-    )
 
 
 def _leaves(entry: object) -> Iterator[str]:

@@ -108,7 +108,6 @@ def study(browser: Any, address: str) -> None:
     page.locator("#diagnose").click()
     page.locator(".ranking tbody tr").nth(5).wait_for(timeout=LONG)
     film.take(REST // 2)
-    still(page, "workbench-ranking")
     until = time.monotonic() + LONG / 1000
     count = 0
     while not ended(page, "diagnosis") and time.monotonic() < until:
@@ -135,13 +134,6 @@ def study(browser: Any, address: str) -> None:
     still(page, "workbench")
     film.save(PICTURES / "workbench.gif")
     light.close()
-
-    dark = browser.new_context(viewport=SIZE, color_scheme="dark")
-    page = opened(dark, address)
-    page.wait_for_timeout(500)
-    page.locator(".run button").nth(4).click()
-    still(page, "workbench-dark")
-    dark.close()
 
 
 def cut(browser: Any, address: str) -> None:

@@ -41,7 +41,7 @@ DECIDE_NOTHING = {
     ),
     "comparison/plausibility": (
         "advice to look at the data first; physical constants",
-        "_LARGE_ERROR _NOISE_LIMIT _REMAINING_ERROR _SAME_FACTOR BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
+        "_LARGE_ERROR _NOISE_LIMIT _QUIET _REMAINING_ERROR _SAME_FACTOR BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
         "_MOST_SAMPLES _ZEROS _LEAST FEWEST_SAMPLES ATMOSPHERES STANDARD_ATMOSPHERE",
     ),
     "comparison/rounding": ("accuracy of a table", "_FINE _CENTRE _TAIL _NODES"),
@@ -50,21 +50,21 @@ DECIDE_NOTHING = {
         "_BANDS _REST_RATE _ZERO_EDGE",
     ),
     "comparison/outliers": ("a property of the normal distribution", "MEDIAN_TO_SIGMA"),
-    "diagnosis/description/explanation": ("describes the missing term", "_FACTORS"),
+    "diagnosis/description/explanation": ("describes the missing term", "_PARTS _PART"),
+    "diagnosis/description/forms": (
+        "describes the missing term",
+        "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION",
+    ),
     "diagnosis/description/learning": (
         "describes the missing term",
-        "_MOST_FORMS LEAST_GAIN _LEAST_GAIN_OF_TERM _DESCRIBED_ERROR BLOCKS _MOST_WEIGHT _SHAPE_SPAN INTERVAL "
-        "_INTERVAL",
+        "_REST_SPAN _BLOCKS LEAST_GAIN",
     ),
-    "diagnosis/description/learning_direct": (
+    "diagnosis/description/selection": (
         "describes the missing term",
-        "_MOST_RAMPS _REST_SPAN BLOCKS LEAST_GAIN",
-    ),
-    "diagnosis/description/learning_library": (
-        "describes the missing term",
-        "_ROUNDING _BENDS _SIGNED_SHARE _EXTREME_QUANTILE _CONSTANT_RANGE _SAME_CORRELATION _SPEEDS _GROWTHS _WAVES",
+        "_MOST_FORMS LEAST_GAIN _LEAST_GAIN_OF_TERM _DESCRIBED_ERROR",
     ),
     "diagnosis/description/learning_text": ("bounds of a learned coefficient", "_REACH"),
+    "diagnosis/judgement/family_table": ("rows of a table", "_LISTED _SURE _EXCLUSIVE"),
     "diagnosis/judgement/fitted_models": ("proposes a run", "MOST_RIVALS"),
     "diagnosis/judgement/missing_term": ("length of a list", "_MOST_RULES"),
     "diagnosis/judgement/next_experiment": ("proposes a run", "FACTORS _PACES _MOST_JOINED"),
@@ -73,8 +73,13 @@ DECIDE_NOTHING = {
         "_MOST_LISTED _SMALL_SHARE",
     ),
     "diagnosis/search/expectation": ("rank of a matrix", "_NOTHING_NEW _WEAK"),
+    "diagnosis/search/full_model": (
+        "how far a continuation goes in a step",
+        "_TURNS _SETTLED _EVALUATIONS _PRECISION _TOLERANCE _BEGIN _WIDE",
+    ),
     "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
     "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
+    "diagnosis/search/selection": ("how many moves are tried at once", "_FEW"),
     "diagnosis/search/step_times": (
         "accuracy of times and slopes",
         "_ROUNDS _INSIDE DIFFERENCE_TOLERANCE",
@@ -105,20 +110,20 @@ QUOTED = (
     ("fitting.md", "{:g} are named", "fitting.fit.STRONG_CORRELATION"),
     ("fitting.md", "by {:g} the 95 % interval ends", "fitting.profile.INTERVAL_RISE"),
     ("how-it-works.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("speed.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("one-more-run.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
-    ("one-more-run.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
-    ("one-more-run.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
+    ("results.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
+    ("planning.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
+    ("planning.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
+    ("planning.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
     *(
         (page, "{:g} s of processor time and {:g} s more", "simulation.simulator.LONGEST_RUN")
         for page in ("own-fmu.md", "runs.md", "trust.md")
     ),
-    ("predictions.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
-    ("predictions.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
+    ("planning.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
+    ("planning.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
     ("runs.md", "{:g} of its change", "sweeps.scalars._SETTLED_CHANGE"),
     ("runs.md", "{:g} of the run", "sweeps.scalars._STEADY_PART"),
-    ("static-data.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
-    ("static-data.md", "{:g} of its range are one", "measurement.curves._LEVEL"),
+    ("data-sets.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
+    ("data-sets.md", "{:g} of its range are one level", "measurement.curves._LEVEL"),
 )
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
 

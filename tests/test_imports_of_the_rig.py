@@ -31,7 +31,7 @@ def imported(file: Path) -> set[str]:
     ("package", "barred"),
     [
         ("refsim", OUTSIDE),
-        ("pam_cosim", ("rig", "blind_cases", "tests", "benchmarks", "examples")),
+        ("pam_cosim", ("rig", "blind_cases", "strangers", "tests", "benchmarks", "examples")),
         ("benchmarks", ("tests",)),
     ],
 )

@@ -13,7 +13,7 @@ FLOORS = (
     ("arrays", "criteria", "lazy_names", "resources", "wording"),
     ("errors",),
     ("files", "counts", "processes", "toml_text"),
-    ("cache",),
+    ("cache", "store"),
     ("units",),
     ("exports", "model"),
     ("compiler",),

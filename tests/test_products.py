@@ -14,7 +14,6 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.diagnosis import BaseFitted, CandidateTried
-from pam_cosim.diagnosis.description.learning_library import Form, FormConstant, Quantity
 from pam_cosim.exports import Tabular
 from pam_cosim.fitting import HoldoutUncertainty
 from pam_cosim.study.products import _KINDS
@@ -140,7 +139,7 @@ def test_every_product_with_rows_becomes_a_frame() -> None:
         kind.__name__
         for kind in (*_KINDS.values(), pam.CoupledRun, Sweep)
         if not issubclass(kind, (Tabular, Sweep))
-    } - {"Ledger", "LinearCourse"}  # whose rows are those of their parts
+    } - {"Ledger", "LinearModels"}  # whose rows are those of their parts
     comparison, fit, diagnosis = PRODUCTS["comparison"], PRODUCTS["fit"], PRODUCTS["ambiguous"]
     samples = comparison.to_frame()
     run = comparison.runs[0]
@@ -186,22 +185,6 @@ def test_a_missing_library_is_named_with_what_to_type(
         pam.InputError, match=f"{library} is not installed.*: pip install {library}"
     ):
         getattr(product, method)()
-
-
-def test_a_formula_with_a_shape(tmp_path: Path) -> None:
-    """The parts of a learned term that the synthetic one lacks."""
-    from pam_cosim.diagnosis.description.learning import FittedAddend, LearnedTerm
-
-    q = Quantity("x", "m", 0.05, False)
-    form = Form(
-        "(exp(x/x_1) - 1)", (q,), FormConstant("x_1", q, 0.02, 0.005, 0.25), "(exp(x/{shape}) - 1)"
-    )
-    term = LearnedTerm(
-        "T", "force", "f", "m", "N", (FittedAddend(5.1, 0.1, form),), 0.9, 0.95, {"valve.C_A": 0.01}
-    )
-    learned = make_learned(DATA)
-    diagnosis = make_diagnosis("unknown", DATA, learned=type(learned)(term, learned.model))
-    same(pam.load(pam.save(diagnosis, tmp_path / "d.npz")), diagnosis)
 
 
 @pytest.mark.parametrize(

@@ -1,6 +1,6 @@
 """Tables and figures from the results of `score`.
 
-    python -m benchmarks.hidden_effects.report build/hidden-effects-score.jsonl --out docs/hidden-effects
+    python -m benchmarks.hidden_effects.report build/hidden-effects-score.jsonl --out FOLDER
 
 Writes report.md and its figures into OUT: hit-rate.png, confusion.png, outcomes.png, and where the results have them
 breakdown.png (by bench, signals, rate and runs) and calibration.png (stated probabilities).

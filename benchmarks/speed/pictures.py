@@ -1,4 +1,4 @@
-"""The pictures of ``docs/speed.md``."""
+"""The pictures of ``docs/results.md``."""
 
 from __future__ import annotations
 

@@ -3,7 +3,7 @@
 An independent simulator (SciPy; states are internal energy, mass of gas, contraction and speed) makes three runs of the
 latex muscle whose wall conducts as DP (45) prints and whose gas obeys the balances of mass and energy, with noise. Four
 models are fitted to them; the printed one is diagnosed, and the library's own with films. Writes the data set
-(to demo/gas-temperature), report.md and result.png, and prints what docs/stories/doumit-pardoel-temperature.md quotes.
+(to demo/gas-temperature), report.md and result.png, and prints what docs/stories.md quotes.
 """
 
 from __future__ import annotations

@@ -2,13 +2,13 @@
 
 from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.linear import LinearModel, Mode
-from pam_cosim.analysis.linear_course import LinearCourse
+from pam_cosim.analysis.linear_models import LinearModels
 from pam_cosim.analysis.observation import Observation
 from pam_cosim.analysis.operating_point import OperatingPoint
 
 __all__ = [
     "FrequencyResponse",
-    "LinearCourse",
+    "LinearModels",
     "LinearModel",
     "Mode",
     "Observation",

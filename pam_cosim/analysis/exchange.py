@@ -163,11 +163,13 @@ class ExchangeModel:
 
     def check(self, names: Sequence[str], role: str = "variable") -> None:
         """Raises InputError, with the nearest name, where the model lacks one."""
-        known: Mapping[str, object] = self.interface.inputs if role == "input" else self._references
+        available: Mapping[str, object] = (
+            self.interface.inputs if role == "input" else self._references
+        )
         for name in names:
-            if name not in known:
+            if name not in available:
                 raise InputError(
-                    f"{self.interface.model} has no {role} '{name}'; {did_you_mean(name, known)}"
+                    f"{self.interface.model} has no {role} '{name}'; {did_you_mean(name, available)}"
                 )
 
     def state(self) -> Array:
@@ -278,8 +280,10 @@ class ExchangeModel:
         if name in self._slots and self.nominal[self._slots[name]] != 1.0:
             return float(self.nominal[self._slots[name]])
         variable = self.variable(name)
-        known = (variable.nominal, variable.start, variable.max) if variable is not None else ()
-        return next((abs(v) for v in known if v), 1.0)
+        magnitudes = (
+            (variable.nominal, variable.start, variable.max) if variable is not None else ()
+        )
+        return next((abs(v) for v in magnitudes if v), 1.0)
 
     def _call(self, ask: Callable[[], T]) -> T:
         self._calls += 1

@@ -1,4 +1,4 @@
-"""The course of a model for model exchange over time, by a solver of SciPy with the FMU's exact Jacobian."""
+"""The trajectory of a model for model exchange, by a solver of SciPy with the FMU's exact Jacobian."""
 
 from __future__ import annotations
 
@@ -15,10 +15,10 @@ RELATIVE_TOLERANCE = 1e-8
 # The second, implicit throughout and slower, is for states that the first cannot pass.
 _METHODS = ("LSODA", "Radau")
 
-InputCourse = Callable[[float], Array]
+InputFunction = Callable[[float], Array]
 
 
-def constant_course(inputs: Array) -> InputCourse:
+def constant_input(inputs: Array) -> InputFunction:
     """Constant inputs (m,)."""
     return lambda _: inputs
 
@@ -27,7 +27,7 @@ def flow(
     model: ExchangeModel,
     start: Array,
     times: Array,
-    inputs: InputCourse,
+    inputs: InputFunction,
     tolerance: float = RELATIVE_TOLERANCE,
 ) -> Array:
     """States (n, k) at increasing times (k,) [s], from ``start`` (n,) at the first of them.
@@ -82,5 +82,5 @@ def flow(
             return np.asarray(solution.y, dtype=float)
         message = str(solution.message)
     raise RunFailure(
-        f"no solver gets from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time
+        f"the integration failed from {times[0]:.6g} s to {times[-1]:.6g} s: {message}", model.time
     )

@@ -91,8 +91,14 @@ class FrequencyResponse(Printed, Exported):
         linear = self.linear_gain
         columns = [self.frequencies]
         for i in range(len(self.outputs)):
-            own, other = self.gain[:, i], linear[:, i]
-            columns += [np.abs(own), phase(own), self.distortion[:, i], np.abs(other), phase(other)]
+            simulated, linearised = self.gain[:, i], linear[:, i]
+            columns += [
+                np.abs(simulated),
+                phase(simulated),
+                self.distortion[:, i],
+                np.abs(linearised),
+                phase(linearised),
+            ]
         rows = zip(*columns, self.periods.astype(int), self.settled, strict=True)
         return ["frequency [Hz]", *heads, "periods", "settled"], rows
 

@@ -76,13 +76,13 @@ def observe_samples(
     model.check([*outputs, *samples.measured])
     go_to_state(model, belief.start)
     filtered = _Filter(model, belief, list(samples.measured))
-    course = _course(model, samples)
+    input_functions = _input_functions(model, samples)
     rows = []
     for k, time in enumerate(samples.times):
         if k and time > samples.times[k - 1]:
-            filtered.predict(float(samples.times[k - 1]), float(time), course(k - 1))
+            filtered.predict(float(samples.times[k - 1]), float(time), input_functions(k - 1))
         reading = np.array([values[k] for values in samples.measured.values()])
-        innovation, sizes = filtered.update(float(time), course(k)(float(time)), reading)
+        innovation, sizes = filtered.update(float(time), input_functions(k)(float(time)), reading)
         rows.append((*filtered.estimate(outputs), innovation, sizes))
     columns = list(zip(*rows, strict=True))
     values, deviations, innovations, sizes = map(np.array, columns)
@@ -100,7 +100,7 @@ def observe_samples(
     )
 
 
-def _course(
+def _input_functions(
     model: ExchangeModel, samples: RecordedSamples
 ) -> Callable[[int], Callable[[float], Array]]:
     """For each interval the inputs over time."""
@@ -142,15 +142,15 @@ class _Filter:
         self._power = np.diag(np.square(drift))
         self._noise = np.square([belief.noise[name] for name in measured])
 
-    def _inputs(self, known: Array) -> Array:
-        whole = known.copy()
-        whole[self._places] = self.mean[len(self.model.states) :]
-        return whole
+    def _inputs(self, known_inputs: Array) -> Array:
+        all_inputs = known_inputs.copy()
+        all_inputs[self._places] = self.mean[len(self.model.states) :]
+        return all_inputs
 
-    def _go(self, time: float, known: Array) -> None:
-        self.model.set(time, self.mean[: len(self.model.states)], self._inputs(known))
+    def _go(self, time: float, known_inputs: Array) -> None:
+        self.model.set(time, self.mean[: len(self.model.states)], self._inputs(known_inputs))
 
-    def predict(self, begin: float, end: float, course: Callable[[float], Array]) -> None:
+    def predict(self, begin: float, end: float, inputs_at: Callable[[float], Array]) -> None:
         """To the next sample, in as many pieces as the covariance needs."""
         n, scale = len(self.model.states), self._scale[:, None] * self._scale
         start, power = self.covariance / scale, self._power / scale
@@ -158,29 +158,29 @@ class _Filter:
         while True:
             times = np.linspace(begin, end, pieces + 1)
             states = flow(
-                self.model, self.mean[:n], times, lambda t: self._inputs(course(t)), _TOLERANCE
+                self.model, self.mean[:n], times, lambda t: self._inputs(inputs_at(t)), _TOLERANCE
             )
-            slopes = [self._slope(t, states[:, i], course) for i, t in enumerate(times)]
+            slopes = [self._slope(t, states[:, i], inputs_at) for i, t in enumerate(times)]
             if coarse is None:
                 coarse = carried(start, slopes[::2], power, end - begin)
             fine = carried(start, slopes, power, end - begin)
-            sizes = [np.sqrt(np.diag(one)) for one in (coarse, fine)]
+            sizes = [np.sqrt(np.diag(spread)) for spread in (coarse, fine)]
             if np.all(np.abs(sizes[0] - sizes[1]) <= _ALIKE * sizes[1]) or pieces >= _MOST_PIECES:
                 break
             coarse, pieces = fine, 2 * pieces
         self.covariance = fine * scale
         self.mean = np.append(states[:, -1], self.mean[n:])
 
-    def _slope(self, time: float, state: Array, course: Callable[[float], Array]) -> Array:
+    def _slope(self, time: float, state: Array, inputs_at: Callable[[float], Array]) -> Array:
         """The Jacobian of the rates, in nominal sizes; the random walks have none."""
-        self.model.set(time, state, self._inputs(course(time)))
+        self.model.set(time, state, self._inputs(inputs_at(time)))
         rows = self.model.jacobian(self.model.rate_names, self.names)[0]
-        whole = np.vstack([rows, np.zeros((len(self.unknown), len(self.names)))])
-        return np.asarray(whole * self._scale / self._scale[:, None])
+        augmented = np.vstack([rows, np.zeros((len(self.unknown), len(self.names)))])
+        return np.asarray(augmented * self._scale / self._scale[:, None])
 
-    def update(self, time: float, known: Array, reading: Array) -> tuple[Array, Array]:
+    def update(self, time: float, known_inputs: Array, reading: Array) -> tuple[Array, Array]:
         """Takes a sample in; its innovations by their standard deviations (m,), and a row of ``Observation.sizes``."""
-        self._go(time, known)
+        self._go(time, known_inputs)
         seen = np.flatnonzero(np.isfinite(reading))
         normalised = np.full(len(reading), np.nan)
         if not seen.size:
@@ -197,7 +197,7 @@ class _Filter:
             rest @ self.covariance @ rest.T + gain @ noise @ gain.T
         )  # Joseph: stays a covariance
         normalised[seen] = innovation / np.sqrt(np.diag(expected))
-        self._go(time, known)
+        self._go(time, known_inputs)
         squared = float(innovation @ np.linalg.solve(expected, innovation))
         return normalised, np.array([squared, seen.size, np.linalg.slogdet(expected)[1]])
 
@@ -211,8 +211,8 @@ class _Filter:
 
 def carried(covariance: Array, slopes: Sequence[Array], power: Array, span: float) -> Array:
     """A covariance after a time in which the system has these slopes, one after another at even distances."""
-    for one, other in zip(slopes, slopes[1:], strict=False):
-        over, added = transition((one + other) / 2, power, span / (len(slopes) - 1))
+    for at_begin, at_end in zip(slopes, slopes[1:], strict=False):
+        over, added = transition((at_begin + at_end) / 2, power, span / (len(slopes) - 1))
         covariance = over @ covariance @ over.T + added
     return covariance
 

@@ -90,12 +90,12 @@ class LinearModel(Printed, Exported):
         """Time constants, natural frequencies and damping, the slowest first; a complex pair is one mode."""
         if not self.states:
             return []
-        values, right = np.linalg.eig(self.A)
-        left = np.linalg.pinv(right)
+        values, right_vectors = np.linalg.eig(self.A)
+        left_vectors = np.linalg.pinv(right_vectors)
         order = np.lexsort((-values.imag, np.abs(values)))
         still = _is_integrator(np.abs(values))
         return [
-            self._mode(values[i], right[:, i] * left[i], bool(still[i]))
+            self._mode(values[i], right_vectors[:, i] * left_vectors[i], bool(still[i]))
             for i in order
             if values[i].imag >= 0
         ]
@@ -134,8 +134,8 @@ class LinearModel(Printed, Exported):
         """(k, p, m) outputs at times (k,) [s] after each input alone stepped by one of its units; exact."""
         n, m = self.B.shape
         both = np.block([[self.A, self.B], [np.zeros((m, n + m))]])
-        courses = [expm(both * t)[:n, n:] for t in np.asarray(times, dtype=float)]
-        return np.array([self.C @ course + self.D for course in courses])
+        responses = [expm(both * t)[:n, n:] for t in np.asarray(times, dtype=float)]
+        return np.array([self.C @ step_response + self.D for step_response in responses])
 
     def select(
         self,
@@ -165,15 +165,17 @@ class LinearModel(Printed, Exported):
             outputs=tuple(self.outputs[i] for i in chosen_y),
         )
 
-    def _places(self, names: Sequence[str] | None, known: Sequence[str], role: str) -> list[int]:
+    def _places(
+        self, names: Sequence[str] | None, available: Sequence[str], role: str
+    ) -> list[int]:
         if names is None:
-            return list(range(len(known)))
+            return list(range(len(available)))
         for name in names:
-            if name not in known:
+            if name not in available:
                 raise InputError(
-                    f"this linear model has no {role} '{name}'; {did_you_mean(name, known)}"
+                    f"this linear model has no {role} '{name}'; {did_you_mean(name, available)}"
                 )
-        return [list(known).index(name) for name in names]
+        return [list(available).index(name) for name in names]
 
     def _reduced(self, slow: list[int]) -> LinearModel:
         fast = [i for i in range(len(self.states)) if i not in slow]
@@ -185,14 +187,14 @@ class LinearModel(Printed, Exported):
                 C=self.C[:, slow],
                 states=tuple(self.states[i] for i in slow),
             )
-        own = self.A[np.ix_(fast, fast)]
-        if np.linalg.matrix_rank(own) < len(fast):
+        fast_block = self.A[np.ix_(fast, fast)]
+        if np.linalg.matrix_rank(fast_block) < len(fast):
             raise InputError(
-                f"{', '.join(self.states[i] for i in fast)}: cannot follow at once; keep one more state"
+                f"{', '.join(self.states[i] for i in fast)}: cannot be quasi-static; keep one more state"
             )
         on_x, on_u = (
-            np.linalg.solve(own, self.A[np.ix_(fast, slow)]),
-            np.linalg.solve(own, self.B[fast]),
+            np.linalg.solve(fast_block, self.A[np.ix_(fast, slow)]),
+            np.linalg.solve(fast_block, self.B[fast]),
         )
         across, seen = self.A[np.ix_(slow, fast)], self.C[:, fast]
         return replace(
@@ -215,7 +217,7 @@ class LinearModel(Printed, Exported):
             InputError: without states; SciPy's is of one at least.
         """
         if not self.states:
-            raise InputError(f"{self.model} has no states; its matrix D is all there is")
+            raise InputError(f"{self.model} has no states and only a matrix D")
         from scipy.signal import StateSpace  # a fifth of a second, which few need
 
         return StateSpace(self.A, self.B, self.C, self.D)
@@ -271,15 +273,15 @@ class LinearModel(Printed, Exported):
         heads = [self._headed(name) for name in (*self.states, *self.inputs)]
         cells = [[f"{v:.6g}" for v in row] for row in self._table().tolist()]
         rows = self._rows()
-        first = max(map(len, rows), default=0)
+        width = max(map(len, rows), default=0)
         widths = [max(map(len, column)) for column in zip(heads, *cells, strict=True)]
         lines = [f"{self.model} {self.point}", ""]
         lines.append(
-            " " * first + "".join(f"  {head:>{w}}" for head, w in zip(heads, widths, strict=True))
+            " " * width + "".join(f"  {head:>{w}}" for head, w in zip(heads, widths, strict=True))
         )
         for title, row in zip(rows, cells, strict=True):
             lines.append(
-                f"{title:<{first}}"
+                f"{title:<{width}}"
                 + "".join(f"  {cell:>{w}}" for cell, w in zip(row, widths, strict=True))
             )
         lines += ["", *self.modes_text(), *self.gain_text(), f"by {self.method}", *self.notes]
@@ -310,7 +312,7 @@ class LinearModel(Printed, Exported):
 
 
 def _is_integrator(sizes: Array) -> NDArray[np.bool_]:
-    """(n,) whether each pole of these magnitudes is as good as zero beside the largest."""
+    """(n,) whether each pole of these magnitudes is negligible compared with the largest."""
     return np.asarray(sizes <= _INTEGRATOR * sizes.max(initial=0.0))
 
 

@@ -60,8 +60,8 @@ def linear_model(
     model.check(chosen)
     inputs = list(model.interface.inputs)
     rows, columns = [*model.rate_names, *chosen], [*model.states, *inputs]
-    whole, method = model.jacobian(rows, columns)
-    whole = whole + 0.0  # no negative zeros
+    matrix, method = model.jacobian(rows, columns)
+    matrix = matrix + 0.0  # no negative zeros
     n = len(model.states)
     point = present(model, chosen, kind, how, parameters)
     notes = [_BY_DIFFERENCES] if method == DIFFERENCES else []
@@ -69,16 +69,16 @@ def linear_model(
     moving = [name for name, rate in point.rates.items() if abs(rate) > STILL * sizes[name]]
     if moving:
         notes.append(
-            f"Not at rest: {', '.join(moving)} changes there, and deviations count from that course."
+            f"Not at rest: {', '.join(moving)} changes there, and deviations count from that trajectory."
         )
     if model.event_indicators:
         notes.append("The FMU has events; its discrete states are those of the start.")
     return LinearModel(
         model.interface.model,
-        whole[:n, :n],
-        whole[:n, n:],
-        whole[n:, :n],
-        whole[n:, n:],
+        matrix[:n, :n],
+        matrix[:n, n:],
+        matrix[n:, :n],
+        matrix[n:, n:],
         tuple(model.states),
         tuple(inputs),
         tuple(chosen),

@@ -197,7 +197,7 @@ class Observation(Printed, Exported):
 
 
 def _neighbours(values: Array) -> float:
-    first, second = values[:-1], values[1:]
-    both = np.isfinite(first) & np.isfinite(second)
+    earlier, later = values[:-1], values[1:]
+    both = np.isfinite(earlier) & np.isfinite(later)
     size = float(np.sum(values[np.isfinite(values)] ** 2))
-    return float(np.sum(first[both] * second[both]) / size) if size > 0 else float("nan")
+    return float(np.sum(earlier[both] * later[both]) / size) if size > 0 else float("nan")

@@ -8,7 +8,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from pam_cosim.analysis.exchange import ExchangeModel
-from pam_cosim.analysis.flow import constant_course, flow
+from pam_cosim.analysis.flow import constant_input, flow
 from pam_cosim.analysis.operating_point import STILL, set_known, stated_value
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
@@ -73,24 +73,24 @@ def _no_rest(model: ExchangeModel, problem: _Rest, free: Sequence[str], duration
 def _settle(model: ExchangeModel, start: Array, inputs: Array) -> tuple[Array | None, float]:
     """The state after a run long enough for it to settle, and how long that was; None where it runs away."""
     state, duration, end = start, model.interface.stop_time, 0.0
-    first = model.time
+    begin = model.time
     scale = np.array([model.scale(n) for n in model.states])
     try:
         while end < _LONGEST * duration:
             span = max(end, duration)
             state = flow(
-                model, state, np.array([first + end, first + end + span]), constant_course(inputs)
+                model, state, np.array([begin + end, begin + end + span]), constant_input(inputs)
             )[:, -1]
             end += span
-            model.set(first, state, inputs)
+            model.set(begin, state, inputs)
             if np.all(np.abs(model.rates()) <= _NEARLY_STILL * np.maximum(np.abs(state), scale)):
                 break
         return state, end
     except SimulationFailure:
-        model.set(first, start, inputs)
+        model.set(begin, start, inputs)
         return None, end
     finally:
-        model.set(time=first)
+        model.set(time=begin)
 
 
 class _Rest:

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pam_cosim.analysis.exchange import ExchangeModel
-from pam_cosim.analysis.flow import InputCourse, flow
+from pam_cosim.analysis.flow import InputFunction, flow
 from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.linear import LinearModel
 from pam_cosim.analysis.linearise import linearise_at
@@ -118,17 +118,21 @@ def _swing(
             1j * omega * np.eye(len(rest)) - linear.A, linear.B[:, at] * sines.amplitude
         )
         begin = rest + cycle.imag
-    ahead, periods, known = begin, 0, None
+    ahead, periods, spectrum = begin, 0, None
     mean = np.array([linear.point.outputs[name] for name in sines.outputs])
     while True:
-        ahead, courses = _periods(model, ahead, periods, frequency, inputs, sines.outputs)
+        ahead, periods_of_outputs = _periods(
+            model, ahead, periods, frequency, inputs, sines.outputs
+        )
         periods += _BATCH
-        for course in courses:
-            before, known = known, _Spectrum(course, sines.amplitude, mean)
-        assert before is not None and known is not None
-        settled = known.agrees(before)
+        for samples in periods_of_outputs:
+            before, spectrum = spectrum, _Spectrum(samples, sines.amplitude, mean)
+        assert before is not None and spectrum is not None
+        settled = spectrum.agrees(before)
         if settled or periods >= sines.most_periods:
-            return _SineResponse(known.gain, known.distortion, known.shift, periods, settled)
+            return _SineResponse(
+                spectrum.gain, spectrum.distortion, spectrum.shift, periods, settled
+            )
 
 
 def _periods(
@@ -136,7 +140,7 @@ def _periods(
     state: Array,
     done: int,
     frequency: float,
-    inputs: InputCourse,
+    inputs: InputFunction,
     outputs: Sequence[str],
 ) -> tuple[Array, list[Array]]:
     """The state after a batch of periods, and for each of them the outputs (SAMPLES, p)."""
@@ -152,8 +156,8 @@ def _periods(
 class _Spectrum:
     """Of one period (SAMPLES, p) of the outputs, from a sine of the input."""
 
-    def __init__(self, course: Array, amplitude: float, mean: Array) -> None:
-        lines = np.fft.rfft(course - mean, axis=0) * (2 / len(course))
+    def __init__(self, samples: Array, amplitude: float, mean: Array) -> None:
+        lines = np.fft.rfft(samples - mean, axis=0) * (2 / len(samples))
         self.fundamental = lines[1]
         self.gain = lines[1] / (-1j * amplitude)
         self.shift = lines[0].real / 2
@@ -163,11 +167,11 @@ class _Spectrum:
 
     def agrees(self, other: _Spectrum) -> bool:
         """Whether the two periods say the same."""
-        near = _SETTLED * np.abs(self.fundamental)
+        tolerance = _SETTLED * np.abs(self.fundamental)
         changes = np.maximum(
             np.abs(self.fundamental - other.fundamental), np.abs(self.shift - other.shift)
         )
-        return bool(np.all(changes <= near))
+        return bool(np.all(changes <= tolerance))
 
 
 def respond_from_start(
@@ -183,10 +187,10 @@ def respond_from_start(
     interface = simulator.interface
     variable = interface.inputs[sines.input]
     middle = parameters.get(sines.input, variable.start or 0.0)
-    others = {name: value for name, value in parameters.items() if name != sines.input}
+    constants = {name: value for name, value in parameters.items() if name != sines.input}
     answers = []
     for i, frequency in enumerate(sines.frequencies):
-        answers.append(_swing_from_start(simulator, others, middle, frequency, sines))
+        answers.append(_swing_from_start(simulator, constants, middle, frequency, sines))
         if progress is not None:
             progress(i + 1, len(sines.frequencies))
     units = {
@@ -206,21 +210,23 @@ def _swing_from_start(
     periods = min(_FIRST_PERIODS, sines.most_periods)
     while True:
         times = np.arange(periods * SAMPLES + 1) / (SAMPLES * frequency)
-        course = middle + sines.amplitude * np.sin(2 * np.pi * frequency * times)
+        samples = middle + sines.amplitude * np.sin(2 * np.pi * frequency * times)
         run = simulator.run(
             times,
             parameters=parameters,
-            inputs=Inputs(times, {sines.input: course}),
+            inputs=Inputs(times, {sines.input: samples}),
             outputs=sines.outputs,
         )
         values = np.array([run[name][:-1] for name in sines.outputs]).T
         # the fundamental of the straight lines between samples
         amplitude = sines.amplitude * float(np.sinc(1 / SAMPLES)) ** 2
         mean = np.zeros(len(sines.outputs))
-        before, known = (_Spectrum(p, amplitude, mean) for p in np.split(values, periods)[-2:])
-        settled = known.agrees(before)
+        before, spectrum = (_Spectrum(p, amplitude, mean) for p in np.split(values, periods)[-2:])
+        settled = spectrum.agrees(before)
         if settled or periods >= sines.most_periods:
-            return _SineResponse(known.gain, known.distortion, known.shift, periods, settled)
+            return _SineResponse(
+                spectrum.gain, spectrum.distortion, spectrum.shift, periods, settled
+            )
         periods = min(2 * periods, sines.most_periods)
 
 

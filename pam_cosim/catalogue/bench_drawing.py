@@ -44,21 +44,21 @@ class BenchDrawing:
         self.components: list[str] = []
         self.equations: list[str] = []
 
-    def add(self, one: PlacedPart, modifiers: Sequence[str]) -> None:
+    def add(self, placed: PlacedPart, modifiers: Sequence[str]) -> None:
         """A component with these modifiers, such as ``V=0.002``."""
         modifier = f"({', '.join(modifiers)})" if modifiers else ""
-        x, y = one.corner
+        x, y = placed.corner
         extent = _extent((x, y), (x + 2 * _HALF, y + 2 * _HALF))
         place = f"annotation (Placement(transformation(extent={extent})))"
-        description = string_text(one.part.description)
+        description = string_text(placed.part.description)
         self.components.append(
-            f"{one.part.qualified_name} {one.name}{modifier} {description}\n    {place}"
+            f"{placed.part.qualified_name} {placed.name}{modifier} {description}\n    {place}"
         )
 
-    def connect(self, one: _End, other: _End) -> None:
+    def connect(self, begin: _End, end: _End) -> None:
         """A line between two connectors."""
-        joined = ", ".join(f"{placed.name}.{connector.name}" for placed, connector in (one, other))
-        points = ", ".join(f"{{{x:g},{y:g}}}" for x, y in _line(one, other))
+        joined = ", ".join(f"{placed.name}.{connector.name}" for placed, connector in (begin, end))
+        points = ", ".join(f"{{{x:g},{y:g}}}" for x, y in _line(begin, end))
         self.equations.append(f"connect({joined})\n    annotation (Line(points={{{points}}}))")
 
     def read(self, signal: str, reader: PlacedPart, declared: ComponentInfo) -> None:
@@ -120,9 +120,9 @@ def _extent(low: _Corner, high: _Corner) -> str:
     return f"{{{{{low[0]},{low[1]}}},{{{high[0]},{high[1]}}}}}"
 
 
-def _line(one: _End, other: _End) -> list[_Point]:
+def _line(begin: _End, end: _End) -> list[_Point]:
     """Corners of a line between two connectors, level and upright, that leaves each away from its part."""
-    (a, a_up), (b, b_up) = _exit(one), _exit(other)
+    (a, a_up), (b, b_up) = _exit(begin), _exit(end)
     if a_up and b_up:
         across = min(a[1], b[1]) + _CLEAR
         points = [a, (a[0], across), (b[0], across), b]

@@ -66,9 +66,13 @@ def rig_parts(tree: ClassTree) -> list[BenchPart]:
     """Every part of every library, by role; the order is that of the files, the library's own first."""
     parts: list[BenchPart] = []
     for part in _declared(tree):
-        same = [one for one in parts if (one.role, one.library) == (part.role, part.library)]
-        first = part.usual and not any(one.usual for one in same)
-        parts.append(part if part.usual == first else replace(part, usual=False))
+        same = [
+            sibling
+            for sibling in parts
+            if (sibling.role, sibling.library) == (part.role, part.library)
+        ]
+        is_usual = part.usual and not any(one.usual for one in same)
+        parts.append(part if part.usual == is_usual else replace(part, usual=False))
     return parts
 
 
@@ -166,9 +170,9 @@ def _public(tree: ClassTree, name: str, prefix: str) -> list[ComponentInfo]:
 
 def _bound(tree: ClassTree, name: str) -> set[str]:
     """What has a value in a class, by itself or by a modification on the way to it."""
-    own = {c.name for c in tree.components(name) if c.value}
-    heirs = (tree.classes[one] for one in (name, *tree.bases(name)))
-    return own.union(*(clause.modifications for info in heirs for clause in info.extends))
+    bound_names = {c.name for c in tree.components(name) if c.value}
+    heirs = (tree.classes[ancestor] for ancestor in (name, *tree.bases(name)))
+    return bound_names.union(*(clause.modifications for info in heirs for clause in info.extends))
 
 
 def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
@@ -197,11 +201,11 @@ def _part(tree: ClassTree, name: str, role: str, library: str) -> BenchPart:
 def _stated_names(tree: ClassTree, name: str) -> Iterator[str]:
     """What a class and its bases say that their instances are called: a muscle of one's own is a muscle too."""
     return (
-        tree.classes[one].annotations.get("defaultComponentName", "")
-        for one in (name, *tree.bases(name))
+        tree.classes[ancestor].annotations.get("defaultComponentName", "")
+        for ancestor in (name, *tree.bases(name))
     )
 
 
 def split(listed: str) -> list[str]:
     """``"p, x"`` as names."""
-    return [one.strip() for one in listed.split(",") if one.strip()]
+    return [entry.strip() for entry in listed.split(",") if entry.strip()]

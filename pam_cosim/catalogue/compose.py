@@ -2,7 +2,9 @@
 
 Where an effect belongs follows from the types alone. If it extends the constraining class of a replaceable class of
 the model, it is redeclared there, unless it extends a class that is both an effect and has terminals: what is made to
-lie beside a component never takes the place of one. If it has the same terminals as a component of the model, that is,
+lie beside a component never takes the place of one. A replaceable class that passes a signal on (``series.channel``)
+has place for several effects, one after the other in their order, those that limit the signal last; other classes have
+place for one. If it has the same terminals as a component of the model, that is,
 both extend a class that declares all its connectors, it is connected in parallel, connector by connector, and the
 parameters that the terminals declare are taken over. What an effect declares ``outer`` the model must declare
 ``inner``: an effect that depends on what a bench does not say finds no place there.
@@ -15,8 +17,14 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import MappingProxyType
 
-from pam_cosim.catalogue.effects import EffectClass, effect_classes, unknown_terms
+from pam_cosim.catalogue.effects import (
+    EffectClass,
+    component_name,
+    effect_classes,
+    unknown_terms,
+)
 from pam_cosim.catalogue.place import is_connector, is_effect, origins, qualified, surrounds
+from pam_cosim.catalogue.series import Channel, Law, channel, own_parameters, series_text
 from pam_cosim.compiler import ClassTree, Part, Slot, Structure, names, read_structure
 from pam_cosim.compiler.printing import string_text
 from pam_cosim.errors import InputError
@@ -33,6 +41,7 @@ class Composition:
         parameters: for each effect, the full names of its parameters that are to be fitted.
         base: full name of the class that it extends.
         typical: ends of the range in which 95 % of all rigs have a parameter, by its full name; not known of all.
+        limits: ("above", signal) of a parameter that lies above every value that the signal shows; or "below".
     """
 
     name: str
@@ -40,6 +49,7 @@ class Composition:
     parameters: dict[str, tuple[str, ...]]
     base: str
     typical: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    limits: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -58,6 +68,10 @@ class _Component:
         return f"{self.type} {self.name}{f'({modifiers})' if modifiers else ''} {string_text(self.description)}"
 
 
+class NoPlace(InputError):
+    """An effect that a model has no place for, or not beside the others."""
+
+
 class _Draft:
     """What has been decided of a composed model so far."""
 
@@ -65,44 +79,53 @@ class _Draft:
         self.structure, self.tree = structure, tree
         parts = {p.path for p in structure.parts if not names.parent(p.path)}
         self.names = parts | {c.name for c in tree.components(structure.model)}
-        self.modifications: list[tuple[str, str]] = []
+        self.laws: dict[Slot, list[EffectClass]] = {}
+        self.values: list[tuple[str, str]] = []
         self.components: list[_Component] = []
         self.connections: list[str] = []
         self.parameters: dict[str, tuple[str, ...]] = {}
-        self.filled: set[tuple[str, str]] = set()
 
-    def place(self, effect: EffectClass) -> bool:
-        """Puts an effect where it belongs; False where it belongs nowhere."""
-        if not self._surrounded(effect):
-            return False
-        slots = [] if self._lies_beside(effect) else self._slots(effect)
-        if slots:
-            for slot in slots:
-                self._redeclare(effect, slot)
-            return True
-        hosts = self._hosts(effect)
+    def place(self, effect: EffectClass) -> None:
+        """Puts an effect where it belongs.
+
+        Raises:
+            NoPlace: it belongs nowhere, or another effect has taken its place.
+        """
+        self._check_surroundings(effect)
+        slots = [] if self._is_parallel(effect) else self._slots(effect)
+        clashes = {slot: self._clash(effect, slot) for slot in slots}
+        free = [slot for slot, clash in clashes.items() if not clash]
+        for slot in free:
+            self._redeclare(effect, slot)
+        hosts = [] if free else self._hosts(effect)
         for host, terminals in hosts:
             self._connect(effect, host, terminals)
-        return bool(hosts)
+        if not free and not hosts:
+            raise NoPlace(next(iter(clashes.values()), "") or self._says_no_place(effect))
 
     def state(self, parameter: str, value: float) -> None:
         """Gives a parameter, by its full name, a value [its unit]."""
         own = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
         if own is None:
-            self.modifications.append(_modification(parameter, value))
+            self.values.append(_modification(parameter, value))
         else:
             own.values.append(_modification(".".join(names.parts(parameter)[1:]), value))
 
-    def _surrounded(self, effect: EffectClass) -> bool:
-        """Whether the model declares what the effect takes from its surroundings."""
+    def _check_surroundings(self, effect: EffectClass) -> None:
+        """Raises NoPlace unless the model declares what the effect takes from its surroundings."""
         outer = [
             (c.name, c.type)
             for c in self.tree.components(effect.qualified_name)
             if "outer" in c.prefixes
         ]
-        return surrounds(self.tree, self.structure.model, outer)
+        if not surrounds(self.tree, self.structure.model, outer):
+            raise NoPlace(self._says_no_place(effect))
 
-    def _lies_beside(self, effect: EffectClass) -> bool:
+    def _says_no_place(self, effect: EffectClass) -> str:
+        benches = f"'pam-cosim effects {effect.name}' lists the benches that have one"
+        return f"{self.structure.model} has no place for {effect.name}; {benches}"
+
+    def _is_parallel(self, effect: EffectClass) -> bool:
         bases = [b for b in self.tree.bases(effect.qualified_name) if self._is_effect(b)]
         return any(self._connectors(b) for b in bases)
 
@@ -111,26 +134,64 @@ class _Draft:
 
     def _slots(self, effect: EffectClass) -> list[Slot]:
         bases = self.tree.bases(effect.qualified_name)
-        return [
-            slot
-            for slot in self.structure.slots
-            if slot.constraint in bases
-            and (slot.path, slot.name) not in self.filled
-            and not self._is_effect(slot.current)
-        ]
+        return [slot for slot in self.structure.slots if slot.constraint in bases]
+
+    def _clash(self, effect: EffectClass, slot: Slot) -> str:
+        """Why an effect cannot be put into a slot beside what stands there; empty if it can be."""
+        way = channel(self.tree, slot.constraint)
+        place = f"{slot.path}.{slot.name}".lstrip(".")
+        for law in self._kept(slot, way):
+            other = names.last(law)
+            if way is None:
+                return f"{other} and {effect.name} are two laws of one place, {place}: leave out one of them"
+            shared = self._parameters(law, way) & self._parameters(effect.qualified_name, way)
+            if shared:
+                both = f"both have a parameter {min(shared)}"
+                return f"{other} and {effect.name} {both} in {place}: leave out one of them"
+        return ""
+
+    def _kept(self, slot: Slot, way: Channel | None) -> list[str]:
+        """The classes that stand in a slot and are not replaced."""
+        stays = self._is_effect(slot.current) or (way is not None and slot.current != slot.default)
+        effects = sorted(self.laws.get(slot, ()), key=lambda effect: bool(effect.limits))
+        return [slot.current] * stays + [effect.qualified_name for effect in effects]
+
+    def _parameters(self, law: str, way: Channel) -> set[str]:
+        return {c.name for c in own_parameters(self.tree, law, way)}
 
     def _redeclare(self, effect: EffectClass, slot: Slot) -> None:
-        self.filled.add((slot.path, slot.name))
-        self.modifications.append(
-            (slot.path, f"redeclare model {slot.name} = {effect.qualified_name}")
-        )
+        self.laws.setdefault(slot, []).append(effect)
         users = [
             p
             for p in self.structure.parts
             if names.parent(p.path) == slot.path and slot.name in map(names.last, p.bases)
         ]
-        own = [f"{p.path}.{name}" for p in users for name in effect.parameters]
-        self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *own)
+        paths = [f"{p.path}.{name}" for p in users for name in effect.parameters]
+        self.parameters[effect.name] = (*self.parameters.get(effect.name, ()), *paths)
+
+    def redeclared(self) -> tuple[list[str], list[tuple[str, str]]]:
+        """The text of the classes in which laws stand in series, and where which class is redeclared."""
+        lines: list[str] = []
+        modifications = []
+        made: dict[tuple[str, ...], str] = {}
+        for slot in self.laws:
+            way = channel(self.tree, slot.constraint)
+            laws = tuple(self._kept(slot, way))
+            if len(laws) > 1 and laws not in made:
+                assert way is not None, laws
+                made[laws] = self._free_name(f"{slot.name}InSeries")
+                lines += series_text(self.tree, made[laws], way, list(map(self._law, laws)))
+            name = made.get(laws, laws[-1])
+            modifications.append((slot.path, f"redeclare model {slot.name} = {name}"))
+        return lines, modifications
+
+    def _law(self, name: str) -> Law:
+        info, short = self.tree.classes[name], names.last(name)
+        stated = info.annotations.get("defaultComponentName", "")
+        model = self.structure.model
+        inherited = names.parent(name) in (model, *self.tree.bases(model))
+        written = short if inherited else name
+        return Law(name, written, component_name(short, stated), info.description)
 
     def _hosts(self, effect: EffectClass) -> list[tuple[Part, str]]:
         bases = self.tree.bases(effect.qualified_name)
@@ -147,12 +208,12 @@ class _Draft:
         return hosts
 
     def _connect(self, effect: EffectClass, host: Part, terminals: str) -> None:
-        first = self.parameters.get(effect.name)
+        instance = self.parameters.get(effect.name)
         name = self._free_name(effect.component_name)
         shared = [c for c in self.tree.components(terminals) if "parameter" in c.prefixes]
         bindings = [f"{c.name}={host.path}.{c.name}" for c in shared]
-        if first:  # one effect on several hosts has one set of parameters
-            bindings += [f"{names.last(full)}={full}" for full in first]
+        if instance:  # one effect on several hosts has one set of parameters
+            bindings += [f"{names.last(full)}={full}" for full in instance]
         else:
             self.parameters[effect.name] = tuple(f"{name}.{p}" for p in effect.parameters)
         self.components.append(
@@ -166,7 +227,7 @@ class _Draft:
 
     def _free_name(self, wanted: str) -> str:
         name, number = wanted, 1
-        while name in self.names:
+        while name in self.names or self.tree.resolve(self.structure.model, name):
             number += 1
             name = f"{wanted}{number}"
         self.names.add(name)
@@ -187,8 +248,8 @@ def compose(
     files: Sequence[Path] = (),
     values: Mapping[str, float] = MappingProxyType({}),
     annotation: str = "",
-) -> Composition | None:
-    """The model with the named effects, in that order; None where one of them finds no place in it.
+) -> Composition:
+    """The model with the named effects, in that order.
 
     Args:
         tree: the library and the user's files.
@@ -200,12 +261,11 @@ def compose(
         annotation: of the class, as Modelica text.
 
     Raises:
-        InputError: an unknown effect.
+        InputError: an unknown effect; NoPlace: one of them finds no place, or two exclude each other.
         ModelError: the model cannot be found or put together.
     """
-    return compose_on(
-        tree, read_structure(qualified(tree, model), files=files), effects, name, values, annotation
-    )
+    structure = read_structure(qualified(tree, model), files=files)
+    return _composed(tree, structure, effects, name, values, annotation)
 
 
 def compose_on(
@@ -216,66 +276,80 @@ def compose_on(
     values: Mapping[str, float] = MappingProxyType({}),
     annotation: str = "",
 ) -> Composition | None:
-    """As :func:`compose`, on a model whose structure is known already; who tries many effects reads it once.
+    """As :func:`compose`, on a model whose structure is known already; None where an effect finds no place.
 
     A ratio of a parameter to what is stated of it (``references.ratio_to_stated``) changes nothing in the model: it is
     the data that are in question.
     """
+    try:
+        return _composed(tree, structure, effects, name, values, annotation)
+    except NoPlace:
+        return None
+
+
+def _composed(
+    tree: ClassTree,
+    structure: Structure,
+    effects: Sequence[str],
+    name: str | None,
+    values: Mapping[str, float],
+    annotation: str,
+) -> Composition:
     draft = _Draft(structure, tree)
     ratios = [name for name in effects if is_ratio(name)]
     draft.parameters |= {name: (name,) for name in ratios}
     wanted = [name for name in effects if not is_ratio(name)]
     classes = _effects_of(tree, structure, wanted)
-    if classes is None or not all(draft.place(effect) for effect in classes):
-        return None
+    for effect in classes:
+        draft.place(effect)
     for parameter, value in values.items():
         draft.state(parameter, value)
     base = names.unquoted(names.last(structure.model))
-    made = "With" * bool(wanted) + "And".join(names.unquoted(names.last(one)) for one in wanted)
+    made = "With" * bool(wanted) + "And".join(
+        names.unquoted(names.last(wanted_name)) for wanted_name in wanted
+    )
     chosen = names.identifier(name or base + (made or "Alone"))
     text = _text(chosen, structure, draft, classes, ratios, annotation)
+    own = {
+        full: (effect, names.last(full))
+        for effect in classes
+        for full in draft.parameters[effect.name]
+    }
     return Composition(
-        chosen, text, draft.parameters, structure.model, _typical(classes, draft.parameters)
+        chosen,
+        text,
+        draft.parameters,
+        structure.model,
+        {full: e.typical[name] for full, (e, name) in own.items() if name in e.typical},
+        {full: e.limits[name] for full, (e, name) in own.items() if name in e.limits},
     )
 
 
-def _typical(
-    classes: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]
-) -> dict[str, tuple[float, float]]:
-    """Typical ranges of the parameters of effects by their full names."""
-    every = [
-        (full, effect.typical.get(names.last(full)))
-        for effect in classes
-        for full in parameters[effect.name]
-    ]
-    return {full: known for full, known in every if known is not None}
-
-
-def _effects_of(
-    tree: ClassTree, structure: Structure, wanted: Sequence[str]
-) -> list[EffectClass] | None:
-    """The classes of effects by name; None where one of them is of another library than the model.
+def _effects_of(tree: ClassTree, structure: Structure, wanted: Sequence[str]) -> list[EffectClass]:
+    """The classes of effects by name.
 
     Raises:
-        InputError: there is no such effect.
+        InputError: there is no such effect; NoPlace: it is of another library than the model.
     """
     own, every = origins(structure.parts), [*effect_classes(tree), *unknown_terms(tree)]
     known = {e.name: e for e in every if e.library in own} | {e.qualified_name: e for e in every}
     for one in wanted:
         if one not in known and one not in {e.name for e in every}:
             raise InputError(f"there is no effect '{one}'; 'pam-cosim effects' lists them")
-    return [known[one] for one in wanted] if all(one in known for one in wanted) else None
+        if one not in known:
+            raise NoPlace(f"{one} is an effect of another library than {structure.model}")
+    return [known[one] for one in wanted]
 
 
 def _nested(modifications: Sequence[tuple[str, str]]) -> list[str]:
     """Modifications of the model, each component once: Modelica forbids to modify one twice (3.6, section 7.2.5)."""
-    own = [text for path, text in modifications if not path]
+    direct_texts = [text for path, text in modifications if not path]
     inner: dict[str, list[tuple[str, str]]] = {}
     for path, text in modifications:
         if path:
-            first, *rest = names.parts(path)
-            inner.setdefault(first, []).append((".".join(rest), text))
-    return own + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
+            head, *rest = names.parts(path)
+            inner.setdefault(head, []).append((".".join(rest), text))
+    return direct_texts + [f"{name}({', '.join(_nested(parts))})" for name, parts in inner.items()]
 
 
 def _text(
@@ -287,17 +361,20 @@ def _text(
     annotation: str = "",
 ) -> str:
     base = structure.model
-    said = [
+    sentences = [
         *(e.description for e in effects),
         *(f"{parameter_of(r)} is not as stated" for r in ratios),
     ]
-    says = f"{names.last(base)}, and: {'; '.join(said)}" if said else names.last(base)
+    says = f"{names.last(base)}, and: {'; '.join(sentences)}" if sentences else names.last(base)
     lines = [f"model {name} {string_text(says)}"]
-    if draft.modifications:
-        changes = ",\n    ".join(_nested(draft.modifications))
+    classes, redeclared = draft.redeclared()
+    modifications = redeclared + draft.values
+    if modifications:
+        changes = ",\n    ".join(_nested(modifications))
         lines.append(f"  extends {base}(\n    {changes});")
     else:
         lines.append(f"  extends {base};")
+    lines += [f"  {line}" for line in classes]
     lines += [f"  {component.text};" for component in draft.components]
     if draft.connections:
         lines.append("equation")

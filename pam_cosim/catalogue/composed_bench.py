@@ -141,7 +141,7 @@ class _Composer:
         self, instruments: Sequence[BenchPart], measure: str | Sequence[str] | None
     ) -> list[tuple[str, int, BenchPart]]:
         """Signal, number of the muscle and instrument, in the order asked for."""
-        known = {
+        measurable = {
             _numbered(signal, n): (n, instrument)
             for instrument in instruments
             for signal in instrument.signals
@@ -150,36 +150,38 @@ class _Composer:
         if measure is None:
             usual = [
                 s
-                for one in (*self.feed.signals, *self.hold.signals)
-                for s in self._meant(one, known)
+                for imposed in (*self.feed.signals, *self.hold.signals)
+                for s in self._meant(imposed, measurable)
             ]
             wanted = dict.fromkeys(signal for signal in usual if signal not in self.inputs)
         else:
-            wanted = self._wanted(_asked(measure), known)
+            wanted = self._wanted(_asked(measure), measurable)
         if not wanted:
             raise InputError(
-                f"the rig measures nothing; name signals to measure: {', '.join(known)}"
+                f"no signal is measured; name signals to measure: {', '.join(measurable)}"
             )
-        return [(signal, *known[signal]) for signal in wanted]
+        return [(signal, *measurable[signal]) for signal in wanted]
 
-    def _meant(self, signal: str, known: Container[str]) -> list[str]:
+    def _meant(self, signal: str, signals: Container[str]) -> list[str]:
         """A signal by its name, or that of each muscle; empty where there is none."""
-        if signal in known:
+        if signal in signals:
             return [signal]
-        return [one for n in self.numbers if (one := _numbered(signal, n)) in known]
+        return [numbered for n in self.numbers if (numbered := _numbered(signal, n)) in signals]
 
-    def _wanted(self, asked: Sequence[str], known: Mapping[str, object]) -> dict[str, None]:
+    def _wanted(
+        self, requested: Sequence[str], measurable: Mapping[str, object]
+    ) -> dict[str, None]:
         """The signals that are asked for, each once.
 
         Raises:
             InputError: there is no such signal, or it is imposed.
         """
         wanted: dict[str, None] = {}
-        for signal in asked:
-            meant = self._meant(signal, known)
+        for signal in requested:
+            meant = self._meant(signal, measurable)
             if not meant:
                 raise InputError(
-                    f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, known)}"
+                    f"the rig has no signal '{signal}' to measure; {did_you_mean(signal, measurable)}"
                 )
             wanted |= dict.fromkeys(meant)
         imposed = next((signal for signal in wanted if signal in self.inputs), None)
@@ -208,15 +210,19 @@ class _Composer:
         feeds = {n: self._place(self.feed, n, (x - 110, -20)) for n, x in columns.items()}
         muscles = {n: self._place(self.held, n, (x + 30, -20)) for n, x in columns.items()}
         instruments = self._instruments(columns)
-        frame = self._frame([self.feed, self.hold, self.held, *(one.part for one in instruments)])
+        frame = self._frame(
+            [self.feed, self.hold, self.held, *(part_placed.part for part_placed in instruments)]
+        )
         everything = [*feeds.values(), *muscles.values(), hold, *instruments]
-        for one in everything:
-            self._component(one, everything)
+        for part_placed in everything:
+            self._component(part_placed, everything)
         for end, number in zip(self.ends, self.numbers, strict=True):
-            between = [one for one in instruments if one.number == number]
+            between = [part_placed for part_placed in instruments if part_placed.number == number]
             self._join(feeds[number], self.outlet, muscles[number], between)
             self._join(hold, end, muscles[number], between)
-        instrument_of = {(one.part, one.number): one for one in instruments}
+        instrument_of = {
+            (part_placed.part, part_placed.number): part_placed for part_placed in instruments
+        }
         for signal, number, part in self.measured:
             self._signal(signal, instrument_of[part, number])
         name = names.identifier(wanted or self._title())
@@ -224,14 +230,20 @@ class _Composer:
         inputs = (BRANCH, *self.inputs) if self.static else tuple(self.inputs)
         outputs = tuple(signal for signal, _, _ in self.measured)
         return ComposedBench(
-            name, text, inputs, outputs, tuple(dict.fromkeys(one.part for one in everything))
+            name,
+            text,
+            inputs,
+            outputs,
+            tuple(dict.fromkeys(part_placed.part for part_placed in everything)),
         )
 
     def _instruments(self, columns: Mapping[int, int]) -> list[PlacedPart]:
         """One of each kind at each muscle, however many signals it reads."""
         placed: list[PlacedPart] = []
         for _, number, part in self.measured:
-            if (part, number) not in [(one.part, one.number) for one in placed]:
+            if (part, number) not in [
+                (instrument.part, instrument.number) for instrument in placed
+            ]:
                 placed.append(
                     self._place(part, number, self._corner(part, columns[number], placed, number))
                 )
@@ -240,16 +252,16 @@ class _Composer:
     def _title(self) -> str:
         """A name made from those of its parts; the usual muscle is not among them."""
         still = "QuasiStatic" if self.static else ""
-        own = "" if self.held.usual else names.last(self.held.qualified_name)
-        return f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}{own}"
+        muscle_name = "" if self.held.usual else names.last(self.held.qualified_name)
+        return f"{still}{names.last(self.feed.qualified_name)}{names.last(self.hold.qualified_name)}{muscle_name}"
 
     def _corner(
         self, part: BenchPart, x: int, placed: Sequence[PlacedPart], number: int
     ) -> tuple[int, int]:
-        """Lower left of an instrument: between the parts, or beside the muscle."""
-        (first, *others) = connectors(self.tree, part.qualified_name)
-        at_port = first.type == self.outlet.type
-        between = bool(others)
+        """Lower left of an instrument: between the parts, or next to the muscle."""
+        (main, *side_connectors) = connectors(self.tree, part.qualified_name)
+        at_port = main.type == self.outlet.type
+        between = bool(side_connectors)
         corners = {
             (True, True): (x - 50, -20),
             (True, False): (x - 10, -90),
@@ -257,7 +269,9 @@ class _Composer:
             (False, False): (x + 100, -60),
         }
         corner = corners[at_port, between]
-        while any(one.number == number and one.corner == corner for one in placed):
+        while any(
+            neighbour.number == number and neighbour.corner == corner for neighbour in placed
+        ):
             corner = (corner[0], corner[1] - 60)
         return corner
 
@@ -275,32 +289,32 @@ class _Composer:
                 return frame
         missing = ", ".join(sorted(name for name, _ in needed))
         raise ModelError(
-            f"no class that extends {base} declares what these parts look for around them: {missing}"
+            f"no class that extends {base} declares the outer components of these parts: {missing}"
         )
 
     # ---- components and connections --------------------------------------------------------------------------------
 
     def _bindings(
-        self, of: str, everything: Sequence[PlacedPart], one: PlacedPart | None = None
+        self, of: str, everything: Sequence[PlacedPart], placed: PlacedPart | None = None
     ) -> list[str]:
         """Values for the parameters of a class that have none, from the parts that have one of that name."""
         bindings = []
         for parameter in (c.name for c in open_parameters(self.tree, of)):
             donors = [
-                other for other in everything if other is not one and self._has(other, parameter)
+                other for other in everything if other is not placed and self._has(other, parameter)
             ]
             if not donors:
                 raise ModelError(
                     f"the parameter {parameter} of {of} has no value, and no other part of the rig has it"
                 )
-            number = one.number if one is not None else 0
+            number = placed.number if placed is not None else 0
             donor = next((other for other in donors if other.number in (0, number)), donors[0])
             bindings.append(f"{parameter}={donor.name}.{parameter}")
         return bindings
 
-    def _has(self, one: PlacedPart, parameter: str) -> bool:
+    def _has(self, placed: PlacedPart, parameter: str) -> bool:
         return any(
-            c.name == parameter for c in known_parameters(self.tree, one.part.qualified_name)
+            c.name == parameter for c in known_parameters(self.tree, placed.part.qualified_name)
         )
 
     def _join(
@@ -314,27 +328,29 @@ class _Composer:
         ends = [c for c in connectors(self.tree, muscle.part.qualified_name) if c.type == end.type]
         if not ends:
             raise InputError(
-                f"{muscle.part.name} and {side.part.name} do not fit together: nothing takes '{end.name}'"
+                f"{muscle.part.name} and {side.part.name} do not fit together: no connector accepts '{end.name}'"
             )
         last = muscle_end = (muscle, ends[0])
         for instrument in instruments:
-            own = connectors(self.tree, instrument.part.qualified_name)
-            if not own or own[0].type != end.type:
+            instrument_connectors = connectors(self.tree, instrument.part.qualified_name)
+            if not instrument_connectors or instrument_connectors[0].type != end.type:
                 continue
-            if len(own) == 1:
-                self.drawing.connect(muscle_end, (instrument, own[0]))
+            if len(instrument_connectors) == 1:
+                self.drawing.connect(muscle_end, (instrument, instrument_connectors[0]))
             else:
-                self.drawing.connect(last, (instrument, own[0]))
-                last = (instrument, own[1])
+                self.drawing.connect(last, (instrument, instrument_connectors[0]))
+                last = (instrument, instrument_connectors[1])
         self.drawing.connect(last, (side, end))
 
-    def _component(self, one: PlacedPart, everything: Sequence[PlacedPart]) -> None:
+    def _component(self, placed: PlacedPart, everything: Sequence[PlacedPart]) -> None:
         bound = [
             f"{d.name}={s}"
             for s, (part, n, d) in self.inputs.items()
-            if (part, n) == (one.part, one.number)
+            if (part, n) == (placed.part, placed.number)
         ]
-        self.drawing.add(one, [*bound, *self._bindings(one.part.qualified_name, everything, one)])
+        self.drawing.add(
+            placed, [*bound, *self._bindings(placed.part.qualified_name, everything, placed)]
+        )
 
     def _signal(self, signal: str, reader: PlacedPart) -> None:
         outputs = measured_outputs(self.tree, reader.part.qualified_name)
@@ -343,7 +359,7 @@ class _Composer:
 
     def _text(self, name: str, frame: str, everything: Sequence[PlacedPart]) -> str:
         inputs = {signal: declared for signal, (_, _, declared) in self.inputs.items()}
-        low = (-190, min(one.corner[1] for one in everything) - 20)
+        low = (-190, min(placed.corner[1] for placed in everything) - 20)
         high = (160 + 320 * (len(self.numbers) - 1), 120)
         bindings = self._bindings(frame, everything)
         return self.drawing.text(
@@ -357,7 +373,7 @@ def _numbered(name: str, number: int) -> str:
 
 def _asked(measure: str | Sequence[str]) -> list[str]:
     listed = [measure] if isinstance(measure, str) else measure
-    return [name for one in listed for name in split(one)]
+    return [name for entry in listed for name in split(entry)]
 
 
 def _outers(tree: ClassTree, name: str, seen: set[str]) -> set[tuple[str, str]]:

@@ -14,6 +14,8 @@ from pam_cosim.errors import ModelError
 from pam_cosim.wording import Printed
 
 _TYPICAL = "typical"
+_AT_BOUNDS = ("at_min", "at_max")
+_LIMITS = ("above", "below")
 UNKNOWN = "unknown"  # the family of unknown inputs, which are no hypotheses
 
 
@@ -33,6 +35,9 @@ class EffectClass(Printed):
         library: the package whose effect it is.
         absent: values of its parameters at which it vanishes; empty where there are none.
         typical: ends of the range in which 95 % of all rigs have a parameter, of those whose class states it.
+        simpler: effect of the same library that is left at the minimum and at the maximum of a parameter; "": none is
+            left, None: the law stays as it is. Only parameters with such a bound.
+        limits: ("above", signal) of a parameter that lies above every value that the signal shows; or "below".
     """
 
     name: str
@@ -48,6 +53,8 @@ class EffectClass(Printed):
     library: str = ""
     absent: Mapping[str, float] = field(default_factory=dict)
     typical: Mapping[str, tuple[float, float]] = field(default_factory=dict)
+    simpler: Mapping[str, tuple[str | None, str | None]] = field(default_factory=dict)
+    limits: Mapping[str, tuple[str, str]] = field(default_factory=dict)
 
     def __str__(self) -> str:
         return f"{self.name} ({self.family}, {self.balance} balance): {self.description}"
@@ -85,6 +92,8 @@ def _of_library(tree: ClassTree, library: str) -> list[EffectClass]:
         if effect.name in declared:
             raise ModelError(f"there are two effects named {effect.name}", effect.file)
         declared[effect.name] = effect
+    for effect in declared.values():
+        _check_simpler(tree, effect, declared.keys())
     return sorted(declared.values(), key=lambda e: (e.family, e.name))
 
 
@@ -115,6 +124,8 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         sayings[saying] = value
     declared = [c for c in tree.components(name) if is_effect([c.owner, *tree.bases(c.owner)])]
     own = [c for c in declared if _is_open(c)]
+    absent = _absent(str(tree.constant(name, "absent") or ""), info.file, info.line)
+    simpler = {c.name: _simpler(c, absent, info.file) for c in own}
     return EffectClass(
         name=short,
         qualified_name=name,
@@ -127,15 +138,65 @@ def _effect(tree: ClassTree, name: str, library: str) -> EffectClass:
         file=Path(info.file),
         general=bool(tree.constant(name, "general")),
         library=library,
-        absent=_absent(str(tree.constant(name, "absent") or ""), info.file, info.line),
+        absent=absent,
         typical={c.name: _typical(c, info.file) for c in own if _TYPICAL in c.own_annotation},
+        simpler={name: left for name, left in simpler.items() if left != (None, None)},
+        limits={
+            c.name: (side, _text_entry(c, side, "a signal", info.file))
+            for c in own
+            for side in _LIMITS
+            if side in c.own_annotation
+        },
     )
+
+
+def _simpler(
+    parameter: ComponentInfo, absent: Mapping[str, float], file: Path | str
+) -> tuple[str | None, str | None]:
+    """What is left at the ends of a parameter: as annotated, or nothing where the effect is absent by it alone."""
+    alone = {str(value) for value in absent.values() if absent.keys() == {parameter.name}}
+
+    def left(at_bound: str) -> str | None:
+        if at_bound in parameter.own_annotation:
+            return _text_entry(parameter, at_bound, "an effect", file)
+        bound = parameter.modifications[at_bound.removeprefix("at_")]
+        return "" if _as_number(bound) in alone else None
+
+    at_min, at_max = map(left, _AT_BOUNDS)
+    return at_min, at_max
+
+
+def _as_number(text: str) -> str:
+    """A number in one spelling; what is no number as it is written."""
+    try:
+        return str(float(text))
+    except ValueError:
+        return text
+
+
+def _text_entry(parameter: ComponentInfo, entry: str, kind: str, file: Path | str) -> str:
+    """A text in the annotation of a parameter such as ``__PamCosim(at_max="LinearBladder")``."""
+    text = parameter.own_annotation[entry]
+    if not isinstance(text, str):
+        raise ModelError(
+            f"{entry} of {parameter.name} wants the name of {kind} in quotes", file, parameter.line
+        )
+    return text
+
+
+def _check_simpler(tree: ClassTree, effect: EffectClass, known: Collection[str]) -> None:
+    """Raises ModelError where a parameter names a simpler effect that the library has not."""
+    for parameter in tree.components(effect.qualified_name):
+        for bound, left in zip(_AT_BOUNDS, effect.simpler.get(parameter.name, ()), strict=False):
+            if left and left not in known:
+                says = f"{bound} of {parameter.name} names {left}, which is no effect of {effect.library}"
+                raise ModelError(says, effect.file, parameter.line)
 
 
 def _typical(parameter: ComponentInfo, file: Path | str) -> tuple[float, float]:
     """The typical range of a parameter, from its annotation such as ``__PamCosim(typical={0.95, 1.05})``."""
     numbers = parameter.own_annotation[_TYPICAL]
-    if len(numbers) != 2 or not numbers[0] < numbers[1]:
+    if isinstance(numbers, str) or len(numbers) != 2 or not numbers[0] < numbers[1]:
         form = "two numbers in braces, the smaller one first"
         raise ModelError(f"{_TYPICAL} of {parameter.name} wants {form}", file, parameter.line)
     return numbers[0], numbers[1]
@@ -150,7 +211,7 @@ def _absent(text: str, file: Path | str, line: int) -> dict[str, float]:
             values[name.strip()] = float(value)
         except ValueError:
             raise ModelError(
-                f"absent wants parameters with numbers, such as k=0, not {part!r}", file, line
+                f"absent needs parameters with numbers, such as k=0, not {part!r}", file, line
             ) from None
     return values
 

@@ -28,53 +28,62 @@ def with_input_maps(
         maps: one for each of these inputs.
     """
     name = names.identifier(
-        f"{names.unquoted(names.last(base))}With{'And'.join(_title(one) for one in maps)}"
+        f"{names.unquoted(names.last(base))}With{'And'.join(_title(input_map) for input_map in maps)}"
     )
-    bindings = ", ".join(f"{one.name}={_binding(one)}" for one in maps)
-    says = f"{names.last(base)}, with {' and '.join(_says(one) for one in maps)}"
+    bindings = ", ".join(f"{input_map.name}={_binding(input_map)}" for input_map in maps)
+    says = f"{names.last(base)}, with {' and '.join(_says(input_map) for input_map in maps)}"
     lines = [f"model {name} {string_text(says)}", f"  extends {base}({bindings});"]
-    lines += [f"  {line};" for one in maps for line in _declarations(one, interface)]
+    lines += [f"  {line};" for input_map in maps for line in _declarations(input_map, interface)]
     experiment = tree.classes[base].annotations.get("experiment")
     lines += [f"  annotation ({experiment});"] if experiment else []
     return Composition(name, "\n".join([*lines, f"end {name};", ""]), {}, base)
 
 
-def _title(one: InputMap) -> str:
-    return f"{'Constant' if one.raw is None else 'Mapped'}_{one.name}"
+def _title(input_map: InputMap) -> str:
+    return f"{'Constant' if input_map.raw is None else 'Mapped'}_{input_map.name}"
 
 
-def _says(one: InputMap) -> str:
-    return f"{one.name} constant" if one.raw is None else f"{one.name} from its record"
+def _says(input_map: InputMap) -> str:
+    return (
+        f"{input_map.name} constant"
+        if input_map.raw is None
+        else f"{input_map.name} from its record"
+    )
 
 
-def _binding(one: InputMap) -> str:
-    if one.raw is None:
-        return constant_of(one.name)
-    return f"{gain_of(one.name)}*{raw_of(one.name)} + {offset_of(one.name)}"
+def _binding(input_map: InputMap) -> str:
+    if input_map.raw is None:
+        return constant_of(input_map.name)
+    return f"{gain_of(input_map.name)}*{raw_of(input_map.name)} + {offset_of(input_map.name)}"
 
 
-def _declarations(one: InputMap, interface: Interface) -> list[str]:
-    known = interface.inputs[one.name]
-    if one.raw is None:
+def _declarations(input_map: InputMap, interface: Interface) -> list[str]:
+    variable = interface.inputs[input_map.name]
+    if input_map.raw is None:
         ends = [
             f"{key}={end!r}"
-            for key, end in (("min", known.min), ("max", known.max))
+            for key, end in (("min", variable.min), ("max", variable.max))
             if end is not None
         ]
-        says = f"{known.description or one.name}, the same all the time"
-        return [_parameter(constant_of(one.name), one.unit, one.offset, says, ends)]
-    start = ((known.start or 0.0) - one.offset) / one.gain if one.gain else 0.0
+        says = f"{variable.description or input_map.name}, the same all the time"
+        return [
+            _parameter(constant_of(input_map.name), input_map.unit, input_map.offset, says, ends)
+        ]
+    start = ((variable.start or 0.0) - input_map.offset) / input_map.gain if input_map.gain else 0.0
     return [
-        f'input Real {raw_of(one.name)}(unit="{one.raw}", start={start!r}) '
-        f"{string_text(f'What was recorded in the place of {one.name}')}",
+        f'input Real {raw_of(input_map.name)}(unit="{input_map.raw}", start={start!r}) '
+        f"{string_text(f'What was recorded in the place of {input_map.name}')}",
         _parameter(
-            gain_of(one.name),
-            quotient(one.unit, one.raw),
-            one.gain,
-            f"{one.name} by what was recorded",
+            gain_of(input_map.name),
+            quotient(input_map.unit, input_map.raw),
+            input_map.gain,
+            f"{input_map.name} by what was recorded",
         ),
         _parameter(
-            offset_of(one.name), one.unit, one.offset, f"{one.name} where what was recorded is zero"
+            offset_of(input_map.name),
+            input_map.unit,
+            input_map.offset,
+            f"{input_map.name} where what was recorded is zero",
         ),
     ]
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 
 from pam_cosim.compiler import ClassTree, Part, names
+from pam_cosim.compiler.class_info import ComponentInfo
 
 EFFECT = "Interfaces.Effect"
 BENCHES = "Benches"
@@ -55,8 +56,8 @@ def qualified(tree: ClassTree, model: str) -> str:
 
     ``Isotonic`` and ``Examples.ButylIsotonic`` will do, and a name that a package inherits; anything else as it is.
     """
-    found = (tree.resolve("", name) for name in possible_names(model, libraries(tree)))
-    return next(filter(None, found), model)
+    candidates = (tree.resolve("", name) for name in possible_names(model, libraries(tree)))
+    return next(filter(None, candidates), model)
 
 
 def possible_names(model: str, packages: Sequence[str]) -> list[str]:
@@ -91,3 +92,14 @@ def surrounds(tree: ClassTree, model: str, needed: Iterable[tuple[str, str]]) ->
     """Whether a model declares ``inner`` what is looked for by name and type (Modelica 3.6, section 5.4)."""
     inner = {c.name: c.type for c in tree.components(model) if "inner" in c.prefixes}
     return all(name in inner and tree.is_subtype(inner[name], type_) for name, type_ in needed)
+
+
+def unit_of(tree: ClassTree, component: ComponentInfo) -> str:
+    """The unit of a component, as its declaration or its type says; "" for a plain number."""
+    modifications, kind = component.modifications, component.type
+    while "unit" not in modifications:
+        if kind not in tree.classes or not tree.classes[kind].extends:
+            return ""
+        base = tree.classes[kind].extends[0]
+        modifications, kind = base.modifications, base.name
+    return modifications["unit"].strip('"')

@@ -13,7 +13,7 @@ from pam_cosim.catalogue.bench_parts import (
     measured_outputs,
     rig_parts,
 )
-from pam_cosim.catalogue.place import benches
+from pam_cosim.catalogue.place import benches, unit_of
 from pam_cosim.compiler import ClassTree
 from pam_cosim.compiler.class_info import ComponentInfo
 from pam_cosim.errors import InputError
@@ -74,7 +74,7 @@ def _composed_ports(
 ) -> Ports:
     """Those of the bench that would be put together from two parts."""
     names = (feed.qualified_name, hold.qualified_name)
-    inputs = [one for name in names for one in free_inputs(tree, name)]
+    inputs = [port for name in names for port in free_inputs(tree, name)]
     rank = 1 + len(feed.parameters) + len(hold.parameters)
     return Ports(f"{feed.name} and {hold.name}", _variables(tree, inputs), readings, names, rank)
 
@@ -104,15 +104,4 @@ def _foreign(tree: ClassTree, bench: str, usual: set[str]) -> int:
 
 
 def _variables(tree: ClassTree, declared: list[ComponentInfo]) -> dict[str, Variable]:
-    return {c.name: Variable(c.name, _unit(tree, c), c.description) for c in declared}
-
-
-def _unit(tree: ClassTree, component: ComponentInfo) -> str:
-    """As the declaration or its type says; "" for a plain number."""
-    modifications, kind = component.modifications, component.type
-    while "unit" not in modifications:
-        if kind not in tree.classes or not tree.classes[kind].extends:
-            return ""
-        base = tree.classes[kind].extends[0]
-        modifications, kind = base.modifications, base.name
-    return modifications["unit"].strip('"')
+    return {c.name: Variable(c.name, unit_of(tree, c), c.description) for c in declared}

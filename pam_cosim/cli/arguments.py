@@ -60,7 +60,7 @@ def parse_named(words: Sequence[str]) -> dict[str, str]:
         if not name or (equals and not text):
             raise InputError(f"'{word}': write a scalar, such as max(p), or NAME=SCALAR")
         if name in named:
-            raise InputError(f"'{name}' is asked for twice")
+            raise InputError(f"'{name}' is given twice")
         named[name] = text if equals else name
     return named
 
@@ -82,7 +82,7 @@ def parse_varied(words: Sequence[str]) -> dict[str, str | list[str]]:
         if name in varied:
             raise InputError(f"'{name}' is varied twice")
         if name == INPUTS:
-            varied[name] = [one.strip() for one in text.split(",")]
+            varied[name] = [value.strip() for value in text.split(",")]
         else:
             varied[name] = text if ":" in text else alike(text.split(","), word)
     return varied

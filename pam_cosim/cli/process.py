@@ -5,6 +5,7 @@ What it loads takes a second, in which it can be interrupted too: so it loads li
 
 from __future__ import annotations
 
+import errno
 import io
 import os
 import signal
@@ -18,8 +19,9 @@ if TYPE_CHECKING:
     from sys import UnraisableHookArgs
 
 _SIGNALS = (signal.SIGINT, signal.SIGTERM)
-_AGAIN = 0.05  # [s] after which an interrupt comes once more that came where it was ignored
+_AGAIN = 0.05  # [s] after which an ignored interrupt is repeated
 _LAST = 1.0  # [s] for an interrupted command to end by itself once everything is cleaned up
+_ABANDONED = 86_400.0  # [s] after which the folder of a process that is no more is removed
 _PATIENCE = 5.0  # [s] after an interrupt in which another one does not disturb the cleaning up
 
 
@@ -44,7 +46,7 @@ class _Command:
         raise KeyboardInterrupt
 
     def raise_again(self, ignored: UnraisableHookArgs) -> None:
-        """An interrupt at a place that cannot be left, such as a destructor, comes once more."""
+        """An interrupt at a place that cannot be left, such as a destructor, is repeated."""
         if isinstance(ignored.exc_value, KeyboardInterrupt):
             self.time = -_PATIENCE
             _later(_AGAIN, os.kill, os.getpid(), self.number)
@@ -82,6 +84,7 @@ class _Command:
         # an interrupt waits meanwhile: tempfile writes a file to see whether it can
         masks = hasattr(signal, "pthread_sigmask")  # Windows has none
         before = signal.pthread_sigmask(signal.SIG_BLOCK, _SIGNALS) if masks else set()
+        _remove_abandoned(tempfile.gettempdir())
         name = os.path.join(tempfile.gettempdir(), f"pam-cosim-{os.getpid()}-{os.urandom(4).hex()}")
         self.scratch = name  # before it is made: an interrupt finds it
         os.mkdir(name, 0o700)
@@ -96,6 +99,25 @@ class _Command:
 
         if self.scratch:
             shutil.rmtree(self.scratch, ignore_errors=True)
+
+
+def _remove_abandoned(place: str) -> None:
+    """Removes the folders of commands that were killed."""
+    if os.name != "posix":  # elsewhere a look at a process ends it
+        return
+    for entry in os.scandir(place):
+        kind, *parts = entry.name.rsplit("-", 2)
+        if kind != "pam-cosim" or len(parts) < 2 or not parts[0].isdecimal():
+            continue
+        try:
+            if time.time() - entry.stat(follow_symlinks=False).st_mtime > _ABANDONED:
+                os.kill(int(parts[0]), 0)
+        except ProcessLookupError:
+            import shutil
+
+            shutil.rmtree(entry.path, ignore_errors=True)
+        except (OSError, OverflowError):  # it is somebody else's, or gone
+            continue
 
 
 def run() -> None:
@@ -120,7 +142,7 @@ def run() -> None:
 
 
 def _print_somewhere() -> None:
-    """Where whoever called closed the output, what is printed goes nowhere."""
+    """Output is discarded if the caller has closed it."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, open(os.devnull, "w", encoding="utf-8"))  # noqa: SIM115 - until the process ends
@@ -129,7 +151,8 @@ def _print_somewhere() -> None:
 def _could_not_print(problem: OSError) -> int:
     """What is printed went to a full disk, or to a program that ended: one line, and no second try at the end."""
     if not isinstance(problem, BrokenPipeError):
-        print(f"pam-cosim: what is printed cannot be written: {problem.strerror}", file=sys.stderr)
+        what = "a temporary file" if problem.errno == errno.EFBIG else "what is printed"
+        print(f"pam-cosim: {what} cannot be written: {problem.strerror}", file=sys.stderr)
     os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
     return 2
 

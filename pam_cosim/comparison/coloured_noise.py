@@ -1,6 +1,6 @@
-"""How likely residuals are as noise of any colour: white, and a slow course besides, of unknown size and memory.
+"""How likely residuals are as noise of any colour: white, and plus a slow drift of unknown size and memory.
 
-The slow course of each signal is a stationary first-order autoregressive process (Ornstein and Uhlenbeck) beside white
+The slow drift of each signal is a stationary first-order autoregressive process (Ornstein and Uhlenbeck) with white
 noise: drifts of instruments, filters of loggers. Size and memory of both are those that make the residuals most likely.
 The precision of such a process is tridiagonal (Rue and Held, Gaussian Markov Random Fields, 2005, sec. 1.1), so that a
 series of n samples takes of the order of n operations.
@@ -44,10 +44,10 @@ def _most_likely(series: Sequence[Array], largest: float) -> float:
     """Over the ratio of both variances, and over the memory; where the grid says that they may be the likeliest."""
     values, lengths = np.concatenate(series), [len(v) for v in series]
     ends = np.cumsum(lengths) - 1
-    found = [float(_log_likelihood(len(values), float(values @ values), 0.0, 0.0, largest))]
+    likelihoods = [float(_log_likelihood(len(values), float(values @ values), 0.0, 0.0, largest))]
     grid = _likelihoods(series, largest)[:, 1:]
-    for memory, near in zip(_memories(max(lengths)), grid, strict=True):
-        if near.max() < grid.max() - _UNLIKELY:
+    for memory, at_memory in zip(_memories(max(lengths)), grid, strict=True):
+        if at_memory.max() < grid.max() - _UNLIKELY:
             continue
 
         def cost(log_ratio: float, memory: float = memory) -> float:
@@ -55,12 +55,12 @@ def _most_likely(series: Sequence[Array], largest: float) -> float:
             form = _form(values, ends, ratio, memory)
             return -float(_log_likelihood(len(values), *form, ratio, largest))
 
-        likeliest = int(near.argmax())
+        likeliest = int(at_memory.argmax())
         bounds = _RATIOS[[max(likeliest - _AROUND, 0), min(likeliest + _AROUND, len(_RATIOS) - 1)]]
-        found.append(
+        likelihoods.append(
             -float(minimize_scalar(cost, bounds=bounds, method="bounded", options=_SEARCH).fun)
         )
-    return max(found)
+    return max(likelihoods)
 
 
 def _memories(longest: int) -> list[float]:
@@ -79,7 +79,7 @@ def _log_likelihood(
     Args:
         samples: how many.
         squares, determinants: () or (g,) quadratic forms and log-determinants by the variance of the white noise.
-        ratios: () or (g,) of the variance of the slow course to that.
+        ratios: () or (g,) of the variance of the slow drift to that.
         largest: what both may be together.
     """
     variance = np.minimum(np.maximum(squares, _TINY) / samples, largest / (1 + ratios))
@@ -96,27 +96,27 @@ def _form(
     Args:
         values: (n,) of all series.
         ends: where the last sample of each is.
-        ratio, memory: of the slow course, to the variance of the white noise, and in samples.
+        ratio, memory: of the slow drift, to the variance of the white noise, and in samples.
     """
-    n, left = len(values), float(np.exp(-1.0 / memory))
-    new = 1.0 - left**2
-    # of the precision of the slow course, by its variance
-    diagonal = np.full(n, (1.0 + left**2) / new)
-    first = np.append(0, ends[:-1] + 1)
-    diagonal[first] -= left**2 / new
-    diagonal[ends] -= left**2 / new
-    beside = np.full(max(n - 1, 1), -left / (new * ratio))
-    beside[ends[:-1]] = 0.0
-    pivots, factor, _ = dpttrf(1.0 + diagonal / ratio, beside)
+    n, decay = len(values), float(np.exp(-1.0 / memory))
+    new = 1.0 - decay**2
+    # of the precision of the slow drift, by its variance
+    diagonal = np.full(n, (1.0 + decay**2) / new)
+    heads = np.append(0, ends[:-1] + 1)
+    diagonal[heads] -= decay**2 / new
+    diagonal[ends] -= decay**2 / new
+    off_diagonal = np.full(max(n - 1, 1), -decay / (new * ratio))
+    off_diagonal[ends[:-1]] = 0.0
+    pivots, factor, _ = dpttrf(1.0 + diagonal / ratio, off_diagonal)
     slow, _ = dpttrs(pivots, factor, values)
-    of_course = n * np.log(ratio) + (n - len(ends)) * np.log(new)
-    return float(values @ (values - slow)), float(np.log(pivots).sum() + of_course)
+    drift_determinant = n * np.log(ratio) + (n - len(ends)) * np.log(new)
+    return float(values @ (values - slow)), float(np.log(pivots).sum() + drift_determinant)
 
 
 def approximate_log_likelihood(series: Sequence[Series], largest: float) -> float:
     """As ``noise_log_likelihood``, in a hundredth of the time.
 
-    In the discrete cosine transform the components of a slow course that is reflected at its ends are independent, each
+    In the discrete cosine transform the components of a slow drift that is reflected at its ends are independent, each
     with its part of the spectrum, which hardly changes within a band. Ratio and memory are the likeliest of a grid.
 
     Args:
@@ -128,14 +128,14 @@ def approximate_log_likelihood(series: Sequence[Series], largest: float) -> floa
 
 def _by_signal(series: Sequence[Series]) -> list[list[Array]]:
     of_signal: dict[str, list[Array]] = {}
-    for one in series:
-        if one.values.size:
-            of_signal.setdefault(one.signal, []).append(one.values)
+    for part in series:
+        if part.values.size:
+            of_signal.setdefault(part.signal, []).append(part.values)
     return [*of_signal.values()]
 
 
 def _likelihoods(series: Sequence[Array], largest: float) -> Array:
-    """(memories, 1 + ratios) of the series of a signal, the first of each memory without a slow course."""
+    """(memories, 1 + ratios) of the series of a signal, the first of each memory without a slow drift."""
     longest, samples = max(map(len, series)), sum(map(len, series))
     squares, determinants = np.zeros(1), np.zeros(1)
     for values in series:
@@ -143,27 +143,27 @@ def _likelihoods(series: Sequence[Array], largest: float) -> Array:
         squares = squares + inverse @ np.add.reduceat(dct(values, norm="ortho") ** 2, first)
         determinants = determinants + determinant
     ratios = np.tile(_ratios(), _MEMORIES)
-    every = _log_likelihood(samples, squares, determinants, ratios, largest)
-    return every.reshape(_MEMORIES, -1)
+    grid = _log_likelihood(samples, squares, determinants, ratios, largest)
+    return grid.reshape(_MEMORIES, -1)
 
 
 def _ratios() -> Array:
-    """Of the grid: no slow course at all, and ever larger ones."""
+    """Ratios of the grid: no slow drift, and increasing ones."""
     return np.append(0.0, np.exp(_RATIOS))
 
 
 @lru_cache(maxsize=128)
 def _spectra(samples: int, longest: int) -> tuple[NDArray[np.int_], Array, Array]:
-    """Of white noise with slow courses of a grid, in bands of frequency.
+    """Likelihoods of white noise with the slow drifts of a grid, in bands of frequency.
 
     Returns:
         where each band begins (b,), one over the spectra there (g, b), and the log-determinants (g,).
     """
     beyond = _SINGLE * _BAND ** np.arange(max(np.log(samples / _SINGLE) / np.log(_BAND), 0.0))
-    first = np.unique(np.append(np.arange(min(_SINGLE, samples)), beyond.astype(int)))
-    wide = np.diff(np.append(first, samples))
-    frequency = np.pi * (first + (wide - 1) / 2) / samples
-    left = np.exp(-1.0 / np.array(_memories(longest)))[:, None, None]
-    slow = (1 - left**2) / (1 - 2 * left * np.cos(frequency) + left**2)
-    spectrum = (1 + _ratios()[:, None] * slow).reshape(-1, len(first))
-    return first, 1 / spectrum, np.log(spectrum) @ wide
+    frequencies = np.unique(np.append(np.arange(min(_SINGLE, samples)), beyond.astype(int)))
+    wide = np.diff(np.append(frequencies, samples))
+    frequency = np.pi * (frequencies + (wide - 1) / 2) / samples
+    decay = np.exp(-1.0 / np.array(_memories(longest)))[:, None, None]
+    slow = (1 - decay**2) / (1 - 2 * decay * np.cos(frequency) + decay**2)
+    spectrum = (1 + _ratios()[:, None] * slow).reshape(-1, len(frequencies))
+    return frequencies, 1 / spectrum, np.log(spectrum) @ wide

@@ -60,12 +60,12 @@ class Comparison(Printed, Tabular):
         )
 
     def against(self, data: DataSet) -> Comparison:
-        """The same simulations beside other samples: ``data`` has the same runs, some of their samples set aside."""
+        """The same simulations compared with other samples: ``data`` has the same runs with fewer samples."""
         same = self.with_data(data)
         return replace(same, scores=_scores(data, same.runs))
 
     def without_data(self) -> Comparison:
-        """The same without the samples, which whoever asked for it has: ``with_data`` puts them back."""
+        """The same without the samples, which the caller has: ``with_data`` puts them back."""
         bare = (replace(r.run, time=r.run.time[:0], inputs={}, measurements={}) for r in self.runs)
         runs = tuple(replace(r, run=run) for r, run in zip(self.runs, bare, strict=True))
         return replace(self, data=replace(self.data, runs=()), runs=runs)
@@ -102,9 +102,13 @@ class Comparison(Printed, Tabular):
 
     def _solvers(self) -> list[str]:
         """A sentence where runs were made by model exchange: the first that was said, and of how many."""
-        said = [r.solver for r in self.runs if r.solver]
-        count = "" if len(said) == len(self.runs) else f" (in {len(said)} of {len(self.runs)} runs)"
-        return [f"{said[0]}{count}"] if said else []
+        solver_notes = [r.solver for r in self.runs if r.solver]
+        count = (
+            ""
+            if len(solver_notes) == len(self.runs)
+            else f" (in {len(solver_notes)} of {len(self.runs)} runs)"
+        )
+        return [f"{solver_notes[0]}{count}"] if solver_notes else []
 
     def frame_columns(self) -> Columns:
         """A row for each sample of each run and signal, its values in the SI unit of the column "unit"."""
@@ -130,15 +134,15 @@ class Comparison(Printed, Tabular):
     def _runs(self) -> list[dict[str, object]]:
         return [self._run_as_dict(run) for run in self.runs]
 
-    def _run_as_dict(self, one: RunComparison) -> dict[str, object]:
-        solver = {"solver": one.solver} if one.solver else {}
+    def _run_as_dict(self, compared: RunComparison) -> dict[str, object]:
+        solver = {"solver": compared.solver} if compared.solver else {}
         return {
-            "name": one.run.name,
-            "role": one.run.role,
-            "parameters": one.run.parameters,
-            **_start_of(one),
+            "name": compared.run.name,
+            "role": compared.run.role,
+            "parameters": compared.run.parameters,
+            **_start_of(compared),
             **solver,
-            "signals": score([one], self.data.signals),
+            "signals": score([compared], self.data.signals),
         }
 
     def _headline(self) -> str:
@@ -202,14 +206,14 @@ def compare(
         SimulationFailure: a run did not reach its end.
         InputError: a parameter that the model does not have; no run has a sample.
     """
-    known = dict(parameters or {})
+    stated_values = dict(parameters or {})
     if not any(run.sample_count(name) for run in data.runs for name in data.signals):
         files = listed(dict.fromkeys(run.file.name for run in data.runs))
         outputs = listed(simulator.interface.outputs)
         message = f"no recording ({files}) has a sample of an output of {simulator.interface.model}: {outputs}"
         raise InputError(message, data.folder)
-    runs = tuple(simulate_run(simulator, data, run, known, tolerance) for run in data.runs)
-    return scored(simulator.interface, data, known, runs, rules=rules)
+    runs = tuple(simulate_run(simulator, data, run, stated_values, tolerance) for run in data.runs)
+    return scored(simulator.interface, data, stated_values, runs, rules=rules)
 
 
 def scored(
@@ -221,16 +225,16 @@ def scored(
     rules: bool = True,
 ) -> Comparison:
     """Scores runs that were simulated with ``parameters`` [SI] of the model with ``interface``; see ``compare``."""
-    known = dict(parameters)
+    stated_values = dict(parameters)
     sits = (
         where(runs, data.signals, interface.outputs, data.domain, interface.inputs) if rules else []
     )
     settable = interface.settable
-    own = (name for run in data.runs for name in (*run.parameters, *run.inputs))
-    named = dict.fromkeys([*known, *own])
+    names_of_runs = (name for run in data.runs for name in (*run.parameters, *run.inputs))
+    named = dict.fromkeys([*stated_values, *names_of_runs])
     units = {name: settable[name].unit for name in named if name in settable}
     return Comparison(
-        interface.model, data, known, tuple(runs), _scores(data, runs), tuple(sits), units
+        interface.model, data, stated_values, tuple(runs), _scores(data, runs), tuple(sits), units
     )
 
 

@@ -165,14 +165,14 @@ class ConditionTable(Printed, Tabular):
         units = {"correlation": "1", "rmse": self.unit or "1", "chi2_reduced": "1"}
         listed = []
         for statistic in STATISTICS:
-            first = [self.signal, f"{statistic} [{units[statistic]}]"]
+            heading = [self.signal, f"{statistic} [{units[statistic]}]"]
             row_mean, row_sd = self.by_row(statistic)
             for value, row, mean, sd in zip(
                 self.rows.values, self.values(statistic), row_mean, row_sd, strict=True
             ):
-                listed.append([*first, repr(value), *map(_cell, [*row, mean, sd])])
+                listed.append([*heading, repr(value), *map(_cell, [*row, mean, sd])])
             for name, numbers in zip(("mean", "sd"), self.by_column(statistic), strict=True):
-                listed.append([*first, name, *map(_cell, numbers), "", ""])
+                listed.append([*heading, name, *map(_cell, numbers), "", ""])
         return listed
 
     def csv_head(self) -> list[str]:
@@ -205,7 +205,7 @@ def condition_table(
 
     Args:
         model: name of the model.
-        runs: simulated beside the measurement.
+        runs: the simulated runs with their measurements.
         signal: what is scored.
         rows: name of a parameter that every run has.
         columns: of another one.

@@ -103,23 +103,27 @@ def _collect(
 
 def _candidates(samples: _Samples) -> list[tuple[str, Mask]]:
     """What a rule can say: each condition, and each phase with another condition."""
-    phases, others = samples.conditions
-    return [*phases, *others, *((f"{a}, {b}", m & n) for a, m in phases for b, n in others)]
+    phases, further_conditions = samples.conditions
+    return [
+        *phases,
+        *further_conditions,
+        *((f"{a}, {b}", m & n) for a, m in phases for b, n in further_conditions),
+    ]
 
 
 def _rules(signal: str, samples: _Samples) -> list[Rule]:
     candidates = _candidates(samples)
-    left = samples.excess.copy()
-    total, count = float(left.sum()), len(left)
+    unexplained = samples.excess.copy()
+    total, count = float(unexplained.sum()), len(unexplained)
     rules: list[Rule] = []
     for _ in range(_MOST_RULES):
         best: tuple[float, str, Mask] | None = None
         for text, mask in candidates:
-            own = int(mask.sum())
-            if own < _FEWEST_SAMPLES:
+            size = int(mask.sum())
+            if size < _FEWEST_SAMPLES:
                 continue
-            time_share = own / count
-            gain = float(left[mask].sum()) / total
+            time_share = size / count
+            gain = float(unexplained[mask].sum()) / total
             value = gain * (gain - time_share)
             if gain > time_share and (best is None or value > best[0]):
                 best = (value, text, mask)
@@ -129,7 +133,7 @@ def _rules(signal: str, samples: _Samples) -> list[Rule]:
         rules.append(
             Rule(signal, text, float(samples.excess[mask].sum()) / total, float(mask.sum()) / count)
         )
-        left = np.where(mask, 0.0, left)
+        unexplained = np.where(mask, 0.0, unexplained)
     return rules
 
 

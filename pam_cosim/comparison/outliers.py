@@ -1,4 +1,4 @@
-"""Single samples that no smooth course of a signal explains.
+"""Single samples that no smooth signal explains.
 
 A sample whose residual is far from the median of its neighbours' residuals is an outlier (Hampel, Journal of the
 American Statistical Association 69, 1974). It is the residual that is looked at, so that a fast but modelled change of
@@ -25,7 +25,7 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
     """(n,) which samples are outliers; ``residual`` has NaN where a sample is missing.
 
     So many neighbours may be off together. A quick change of the signal takes its neighbours along, less and less;
-    beside a model that follows it, two outliers may be neighbours by chance.
+    against a model that follows it, two outliers may be neighbours by chance.
     """
     far_off = np.zeros(len(residual), dtype=bool)
     kept = np.flatnonzero(np.isfinite(residual))
@@ -36,10 +36,10 @@ def outliers(residual: Array, together: int = 1) -> NDArray[np.bool_]:
     far = np.abs(off) > CRITERIA.noise.outlier_far * MEDIAN_TO_SIGMA * float(np.median(np.abs(off)))
     size = np.abs(np.concatenate([[0.0], off, [0.0]]))
     for begin, end in _groups(far):
-        beside = max(size[begin], size[end + 1])
+        neighbour_size = max(size[begin], size[end + 1])
         if (
             end - begin > together
-            or beside >= CRITERIA.noise.outlier_alone * size[begin + 1 : end + 1].min()
+            or neighbour_size >= CRITERIA.noise.outlier_alone * size[begin + 1 : end + 1].min()
         ):
             far[begin:end] = False
     if far.mean() <= CRITERIA.noise.outlier_most:
@@ -62,7 +62,7 @@ def without_outliers(
 
     Args:
         data: the measurement.
-        compared: its runs beside a fitted model.
+        compared: its runs with a fitted model.
         together: how many neighbours may be off together.
     """
     counts: dict[str, int] = {}

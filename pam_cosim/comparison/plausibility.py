@@ -27,6 +27,7 @@ from pam_cosim.wording import listed
 _LARGE_ERROR = 0.5  # of what a signal moves: rms error of a model that explains little
 _STUCK = 0.25  # of the samples of a run, that one number is repeated in at least by a sensor that is stuck
 _NOISE_LIMIT = 5.0  # sd of the noise, that a doubtful error exceeds
+_QUIET = 0.1  # sd of the noise, within which samples never lie
 # of a signal's span, beyond zero or a limit of the model, that counts as passed
 BEYOND_LIMIT = 0.03
 _OPPOSITE_CHANGE = 0.02  # of a signal's span, by which runs differ in the data and in the model
@@ -43,11 +44,11 @@ class Doubt:
 
     Attributes:
         kind: "warning": the model itself warns; "convention": what was recorded fits much better if it is meant
-            otherwise; "copy": two runs have the same samples; "marker": a value that is no
-            reading, as for missing samples; "still": a signal never moves, where the model does; "stuck": for a part
-            of a run; "impossible": no such
-            reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
-            where the model does; "contradiction": runs differ the other way than in the model.
+            otherwise; "copy": two runs have the same samples; "marker": a value that is no reading, as for missing
+            samples; "still": a signal never moves, where the model does; "stuck": for a part of a run; "too_quiet": the
+            samples differ by less than their noise; "impossible": no such reading exists; "far_off": the model explains
+            little of it; "one_sided": the measurement never passes zero where the model does; "contradiction": runs
+            differ the other way than in the model.
         signal: which it is seen in; "": none.
         text: a sentence.
     """
@@ -73,22 +74,23 @@ def doubts(
         fitted: whether free parameters have had their chance; if not, a large error is doubted only where a simple
             mistake explains it.
     """
-    every: list[Doubt] = []
+    found_doubts: list[Doubt] = []
     for name, signal in signals.items():
         measured, modelled = _samples(runs, name)
         if len(measured):
-            every += [
+            found_doubts += [
                 *_markers(runs, signal, measured),
                 *_still(signal, measured, modelled),
                 *_stuck(runs, signal),
+                *_too_quiet(signal, measured),
                 *_impossible(runs, signal, measured, modelled),
                 *_far_off(signal, measured, modelled, fitted, lambda: _reach(runs, units)),
                 *_one_sided(signal, measured, modelled),
             ]
-            every += _contradictions(runs, signal, float(np.ptp(measured)), units)
+            found_doubts += _contradictions(runs, signal, float(np.ptp(measured)), units)
     warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
     meant = [Doubt("convention", "", convention)] if convention else []
-    return (*warnings, *meant, *_copies(runs), *_markers_of_inputs(runs, units), *every)
+    return (*warnings, *meant, *_copies(runs), *_markers_of_inputs(runs, units), *found_doubts)
 
 
 def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
@@ -99,19 +101,19 @@ def _copies(runs: Sequence[RunComparison]) -> Iterator[Doubt]:
             samples = values[np.isfinite(values)]
             if len(samples) < FEWEST_SAMPLES or not np.ptp(samples):
                 continue
-            first = seen.setdefault((name, samples.tobytes()), r.run.name)
-            if first != r.run.name:
+            earlier_run = seen.setdefault((name, samples.tobytes()), r.run.name)
+            if earlier_run != r.run.name:
                 yield Doubt(
                     "copy",
                     name,
-                    f"{first} and {r.run.name} have the same samples of {name}, noise and all: "
+                    f"{earlier_run} and {r.run.name} have the same samples of {name}, noise and all: "
                     "is one a copy of the other?",
                 )
                 break
 
 
 def _samples(runs: Sequence[RunComparison], name: str) -> tuple[Array, Array]:
-    """All samples of a signal, and the model's values beside them."""
+    """All samples of a signal, and the model's values at them."""
     pairs = [(r.run.measurements[name], r.model[name]) for r in runs if r.run.sample_count(name)]
     kept = [np.isfinite(measured) for measured, _ in pairs]
     both = [
@@ -128,32 +130,34 @@ def _rms(values: Array) -> float:
 def _markers_of_inputs(runs: Sequence[RunComparison], units: Mapping[str, str]) -> Iterator[Doubt]:
     driven = [r.run for r in runs if not r.run.is_static]
     for name in dict.fromkeys(name for run in driven for name in run.inputs):
-        courses = [(run, run.inputs[name]) for run in driven if name in run.inputs]
-        value = input_marker_of(np.concatenate([values for _, values in courses]))
+        values_by_run = [(run, run.inputs[name]) for run in driven if name in run.inputs]
+        value = input_marker_of(np.concatenate([values for _, values in values_by_run]))
         if value is not None:
-            yield _marker(name, units.get(name, ""), value, courses)
+            yield _marker(name, units.get(name, ""), value, values_by_run)
 
 
 def _markers(runs: Sequence[RunComparison], signal: Signal, measured: Array) -> Iterator[Doubt]:
     value = marker_of(measured)
     if value is not None:
         read = [r.run for r in runs if r.run.sample_count(signal.name)]
-        courses = [(run, run.measurements[signal.name]) for run in read]
-        yield _marker(signal.name, signal.unit, value, courses)
+        values_by_run = [(run, run.measurements[signal.name]) for run in read]
+        yield _marker(signal.name, signal.unit, value, values_by_run)
 
 
-def _marker(name: str, unit: str, value: float, courses: Sequence[tuple[Run, Array]]) -> Doubt:
+def _marker(
+    name: str, unit: str, value: float, values_by_run: Sequence[tuple[Run, Array]]
+) -> Doubt:
     """One value farther from all others than these are apart, as loggers write where there is no reading."""
-    every = np.concatenate([values[np.isfinite(values)] for _, values in courses])
-    rest = every[every != value]
-    run, values = next((run, values) for run, values in courses if value in values)
-    first = place_in(run, int(np.argmax(values == value)))
-    count = len(every) - len(rest)
+    all_values = np.concatenate([values[np.isfinite(values)] for _, values in values_by_run])
+    rest = all_values[all_values != value]
+    run, values = next((run, values) for run, values in values_by_run if value in values)
+    place = place_in(run, int(np.argmax(values == value)))
+    count = len(all_values) - len(rest)
     shown, low, high = (format_quantity(float(v), unit) for v in (value, rest.min(), rest.max()))
     return Doubt(
         "marker",
         name,
-        f"{name}: {count} of {len(every)} samples {_is(count)} {shown}, first {first}; "
+        f"{name}: {count} of {len(all_values)} samples {_is(count)} {shown}, first {place}; "
         f"all others lie between {low} and {high}. Where that number marks "
         'a missing sample, write it as the file has it, as in missing = ["-999"] under [recording]',
     )
@@ -199,6 +203,15 @@ def _stuck(runs: Sequence[RunComparison], signal: Signal) -> Iterator[Doubt]:
                 f"{times[first]:.4g} to {times[last]:.4g} s of {r.run.name}, where the model moves by "
                 f"{format_quantity(moves, signal.unit)}: is the sensor stuck? Leave it out, by from or to of the run",
             )
+
+
+def _too_quiet(signal: Signal, measured: Array) -> Iterator[Doubt]:
+    """Samples that differ by far less than their noise: their unit is another one, or the noise level is."""
+    span = float(np.ptp(measured))
+    if len(measured) >= FEWEST_SAMPLES and 0 < span < _QUIET * signal.sigma:
+        moves, noise = (format_quantity(v, signal.unit) for v in (span, signal.sigma))
+        text = f"{signal.name}: all samples lie within {moves}, but their noise is {noise}: a wrong unit?"
+        yield Doubt("too_quiet", signal.name, text)
 
 
 def _impossible(
@@ -280,9 +293,9 @@ def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Dou
         _NOISE_LIMIT * signal.sigma,
     )
     for sign, least, beyond in ((1.0, "falls below", "down to"), (-1.0, "rises above", "up to")):
-        own, model = sign * measured, sign * modelled
+        signed, model = sign * measured, sign * modelled
         there = model < -room
-        if own.min() < -room or not there.any() or np.ptp(measured) == 0 or own.max() <= room:
+        if signed.min() < -room or not there.any() or np.ptp(measured) == 0 or signed.max() <= room:
             continue
         share = 100 * float(there.mean())
         most = format_quantity(float(sign * model.min()), signal.unit)
@@ -312,22 +325,23 @@ def _contradictions(
         expected = float(np.median(b.model[name][j] - a.model[name][i]))
         if seen * expected < 0 and min(abs(seen), abs(expected)) > least:
             unit = units.get(parameter, "")
-            one, two = (format_quantity(r.run.parameters[parameter], unit) for r in (a, b))
+            value_a, value_b = (format_quantity(r.run.parameters[parameter], unit) for r in (a, b))
             real, modelled = (format_quantity(v, signal.unit) for v in (seen, expected))
             yield Doubt(
                 "contradiction",
                 name,
-                f"{a.run.name} and {b.run.name} differ in {parameter} alone ({one} and {two}); at the same inputs "
-                f"{name} differs by {real}, in the model by {modelled}: are the files or the values exchanged?",
+                f"{a.run.name} and {b.run.name} differ in {parameter} alone ({value_a} and {value_b}); "
+                f"at the same inputs {name} differs by {real}, in the model by {modelled}: "
+                "are the files or the values exchanged?",
             )
 
 
 def _only_difference(a: RunComparison, b: RunComparison) -> str | None:
     """The one parameter in which two runs differ."""
-    one, two = a.run.parameters, b.run.parameters
-    if set(one) != set(two) or set(a.run.inputs) != set(b.run.inputs) or not a.run.inputs:
+    values_a, values_b = a.run.parameters, b.run.parameters
+    if set(values_a) != set(values_b) or set(a.run.inputs) != set(b.run.inputs) or not a.run.inputs:
         return None
-    different = [name for name in one if one[name] != two[name]]
+    different = [name for name in values_a if values_a[name] != values_b[name]]
     return different[0] if len(different) == 1 else None
 
 
@@ -354,10 +368,10 @@ def _alike(
         samples.append(at)
         places.append(where)
     distance, other = KDTree(places[1]).query(places[0])
-    first = np.flatnonzero(
+    pairs = np.flatnonzero(
         (distance < _SAME_INPUTS) & np.isfinite(a.run.measurements[signal][samples[0]])
     )
-    return (samples[0][first], samples[1][other[first]]) if len(first) >= FEWEST_SAMPLES else None
+    return (samples[0][pairs], samples[1][other[pairs]]) if len(pairs) >= FEWEST_SAMPLES else None
 
 
 def _places(r: RunComparison, span: Mapping[str, float]) -> Array:

@@ -81,9 +81,9 @@ class Series:
     @property
     def pairs(self) -> float:
         """How many pairs of neighbours these count for: what white noise of these squares may be correlated by."""
-        first, second = self.expected[:-1], self.expected[1:]
-        shared = float(first @ second)
-        return float(np.sum(first)) * float(np.sum(second)) / shared if shared > 0 else 0.0
+        earlier, later = self.expected[:-1], self.expected[1:]
+        shared = float(earlier @ later)
+        return float(np.sum(earlier)) * float(np.sum(later)) / shared if shared > 0 else 0.0
 
     def differences(self, lag: int) -> tuple[float, float]:
         """Half the squared differences of samples at a distance, and how much of that is expected of white noise."""
@@ -114,9 +114,11 @@ def series_of(
                 values = standardized_residuals(error[kept], signal, r.run.measurements[name][kept])
                 if shifts and (r.run.name, name) in shifts:
                     values = values + shifts[r.run.name, name][kept]
-                # Steps are what they are, also where the noise beside them is not known.
-                known = not signal.estimated or signal.is_coarse
-                series.append(Series(values, expected_squares(error[kept], signal), known, name))
+                # Steps are what they are, also where the noise is not known.
+                noise_is_known = not signal.estimated or signal.is_coarse
+                series.append(
+                    Series(values, expected_squares(error[kept], signal), noise_is_known, name)
+                )
     return series
 
 
@@ -149,13 +151,13 @@ def _level_score(series: Sequence[Series]) -> float:
 def _noise_floor(series: Sequence[Series]) -> float:
     """Mean square that noise explains: of known noise at least its own variance, else the estimate for red noise."""
     total, samples = 0.0, 0.0
-    for known in (True, False):
+    for is_known in (True, False):
         chosen = [
-            e for e in series if e.stated is known and len(e.values) > CRITERIA.residuals.lags
+            e for e in series if e.stated is is_known and len(e.values) > CRITERIA.residuals.lags
         ]
         count = sum(e.samples for e in chosen)
         if count:
-            total += count * (max(1.0, _white_part(chosen, 1)) if known else red_noise(chosen))
+            total += count * (max(1.0, _white_part(chosen, 1)) if is_known else red_noise(chosen))
             samples += count
     return total / samples if samples else 1.0
 
@@ -183,9 +185,9 @@ def lag_one(series: Sequence[Series]) -> tuple[float, float]:
 
 
 def red_noise(series: Sequence[Series]) -> float:
-    """Variance of first-order autoregressive noise under a slow course.
+    """Variance of first-order autoregressive noise under a slow drift.
 
-    Samples at a distance l differ by noise, half mean square v (1 - r^l), and by what the slow course gains, a l^2.
+    Samples at a distance l differ by noise, half mean square v (1 - r^l), and by what the slow drift gains, a l^2.
     v, a >= 0 and the correlation r of neighbours are fitted to the first few distances.
 
     Args:
@@ -205,16 +207,16 @@ def red_noise(series: Sequence[Series]) -> float:
 def _correlation_time(series: Sequence[Series]) -> float:
     """1 + 2 sum of the autocorrelation up to where it first falls below zero, averaged by power."""
     total, power = 0.0, 0.0
-    for e in (one.values for one in series):
-        own = float(np.sum(e**2))
-        if len(e) < 3 or own <= 0:
+    for e in (part.values for part in series):
+        power_of_part = float(np.sum(e**2))
+        if len(e) < 3 or power_of_part <= 0:
             continue
         most = max(2, int(CRITERIA.residuals.longest_memory * len(e)))
         r = autocorrelation(e, most)[1:]
         gone = np.flatnonzero(r <= CRITERIA.residuals.memory_gone / np.sqrt(len(e)))
         time = 1 + 2 * float(np.sum(r[: gone[0]] if len(gone) else r))
-        total += own * time
-        power += own
+        total += power_of_part * time
+        power += power_of_part
     return max(1.0, total / power) if power else 1.0
 
 

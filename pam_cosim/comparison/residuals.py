@@ -1,4 +1,4 @@
-"""One run of a model beside one run of the rig."""
+"""One run of a model compared with one run of the rig."""
 
 from __future__ import annotations
 
@@ -69,11 +69,11 @@ def simulate_run(
         SimulationFailure: the run did not reach its end.
         InputError: a parameter that the model does not have.
     """
-    own = data.parameters_of(run, parameters)
+    run_parameters = data.parameters_of(run, parameters)
     outputs = list(simulator.interface.outputs) if signals is None else signals
     if run.is_static:
-        points = simulator.equilibria(run.inputs, parameters=own, outputs=outputs)
+        points = simulator.equilibria(run.inputs, parameters=run_parameters, outputs=outputs)
         return RunComparison(run, dict(points.values), warnings=points.warnings)
-    start = initial_state(simulator, data, run, own)
-    trajectory = start.trajectory(simulator, run, own, run.time, outputs, tolerance)
+    start = initial_state(simulator, data, run, run_parameters)
+    trajectory = start.trajectory(simulator, run, run_parameters, run.time, outputs, tolerance)
     return RunComparison(run, dict(trajectory.values), trajectory.solver, trajectory.warnings)

@@ -100,8 +100,8 @@ def _deviance(t: Array, steps: float) -> Array:
 def _log_mass(t: Array, steps: float) -> Array:
     """Logarithm of the probability that noise of one falls into an interval of this width about ``t``."""
     away = np.abs(t)
-    near, far = log_ndtr(steps / 2 - away), log_ndtr(-steps / 2 - away)
-    return np.asarray(near + np.log(-np.expm1(far - near)))
+    log_near, log_far = log_ndtr(steps / 2 - away), log_ndtr(-steps / 2 - away)
+    return np.asarray(log_near + np.log(-np.expm1(log_far - log_near)))
 
 
 def _log_density(t: Array) -> Array:

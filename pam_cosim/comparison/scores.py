@@ -68,12 +68,15 @@ def score_signal(runs: Sequence[RunComparison], signal: Signal) -> SignalScore |
     span = float(np.ptp(y))
     worst = int(np.argmax(np.abs(e)))
     series = [
-        Series(standardized_residuals(own, signal, reading), expected_squares(own, signal))
-        for own, reading in zip(error, measured, strict=True)
+        Series(
+            standardized_residuals(error_of_run, signal, reading),
+            expected_squares(error_of_run, signal),
+        )
+        for error_of_run, reading in zip(error, measured, strict=True)
     ]
     correlation, whiteness_score = lag_one(series)
-    effective = sum(one.samples for one in series)
-    chi2 = float(sum(np.sum(one.values**2) for one in series))
+    effective = sum(part.samples for part in series)
+    chi2 = float(sum(np.sum(part.values**2) for part in series))
     return SignalScore(
         rmse=rmse,
         nrmse=rmse / span if span else np.nan,

@@ -14,10 +14,11 @@ from typing import Any
 
 import casadi as ca
 
-from pam_cosim.compiler.budget import checked_number, checked_text
+from pam_cosim.compiler.budget import checked_number, checked_text, work
 from pam_cosim.errors import ModelError
 
 Value = Any
+_SYMBOLIC = 20  # steps that an operation of expressions takes
 
 
 class ArithmeticProblem(ModelError):
@@ -116,6 +117,7 @@ def _product(left: list[Value], right: list[Value]) -> Value:
         return [_product(row, right) for row in left]
     if isinstance(right[0], list):
         return [_product(left, [row[j] for row in right]) for j in range(len(right[0]))]
+    work(len(left) * (_SYMBOLIC if is_symbolic(left[0]) or is_symbolic(right[0]) else 1))
     return total(each(_SCALAR["*"], left, right))
 
 

@@ -12,8 +12,8 @@ import casadi as ca
 from pam_cosim.compiler import metadata
 from pam_cosim.compiler.arithmetic import PrintedNumber
 from pam_cosim.compiler.assertions import Assertion
-from pam_cosim.compiler.blocks import solve
-from pam_cosim.compiler.budget import check_unknowns
+from pam_cosim.compiler.blocks import Loop, solve
+from pam_cosim.compiler.budget import check_operations, check_unknowns
 from pam_cosim.compiler.delays import DelayedInputs, put
 from pam_cosim.compiler.flattening import FlatModel, Residual
 from pam_cosim.compiler.index_reduction import EquationSystem, reduce_index, select_states
@@ -49,12 +49,15 @@ class Assembly:
         self.system = system = self._system()
         reduce_index(system)
         selection = select_states(system, self._preference)
-        self.solved = solve(system.residuals, selection.unknowns, system.variables)
+        loops: list[Loop] = []
+        self.solved = solve(system.residuals, selection.unknowns, system.variables, loops=loops)
         self.states = selection.states
         self.parameters = [leaf for leaf in root.leaves() if leaf in symbols.free]
         self.p = _column([symbols.free[leaf] for leaf in self.parameters])
         self.p_values = _column([symbols.defaults[leaf] for leaf in self.parameters])
         initial = self._initial()
+        states = self._state_variables(initial.states)
+        self._check_start(states, loops)
         delayed = self._delayed()
         outputs = [leaf for leaf in symbols.unknowns if self._is_output(leaf)]
         local = self._locals(outputs)
@@ -65,7 +68,7 @@ class Assembly:
         )
         return Ode(
             interface=self._interface(outputs, [leaf for leaf, _ in local]),
-            states=self._state_variables(initial.states),
+            states=states,
             t=symbols.t,
             x=_column([system.variables[name] for name in self.states]),
             u=_column(list(symbols.inputs.values())),
@@ -89,6 +92,7 @@ class Assembly:
     def _system(self) -> EquationSystem:
         symbols = self.flat.symbols
         check_unknowns(len(symbols.unknowns))
+        check_operations(ca.n_nodes(_column([one.expression for one in self.flat.residuals])))
         variables = {leaf.name: symbol for leaf, symbol in symbols.unknowns.items()}
         derivative_of = {}
         for name, symbol in symbols.derivatives.items():
@@ -211,6 +215,15 @@ class Assembly:
             known = Variable(name, start=value) if leaf is None else self._variable(leaf, value)
             variables.append(known)
         return tuple(variables)
+
+    def _check_start(self, states: Sequence[Variable], loops: Sequence[Loop]) -> None:
+        """Refuses linear loops that are singular where the model begins."""
+        inputs = [self._variable(leaf) for leaf in self.flat.symbols.inputs]
+        values = {one.name: one.start or 0.0 for one in (*states, *inputs)}
+        values |= {leaf.name: float(v) for leaf, v in self.flat.symbols.defaults.items()}
+        values[self.flat.symbols.t.name()] = 0.0
+        for loop in loops:
+            loop.check_at(values)
 
     # ---- initial values -----------------------------------------------------------------------------------
 

@@ -3,14 +3,88 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence, Set
+from typing import NamedTuple
 
 import casadi as ca
+import numpy as np
 
+from pam_cosim.arrays import Array
+from pam_cosim.compiler.budget import check_operations
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.matching import Matching
 from pam_cosim.errors import ModelError
 
 _LARGEST_BY_MINORS = 4
+_LARGEST_BY_PIVOTS = 30  # beyond, a matrix of numbers is inverted
+_POINTS = 5  # values of the symbols, at all of which a loop that is singular by itself is singular
+_ZERO = 1e-13  # smallest singular value beside the largest, of a matrix with rows and columns of size one
+_PART = 1e-6  # of a unit vector, from which an equation or an unknown takes part
+
+
+class Loop(NamedTuple):
+    """Linear equations that are solved together.
+
+    Attributes:
+        matrix: (n, n) the coefficients of the unknowns.
+        names: of the unknowns.
+        places: of the equations.
+    """
+
+    matrix: ca.SX
+    names: Sequence[str]
+    places: Sequence[str]
+
+    def check(self) -> None:
+        """Refuses a matrix that is singular whatever the values of its symbols.
+
+        Raises:
+            ModelError: names the equations and the unknowns.
+        """
+        symbols = [symbol.name() for symbol in ca.symvar(self.matrix)]
+        rng = np.random.default_rng(1)
+        points = rng.uniform(0.5, 2.0, (_POINTS if symbols else 1, len(symbols)))
+        points[1:] *= rng.choice([-1.0, 1.0], points[1:].shape)
+        numbers = [
+            self._numbers(dict(zip(symbols, point.tolist(), strict=True))) for point in points
+        ]
+        found = [_null_vectors(one) for one in numbers]
+        if all(found):
+            self._refuse("", found[0])
+
+    def check_at(self, values: Mapping[str, float]) -> None:
+        """Refuses a matrix that is singular with these values of its symbols.
+
+        Raises:
+            ModelError: as ``check``.
+        """
+        if values.keys() >= {symbol.name() for symbol in ca.symvar(self.matrix)}:
+            self._refuse("at the start values ", _null_vectors(self._numbers(values)))
+
+    def _numbers(self, values: Mapping[str, float]) -> Array:
+        symbols = ca.symvar(self.matrix)
+        given = ca.vertcat(*[values[symbol.name()] for symbol in symbols])
+        return np.asarray(ca.Function("loop", [ca.vertcat(*symbols)], [self.matrix])(given))
+
+    def _refuse(self, when: str, vectors: tuple[Array, Array] | None) -> None:
+        if vectors is None:
+            return
+        rows, columns = ([i for i, v in enumerate(one) if abs(v) > _PART] for one in vectors)
+        raise ModelError(
+            f"{when}no equation determines {', '.join(repr(self.names[j]) for j in columns)}: too little or a "
+            f"contradiction is said by {'; '.join(self.places[i] for i in rows)}"
+        )
+
+
+def _null_vectors(matrix: Array) -> tuple[Array, Array] | None:
+    """How rows and columns depend on one another; None: the matrix is regular, or is no number."""
+    if not np.isfinite(matrix).all():
+        return None
+    scaled = matrix
+    for axis in (1, 0):
+        largest = np.abs(scaled).max(axis=axis, keepdims=True)
+        scaled = scaled / np.where(largest > 0, largest, 1.0)
+    left, sizes, right = np.linalg.svd(scaled)
+    return None if sizes[-1] > _ZERO * sizes[0] else (left[:, -1], right[-1])
 
 
 def solve(
@@ -18,13 +92,15 @@ def solve(
     unknowns: Sequence[str],
     symbols: Mapping[str, ca.SX],
     wanted: Iterable[str] | None = None,
+    loops: list[Loop] | None = None,
 ) -> dict[str, ca.SX]:
     """Every unknown as an expression of states, inputs, parameters and time.
 
     ``wanted``: names of those that are asked for; default all. Only what they depend on is solved for besides.
+    ``loops``: gets the linear loops that are solved.
 
     Raises:
-        ModelError: the system is structurally singular, or a block of it is nonlinear.
+        ModelError: the system is singular, by its structure or its numbers, or a block of it is nonlinear.
     """
     if not unknowns:
         return {}
@@ -43,7 +119,9 @@ def solve(
         names = [unknowns[j] for j in columns]
         present = [unknowns[j] for j in _columns_in(rows, held)]
         known = [name for name in present if name in solved]
-        _solve_block([residuals[i] for i in rows], names, known, symbols, solved)
+        loop = _solve_block([residuals[i] for i in rows], names, known, symbols, solved)
+        if loops is not None and loop is not None:
+            loops.append(loop)
     return solved
 
 
@@ -89,11 +167,15 @@ def _solve_block(
     known: Sequence[str],
     symbols: Mapping[str, ca.SX],
     solved: dict[str, ca.SX],
-) -> None:
-    """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first."""
+) -> Loop | None:
+    """Solve one block for its unknowns; what earlier blocks gave for the ``known`` ones in it is put in first.
+
+    Returns:
+        The block, if it has several equations.
+    """
     if len(names) == 1 and (side := _other_side(equations[0].expression, names[0])) is not None:
         solved[names[0]] = _put_in(side, known, symbols, solved)
-        return
+        return None
     system = _column([equation.expression for equation in equations])
     system = _put_in(system, known, symbols, solved)
     variables = _column([symbols[name] for name in names])
@@ -108,10 +190,14 @@ def _solve_block(
     if len(names) == 1:
         alone = -offset / matrix
         solved[names[0]] = ca.simplify(alone) if alone.is_constant() else alone
-        return
+        return None
+    loop = Loop(matrix, names, [equation.place for equation in equations])
+    loop.check()
     result = _linear(matrix, -offset)
+    check_operations(ca.n_nodes(result))
     for i, name in enumerate(names):
         solved[name] = ca.simplify(result[i]) if result[i].is_constant() else result[i]
+    return loop
 
 
 def _other_side(residual: ca.SX, name: str) -> ca.SX | None:
@@ -153,6 +239,9 @@ def _linear(matrix: ca.SX, right: ca.SX) -> ca.SX:
     Minors divide by the determinant only, so the result is right wherever the system is regular.
     """
     size = matrix.shape[0]
+    if size > _LARGEST_BY_PIVOTS and matrix.is_constant():
+        inverse = np.linalg.inv(np.asarray(ca.evalf(matrix)))
+        return ca.mtimes(ca.DM(inverse), right)
     a = [[matrix[i, j] for j in range(size)] for i in range(size)]
     b = [right[i] for i in range(size)]
     steps = _eliminate_constant_pivots(a, b)
@@ -170,6 +259,7 @@ def _eliminate_constant_pivots(a: list[list[ca.SX]], b: list[ca.SX]) -> list[tup
     steps: list[tuple[int, int]] = []
     while (pivot := _constant_pivot(a, steps)) is not None:
         _eliminate(a, b, pivot, {row for row, _ in steps})
+        check_operations(0)
         steps.append(pivot)
     return steps
 
@@ -208,6 +298,7 @@ def _solve_core(
     core = ca.vertcat(*[ca.horzcat(*[a[i][j] for j in columns]) for i in rows])
     rest = ca.vertcat(*[b[i] for i in rows])
     small = len(rows) <= _LARGEST_BY_MINORS
+    check_operations(len(rows) ** 3)
     answer = ca.mtimes(ca.inv_minor(core), rest) if small else ca.solve(core, rest)
     return {j: answer[k] for k, j in enumerate(columns)}
 

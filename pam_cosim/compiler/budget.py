@@ -10,6 +10,7 @@ from __future__ import annotations
 import gc
 import math
 import sys
+import threading
 import time
 from collections.abc import Callable, Generator
 from contextlib import contextmanager
@@ -37,6 +38,7 @@ class CompilerLimits:
         steps: of evaluation, elements of arrays among them.
         letters: of a text that is put together.
         unknowns: variables of the system of equations.
+        operations: of the equations, as they are put together, differentiated and solved.
         source: letters of the C text of a model; a bench of the library has some 100 000.
         c_seconds: for the C compiler.
         seconds: of processor time of one compile.
@@ -53,6 +55,7 @@ class CompilerLimits:
     steps: int = 2_000_000
     letters: int = 100_000
     unknowns: int = 4000
+    operations: int = 200_000
     source: int = 2_000_000
     c_seconds: float = 300.0
     seconds: float = 25.0
@@ -74,6 +77,9 @@ DEFECTS = (
 )
 
 
+_current = threading.local()  # the budget of the compile that goes on
+
+
 class Budget:
     """What one compile has used. The errors lack a place: whoever evaluates knows it."""
 
@@ -81,6 +87,7 @@ class Budget:
         self.steps = self.instances = self.depth = 0
         self._looked = 0
         self._began = time.thread_time()
+        _current.budget = self
 
     def work(self, steps: int = 1) -> None:
         """Counts steps.
@@ -186,6 +193,26 @@ def check_unknowns(count: int) -> None:
     """
     if count > LIMITS.unknowns:
         raise ModelError(f"the model has {count} unknowns: there are {LIMITS.unknowns} at most")
+
+
+def work(steps: int) -> None:
+    """Counts steps of the compile that goes on, if any, as ``Budget.work``."""
+    if budget := getattr(_current, "budget", None):
+        budget.work(steps)
+
+
+def check_operations(count: int) -> None:
+    """Looks at the size of equations, and at the clock.
+
+    Raises:
+        ModelError: they are too large, or it took too long.
+    """
+    if count > LIMITS.operations:
+        raise ModelError(
+            f"the equations take {count} operations: there are {LIMITS.operations} at most"
+        )
+    if budget := getattr(_current, "budget", None):
+        budget.look()
 
 
 def check_source(text: str, model: str, states: int) -> None:

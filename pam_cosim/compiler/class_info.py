@@ -32,7 +32,8 @@ class ComponentInfo:
         constraint: full name of the constraining class of a replaceable component, else empty.
         owner: full name of the class that declares it.
         position: middle of its place in an icon or a diagram, None if it has none.
-        own_annotation: the numbers of its annotation ``VENDOR``, by name; none for what is not numbers in braces.
+        own_annotation: the entries of its annotation ``VENDOR``, by name: a text, or the numbers in braces; none for
+            anything else.
     """
 
     name: str
@@ -48,7 +49,7 @@ class ComponentInfo:
     owner: str
     line: int
     position: tuple[float, float] | None = None
-    own_annotation: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
+    own_annotation: Mapping[str, str | tuple[float, ...]] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)

@@ -106,10 +106,14 @@ class ClassTree:
         return [name for name in of_packages if name != base and base in self.bases(name)]
 
     def models_in(self, file: Path) -> list[str]:
-        """Full names of the classes of a file that can be models, in its order."""
+        """Full names of the classes of a file that can be models, in its order; none inside another model."""
         kinds = ("model", "block", "class")
         nodes = [n for n in self._definitions.values() if str(n.source.file) == str(file)]
-        return [node.qualified_name for node in nodes if node.kind in kinds]
+        return [
+            node.qualified_name
+            for node in nodes
+            if node.kind in kinds and (node.parent is None or node.parent.kind not in kinds)
+        ]
 
     def components(self, name: str) -> list[ComponentInfo]:
         """Components with inherited ones, redeclared as they are, in the order in which the compiler has them."""
@@ -312,14 +316,16 @@ def _position(annotation: Modification) -> tuple[float, float] | None:
     return (corners[0] + corners[2]) / 2 + offset[0], (corners[1] + corners[3]) / 2 + offset[1]
 
 
-def _own_annotation(annotation: Modification) -> dict[str, tuple[float, ...]]:
-    """The numbers of each entry of the annotation ``VENDOR``."""
+def _own_annotation(annotation: Modification) -> dict[str, str | tuple[float, ...]]:
+    """The text or the numbers of each entry of the annotation ``VENDOR``."""
     own = annotation.argument(VENDOR)
-    return (
-        {}
-        if own is None
-        else {a.name: tuple(_numbers(a.modification.value)) for a in own.modification.arguments}
-    )
+    entries = () if own is None else own.modification.arguments
+    values = {entry.name: entry.modification.value for entry in entries}
+    texts = {name: _literal(value) for name, value in values.items()}
+    return {
+        name: text if isinstance(text, str) else tuple(_numbers(values[name]))
+        for name, text in texts.items()
+    }
 
 
 def _numbers(value: Expression | None) -> list[float]:

@@ -14,6 +14,7 @@ from dataclasses import dataclass, field
 import casadi as ca
 import numpy as np
 
+from pam_cosim.compiler.budget import check_operations
 from pam_cosim.compiler.flattening import Residual
 from pam_cosim.compiler.matching import Matching
 from pam_cosim.errors import ModelError
@@ -118,9 +119,9 @@ def _differentiate(system: EquationSystem, residual: Residual) -> Residual:
         raise ModelError(f"this equation holds parameters only: {residual.place}")
     arguments = ca.vertcat(*[symbol for symbol, _ in varying])
     direction = ca.vertcat(*[rate for _, rate in varying])
-    return Residual(
-        ca.jtimes(residual.expression, arguments, direction), f"derivative of {residual.place}"
-    )
+    derivative = ca.jtimes(residual.expression, arguments, direction)
+    check_operations(ca.n_nodes(derivative))
+    return Residual(derivative, f"derivative of {residual.place}")
 
 
 def _check_structure(system: EquationSystem, incidence: Sequence[Sequence[str]]) -> None:

@@ -23,12 +23,14 @@ class Slot:
         path: component that has it; empty for the model itself.
         name: name of the class there.
         constraint: full name of the class that a replacement must extend.
+        default: full name of the class that its declaration puts there.
         current: full name of the class that is there now.
     """
 
     path: str
     name: str
     constraint: str
+    default: str
     current: str
 
 
@@ -60,16 +62,18 @@ def _slots(node: Instance, instantiator: Instantiator) -> list[Slot]:
     for ancestor in node.ancestors:
         for name, nested in ancestor.definition.classes.items():
             if "replaceable" in nested.prefixes and name in node.classes:
-                current_class = followed(instantiator.lookup, node.classes[name])
-                current = current_class.definition.qualified_name
-                slots.append(Slot(node.name, name, _constraint(nested, instantiator), current))
+                lookup = instantiator.lookup
+                classes = (lookup.of(nested), node.classes[name])
+                default, current = (followed(lookup, c).definition.qualified_name for c in classes)
+                constraint = _constraint(nested, instantiator, default)
+                slots.append(Slot(node.name, name, constraint, default, current))
     return slots
 
 
-def _constraint(nested: ClassDefinition, instantiator: Instantiator) -> str:
+def _constraint(nested: ClassDefinition, instantiator: Instantiator, default: str) -> str:
     lookup = instantiator.lookup
     if nested.constraint is None:
-        return followed(instantiator.lookup, lookup.of(nested)).definition.qualified_name
+        return default
     assert nested.parent is not None
     scope = lookup.static_scope(nested.parent)
     return lookup.require(scope, nested.constraint.type, nested).definition.qualified_name

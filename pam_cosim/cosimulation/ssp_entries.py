@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import posixpath
 import zipfile
+from collections import Counter
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -25,7 +26,10 @@ class SspEntries:
 
     def __init__(self, archive: zipfile.ZipFile, file: Path) -> None:
         self._archive, self.file = archive, file
-        self._known = {name: name for name in archive.namelist()}
+        self._known = set(archive.namelist())
+        if len(self._known) < len(archive.namelist()):
+            twice = next(n for n, count in Counter(archive.namelist()).items() if count > 1)
+            raise InputError(f"the archive has two files {shown(twice)}", file)
 
     def read(self, source: str, what: str) -> bytes:
         """The content of the entry that a relative URI names.

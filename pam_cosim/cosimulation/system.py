@@ -48,6 +48,7 @@ from pam_cosim.wording import Printed, did_you_mean, shown
 METHODS = ("jacobi", "gauss-seidel")
 EXTRAPOLATIONS = ("constant", "linear")
 LOOPS = ("refuse", "delay", "iterate")
+_MOST_PROCESSES = 32  # of FMUs of others
 _STEPS = 1000  # of a run for which nobody has said how long a step is
 MOST_STEPS = 10_000_000
 
@@ -81,6 +82,12 @@ class System(Printed):
             raise InputError("a system needs an FMU at least that makes every step")
         for name in self.components:
             check_name(name)
+        apart = sum(isinstance(c, CoupledFmu) and c.foreign for c in self.components.values())
+        if apart > _MOST_PROCESSES:
+            raise InputError(
+                f"{apart} FMUs would run in a process each, and {_MOST_PROCESSES} can; couple fewer, or join some of "
+                "them into one FMU"
+            )
         given = {f"{c}.{n}": "a value" for c, values in self.values.items() for n in values}
         check_once(self.connections, given)
 

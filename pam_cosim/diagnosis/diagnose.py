@@ -13,9 +13,10 @@ from pam_cosim.catalogue import EffectClass
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.description.explanation import (
     LearnedModel,
-    directly_learned,
-    learned_term,
+    described,
+    disagreement,
     ledger_of,
+    remaining_chi2,
 )
 from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial, role_summary
 from pam_cosim.diagnosis.judgement.events import (
@@ -90,7 +91,7 @@ class Diagnosis(Printed, Tabular):
     json_keys = (
         "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
         "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers step_times rivals "
-        "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger"
+        "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger disagreement"
     )
 
     data: DataSet
@@ -123,6 +124,11 @@ class Diagnosis(Printed, Tabular):
     def final(self) -> Fit:
         """The base model with all effects that were added, fitted."""
         return self.path[-1].fit if self.path else self.base
+
+    @property
+    def disagreement(self) -> str:
+        """A sentence where the ledger fails elsewhere than the verdict's effects act; "" where they agree."""
+        return disagreement(self.path, self.ledger)
 
     @property
     def not_tried_by_reason(self) -> dict[str, list[str]]:
@@ -204,7 +210,7 @@ class Diagnosis(Printed, Tabular):
         summary, *sentences = verdict_lines(self.verdict)
         lines = [f"Verdict: {summary}"]
         lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
-        lines += [f"  {sentence}" for sentence in sentences]
+        lines += [f"  {sentence}" for sentence in (*sentences, self.disagreement) if sentence]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
         if self.untried:
@@ -223,7 +229,7 @@ class Diagnosis(Printed, Tabular):
             beside = "".join(f" and {effect}" for effect in self.learned.model.effects[:-1])
             lines.append(f"  What is missing, described (not explained): {self.learned.term}")
             lines.append(
-                f"  with it{beside} the chi-square is {_remaining_chi2_with(self.learned):.3g}"
+                f"  with it{beside} the chi-square is {remaining_chi2(self.learned.model.fit):.3g}"
             )
         return "\n".join(lines)
 
@@ -318,7 +324,8 @@ def diagnose(
     ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
     learned = None
     if explain and verdict.leaves_structure and not effort.spent:
-        learned = _best_formula(search, ledger, base, [c.effect for c in result.path], result.last)
+        effects = [c.effect for c in result.path]
+        learned = described(search, ledger, base, effects, result.last)
     balance = _balance(judged.base, [c for c in judged.tried if len(c.effects) == 1])
     return Diagnosis(
         data=search.data,
@@ -411,9 +418,13 @@ def _excluded_and_expected(
 
 def _ledger_of_base(search: Search, base: Fit, verdict: Verdict, tell: Listener) -> Ledger | None:
     """The ledger of the base model; None where nothing is missing, or at rest: balances are kept over time."""
-    if verdict.kind == "none_missing" or any(run.is_static for run in search.data.runs):
+    if (
+        verdict.kind == "none_missing"
+        or verdict.doubt
+        or any(run.is_static for run in search.data.runs)
+    ):
         return None
-    ledger = ledger_of(search, (), base)
+    ledger = ledger_of(search, base)
     if ledger is not None:
         tell(LedgerKept(ledger))
     return ledger
@@ -445,33 +456,6 @@ def _not_tried(
         elif family in probed - seen:
             reasons[family] = f"nothing that was fitted{at_rest} shows them"
     return reasons
-
-
-def _best_formula(
-    search: Search, ledger: Ledger | None, base: Fit, added: Sequence[str], present: Fit
-) -> LearnedModel | None:
-    """A formula for what is missing beside the effects that were added, or for all of it, if that describes it better.
-
-    Effects that leave structure may stand in for what is missing, and then hide its course. Where no ledger can be
-    kept, or no formula from one leaves less than the model without it, the term is learned from what the samples feel.
-    """
-    formulas = [learned_term(search, ledger, (), base)]
-    if added and ledger is not None:
-        formulas.append(learned_term(search, ledger_of(search, added, present), added, present))
-    best = min(filter(None, formulas), key=_remaining_chi2_with, default=None)
-    if best is not None and _remaining_chi2_with(best) < _remaining_chi2(present):
-        return best
-    direct = directly_learned(search, added, present)
-    return min(filter(None, (direct, best)), key=_remaining_chi2_with, default=None)
-
-
-def _remaining_chi2_with(learned: LearnedModel) -> float:
-    """Chi-square of the model with the formula, in runs that were held out if there are any."""
-    return _remaining_chi2(learned.model.fit)
-
-
-def _remaining_chi2(fit: Fit) -> float:
-    return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
 
 
 def _balance(base: Fit, candidates: Sequence[Candidate]) -> dict[str, float]:

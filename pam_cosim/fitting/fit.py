@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from contextlib import closing
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 from pathlib import Path
+from typing import cast
 
 import numpy as np
 
@@ -30,7 +32,7 @@ from pam_cosim.fitting.methods import METHODS, GlobalSearch
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fitting.options import FitOptions
 from pam_cosim.fitting.profile import Profiles, correlations, profiles
-from pam_cosim.fitting.resume import FitLog, LoggedObjective, identity_of
+from pam_cosim.fitting.resume import LoggedSimulator
 from pam_cosim.fitting.solve import FitProblem
 from pam_cosim.fitting.start_estimates import estimated_starts, start_estimates
 from pam_cosim.fitting.tracker import Convergence, Progress, Tracker
@@ -218,12 +220,12 @@ def fit(
         starts: further points to start from, by name [SI].
         options: how the fit goes.
         progress: called after each simulation with the ``FitProgress``: ``print`` will do.
-        resume: a file that keeps every simulation's outcome, so that the same fit goes on where it was interrupted;
-            made where it is not there.
+        resume: a file that keeps every simulation, so that the same fit goes on where it was interrupted; made where
+            it is not there.
 
     Raises:
         SimulationFailure: the model breaks down at every start.
-        InputError: a parameter that the model does not have; an unknown method; a file to resume of another fit.
+        InputError: a parameter that the model does not have; an unknown method; a file to resume of another model.
     """
     options = options or FitOptions()
     if options.method not in METHODS:
@@ -231,20 +233,19 @@ def fit(
             f"there is no method '{options.method}' to fit with; choose one of {', '.join(METHODS)}"
         )
     chosen = tuple(base_parameters(data, simulator.interface) if free is None else free)
+    if resume is not None:
+        with closing(LoggedSimulator(simulator, resume)) as logged:
+            known = cast(AnySimulator, logged)
+            return fit(
+                known, data, chosen, fixed=fixed, starts=starts, options=options, progress=progress
+            )
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
-    known = (simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker)
+    is_over = options.limit()
+    objective = Objective(
+        simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker, is_over=is_over
+    )
     points = [{f.name: f.start for f in chosen}, *starts]
-    if resume is None:
-        objective = Objective(*known)
-        solution = METHODS[options.method](FitProblem(objective, points, options))
-    else:
-        log = FitLog(resume, identity_of(simulator, data, chosen, fixed or {}, options))
-        objective = LoggedObjective(*known)
-        objective.log, objective.failures = log, list(log.failures)
-        try:
-            solution = METHODS[options.method](FitProblem(objective, points, options))
-        finally:
-            log.write()
+    solution = METHODS[options.method](FitProblem(objective, points, options))
     end = solution.end
     linear = linearised(objective, end.z, options.rows) if options.rows else None
     if any(run.start.mode == "estimated" for run in data.fit_runs):
@@ -259,7 +260,7 @@ def fit(
         data.holdout_runs,
         values,
         objective.tolerance,
-        options.second_look,
+        options.second_look and not is_over(),
         objective.starts.state_ranges,
     )
     values |= {name: e.value for name, e in starts_estimated.items()}

@@ -55,7 +55,13 @@ def estimate_holdout_uncertainty(
         return np.asarray(np.linalg.qr(rows, mode="r"))
 
     end = levenberg_marquardt(
-        squares, triangle, z, fitted.bounds, options.precision, options.evaluations
+        squares,
+        triangle,
+        z,
+        fitted.bounds,
+        options.precision,
+        options.evaluations,
+        fitted.is_over,
     )
     shifts = (holdout.residuals(end.z) - before)[: holdout.size]
     paid = (fitted.squares(end.z) - cost) / spread**2

@@ -50,6 +50,7 @@ def levenberg_marquardt(
     bounds: tuple[Array, Array],
     precision: float,
     most_evaluations: int,
+    is_over: Callable[[], bool] = lambda: False,
 ) -> Minimum:
     """Goes down from ``start``: a damped step at a time, no longer than a trust radius that grows with the gain ratio.
 
@@ -61,12 +62,15 @@ def levenberg_marquardt(
         bounds: lower and upper, (n,) each.
         precision: a descent ends where a step takes away less than this part of the cost.
         most_evaluations: of ``squares``.
+        is_over: asked before each step; the descent ends where it stands.
     """
     low, high = bounds
     z, cost, linear = start, squares(start), triangle(start)
     damping, growth, trust_radius = _FIRST_DAMPING, 2.0, _FIRST_TRUST_RADIUS
     size = np.linalg.norm(linear[:, :-1], axis=0)
     for _ in range(most_evaluations - 1):
+        if is_over():
+            break
         box = np.maximum(low - z, -trust_radius), np.minimum(high - z, trust_radius)
         step, predicted = _step(linear, np.where(size > 0, size, 1.0), damping, box)
         if predicted <= 0 or np.all(np.abs(step) <= _STEP * (_STEP + np.abs(z))):

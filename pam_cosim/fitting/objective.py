@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import defaultdict
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 import numpy as np
@@ -57,6 +57,7 @@ class Objective:
         fixed: further parameters; start values among them are where estimates of these begin [SI].
         tracker, tolerance: as above.
         starts_to_first_order: start values are eliminated as ``EliminatedStarts.to_first_order`` has it.
+        is_over: whether a limit of the fit is reached: descents end, and no start values are looked for any more.
     """
 
     def __init__(
@@ -70,8 +71,9 @@ class Objective:
         tracker: Tracker | None = None,
         *,
         starts_to_first_order: bool = False,
+        is_over: Callable[[], bool] = lambda: False,
     ) -> None:
-        self.tracker = tracker or Tracker()
+        self.tracker, self.is_over = tracker or Tracker(), is_over
         self._priors = [(i, f.prior) for i, f in enumerate(free) if f.prior is not None]
         self.simulator, self.data, self.runs, self.free = simulator, data, tuple(runs), tuple(free)
         self.fixed = dict(fixed or {})
@@ -143,6 +145,8 @@ class Objective:
 
     def _start_values_of_part(self, part: Run, values: Mapping[str, float]) -> dict[str, float]:
         """The start values by state [SI] that leave least of a part of a run; none where it fails."""
+        if self.is_over():
+            return {}
         few = Objective(self.simulator, self.data, [part], (), values, self.tolerance)
         few.starts.state_ranges = self.starts.state_ranges
         if not np.isfinite(few.squares(np.zeros(0))):

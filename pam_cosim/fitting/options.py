@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
+import math
+import time
+from collections.abc import Callable
 from dataclasses import dataclass
 
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.simulation import Simulator
 
 
 @dataclass(frozen=True)
@@ -26,6 +30,8 @@ class FitOptions:
         second_look: whether start values of runs are looked for once more where a descent ends above the noise.
         rules: whether to say where the error sits.
         holdout_uncertainty: whether to say what held-out runs gain as far as the parameters are uncertain.
+        simulations: runs that are simulated, after which no descent goes on.
+        deadline: of ``time.monotonic`` [s], likewise.
     """
 
     method: str = "least-squares"
@@ -39,3 +45,15 @@ class FitOptions:
     second_look: bool = True
     rules: bool = True
     holdout_uncertainty: bool = False
+    simulations: float = math.inf
+    deadline: float = math.inf
+
+    def limit(self) -> Callable[[], bool]:
+        """Whether a fit that begins now has reached one of its limits when it is asked."""
+        before = Simulator.simulations
+
+        def is_over() -> bool:
+            simulated = Simulator.simulations - before
+            return simulated >= self.simulations or time.monotonic() >= self.deadline
+
+        return is_over

@@ -49,8 +49,8 @@ def solve(problem: FitProblem) -> Minimum:
         objective.tracker.descents.append(reached.cost / max(objective.samples, 1.0))
         if best is None or reached.cost < best.cost:
             best = reached
-        if objective.is_at_noise(best.cost) and not options.starts:
-            break  # nothing is left that another start could find
+        if objective.is_over() or (objective.is_at_noise(best.cost) and not options.starts):
+            break  # nothing is left that another start could find, or no time to look for it
     return best or _minimise(problem, _rescue(objective))
 
 
@@ -89,7 +89,11 @@ def _starts(objective: Objective, points: Sequence[Array]) -> Iterator[Array]:
 
     A glance does not see what acts in the other runs: the stated start goes first where all runs say so.
     """
-    scored = [(objective.glance(z) if len(points) > 1 else 0.0, i) for i, z in enumerate(points)]
+    scored = [
+        (objective.glance(z) if len(points) > 1 else 0.0, i)
+        for i, z in enumerate(points)
+        if not (i and objective.is_over())
+    ]
     order = [i for score, i in sorted(scored) if np.isfinite(score)]
     if (
         order
@@ -114,7 +118,7 @@ def _winners(problem: FitProblem, starts: Iterator[Array]) -> Iterator[Array]:
     ends: list[Minimum] = []
     for start in itertools.islice(starts, options.screened_starts):
         ends.append(_minimise(few, start))
-        if problem.objective.is_at_noise(ends[-1].cost):
+        if problem.objective.is_at_noise(ends[-1].cost) or problem.objective.is_over():
             break
     yield from (d.z for d in sorted(ends, key=lambda d: d.cost))
 
@@ -140,7 +144,9 @@ def _minimise(problem: FitProblem, start: Array) -> Minimum:
         return Minimum(objective.squares(start), start, np.zeros((objective.size, 0)))
     reached = _descend(problem, start)
     for _ in range(CRITERIA.starts.steps if problem.options.second_look else 0):
-        if objective.is_at_noise(reached.cost) or not objective.found_other_starts(reached.z):
+        if objective.is_at_noise(reached.cost) or objective.is_over():
+            break
+        if not objective.found_other_starts(reached.z):
             break
         reached = _descend(problem, reached.z)
     return reached
@@ -155,4 +161,5 @@ def _descend(problem: FitProblem, start: Array) -> Minimum:
         objective.bounds,
         options.precision,
         options.evaluations,
+        objective.is_over,
     )

@@ -7,6 +7,7 @@ import math
 import re
 import zipfile
 import zlib
+from collections import Counter
 from collections.abc import Mapping
 from contextlib import ExitStack
 from functools import lru_cache
@@ -107,7 +108,7 @@ def _read(path: Path, changed: int, size: int) -> ModelDescription:
     """The description of a file as it was at an instant; nobody writes into it."""
     try:
         _check_names(path)
-        _check_version(path)
+        _check_version_and_indices(path)
         description = fmpy.read_model_description(str(path), validate=False)
         _check_identifiers(description, path)
         _check_numbers(description, path)
@@ -136,15 +137,13 @@ def _check_names(path: Path) -> None:
     if sum(entry.filename == _DESCRIPTION for entry in entries) > 1:
         raise InputError(f"the archive has two files {shown(_DESCRIPTION)}", path)
     for entry in entries:
-        parts = re.split(r"[/\\]", entry.filename)
-        if (
-            parts[0] in ("", "..")
-            or ".." in parts
-            or ":" in parts[0]
-            or not entry.filename.isprintable()
-        ):
+        parts = entry.filename.split("/")
+        odd = {":", "\\"} & {*entry.filename} or not entry.filename.isprintable()
+        if odd or parts[0] == "" or ".." in parts:
             raise InputError(
-                f"the archive has a file {shown(entry.filename)} that leaves its folder", path
+                f"the archive has a file {shown(entry.filename)} that leaves its folder, or whose folders are not "
+                "separated by /",
+                path,
             )
         if len(entry.filename) > _LONGEST_NAME or max(map(len, parts)) > _LONGEST_PART:
             raise InputError(
@@ -173,17 +172,32 @@ def check_document(archive: zipfile.ZipFile, name: str, path: Path) -> None:
         )
 
 
-def _check_version(path: Path) -> None:
-    """Raises InputError where the description is of a version that FMPy reads otherwise, or not at all."""
+def _check_version_and_indices(path: Path) -> None:
+    """Looks at what FMPy takes without a word.
+
+    Raises:
+        InputError: a version that it reads otherwise, or not at all; an index of no variable.
+    """
     with ExitStack() as opened:
         folder = (
             path if path.is_dir() else zipfile.Path(opened.enter_context(zipfile.ZipFile(path)))
         )
         file = opened.enter_context((folder / _DESCRIPTION).open("rb"))
-        _, root = next(iter(iterparse(file, ("start",))))
-    version = str(root.get("fmiVersion"))
-    if version[:2] not in ("2.", "3."):
-        raise InputError(f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {shown(version)}", path)
+        elements = (element for _, element in iterparse(file, ("start",)))
+        version = str(next(elements).get("fmiVersion"))
+        if version[:2] not in ("2.", "3."):
+            raise InputError(
+                f"an FMU of FMI 2.0 or 3.0 is needed; this is FMI {shown(version)}", path
+            )
+        count, indices = 0, list[str]()
+        for element in elements:
+            count += element.tag == "ScalarVariable"
+            places = {"Unknown": ("index", "dependencies"), "Real": ("derivative",)}
+            for key in places.get(element.tag, ()) if version[0] == "2" else ():
+                indices += element.get(key, "").split()
+    for index in indices:
+        if not (index.isdecimal() and 1 <= int(index[:20]) <= count):
+            raise InputError(f"the index {shown(index)} is of none of {count} variables", path)
 
 
 def _check_identifiers(description: ModelDescription, path: Path) -> None:
@@ -203,6 +217,13 @@ def _check_identifiers(description: ModelDescription, path: Path) -> None:
     for scalar in description.modelVariables:
         if not str(scalar.name).isprintable():
             raise InputError(f"the name {shown(scalar.name)} holds what is not visible", path)
+    names = Counter(str(scalar.name) for scalar in description.modelVariables)
+    for name, count in names.items():
+        if count > 1:
+            raise InputError(
+                f"{count} variables have the name {shown(name)}; each must have a name of its own",
+                path,
+            )
 
 
 def _check_numbers(description: ModelDescription, path: Path) -> None:

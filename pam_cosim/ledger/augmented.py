@@ -33,15 +33,13 @@ class UnknownInput:
         balance: as its class declares.
         unit: of the term.
         meaning: the parameter's description, with the sign convention.
-        base: full name of the partial class that declares the term, ``missing``, and leaves its equation open.
-        variables: names that class declares: arguments of a law for the term.
+        variables: names that the partial class with the open equation declares: arguments of a law for the term.
     """
 
     parameter: str
     balance: str
     unit: str
     meaning: str
-    base: str = ""
     variables: tuple[str, ...] = ()
 
 
@@ -59,15 +57,11 @@ class AugmentedModel:
     unknown_inputs: tuple[UnknownInput, ...]
     replaced: bool
 
-    def unknown_input(self, balance: str) -> UnknownInput | None:
-        """The unknown input of a balance; None where the model has no place for it."""
-        return next((u for u in self.unknown_inputs if u.balance == balance), None)
-
 
 def augmented_models(
     tree: ClassTree, model: str, effects: Sequence[str] = (), *, files: Sequence[Path] = ()
 ) -> list[AugmentedModel]:
-    """The model with every unknown input that replaces no law; then once more for each that replaces one.
+    """The model with every unknown input that replaces no law; then again for each that replaces one.
 
     Args:
         tree: the library and the user's files.
@@ -81,13 +75,13 @@ def augmented_models(
     """
     structure = read_structure(qualified(tree, model), files=files)
     place = partial(_placed, tree, structure, effects)
-    found = [(t, place([t])) for t in unknown_terms(tree, origins(structure.parts))]
-    placed = [(t, composition) for t, composition in found if composition is not None]
-    beside = [t for t, composition in placed if _lies_beside(t, composition)]
-    models = [_augmented(tree, place(beside), beside, False, files)]
+    placed_terms = [(t, place([t])) for t in unknown_terms(tree, origins(structure.parts))]
+    placed = [(t, composition) for t, composition in placed_terms if composition is not None]
+    parallel_terms = [t for t, composition in placed if _is_parallel(t, composition)]
+    models = [_augmented(tree, place(parallel_terms), parallel_terms, False, files)]
     for term, _ in placed:
-        if term not in beside:
-            terms = [*(t for t in beside if t.balance != term.balance), term]
+        if term not in parallel_terms:
+            terms = [*(t for t in parallel_terms if t.balance != term.balance), term]
             models.append(_augmented(tree, place(terms), terms, True, files))
     return models
 
@@ -98,7 +92,7 @@ def _placed(
     return compose_on(tree, structure, [*effects, *(t.name for t in terms)], _CLASS)
 
 
-def _lies_beside(term: EffectClass, composition: Composition) -> bool:
+def _is_parallel(term: EffectClass, composition: Composition) -> bool:
     return all(p.startswith(term.component_name) for p in composition.parameters[term.name])
 
 
@@ -116,8 +110,10 @@ def _augmented(
         name = composition.parameters[term.name][0]
         variable = ode.interface.parameters[name]
         base = next(c.owner for c in tree.components(term.qualified_name) if c.name == TERM)
-        own = [c.name for c in tree.classes[base].components if c.name != TERM]
+        term_parameters = [c.name for c in tree.classes[base].components if c.name != TERM]
         unknown_inputs.append(
-            UnknownInput(name, term.balance, variable.unit, variable.description, base, tuple(own))
+            UnknownInput(
+                name, term.balance, variable.unit, variable.description, tuple(term_parameters)
+            )
         )
     return AugmentedModel(ode, tuple(unknown_inputs), replaced)

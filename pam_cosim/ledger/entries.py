@@ -18,8 +18,10 @@ def sensor_readings(rivals: SmoothedModels) -> list[SensorReading]:
     ]
     if winner is None or winner.fault is None:
         return readings
-    own = _reading(winner.fault, before - winner.deviance, rivals.explained(winner.chi2))
-    return [own, *(r for r in readings if r.signal != own.signal)]
+    winning_reading = _reading(
+        winner.fault, before - winner.deviance, rivals.explained(winner.chi2)
+    )
+    return [winning_reading, *(r for r in readings if r.signal != winning_reading.signal)]
 
 
 def balance_entries(rivals: SmoothedModels, shares: Mapping[str, float]) -> dict[str, BalanceEntry]:
@@ -38,7 +40,6 @@ def balance_entries(rivals: SmoothedModels, shares: Mapping[str, float]) -> dict
                 shares.get(balance, 0.0),
                 unknown_input.unit,
                 unknown_input.meaning,
-                unknown_input.parameter,
             )
             if balance not in entries or entry.gain > entries[balance].gain:
                 entries[balance] = entry

@@ -1,6 +1,6 @@
 """Estimates the ledger of a model on a data set.
 
-The free parameters of the data set are estimated anew beside every missing term: what one of their values explains
+The free parameters of the data set are estimated anew with every missing term: what one of their values explains
 is not missing. What is compared are explanations of the same samples by their marginal likelihood, so that a term that
 may be any function of time does not win by being able to:
 
@@ -15,11 +15,12 @@ may be any function of time does not win by being able to:
 What cannot be told apart is found, not assumed: two unknown inputs that push every state and every signal in the same
 direction at all times are one, and the ledger says so. Not told apart, and not noticed: two missing terms of one
 balance; a term and what a free parameter can imitate of it (``Course.imitated``); a fault that changes from run to run
-and physics; two instruments at fault; a fault of an instrument beside a wrong law that only it shows.
+and physics; two instruments at fault; a fault of an instrument together with a wrong law that only it shows.
 """
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
@@ -34,7 +35,7 @@ from pam_cosim.ledger.augmented import UnknownInput, augmented_models
 from pam_cosim.ledger.entries import balance_entries, sensor_readings
 from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.ledger import BalanceEntry, Ledger
-from pam_cosim.ledger.sensor import Unaugmented, fault_beside, try_sensors
+from pam_cosim.ledger.sensor import Unaugmented, additional_fault, try_sensors
 from pam_cosim.ledger.smoothed_models import SmoothedModel, SmoothedModels
 from pam_cosim.ledger.term_series import term_series
 from pam_cosim.measurement import DataSet
@@ -51,6 +52,7 @@ def keep_ledger(
     effects: Sequence[str] = (),
     files: Sequence[Path] = (),
     tree: ClassTree | None = None,
+    deadline: float = math.inf,
 ) -> Ledger:
     """The ledger of ``model`` (default: the bench of the data set) with ``effects`` on all runs.
 
@@ -61,23 +63,23 @@ def keep_ledger(
         effects: names of effects that the model has.
         files: the user's Modelica files.
         tree: the library with these files, if it was read already.
+        deadline: of ``time.monotonic`` [s], after which nothing more is smoothed.
 
     Raises:
+        TimeoutError: the deadline came first.
         InputError: an FMU, which has no balances to open; an unknown effect; points at rest, while balances are kept
             over time.
         ModelError: the model cannot be compiled.
     """
     name = data.model_for(model)
     if any(run.is_static for run in data.runs):
-        raise InputError("a ledger is kept over time, and points at rest have none", data.folder)
+        raise InputError("a ledger needs recordings over time, not points at rest", data.folder)
     if is_fmu(name):
-        raise InputError(
-            "a ledger can be kept of a Modelica model only: an FMU has no balances to open", name
-        )
+        raise InputError("a ledger needs a Modelica model: an FMU has no accessible balances", name)
     sources = sources_of(files, name)
     tree = tree or read_library(files=sources)
     models = augmented_models(tree, name, effects, files=sources)
-    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name))
+    explainer = Explainer(data, dict(values or {}), models, domain_of(tree, name), deadline)
     return _Estimation(explainer).ledger()
 
 
@@ -91,12 +93,12 @@ class _Estimation:
 
     def ledger(self) -> Ledger:
         """All explanations, the best of them, and the entries that it leaves."""
-        first = self.models[0]
-        problem, states = self.explainer.problem(first, ())
+        base_model = self.models[0]
+        problem, states = self.explainer.problem(base_model, ())
         unaugmented = try_sensors(
             problem, states, [(n, self.data.signals[n].unit) for n in self.signals]
         )
-        augmented = self.explainer.explain(first, states)
+        augmented = self.explainer.explain(base_model, states)
         samples = int(np.isfinite(problem.grid.measured).sum())
         smoothed = [augmented.smoothed.chi2] if augmented else []
         best = min([unaugmented.chi2, *(f.chi2 for f in unaugmented.faults), *smoothed]) / samples
@@ -105,8 +107,8 @@ class _Estimation:
             self._replaced() if is_open or self._is_doubtful(unaugmented, augmented) else None
         )
         plain = replaced is not None and replaced.deviance < _NOISE_LEVEL * samples
-        beside = self._beside() if is_open and not plain else None
-        return self._judged(SmoothedModels(unaugmented, augmented, replaced, beside, samples))
+        with_fault = self._with_fault() if is_open and not plain else None
+        return self._judged(SmoothedModels(unaugmented, augmented, replaced, with_fault, samples))
 
     def _is_doubtful(self, unaugmented: Unaugmented, augmented: SmoothedModel | None) -> bool:
         """Whether unknown inputs explain the samples, and one of them may do so for what has none."""
@@ -119,19 +121,23 @@ class _Estimation:
 
     def _replaced(self) -> SmoothedModel | None:
         """The best one with a law replaced by an unknown input."""
-        found = [one for one in map(self.explainer.explain, self.models[1:]) if one is not None]
-        return min(found, key=lambda one: one.smoothed.deviance, default=None)
+        replacements = [
+            winner for winner in map(self.explainer.explain, self.models[1:]) if winner is not None
+        ]
+        return min(replacements, key=lambda winner: winner.smoothed.deviance, default=None)
 
-    def _beside(self) -> SmoothedModel | None:
+    def _with_fault(self) -> SmoothedModel | None:
         """The unknown inputs together with a fault of one instrument, the most probable one."""
         if len(self.signals) < 2:
             return None
-        tried = [self._beside_fault(name) for name in self.signals]
+        tried = [self._model_with_fault(name) for name in self.signals]
         return min(
-            (one for one in tried if one is not None), key=lambda one: one.deviance, default=None
+            (winner for winner in tried if winner is not None),
+            key=lambda winner: winner.deviance,
+            default=None,
         )
 
-    def _beside_fault(self, name: str) -> SmoothedModel | None:
+    def _model_with_fault(self, name: str) -> SmoothedModel | None:
         """The unknown inputs of what the other signals show, with a fault of the instrument of this one."""
         explainer, j = self.explainer, self.signals.index(name)
         explanation = explainer.explain(self.models[0], None, name)
@@ -139,7 +145,7 @@ class _Estimation:
             return None
         smoothed = explanation.smoothed
         measured = explainer.problem(self.models[0], ())[0].grid.measured[:, j]
-        fault = fault_beside(
+        fault = additional_fault(
             explanation.problem.grid,
             (name, self.data.signals[name].unit),
             measured,
@@ -203,9 +209,12 @@ class _Estimation:
 
     def _confusion(self, balance: str) -> str:
         """What to say where a law replaced by an unknown input in ``balance`` explains as much."""
-        told = next((words for _, hidden, words in self.domain.confused if hidden == balance), None)
+        sentence = next(
+            (words for _, hidden, words in self.domain.confused if hidden == balance), None
+        )
         return (
-            told or f"a law that leaves the balance of {balance} open explains the samples as well"
+            sentence
+            or f"a law that leaves the balance of {balance} open explains the samples as well"
         )
 
     def _losses(self, rivals: SmoothedModels) -> dict[str, float]:
@@ -224,8 +233,10 @@ class _Estimation:
             losses["sensor"] = max(second - deviances[best], 0.0)
         if winner.augmented.replaced:  # the law that was replaced counts too
             alone = len(winner.unknown_inputs) == 1
-            own = winner.unknown_inputs[-1].balance if alone else self._replaced_balance(winner)
-            losses[own] = max(losses.get(own, 0.0), second - deviances[best])
+            winner_balance = (
+                winner.unknown_inputs[-1].balance if alone else self._replaced_balance(winner)
+            )
+            losses[winner_balance] = max(losses.get(winner_balance, 0.0), second - deviances[best])
         return losses
 
     def _replaced_balance(self, winner: SmoothedModel) -> str:
@@ -233,7 +244,7 @@ class _Estimation:
         return next(u.balance for u in winner.augmented.unknown_inputs if u.parameter not in before)
 
     def _entries(self, rivals: SmoothedModels, losses: Mapping[str, float]) -> list[BalanceEntry]:
-        """An entry for each balance: what it explains, its part of the loss, and its course in time."""
+        """An entry for each balance: what it explains, its part of the loss, and the term over time."""
         total = sum(losses.values())
         shares = {balance: loss / total for balance, loss in losses.items()} if total else {}
         entries = balance_entries(rivals, shares)
@@ -248,7 +259,7 @@ class _Estimation:
                 old = entries.get(unknown_input.balance) or BalanceEntry(
                     unknown_input.balance, 0.0, 0.0, 0.0
                 )
-                entries[unknown_input.balance] = self._with_course(old, shown, unknown_input)
+                entries[unknown_input.balance] = self._with_terms(old, shown, unknown_input)
         if rivals.fault is not None:
             entries["sensor"] = BalanceEntry(
                 "sensor",
@@ -259,18 +270,16 @@ class _Estimation:
             )
         return list(entries.values())
 
-    def _with_course(
+    def _with_terms(
         self, entry: BalanceEntry, shown: SmoothedModel, unknown_input: UnknownInput
     ) -> BalanceEntry:
-        courses, units = term_series(shown, unknown_input)
+        series, units = term_series(shown, unknown_input)
         return replace(
             entry,
             unit=unknown_input.unit,
             meaning=unknown_input.meaning,
-            term=unknown_input.parameter,
-            courses=courses,
+            courses=series,
             units=units,
-            base=unknown_input.base,
             same_as=()
             if shown.augmented.replaced
             else self.explainer.same.get(unknown_input.balance, ()),

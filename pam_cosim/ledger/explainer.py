@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
@@ -42,6 +43,7 @@ class Explainer:
         values: parameters [SI], as a fit of the model found them.
         models: the augmented ones; the first has an unknown input in each balance.
         domain: of the library.
+        deadline: of ``time.monotonic`` [s], at which a smoother gives up with a TimeoutError.
 
     Attributes:
         signals: that are fitted and that the model gives; ``sigma`` (S,) their noise.
@@ -59,12 +61,14 @@ class Explainer:
         values: Mapping[str, float],
         models: Sequence[AugmentedModel],
         domain: Domain,
+        deadline: float = math.inf,
     ) -> None:
+        self.deadline = deadline
         self.data, self.values, self.models, self.domain = data, values, models, domain
         interface = models[0].ode.interface
         if not models[0].ode.states:
             raise InputError(
-                f"{data.model} has no states: there is no balance to keep a ledger of", data.model
+                f"{data.model} has no states: it has no balances for a ledger", data.model
             )
         self.signals = [n for n, s in data.signals.items() if s.fitted and n in interface.outputs]
         self.sigma = np.array([data.signals[n].sigma for n in self.signals], dtype=float)
@@ -154,11 +158,11 @@ class Explainer:
         grid, model = make_grid(*args), Model(augmented.ode, [], self.free, self.signals)
         p = with_free(grid.parameters, model, self.start, self.acts)
         states = integrate(model, grid, p)
-        further = [np.zeros(0) for _ in grid.runs]
+        extra_nodes = [np.zeros(0) for _ in grid.runs]
         for _ in range(_REFINEMENTS):
             new = further_nodes(model, grid, p, states, _ACCURACY)
-            further = [np.union1d(a, b) for a, b in zip(further, new, strict=True)]
-            finer = make_grid(*args, further)
+            extra_nodes = [np.union1d(a, b) for a, b in zip(extra_nodes, new, strict=True)]
+            finer = make_grid(*args, extra_nodes)
             states_of_finer = integrate(model, finer, p)
             if self._same_outputs(model, (grid, states[0]), (finer, states_of_finer[0]), p):
                 break
@@ -195,10 +199,11 @@ class Explainer:
         problem, _ = self.problem(augmented, kept, hidden, states)
         start = Point(*states, np.zeros((len(states[0]), len(kept))), self.start)
         try:
-            return SmoothedModel(augmented, problem, kept, tuple(self.free), smooth(problem, start))
+            smoothed = smooth(problem, start, self.deadline)
+            return SmoothedModel(augmented, problem, kept, tuple(self.free), smoothed)
         except (np.linalg.LinAlgError, ValueError):
             self.notes.append(
-                "the balances could not be opened: the model breaks down near the measured course"
+                "the balances could not be opened: the simulation fails near the measured trajectory"
             )
             return None
 
@@ -214,7 +219,9 @@ class Explainer:
             grid.time, x, grid.node_inputs, grid.node_delayed, p
         ).by_unknown_input
         slopes = slopes / np.maximum(np.max(np.abs(slopes), axis=(0, 2), keepdims=True), 1e-300)
-        places = [self.domain.place(one.balance) for one in augmented.unknown_inputs]
+        places = [
+            self.domain.place(unknown_input.balance) for unknown_input in augmented.unknown_inputs
+        ]
         for i in sorted(range(len(places)), key=lambda i: (places[i], i)):
             if not problem.unknown_size[i] > 0:
                 continue

@@ -67,7 +67,7 @@ def make_grid(
     values: Mapping[str, float],
     signals: Sequence[str],
     spacing: float,
-    further: Sequence[Array] = (),
+    extra_nodes: Sequence[Array] = (),
 ) -> Grid:
     """Nodes at samples, no two closer than ``spacing`` [s] but at the jumps of an input; and at ``further`` times."""
     defaults = {n: v.start or 0.0 for n, v in ode.interface.parameters.items()}
@@ -84,31 +84,31 @@ def make_grid(
     for r, run in enumerate(runs):
         stated = data.parameters_of(run, values)
         p = np.array([stated.get(n, v) for n, v in defaults.items()])
-        courses = _courses(ode, run, stated)
+        inputs_of_run = _input_pieces(ode, run, stated)
         shown = _shown(ode, run, p)
-        t = _node_times(run, shown, courses, spacing)
-        if further:
-            t = np.union1d(t, further[r])
+        t = _node_times(run, shown, inputs_of_run, spacing)
+        if extra_nodes:
+            t = np.union1d(t, extra_nodes[r])
         end = np.append(t[:1], t[1:] - _INSIDE * np.diff(t))
         inside = t[:-1] + STAGE * np.diff(t)
         times.append(t)
-        inputs.append(_at(courses, end))
-        stages.append(_at(courses, inside))
-        delayed.append(_delayed(ode, p, courses, end, t[0]))
-        stage_delayed.append(_delayed(ode, p, courses, inside, t[0]))
+        inputs.append(_at(inputs_of_run, end))
+        stages.append(_at(inputs_of_run, inside))
+        delayed.append(_delayed(ode, p, inputs_of_run, end, t[0]))
+        stage_delayed.append(_delayed(ode, p, inputs_of_run, inside, t[0]))
         measured.append(_samples(run, shown, t, signals))
         parameters.append(p)
         starts.append([stated.get(state.name, np.nan) for state in ode.states])
-    first = np.cumsum([0, *(len(t) for t in times)])
-    ends = first[1:] - 1
-    left = np.setdiff1d(np.arange(first[-1]), ends)
+    first_nodes = np.cumsum([0, *(len(t) for t in times)])
+    ends = first_nodes[1:] - 1
+    interval_starts = np.setdiff1d(np.arange(first_nodes[-1]), ends)
     time = np.concatenate(times)
     return Grid(
         tuple(runs),
-        first,
+        first_nodes,
         time,
-        left,
-        time[left + 1] - time[left],
+        interval_starts,
+        time[interval_starts + 1] - time[interval_starts],
         np.array(parameters),
         np.concatenate(inputs),
         np.concatenate(stages),
@@ -119,15 +119,15 @@ def make_grid(
     )
 
 
-def _courses(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
+def _input_pieces(ode: Ode, run: Run, stated: Mapping[str, float]) -> list[Pieces]:
     """Of each input: as recorded, as stated for the whole run, or the model's default."""
-    courses = []
+    inputs_of_run = []
     for name, variable in ode.interface.inputs.items():
         values = run.inputs.get(name)
         if values is None:
             values = np.full(len(run.time), stated.get(name, variable.start or 0.0))
-        courses.append(pieces(run.time, np.asarray(values, float), run.interpolation))
-    return courses
+        inputs_of_run.append(pieces(run.time, np.asarray(values, float), run.interpolation))
+    return inputs_of_run
 
 
 def _shown(ode: Ode, run: Run, p: Array) -> Array:
@@ -141,33 +141,35 @@ def _shown(ode: Ode, run: Run, p: Array) -> Array:
     return np.maximum(run.time - late, start_time(run)) if late else run.time
 
 
-def _node_times(run: Run, shown: Array, courses: Sequence[Pieces], spacing: float) -> Array:
+def _node_times(run: Run, shown: Array, inputs_of_run: Sequence[Pieces], spacing: float) -> Array:
     sampled = np.unique(shown)
     begin, end = start_time(run), float(sampled[-1])
     spacing = min(spacing, (end - begin) / _LEAST_STEPS)
-    bends = np.unique(np.concatenate([np.zeros(0), *(c.time[1:] for c in courses)]))
+    bends = np.unique(np.concatenate([np.zeros(0), *(c.time[1:] for c in inputs_of_run)]))
     bends = bends[(bends > begin) & (bends < end)]
     if len(bends) > len(sampled) / 4:  # a measured input bends at every sample
         bends = bends[:0]
     fixed = np.union1d(bends, [begin, end])
     kept = [fixed[:1]]
     for a, b in zip(fixed[:-1].tolist(), fixed[1:].tolist(), strict=True):
-        own = sampled[(sampled > a) & (sampled < b)]
-        slots = np.floor((own - a) / spacing * (1 + 1e-9))
-        chosen = own[np.diff(slots, prepend=0.0) > 0]
+        sample_times = sampled[(sampled > a) & (sampled < b)]
+        slots = np.floor((sample_times - a) / spacing * (1 + 1e-9))
+        chosen = sample_times[np.diff(slots, prepend=0.0) > 0]
         ends = np.append(chosen, b)
         starts = np.append(a, chosen)
-        for left, right in zip(starts.tolist(), ends.tolist(), strict=True):
-            parts = max(1, int(np.ceil((right - left) / spacing / 2)))
-            kept.append(np.linspace(left, right, parts + 1)[1:])
+        for start, stop in zip(starts.tolist(), ends.tolist(), strict=True):
+            parts = max(1, int(np.ceil((stop - start) / spacing / 2)))
+            kept.append(np.linspace(start, stop, parts + 1)[1:])
     return np.concatenate(kept)
 
 
-def _at(courses: Sequence[Pieces], times: Array) -> Array:
-    return np.column_stack([np.zeros((len(times), 0)), *(c.at(times)[0] for c in courses)])
+def _at(inputs_of_run: Sequence[Pieces], times: Array) -> Array:
+    return np.column_stack([np.zeros((len(times), 0)), *(c.at(times)[0] for c in inputs_of_run)])
 
 
-def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start: float) -> Array:
+def _delayed(
+    ode: Ode, p: Array, inputs_of_run: Sequence[Pieces], times: Array, start: float
+) -> Array:
     columns = [np.zeros((len(times), 0))]
     if ode.delays:
         late = np.array(
@@ -178,7 +180,7 @@ def _delayed(ode: Ode, p: Array, courses: Sequence[Pieces], times: Array, start:
             if delay.input is None:
                 columns.append((before >= start).astype(float))
             else:
-                columns.append(courses[delay.input].at(np.maximum(before, start))[0])
+                columns.append(inputs_of_run[delay.input].at(np.maximum(before, start))[0])
     return np.column_stack(columns)
 
 
@@ -190,9 +192,9 @@ def _samples(run: Run, shown: Array, times: Array, signals: Sequence[str]) -> Ar
             continue
         kept = np.isfinite(values)
         at, last = np.unique(shown[kept][::-1], return_index=True)
-        own = values[kept][::-1][last]
+        last_values = values[kept][::-1][last]
         place = np.searchsorted(times, at)
         place = np.minimum(place, len(times) - 1)
         same = np.abs(times[place] - at) <= 1e-9 * np.maximum(1.0, np.abs(at))
-        samples[place[same], j] = own[same]
+        samples[place[same], j] = last_values[same]
     return samples

@@ -47,12 +47,10 @@ class BalanceEntry:
         explains: part of the error beyond the noise that this entry alone takes away, 0 to 1.
         share: what is lost without it in the best explanation, over the sum of the same for all balances.
         unit: of the term; ``meaning``: what is positive. Empty for a sensor.
-        term: the name of the parameter that was moved.
         courses: the missing term in every run; none for a sensor, or where the model has no place for it.
         units: of what the term can be looked at against.
         note: what must be known to read it.
         same_as: balances whose missing term would do the same in this model: they may be meant as well.
-        base: full name of the partial class whose equation for the term is open.
     """
 
     json_keys = "balance gain explains share unit meaning size outside note same_as courses"
@@ -63,11 +61,9 @@ class BalanceEntry:
     share: float
     unit: str = ""
     meaning: str = ""
-    term: str = ""
     courses: tuple[TermSeries, ...] = ()
     units: dict[str, str] = field(default_factory=dict)
     note: str = ""
-    base: str = ""
     same_as: tuple[str, ...] = ()
 
     @property
@@ -149,7 +145,7 @@ class Ledger(Printed, Plain):
         return {e.balance: e.share for e in self.entries}
 
     def as_dict(self, courses: bool = True) -> dict[str, Any]:
-        """Plain data for JSON, SI units; without the courses it is short."""
+        """Plain data for JSON, SI units; short without the time series."""
         content = super().as_dict()
         if not courses:
             for entry in content["entries"]:
@@ -216,11 +212,11 @@ def binned(entry: BalanceEntry, against: str, bands: int = 12) -> tuple[BinnedTe
             float(np.average(value[inside & (run == r)], weights=weight[inside & (run == r)]))
             for r in np.unique(run[inside])
         ]
-        own = float(1 / np.sqrt(weight[inside].max()))
+        sd = float(1 / np.sqrt(weight[inside].max()))
         between = float(np.std(means, ddof=1) / np.sqrt(len(means))) if len(means) > 1 else 0.0
         scatter = float(np.std(value[inside]))
         in_bands.append(
-            BinnedTerm(float(low), float(high), mean, max(own, between), scatter, int(inside.sum()))
+            BinnedTerm(float(low), float(high), mean, max(sd, between), scatter, int(inside.sum()))
         )
     return tuple(in_bands)
 

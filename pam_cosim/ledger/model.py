@@ -58,17 +58,17 @@ class Model:
     def initial(self, parameters: Array, grid: Grid) -> Array:
         """States at the starts of the runs, (R, n), with parameters (R, P) under the first inputs.
 
-        Those that the grid has as numbers stay; those of a model that begins at rest come to rest beside them.
+        Those that the grid has as numbers stay; those of a model that begins at rest come to rest with them.
         """
         nodes = grid.first[:-1]
         inputs = grid.node_inputs[nodes]
-        own = [
+        own_states = [
             np.array(self._initial(p, u)).ravel() for p, u in zip(parameters, inputs, strict=True)
         ]
-        begin = np.where(np.isnan(grid.starts), np.array(own), grid.starts)
-        found = {*self.ode.resting, *(name for name, _ in self.ode.following)}
+        begin = np.where(np.isnan(grid.starts), np.array(own_states), grid.starts)
+        settled_states = {*self.ode.resting, *(name for name, _ in self.ode.following)}
         rests = np.isnan(grid.starts) & np.array(
-            [s.name in found for s in self.ode.states], dtype=bool
+            [s.name in settled_states for s in self.ode.states], dtype=bool
         )
         size = np.array([s.nominal or 1.0 for s in self.ode.states])
         for run in np.flatnonzero(rests.any(axis=1)).tolist():

@@ -56,10 +56,10 @@ def further_nodes(
     ).astype(int)
     times = []
     for r in range(len(grid.runs)):
-        own = np.flatnonzero((run == r) & (parts > 1))
+        split_intervals = np.flatnonzero((run == r) & (parts > 1))
         inside = [
             grid.time[grid.left[k]] + grid.step[k] * np.arange(1, parts[k]) / parts[k]
-            for k in own.tolist()
+            for k in split_intervals.tolist()
         ]
         times.append(np.concatenate([np.zeros(0), *inside]))
     return times

@@ -20,11 +20,11 @@ def with_walk(problem: SmoothingProblem, matrix: BlockTridiagonal, q: Array) -> 
         return matrix
     n, at = problem.model.states, problem.grid.left
     diagonal, coupling = matrix.diagonal.copy(), matrix.coupling.copy()
-    first, spans = problem.grid.first[:-1], run_spans(problem.grid)
+    run_starts, spans = problem.grid.first[:-1], run_spans(problem.grid)
     for j, intensity in enumerate(q.tolist()):
         weight = 1 / (intensity * problem.grid.step)
         i = n + j
-        diagonal[first, i, i] += 1 / (intensity * spans)
+        diagonal[run_starts, i, i] += 1 / (intensity * spans)
         diagonal[at, i, i] += weight
         diagonal[at + 1, i, i] += weight
         coupling[at, i, i] -= weight
@@ -48,9 +48,9 @@ def walk_gradient(problem: SmoothingProblem, point: Point, q: Array) -> Array:
     pull = _increments(problem, point) / (q * problem.grid.step[:, None])
     gradient[at + 1, n:] += pull
     gradient[at, n:] -= pull
-    first = problem.grid.first[:-1]
-    gradient[first, n:] += (
-        point.w[first] / problem.unknown_size / (q * run_spans(problem.grid)[:, None])
+    run_starts = problem.grid.first[:-1]
+    gradient[run_starts, n:] += (
+        point.w[run_starts] / problem.unknown_size / (q * run_spans(problem.grid)[:, None])
     )
     return gradient
 

@@ -103,24 +103,24 @@ def try_sensors(
     )
 
 
-def fault_beside(
+def additional_fault(
     grid: Grid,
     signal: tuple[str, str],
     measured: Array,
-    course: Array,
+    readings: Array,
     sigma: float,
     free: Sequence[float],
 ) -> SensorFault:
-    """The likeliest fault of an instrument whose samples (N,) were not used to find its signal's course (N,).
+    """The likeliest fault of an instrument whose samples (N,) were not used to estimate its signal (N,).
 
-    ``deviance`` and ``chi2`` are of this signal alone; that the course is not exact is left aside.
+    ``deviance`` and ``chi2`` are of this signal alone; the error of the signal is neglected.
     """
     kept = np.isfinite(measured)
     span = float(np.ptp(measured[kept])) or 1.0
     tried = []
     for lag, lagged in zip(
         (0.0, *_lags(grid)),
-        (course[:, None], *_lagged(grid, course[:, None], _lags(grid))),
+        (readings[:, None], *_lagged(grid, readings[:, None], _lags(grid))),
         strict=True,
     ):
         y = lagged[kept, 0]
@@ -184,7 +184,7 @@ class _Linearised:
         self.slopes = _output_slopes(problem, self.linear)
 
     def least_squares(
-        self, j: int | None = None, course: Array | None = None, span: float = 1.0
+        self, j: int | None = None, readings: Array | None = None, span: float = 1.0
     ) -> _Solution:
         """The free parameters, and a fault of signal ``j`` whose reading with slopes is (N, 1 + Q) ``course``."""
         problem, slopes, residual = (
@@ -193,13 +193,13 @@ class _Linearised:
             self.linear.residual / self.problem.sigma,
         )
         extra = np.zeros((*slopes.shape[:2], 0))
-        if j is not None and course is not None:
+        if j is not None and readings is not None:
             residual, slopes = residual.copy(), slopes.copy()
-            residual[:, j] = (problem.grid.measured[:, j] - course[:, 0]) / problem.sigma[j]
-            slopes[:, j] = course[:, 1:]
+            residual[:, j] = (problem.grid.measured[:, j] - readings[:, 0]) / problem.sigma[j]
+            slopes[:, j] = readings[:, 1:]
             extra = np.zeros((*slopes.shape[:2], 2))
             extra[:, j, 0] = _OFFSET * span / problem.sigma[j]
-            extra[:, j, 1] = _GAIN * (course[:, 0] - np.mean(course[:, 0])) / problem.sigma[j]
+            extra[:, j, 1] = _GAIN * (readings[:, 0] - np.mean(readings[:, 0])) / problem.sigma[j]
         kept = np.isfinite(residual)
         rows, r = np.concatenate([slopes, extra], axis=2)[kept], residual[kept]
         prior = np.zeros(rows.shape[1])
@@ -236,11 +236,11 @@ def _fault(linearised: _Linearised, signal: tuple[str, str], j: int) -> SensorFa
     grid = linearised.problem.grid
     span = float(np.nanmax(grid.measured[:, j]) - np.nanmin(grid.measured[:, j])) or 1.0
     lags = _lags(grid)
-    courses = np.column_stack([linearised.linear.outputs[:, j], linearised.slopes[:, j]])
-    tried = [(0.0, linearised.least_squares(j, courses, span))]
+    reading_series = np.column_stack([linearised.linear.outputs[:, j], linearised.slopes[:, j]])
+    tried = [(0.0, linearised.least_squares(j, reading_series, span))]
     tried += [
-        (lag, linearised.least_squares(j, course, span))
-        for lag, course in zip(lags.tolist(), _lagged(grid, courses, lags), strict=True)
+        (lag, linearised.least_squares(j, readings, span))
+        for lag, readings in zip(lags.tolist(), _lagged(grid, reading_series, lags), strict=True)
     ]
     lag, best = min(tried, key=lambda t: t[1].deviance)
     q = len(linearised.free)
@@ -276,13 +276,15 @@ def _output_slopes(problem: SmoothingProblem, linear: LinearisedProblem) -> Arra
     return slopes
 
 
-def _lagged(grid: Grid, courses: Array, lags: Array) -> Array:
+def _lagged(grid: Grid, reading_series: Array, lags: Array) -> Array:
     """First-order lags (T,) of columns (N, c), exact for straight lines between the nodes: (T, N, c)."""
     z = grid.step[:, None] / lags
     decay, mean = np.exp(-z)[:, :, None], (-np.expm1(-z) / z)[:, :, None]
     at = grid.left
-    drive = (mean - decay) * courses[at][:, None] + (1 - mean) * courses[at + 1][:, None]
-    lagged = np.repeat(courses[:, None], len(lags), axis=1)
+    drive = (mean - decay) * reading_series[at][:, None] + (1 - mean) * reading_series[at + 1][
+        :, None
+    ]
+    lagged = np.repeat(reading_series[:, None], len(lags), axis=1)
     for k, node in enumerate(at.tolist()):
         lagged[node + 1] = decay[k] * lagged[node] + drive[k]
     return lagged.transpose(1, 0, 2)

@@ -64,14 +64,14 @@ class SmoothedModels:
         unaugmented: the model as it is, and with a fault of one instrument.
         augmented: an unknown input in each balance.
         replaced: a law replaced by an unknown input.
-        beside: unknown inputs together with a fault of one instrument.
+        with_fault: unknown inputs together with a fault of one instrument.
         samples: how many there are.
     """
 
     unaugmented: Unaugmented
     augmented: SmoothedModel | None
     replaced: SmoothedModel | None
-    beside: SmoothedModel | None
+    with_fault: SmoothedModel | None
     samples: int
 
     @property
@@ -83,11 +83,15 @@ class SmoothedModels:
     def deviances(self) -> dict[str, float]:
         """Of each explanation by its name; infinite where there is none."""
         choices = 2 * np.log(max(len(self.unaugmented.faults), 1))
-        others = {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}
+        fitted_models = {
+            "augmented": self.augmented,
+            "replaced": self.replaced,
+            "with_fault": self.with_fault,
+        }
         return {
             "none": self.unaugmented.deviance,
             "sensor": (self.fault.deviance if self.fault else np.inf) + choices,
-            **{name: one.deviance if one else np.inf for name, one in others.items()},
+            **{name: model.deviance if model else np.inf for name, model in fitted_models.items()},
         }
 
     @property
@@ -101,9 +105,11 @@ class SmoothedModels:
     @property
     def winner(self) -> SmoothedModel | None:
         """The best one, where it has unknown inputs."""
-        return {"augmented": self.augmented, "replaced": self.replaced, "beside": self.beside}.get(
-            self.best
-        )
+        return {
+            "augmented": self.augmented,
+            "replaced": self.replaced,
+            "with_fault": self.with_fault,
+        }.get(self.best)
 
     @property
     def believed_fault(self) -> SensorFault | None:
@@ -114,7 +120,7 @@ class SmoothedModels:
 
     @property
     def is_confused(self) -> bool:
-        """Whether an unknown input beside a law, and one in its place, explain the samples about as well."""
+        """Whether an unknown input in addition to a law, and one in its place, explain the samples about as well."""
         rival = {"augmented": "replaced", "replaced": "augmented"}.get(self.best)
         deviances = self.deviances
         return (

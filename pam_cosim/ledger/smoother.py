@@ -9,6 +9,8 @@ standard deviations (the smoother of Rauch, Tung and Striebel, in information fo
 
 from __future__ import annotations
 
+import math
+import time
 from collections.abc import Sequence
 from dataclasses import dataclass
 
@@ -56,7 +58,6 @@ class Smoothed:
         noise_intensity: (m,) of the random walks: variance per second over the square of the term's size.
         deviance: minus twice the logarithm of the marginal likelihood, but for a constant of the samples.
         chi2: sum of squared residuals in noise variances.
-        converged: whether the iteration came to rest.
         linear: the problem about the estimate.
     """
 
@@ -66,21 +67,23 @@ class Smoothed:
     noise_intensity: Array
     deviance: float
     chi2: float
-    converged: bool
     linear: LinearisedProblem
 
 
-def smooth(problem: SmoothingProblem, start: Point) -> Smoothed:
+def smooth(problem: SmoothingProblem, start: Point, deadline: float = math.inf) -> Smoothed:
     """Smooths all runs, from a start.
 
     Raises:
         numpy.linalg.LinAlgError: the model gives no finite numbers about the start.
+        TimeoutError: the deadline, of ``time.monotonic`` [s], came first.
     """
     q = np.full(len(problem.unknown_size), 1 / float(run_spans(problem.grid).max()))
-    point, converged, rounds, before, part, growing = start, False, 0, np.inf, 1.0, False
+    point, rounds, before, part, growing = start, 0, np.inf, 1.0, False
     linear = linearise(problem, point, _FIRST_SLACKS[0])
     enough = _NOISE_INTENSITY_ROUNDS if len(q) else 0
     for iteration in range(_ITERATIONS):
+        if time.monotonic() >= deadline:
+            raise TimeoutError("the time limit came first")
         last = iteration >= len(_FIRST_SLACKS)
         slack = SLACK if last else _FIRST_SLACKS[iteration]
         settled = before < _SETTLED or iteration >= _ITERATIONS // 2
@@ -90,10 +93,9 @@ def smooth(problem: SmoothingProblem, start: Point) -> Smoothed:
             part = max(part / 2, 0.25) if growing else min(2 * part, 1.0)
         point, linear, moved = _advanced(problem, linear, point, q, part, slack)
         growing, before = moved > 0.7 * before, moved
-        converged = last and moved < _CLOSE
-        if converged and rounds == enough:
+        if last and moved < _CLOSE and rounds == enough:
             break
-    return _result(problem, linear, point, q, converged)
+    return _result(problem, linear, point, q)
 
 
 def _advanced(
@@ -120,7 +122,7 @@ def _advanced(
 
 
 def _result(
-    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array, converged: bool
+    problem: SmoothingProblem, linear: LinearisedProblem, point: Point, q: Array
 ) -> Smoothed:
     factored = CholeskyFactor(with_walk(problem, linear.matrix, q))
     covariance, _ = factored.covariances()
@@ -132,7 +134,6 @@ def _result(
         q,
         deviance(problem, linear, point, q, factored),
         float(np.nansum((linear.residual / problem.sigma) ** 2)),
-        converged,
         linear,
     )
 

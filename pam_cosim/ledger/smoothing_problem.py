@@ -180,16 +180,16 @@ def linearise(problem: SmoothingProblem, point: Point, slack: float = SLACK) -> 
     log_weights = defect.size * np.log(weight)
 
     # the starts of the runs, and what is known of the free parameters
-    first = grid.first[:-1]
+    run_starts = grid.first[:-1]
     begins = model.initial(problem.parameters(point.free), grid)
-    start = (point.x[first] - begins) / scale / _START
-    diagonal[first, :n, :n] += np.eye(n) / _START**2
-    gradient[first, :n] += start / _START
+    start = (point.x[run_starts] - begins) / scale / _START
+    diagonal[run_starts, :n, :n] += np.eye(n) / _START**2
+    gradient[run_starts, :n] += start / _START
     away = (point.free - problem.prior) / problem.spread
     corner += np.eye(len(away))
     corner_gradient += away
     cost += float((start**2).sum() + (away**2).sum())
-    log_weights -= 2 * len(first) * n * np.log(_START)
+    log_weights -= 2 * len(run_starts) * n * np.log(_START)
     matrix = BlockTridiagonal(diagonal, coupling, border, corner)
     flow = (-by_left[:, :, :n], -by_free)
     return LinearisedProblem(

@@ -38,17 +38,23 @@ def term_series(
     against = {n: v for n, v in against.items() if not np.allclose(v, value, rtol=1e-6, atol=0)}
     units = {n: explanation.augmented.ode.interface.locals[names[n]].unit for n in against}
     imitated = _imitated(explanation, p, j)
-    courses = []
+    series = []
     for r, run in enumerate(grid.runs):
         at = grid.nodes(r)
-        own = {n: v[at] for n, v in against.items()}
+        values_at_point = {n: v[at] for n, v in against.items()}
         same = {n: imitated[at, q] for q, n in enumerate(explanation.free)}
-        courses.append(
+        series.append(
             TermSeries(
-                run.name, run.role, grid.time[at], value[at], smoothed.deviation[at, j], own, same
+                run.name,
+                run.role,
+                grid.time[at],
+                value[at],
+                smoothed.deviation[at, j],
+                values_at_point,
+                same,
             )
         )
-    return tuple(courses), units
+    return tuple(series), units
 
 
 def _imitated(explanation: SmoothedModel, parameters: Array, j: int) -> Array:

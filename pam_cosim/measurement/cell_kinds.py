@@ -83,10 +83,10 @@ def date_time(cell: str) -> datetime | None:
         return None
 
 
-def seconds_between(first: datetime, later: datetime) -> float | None:
+def seconds_between(earlier: datetime, later: datetime) -> float | None:
     """Seconds from one to the other; None: one of them alone says its time zone."""
     try:
-        return (later - first).total_seconds()
+        return (later - earlier).total_seconds()
     except TypeError:
         return None
 
@@ -108,8 +108,8 @@ def unit_behind(cell: str) -> str:
 
 def unit_of(cells: Sequence[str]) -> str:
     """The one unit behind the number in each of the cells; "" where there is none, or are several."""
-    first = unit_behind(cells[0]) if cells else ""
-    return first if first and all(unit_behind(cell) == first for cell in cells) else ""
+    unit = unit_behind(cells[0]) if cells else ""
+    return unit if unit and all(unit_behind(cell) == unit for cell in cells) else ""
 
 
 def is_measured(cell: str) -> bool:

@@ -36,7 +36,7 @@ class Offset:
     sd: float = 0.0
 
 
-def estimate_offset(first: tuple[Array, Array], second: tuple[Array, Array]) -> Offset:
+def estimate_offset(reference: tuple[Array, Array], shifted: tuple[Array, Array]) -> Offset:
     """The offset by which the second signal is most like the first, up to a gain and a zero.
 
     Args:
@@ -49,8 +49,8 @@ def estimate_offset(first: tuple[Array, Array], second: tuple[Array, Array]) -> 
     Raises:
         ClockError: the signals do not change, do not agree, or agree at several offsets.
     """
-    t, y = _finite_samples(*first)
-    s, z = _finite_samples(*second)
+    t, y = _finite_samples(*reference)
+    s, z = _finite_samples(*shifted)
     if (
         min(len(t), len(s)) < CRITERIA.noise.fewest_samples
         or not np.ptp(y) > 0
@@ -85,77 +85,77 @@ def _newton_step(
     slope = (np.interp(at + reach, t, y) - np.interp(at - reach, t, y)) / (2.0 * reach)
     model, slope, value = model - model.mean(), slope - slope.mean(), value - value.mean()
     gain = float(model @ value) / float(model @ model)
-    left = value - gain * model
+    residual = value - gain * model
     information = float(slope @ slope) - len(at) * noise**2 / (2.0 * reach**2)
     if information <= 0.0 or gain == 0.0:
-        raise ClockError("the signal changes too little beside its noise")
-    spread = sqrt(float(left @ left) / (len(at) - 3) / information) / abs(gain)
-    return float(slope @ left) / (gain * information), spread
+        raise ClockError("the signal changes too little compared with its noise")
+    spread = sqrt(float(residual @ residual) / (len(at) - 3) / information) / abs(gain)
+    return float(slope @ residual) / (gain * information), spread
 
 
 def merged(
-    first: Recording, second: Recording, offset: float, interpolation: Interpolation
+    main: Recording, added: Recording, offset: float, interpolation: Interpolation
 ) -> Recording:
     """One recording on the first one's clock: all rows of both, while both know their inputs.
 
     What both have is taken from the first.
     """
-    moved = second.time + offset
-    low, high = first.time[0], first.time[-1]
-    if second.inputs:
+    moved = added.time + offset
+    low, high = main.time[0], main.time[-1]
+    if added.inputs:
         low, high = max(low, moved[0]), min(high, moved[-1])
     if not low < high:
         raise ClockError("the two files have no time in common")
-    rows = np.flatnonzero((first.time >= low) & (first.time <= high))
+    rows = np.flatnonzero((main.time >= low) & (main.time <= high))
     further_rows = np.flatnonzero((moved >= low) & (moved <= high))
     if not len(further_rows):
         raise ClockError("the two files have no time in common")
-    time = first.time[rows]
+    time = main.time[rows]
     place, ahead = _places_in(time, moved[further_rows])
     new, shared = further_rows[place < 0], further_rows[place >= 0]
     place = place[place >= 0]
     times = np.concatenate([time, moved[new]])
     order = np.lexsort((np.concatenate([np.ones(len(time)), ~ahead]), times))
 
-    def joined(values: Array, others: Array) -> Array:
-        return locked(np.concatenate([values, others])[order])
+    def joined(values: Array, added_values: Array) -> Array:
+        return locked(np.concatenate([values, added_values])[order])
 
     def of_second(values: Array, at_rows: Array) -> Array:
         at_rows[place] = values[shared]
         return joined(at_rows, values[new])
 
     inputs = {
-        name: joined(v[rows], _interpolated(first.time, v, moved[new], interpolation))
-        for name, v in first.inputs.items()
+        name: joined(v[rows], _interpolated(main.time, v, moved[new], interpolation))
+        for name, v in main.inputs.items()
     }
     inputs |= {
         name: of_second(v, _interpolated(moved, v, time, interpolation))
-        for name, v in second.inputs.items()
+        for name, v in added.inputs.items()
         if name not in inputs
     }
     missing = np.full(len(new), np.nan)
-    measured = {name: joined(v[rows], missing) for name, v in first.measurements.items()}
+    measured = {name: joined(v[rows], missing) for name, v in main.measurements.items()}
     measured |= {
         name: of_second(v, np.full(len(time), np.nan))
-        for name, v in second.measurements.items()
+        for name, v in added.measurements.items()
         if name not in measured
     }
-    notes = (*first.notes, *second.notes)
+    notes = (*main.notes, *added.notes)
     return replace(
-        first, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes
+        main, time=locked(times[order]), inputs=inputs, measurements=measured, notes=notes
     )
 
 
-def _places_in(time: Array, others: Array) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
+def _places_in(time: Array, times: Array) -> tuple[NDArray[np.intp], NDArray[np.bool_]]:
     """Which of the times (n,) each of the others (m,) is, -1 for a new one; which of the new ones come ahead of theirs.
 
     A step is two rows at one time. Where only the others have one, its first row is new.
     """
-    place = np.searchsorted(time, others, side="right") - 1
-    known = (place >= 0) & (time[np.maximum(place, 0)] == others)
-    begins_step = known & np.append(others[1:] == others[:-1], False)
-    both = begins_step & (place > 0) & (time[np.maximum(place - 1, 0)] == others)
-    new = ~known | (begins_step & ~both)
+    place = np.searchsorted(time, times, side="right") - 1
+    is_present = (place >= 0) & (time[np.maximum(place, 0)] == times)
+    begins_step = is_present & np.append(times[1:] == times[:-1], False)
+    both = begins_step & (place > 0) & (time[np.maximum(place - 1, 0)] == times)
+    new = ~is_present | (begins_step & ~both)
     return np.where(new, -1, place - both), begins_step[new]
 
 
@@ -179,10 +179,10 @@ def _offset_on_grid(t: Array, y: Array, s: Array, z: Array, step: float) -> floa
         [_correlation(a[max(0, k) : k + len(b)], b[max(0, -k) : len(a) - k]) for k in lags]
     )
     best = int(np.argmax(like))
-    left = np.maximum(1.0 - like**2, 1e-12)
+    unexplained = np.maximum(1.0 - like**2, 1e-12)
     peaks = np.flatnonzero((like[1:-1] >= like[:-2]) & (like[1:-1] >= like[2:])) + 1
     rivals = [int(k) for k in peaks if abs(k - best) > 2 and like[k] > 0]
-    worse = [min(len(s), len(t)) * np.log(left[k] / left[best]) for k in rivals]
+    worse = [min(len(s), len(t)) * np.log(unexplained[k] / unexplained[best]) for k in rivals]
     at = [t[0] - s[0] + step * float(lags[k]) for k in (best, *rivals)]
     if worse and min(worse) < CRITERIA.noise.outlier_far**2:
         other = at[1 + int(np.argmin(worse))]

@@ -52,8 +52,8 @@ def clock_of(columns: Columns) -> frozenset[str | int]:
     return frozenset([TIME if time is None or time.column is None else time.column])
 
 
-def _error(name: str, one: ColumnTable, message: str, key: str) -> InputError:
-    return one.error(f"column {shown(name)}: {message}", key)
+def _error(name: str, entry: ColumnTable, message: str, key: str) -> InputError:
+    return entry.error(f"column {shown(name)}: {message}", key)
 
 
 def _names_in(formula: str) -> list[str]:
@@ -79,14 +79,14 @@ def with_columns(table: Table, columns: Columns, needed: Collection[str] = ()) -
     notes: list[str] = []
     time = table.columns.get(TIME)
     staying = {time.heading} if time is not None and TIME in needed else set()
-    for name, one in columns.items():
-        if one.formula is not None:
-            derived, sources = _derived(table, made, name, one, one.formula)
-            made[name], remarks = _without_undefined(table, derived, one, sources, needed)
+    for name, entry in columns.items():
+        if entry.formula is not None:
+            derived, sources = _derived(table, made, name, entry, entry.formula)
+            made[name], remarks = _without_undefined(table, derived, entry, sources, needed)
             notes += remarks
             used |= sources.keys() - staying
         else:
-            made[name] = _mapped(_renamed(table, name, one), one)
+            made[name] = _mapped(_renamed(table, name, entry), entry)
             used.add(made[name].heading)
     rest = {
         name: c for name, c in table.columns.items() if name not in made and c.heading not in used
@@ -100,49 +100,49 @@ def with_zeros(table: Table, columns: Columns) -> Table:
     Raises:
         InputError: a rest interval without samples, with the place.
     """
-    for name, one in columns.items():
-        if one.zero is not None:
-            table = _zeroed(table, name, one, one.zero)
+    for name, entry in columns.items():
+        if entry.zero is not None:
+            table = _zeroed(table, name, entry, entry.zero)
     return table
 
 
-def _renamed(table: Table, name: str, one: ColumnTable) -> Column:
-    wanted = name if one.column is None else one.column
+def _renamed(table: Table, name: str, entry: ColumnTable) -> Column:
+    wanted = name if entry.column is None else entry.column
     columns = list(table.columns.values())
     if isinstance(wanted, int):
         places = {column.place or number: column for number, column in enumerate(columns, start=1)}
         if wanted not in places:
-            known = ", ".join(map(str, sorted(places)))
-            message = f"{table.file.name} has no column {wanted} that is read, only {known}"
-            raise _error(name, one, message, "column")
+            names = ", ".join(map(str, sorted(places)))
+            message = f"{table.file.name} has no column {wanted} that is read, only {names}"
+            raise _error(name, entry, message, "column")
         source = places[wanted]
     else:
         alike = [column for column in columns if wanted in (column.name, column.heading)]
         if not alike:
             hint = did_you_mean(wanted, [column.name for column in columns])
             raise _error(
-                name, one, f"{table.file.name} has no column {shown(wanted)}; {hint}", "column"
+                name, entry, f"{table.file.name} has no column {shown(wanted)}; {hint}", "column"
             )
         source = alike[0]
-    unit = source.unit if source.since else one.unit or source.unit
+    unit = source.unit if source.since else entry.unit or source.unit
     return Column(name, unit, source.values, source.heading or source.name)
 
 
-def _mapped(column: Column, one: ColumnTable) -> Column:
+def _mapped(column: Column, entry: ColumnTable) -> Column:
     """The column by its stated gain and offset; a fitted map is one of the model (``input_maps``)."""
-    if one.gain is None and one.offset is None:
+    if entry.gain is None and entry.offset is None:
         return column
     key = "gain"
     try:
         result = quantity(column.values, column.unit) * quantity(
-            one.gain.value if one.gain else 1.0
+            entry.gain.value if entry.gain else 1.0
         )
-        if one.offset is not None:
+        if entry.offset is not None:
             key = "offset"
-            result = result + _shift(one.offset, column.unit)
+            result = result + _shift(entry.offset, column.unit)
         values, unit = with_unit(result)
     except registry_errors(UnitError) as error:
-        raise _error(column.name, one, f"{key}: {error}", key) from None
+        raise _error(column.name, entry, f"{key}: {error}", key) from None
     return replace(column, unit=unit, values=np.array(values))
 
 
@@ -154,37 +154,37 @@ def _shift(offset: Stated, unit: str) -> Any:
 
 
 def _derived(
-    table: Table, made: Mapping[str, Column], name: str, one: ColumnTable, formula: str
+    table: Table, made: Mapping[str, Column], name: str, entry: ColumnTable, formula: str
 ) -> tuple[Column, dict[str, Array]]:
     """The column of a formula, and the values of what it is made of, by heading."""
     for key in ("column", "unit", "gain", "offset"):
-        if getattr(one, key) is not None:
-            raise _error(name, one, f"it has a formula and a {key}; keep one of them", key)
-    known = _Quantities(
+        if getattr(entry, key) is not None:
+            raise _error(name, entry, f"it has a formula and a {key}; keep one of them", key)
+    quantities = _Quantities(
         {**{c.heading: c for c in table.columns.values() if c.heading}, **table.columns, **made}
     )
     try:
         with np.errstate(all="ignore"):
-            result = evaluate(formula, known, quantity)
+            result = evaluate(formula, quantities, quantity)
             values, unit = with_unit(result)
     except UnitError as error:
-        raise _error(name, one, str(error), "formula") from None
+        raise _error(name, entry, str(error), "formula") from None
     except ModelError as error:
-        raise _error(name, one, with_place(error), "formula") from None
+        raise _error(name, entry, with_place(error), "formula") from None
     except registry_errors() as error:
         raise _error(
-            name, one, f"the units of the formula do not fit: {error}", "formula"
+            name, entry, f"the units of the formula do not fit: {error}", "formula"
         ) from None
     except (ArithmeticError, RecursionError, TypeError, ValueError) as error:
-        raise _error(name, one, f"the formula cannot be evaluated: {error}", "formula") from None
+        raise _error(name, entry, f"the formula cannot be evaluated: {error}", "formula") from None
     count = len(next(iter(table.columns.values())).values)
-    return Column(name, unit, np.array(np.broadcast_to(values, count))), known.used
+    return Column(name, unit, np.array(np.broadcast_to(values, count))), quantities.used
 
 
 def _without_undefined(
     table: Table,
     column: Column,
-    one: ColumnTable,
+    entry: ColumnTable,
     sources: Mapping[str, Array],
     needed: Collection[str],
 ) -> tuple[Column, list[str]]:
@@ -195,12 +195,12 @@ def _without_undefined(
     if not undefined.any():
         return column, []
     if name in needed:
-        message = f"the formula {shown(one.formula)} gives no finite number here"
+        message = f"the formula {shown(entry.formula)} gives no finite number here"
         message = f"{message}; only measured outputs may lack samples"
         raise table.error(message, name, int(np.flatnonzero(undefined)[0]))
     column = replace(column, values=np.where(undefined, np.nan, column.values))
     if np.isnan(column.values).all():
-        raise _error(name, one, "the formula gives a finite number in no row", "formula")
+        raise _error(name, entry, "the formula has no finite value in any row", "formula")
     rows = f"{int(undefined.sum())} of {len(undefined)} rows"
     return column, [f"the formula of {name} is no finite number in {rows}, which count as missing"]
 
@@ -221,24 +221,24 @@ class _Quantities(dict[str, Any]):
             raise UnitError(f"{column.name}: {error}") from None
 
 
-def _zeroed(table: Table, name: str, one: ColumnTable, rest: IntervalTable) -> Table:
+def _zeroed(table: Table, name: str, entry: ColumnTable, rest: IntervalTable) -> Table:
     """The column less its mean in the rest interval."""
     column = table.columns[name]
     if TIME not in table.columns:
-        raise _error(name, one, "a rest interval needs a column 'time'", "zero")
+        raise _error(name, entry, "a rest interval needs a column 'time'", "zero")
     try:
         start, stop = (parse_quantity(end.value, "s") for end in (rest.start, rest.to))
         time = convert(table.columns[TIME].values, table.columns[TIME].unit, "s")
         if float(quantity(0.0, column.unit).magnitude):
             raise UnitError(f"the zero of {shown(column.unit)} is no reading at rest")
     except UnitError as error:
-        raise _error(name, one, str(error), "zero") from None
+        raise _error(name, entry, str(error), "zero") from None
     at_rest = column.values[(time >= start) & (time <= stop)]
     at_rest = at_rest[np.isfinite(at_rest)]
     if not at_rest.size:
         span = f"{time[0]:.6g} to {time[-1]:.6g} s"
         raise _error(
-            name, one, f"no sample in the rest interval; {table.file.name} is of {span}", "zero"
+            name, entry, f"no sample in the rest interval; {table.file.name} is of {span}", "zero"
         )
     zero = float(np.mean(at_rest))
     note = f"the zero of {name}, {format_quantity(zero, column.unit)}, is the mean of {at_rest.size} samples at rest"

@@ -32,19 +32,19 @@ def condensed(data: DataSet) -> tuple[DataSet, str]:
         return data, ""
     runs = tuple(means.get(run.name, run) for run in data.runs)
     stated = {
-        name: one.as_stated()
-        for name, one in data.signals.items()
+        name: signal.as_stated()
+        for name, signal in data.signals.items()
         if any(name in r.measurements for r in dense)
     }
     changed = complete_noise(with_noise_of_means(stated, runs), runs)
     result = replace(data, runs=runs, signals=data.signals | changed)
     over = format_quantity(interval, "s")
-    said = f"{rows} rows are more than a search needs: it takes means over {over}"
-    return result, f'{said}; state resample = "..." under [recording] for another interval'
+    note = f"{rows} rows are more than a search needs: it takes means over {over}"
+    return result, f'{note}; state resample = "..." under [recording] for another interval'
 
 
 def _lost(recording: Run, means: Run, name: str) -> float:
-    """What an input varies beside its means: standard deviation over the samples."""
+    """Variation of an input about its means: standard deviation over the samples."""
     at = np.interp(recording.time, means.time, means.inputs[name])
     return float(np.std(recording.inputs[name] - at))
 

@@ -53,9 +53,9 @@ def levels(values: Array) -> Indices | None:
     wide = any(np.ptp(ordered[number == k]) > 2 * _LEVEL * span for k in range(int(number[-1]) + 1))
     if wide:
         return None
-    found = np.empty(len(values), dtype=np.int64)
-    found[order] = number
-    return found
+    level_of = np.empty(len(values), dtype=np.int64)
+    level_of[order] = number
+    return level_of
 
 
 def curves(
@@ -70,16 +70,16 @@ def curves(
     """
     level_of = {name: levels(values) for name, values in inputs.items()}
     along = _along(inputs, level_of, measured)
-    others = {name: values for name, values in inputs.items() if name != along}
-    dividing = _dividing(level_of, others)
+    constant_inputs = {name: values for name, values in inputs.items() if name != along}
+    dividing = _dividing(level_of, constant_inputs)
     count = len(inputs[along])
     key = np.column_stack([np.zeros(count), *apart, *dividing.values()])
-    rows = [np.flatnonzero((key == one).all(axis=1)) for one in np.unique(key, axis=0)]
+    rows = [np.flatnonzero((key == level).all(axis=1)) for level in np.unique(key, axis=0)]
     if count < ROWS_PER_CURVE * len(rows) and dividing:  # points that stand alone are no curves
         return curves(
             {along: inputs[along]}, {**measured, **{name: inputs[name] for name in dividing}}, apart
         )
-    ties = [np.nan_to_num(values) for values in (*measured.values(), *others.values())]
+    ties = [np.nan_to_num(values) for values in (*measured.values(), *constant_inputs.values())]
     made = []
     for chosen in rows:
         position = inputs[along][chosen]
@@ -93,10 +93,10 @@ def curves(
 
 def _dividing(level_of: Mapping[str, Indices | None], names: Iterable[str]) -> dict[str, Indices]:
     """The levels of those inputs that lie on a few of them, and on more than one."""
-    known = {name: level_of[name] for name in names}
+    levels_by_name = {name: level_of[name] for name in names}
     return {
         name: level
-        for name, level in known.items()
+        for name, level in levels_by_name.items()
         if level is not None and level.max(initial=0) > 0
     }
 
@@ -124,16 +124,16 @@ def _along(
     if not free:
         return max(on, key=lambda name: int(on[name].max(initial=0)))  # type: ignore[union-attr]
     reading = next(iter(measured.values()), np.zeros(len(inputs[free[0]])))
-    known = np.isfinite(reading)
-    return max(free, key=lambda name: _strength(inputs[name][known], reading[known]))
+    is_finite = np.isfinite(reading)
+    return max(free, key=lambda name: _strength(inputs[name][is_finite], reading[is_finite]))
 
 
-def _strength(one: Array, other: Array) -> float:
-    if len(one) < 3 or np.ptp(one) == 0.0 or np.ptp(other) == 0.0:
+def _strength(values: Array, reference: Array) -> float:
+    if len(values) < 3 or np.ptp(values) == 0.0 or np.ptp(reference) == 0.0:
         return 0.0
     from scipy.stats import spearmanr  # half a second, which few need
 
-    return abs(float(spearmanr(one, other).statistic))
+    return abs(float(spearmanr(values, reference).statistic))
 
 
 def directions(
@@ -155,8 +155,8 @@ def directions(
     if not moving:
         return np.zeros(count), ""
     along = _along(moving, {n: on[n] for n in moving}, measured)
-    others = [k for n, k in on.items() if n != along and k is not None]
-    key = np.column_stack([np.zeros(count), *others])
+    other_inputs = [k for n, k in on.items() if n != along and k is not None]
+    key = np.column_stack([np.zeros(count), *other_inputs])
     cuts = [0, *(np.flatnonzero(np.any(np.diff(key, axis=0) != 0, axis=1)) + 1), count]
     values = inputs[along]
     least = _TURN_RANGE * float(np.ptp(values))

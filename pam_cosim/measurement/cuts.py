@@ -65,23 +65,27 @@ def cut_run(run: Run, cut: Cut) -> Run:
     Raises:
         InputError: nothing, or one row, would be left; points at rest.
     """
-    near = _NEAR * float(run.time[-1] - run.time[0])
-    first = (
-        0 if cut.begin is None else int(np.searchsorted(run.time, cut.begin - near, side="left"))
+    tolerance = _NEAR * float(run.time[-1] - run.time[0])
+    first_row = (
+        0
+        if cut.begin is None
+        else int(np.searchsorted(run.time, cut.begin - tolerance, side="left"))
     )
     last = (
         len(run.time)
         if cut.end is None
-        else int(np.searchsorted(run.time, cut.end + near, side="right"))
+        else int(np.searchsorted(run.time, cut.end + tolerance, side="right"))
     )
-    if (first, last) == (0, len(run.time)) and not run.is_static:
+    if (first_row, last) == (0, len(run.time)) and not run.is_static:
         return run
     if run.is_static:
         raise InputError(
             f"{run.name} holds points at rest, which have no times to be cut at", run.file
         )
-    made = replace(run.rows(slice(first, last)), recorded=(float(run.time[0]), float(run.time[-1])))
-    if last - first < 2 or made.time[0] == made.time[-1]:
+    made = replace(
+        run.rows(slice(first_row, last)), recorded=(float(run.time[0]), float(run.time[-1]))
+    )
+    if last - first_row < 2 or made.time[0] == made.time[-1]:
         span = f"goes from {run.time[0]:g} to {run.time[-1]:g} s"
         raise InputError(
             f"{run.name} {span}: nothing would be left between {_ends(run, cut)}", run.file
@@ -99,7 +103,7 @@ def _ends(run: Run, cut: Cut) -> str:
 
 @dataclass(frozen=True)
 class Overrides:
-    """What whoever reads a data set says of its runs instead of what the data set says, by name or pattern.
+    """Cuts and initial states that the caller states in place of the data set, by run name or pattern.
 
     Attributes:
         cuts: from when to when a run goes.
@@ -120,13 +124,13 @@ class Overrides:
     def _stated(self, run: Run, values: Mapping[str, Value]) -> Value | None:
         return values.get(run.name) if run.is_static else stated_of(run.name, values)
 
-    def check(self, title: str, known: Sequence[str]) -> None:
+    def check(self, title: str, runs: Sequence[str]) -> None:
         """Refuses what is said of a run that there is not.
 
         Raises:
             InputError: names the nearest one.
         """
-        check_names(title, (*self.cuts, *self.starts), known)
+        check_names(title, (*self.cuts, *self.starts), runs)
 
 
 def overrides_of(
@@ -139,7 +143,7 @@ def overrides_of(
     """
     modes: dict[str, StartMode] = {}
     for run, stated in (starts or {}).items():
-        mode = next((one for one in START_MODES if one == stated), None)
+        mode = next((mode_name for mode_name in START_MODES if mode_name == stated), None)
         if mode is None:
             raise InputError(
                 f"{shown(run)} cannot begin as {shown(stated)}; it is one of {', '.join(START_MODES)}"

@@ -101,8 +101,10 @@ class Run:
             low, high = (format_quantity(float(self.time[i]), self.along.unit) for i in (0, -1))
             span = f"{len(self.time)} points at rest, {self.along.name} {low} to {high}"
             return f"{self.name}: {self.role}, {span}, imposed {', '.join(self.inputs)}, samples of {measured}"
-        whole = f" of {self.recorded[0]:g} to {self.recorded[1]:g} s" if self.recorded else ""
-        span = f"{self.time[0]:g} to {self.time[-1]:g} s{whole}, {len(self.time)} rows"
+        recorded_span = (
+            f" of {self.recorded[0]:g} to {self.recorded[1]:g} s" if self.recorded else ""
+        )
+        span = f"{self.time[0]:g} to {self.time[-1]:g} s{recorded_span}, {len(self.time)} rows"
         inputs = ", ".join(self.inputs) or "none"
         return f"{self.name}: {self.role}, {span}, inputs {inputs} ({self.interpolation}), samples of {measured}"
 
@@ -173,11 +175,11 @@ class DataSet(Printed):
     @property
     def constants(self) -> dict[str, float]:
         """What all runs have alike [SI] and the data set does not state: also a free parameter that was not fitted."""
-        first, *others = self.runs
+        example, *other_runs = self.runs
         alike = {
             n: v
-            for n, v in first.parameters.items()
-            if all(run.parameters.get(n) == v for run in others)
+            for n, v in example.parameters.items()
+            if all(run.parameters.get(n) == v for run in other_runs)
         }
         return {name: value for name, value in alike.items() if name not in self.parameters}
 
@@ -211,7 +213,12 @@ class DataSet(Printed):
                 raise InputError(
                     f"{shown(role)} is no role of a run; it is one of {', '.join(ROLES)}"
                 )
-        by_name = {name: one for name, role in roles.items() for one in ROLES if one == role}
+        by_name = {
+            name: known_role
+            for name, role in roles.items()
+            for known_role in ROLES
+            if known_role == role
+        }
         runs = tuple(
             replace(run, role=stated_of(run.name, by_name) or run.role) for run in self.runs
         )
@@ -228,13 +235,15 @@ class DataSet(Printed):
         stated (``references.ratio_to_stated``) is multiplied by that.
         """
         start = {name: free.start for name, free in self.fit.items() if free.start is not None}
-        every = {**start, **(fitted or {})}
-        known = self._with_own(
-            run, {name: value for name, value in every.items() if not is_ratio(name)}
+        fitted_values = {**start, **(fitted or {})}
+        values = self._with_own(
+            run, {name: value for name, value in fitted_values.items() if not is_ratio(name)}
         )
-        ratios = {parameter_of(name): value for name, value in every.items() if is_ratio(name)}
-        return known | {
-            name: ratio * known[name] for name, ratio in ratios.items() if name in known
+        ratios = {
+            parameter_of(name): value for name, value in fitted_values.items() if is_ratio(name)
+        }
+        return values | {
+            name: ratio * values[name] for name, ratio in ratios.items() if name in values
         }
 
     def _with_own(self, run: Run, values: Mapping[str, float]) -> dict[str, float]:
@@ -243,10 +252,10 @@ class DataSet(Printed):
         ends = tuple(f"@{other.name}" for other in self.runs)
         shared = {name: value for name, value in values.items() if not name.endswith(ends)}
         end = f"@{run.name}"
-        own = {
+        run_values = {
             name.removesuffix(end): value for name, value in values.items() if name.endswith(end)
         }
-        return {**shared, **run.parameters, **own}
+        return {**shared, **run.parameters, **run_values}
 
     def notes(self) -> tuple[str, ...]:
         """What a reader of results from these data should know."""
@@ -278,7 +287,7 @@ class DataSet(Printed):
         """Which signals are recorded in steps that count, and how they are counted, in sentences."""
         return tuple(
             f"{name} is recorded in steps of {format_quantity(s.step, s.unit)} (quantisation, an instrument): a "
-            f"reading counts by the interval it stands for, beside noise of {format_quantity(s.noise, s.unit)}"
+            f"reading counts by its interval, with noise of {format_quantity(s.noise, s.unit)}"
             for name, s in self.signals.items()
             if s.step
         )

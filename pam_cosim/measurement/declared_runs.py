@@ -53,18 +53,18 @@ def check_runs(runs: Sequence[RunTable], experiment: Experiment) -> None:
         names.add(run.name)
 
 
-def _check_apart(one: RunTable, other: RunTable) -> None:
+def _check_apart(part_a: RunTable, part_b: RunTable) -> None:
     """Raises InputError where two runs of a file use the same samples."""
-    file = shown(other.file)
-    if one.is_static or other.is_static:
+    file = shown(part_b.file)
+    if part_a.is_static or part_b.is_static:
         message = f"the file {file} is listed twice; hold_out keeps points of a file from the fit"
-        raise other.error(message, "file")
-    ends = [_stated_ends(table) for table in (one, other)]
+        raise part_b.error(message, "file")
+    ends = [_stated_ends(table) for table in (part_a, part_b)]
     begin = max(each.get("from", -inf) for each in ends)
     end = min(each.get("to", inf) for each in ends)
     if begin < end:
         message = f"the file {file} is listed twice, and its runs share samples; from and to say which part each is"
-        raise other.error(message, "file")
+        raise part_b.error(message, "file")
 
 
 def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None:
@@ -80,7 +80,7 @@ def _check_keys(run: RunTable, experiment: Experiment, may_choose: bool) -> None
     for key in filter(keys.get, keys):
         raise run.error(f"{key} {why}", key)
     files: list[RunTable | LoggerTable] = [run, *run.loggers]
-    for file, table in ((Path(one.file), one.recording) for one in files):
+    for file, table in ((Path(file_table.file), file_table.recording) for file_table in files):
         counts = table.states("table") or not may_choose
         if table.table is not None and counts and not may_hold_tables(file):
             message = f"table chooses one of several in a file, and {file.name} is one by itself"
@@ -98,16 +98,19 @@ def check_branches(
     if BRANCH not in interface.inputs:
         return
     static = [(table, runs[0]) for table, runs in zip(tables, read, strict=True) if table.is_static]
-    told = [run for _, run in static if BRANCH in run.inputs]
+    with_branch = [run for _, run in static if BRANCH in run.inputs]
     for table, run in static:
-        if told and BRANCH not in run.inputs and BRANCH not in run.parameters:
-            message = f"{shown(run.file.name)} has no column 'branch', and {shown(told[0].file.name)} has a direction"
+        if with_branch and BRANCH not in run.inputs and BRANCH not in run.parameters:
+            directed = shown(with_branch[0].file.name)
+            message = (
+                f"{shown(run.file.name)} has no column 'branch', and {directed} has a direction"
+            )
             hint = 'state branch = "up" or "down", "order" where the rows were taken in their order, or "none"'
             raise table.error(f"{message}; {hint}")
 
 
 def parameters_of_run(
-    interface: Interface, table: RunTable, known: Mapping[str, Stated]
+    interface: Interface, table: RunTable, stated: Mapping[str, Stated]
 ) -> list[FreeParameter]:
     """What is fitted to one run alone."""
     for name, free in table.fit.items():
@@ -123,7 +126,8 @@ def parameters_of_run(
             )
             raise table.error(message, "fit")
     return [
-        free_parameter(interface, name, free, known, table.name) for name, free in table.fit.items()
+        free_parameter(interface, name, free, stated, table.name)
+        for name, free in table.fit.items()
     ]
 
 
@@ -146,11 +150,17 @@ def runs_of_table(
     Raises:
         InputError: whatever is wrong in the table or in the recording.
     """
-    own = known_values(interface, table.parameters)
-    values = {name: one for name, one in {**shared, **own}.items() if name not in table.fit}
+    run_values = known_values(interface, table.parameters)
+    values = {
+        name: part_made
+        for name, part_made in {**shared, **run_values}.items()
+        if name not in table.fit
+    }
     points: list[Points] = []
     if table.is_static:
-        constants = {one: value for one, value in values.items() if one in interface.inputs}
+        constants = {
+            part_made: value for part_made, value in values.items() if part_made in interface.inputs
+        }
         points, files = read_points(table, interface, constants)
         recording = points[0].recording
     else:
@@ -163,22 +173,22 @@ def runs_of_table(
             raise {**stated, **table.parameters}[name].place.error(message)
     run = _whole_run(table, interface, recording, files, values)
     if points:
-        every = [_curve(run, one, i == 0) for i, one in enumerate(points)]
-        parts = f"holds {len(every)} curves"
+        made_runs = [_curve(run, part_made, i == 0) for i, part_made in enumerate(points)]
+        parts = f"holds {len(made_runs)} curves"
     else:
         ends = _stated_ends(table)
         try:
             part = cut_run(run, Cut(ends.get("from"), ends.get("to")))
         except InputError as error:
             raise table.error(error.message, next(iter(ends), "file")) from None
-        every = pieces_of(part, table.gaps)
+        made_runs = pieces_of(part, table.gaps)
         if table.is_part:
             run = part  # what others cut it to lies within: the rest is of another run
-        parts = f"falls into {len(every)} pieces"
-    if table.fit and len(every) > 1:
+        parts = f"falls into {len(made_runs)} pieces"
+    if table.fit and len(made_runs) > 1:
         message = f"{shown(table.file)} {parts}, which have no parameter of their own; free it under [fit]"
         raise table.error(message, "fit")
-    return [_begun(interface, table, run, one, instead) for one in every]
+    return [_begun(interface, table, run, part_made, instead) for part_made in made_runs]
 
 
 def _whole_run(
@@ -212,7 +222,7 @@ def _stated_ends(table: RunTable) -> dict[str, float]:
     return {key: value.quantity("s") for key, value in ends if value is not None}
 
 
-def _begun(interface: Interface, table: RunTable, whole: Run, run: Run, instead: Overrides) -> Run:
+def _begun(interface: Interface, table: RunTable, uncut: Run, run: Run, instead: Overrides) -> Run:
     """A run, or a piece of one, with its start; cut to other ends than are stated, where that is asked for.
 
     What is stated of its start does not count where it then begins elsewhere, or is no longer the period that it was.
@@ -221,14 +231,14 @@ def _begun(interface: Interface, table: RunTable, whole: Run, run: Run, instead:
     interval = None if resample is None else resample.above_zero("s")
     if mode is not None and run.is_static:
         raise InputError(f"{run.name} holds points at rest, which have no start", run.file)
-    made = run if cut is None else cut_run(whole if run.name == whole.name else run, cut)
-    ends = [(one.time[0], one.time[-1] if table.periodic else 0.0) for one in (run, made)]
+    made = run if cut is None else cut_run(uncut if run.name == uncut.name else run, cut)
+    ends = [(piece.time[0], piece.time[-1] if table.periodic else 0.0) for piece in (run, made)]
     if interval is not None:
         made = resampled(made, interval, made.interpolation)
     return with_start(table, interface, made, mode, anew=ends[0] != ends[1])
 
 
-def _curve(run: Run, points: Points, first: bool) -> Run:
+def _curve(run: Run, points: Points, is_first: bool) -> Run:
     """One curve of a file; the first says how the file was read."""
     recording = points.recording
     unknown = BRANCH in run.default_inputs
@@ -244,6 +254,6 @@ def _curve(run: Run, points: Points, first: bool) -> Run:
         time=recording.time,
         inputs=recording.inputs,
         measurements=recording.measurements,
-        notes=notes if first else (),
+        notes=notes if is_first else (),
         default_inputs=tuple(name for name in run.default_inputs if name != BRANCH),
     )

@@ -22,7 +22,7 @@ _LISTS_OF_TEXTS = {
 def complaint_of(error: ErrorDetails) -> tuple[KeyPath, str]:
     """Where the error is, and what is wrong there."""
     path, kind = _of_keys(error["loc"]), error["type"]
-    named = next((one for one in reversed(path) if isinstance(one, str)), None)
+    named = next((part for part in reversed(path) if isinstance(part, str)), None)
     key = "the file" if named is None else shown(named)
     if kind == "extra_forbidden":
         return path, _unknown_key(path, error["input"])
@@ -105,8 +105,8 @@ def _unknown_key(path: KeyPath, value: Any) -> str:
         and isinstance(value, dict)
     ):
         return f'a name with a dot needs quotes: "{inner[1]}.{inner[2]}"'
-    known = [field.alias or name for name, field in _table_of(path).model_fields.items()]
-    return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), known)}"
+    keys = [field.alias or name for name, field in _table_of(path).model_fields.items()]
+    return f"unknown key {shown(path[-1])}; {did_you_mean(str(path[-1]), keys)}"
 
 
 def _table_of(path: KeyPath) -> type[CheckedTable]:

@@ -95,11 +95,11 @@ def located(value: Any, place: Place) -> Any:
             made._place = place
             return made
         case dict():
-            return {key: located(one, place / key) for key, one in value.items()}
+            return {key: located(entry, place / key) for key, entry in value.items()}
         case [CheckedTable(), *_]:
-            return [located(one, place / i) for i, one in enumerate(value)]
+            return [located(entry, place / i) for i, entry in enumerate(value)]
         case list():
-            return [located(one, place) for one in value]
+            return [located(entry, place) for entry in value]
     return value
 
 

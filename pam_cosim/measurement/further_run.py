@@ -59,9 +59,11 @@ def rows_of(inputs: Inputs, time: Array) -> tuple[Array, dict[str, Array]]:
         steps = np.flatnonzero(np.any([np.diff(v) != 0 for v in values.values()], axis=0)) + 1
         before = {name: np.insert(v, steps, v[steps - 1]) for name, v in values.items()}
         at, values = np.insert(at, steps, at[steps]), before
-    further = time[~np.isin(time, at)]
-    places = np.searchsorted(at, further)
-    rows = np.insert(at, places, further)
-    columns = {name: np.insert(v, places, np.interp(further, at, v)) for name, v in values.items()}
+    extra_times = time[~np.isin(time, at)]
+    places = np.searchsorted(at, extra_times)
+    rows = np.insert(at, places, extra_times)
+    columns = {
+        name: np.insert(v, places, np.interp(extra_times, at, v)) for name, v in values.items()
+    }
     within = rows <= time[-1]
     return rows[within], {name: v[within] for name, v in columns.items()}

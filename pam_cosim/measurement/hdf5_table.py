@@ -38,7 +38,7 @@ def is_hdf5(file: Path) -> bool:
 
 def _place(opened: Any, name: str | None, file: Path) -> Any:
     places = _places(opened)
-    groups = [one for one, place in places.items() if _holds_columns(place)]
+    groups = [group for group, place in places.items() if _holds_columns(place)]
     if name is not None:
         if name.strip("/") not in places:
             raise InputError(
@@ -46,7 +46,7 @@ def _place(opened: Any, name: str | None, file: Path) -> Any:
             )
         return places[name.strip("/")]
     if len(groups) != 1:
-        named = ", ".join(one or "/" for one in groups[:20])
+        named = ", ".join(group or "/" for group in groups[:20])
         hint = (
             f'state one of {named} under [recording], as table = "{groups[0] or "/"}"'
             if groups
@@ -60,9 +60,9 @@ def _places(opened: Any) -> dict[str, Any]:
     """Everything that the file itself holds: links, which may lead out of it, are not followed."""
     places = {"": opened}
 
-    def look(name: str, one: Any) -> None:
-        if not name.startswith("#") and _has_values(one):  # MATLAB's own.
-            places[name] = one
+    def look(name: str, item: Any) -> None:
+        if not name.startswith("#") and _has_values(item):  # MATLAB's own.
+            places[name] = item
 
     opened.visititems(look)
     return places
@@ -70,7 +70,7 @@ def _places(opened: Any) -> dict[str, Any]:
 
 def _holds_columns(place: Any) -> bool:
     return (
-        any(_is_vector(one) for _, one in _members(place))
+        any(_is_vector(item) for _, item in _members(place))
         if _is_group(place)
         else bool(place.dtype.names)
     )
@@ -84,29 +84,29 @@ def _members(group: Any) -> Iterator[tuple[str, Any]]:
             yield name, group[name]
 
 
-def _has_values(one: Any) -> bool:
+def _has_values(item: Any) -> bool:
     """Whether it is a group or a data set that is not empty: a file may name types too."""
-    return _is_group(one) or getattr(one, "shape", None) is not None
+    return _is_group(item) or getattr(item, "shape", None) is not None
 
 
-def _is_group(one: Any) -> bool:
-    return hasattr(one, "values")
+def _is_group(item: Any) -> bool:
+    return hasattr(item, "values")
 
 
-def _is_vector(one: Any) -> bool:
-    """One dimension, or another of length one besides as MATLAB writes it."""
-    if _is_group(one) or one.dtype.kind not in "fiu" or one.is_virtual or one.external:
+def _is_vector(item: Any) -> bool:
+    """One dimension, or another of length one, as MATLAB writes it."""
+    if _is_group(item) or item.dtype.kind not in "fiu" or item.is_virtual or item.external:
         return False
-    return len(one.shape) in (1, 2) and max(one.shape) > 1 and one.size == max(one.shape)
+    return len(item.shape) in (1, 2) and max(item.shape) > 1 and item.size == max(item.shape)
 
 
 def _vectors(place: Any, stated: Layout, file: Path) -> Iterator[tuple[str, str, Any]]:
     if _is_group(place):
-        vectors = [(heading, one) for heading, one in _members(place) if _is_vector(one)]
-        check_count(sum(_size(one) for _, one in vectors), file)
-        for heading, one in vectors:
-            unit = next((_text(one.attrs[key]) for key in _UNITS if key in one.attrs), "")
-            yield heading, unit, one
+        vectors = [(heading, item) for heading, item in _members(place) if _is_vector(item)]
+        check_count(sum(_size(item) for _, item in vectors), file)
+        for heading, item in vectors:
+            unit = next((_text(item.attrs[key]) for key in _UNITS if key in item.attrs), "")
+            yield heading, unit, item
     elif place.is_virtual or place.external:
         raise InputError(
             f"{shown(place.name)} is kept in other files; export the recording whole", file
@@ -128,9 +128,9 @@ def _vectors(place: Any, stated: Layout, file: Path) -> Iterator[tuple[str, str,
         )
 
 
-def _size(one: Any) -> int:
+def _size(item: Any) -> int:
     """How many values are read: of what is kept in chunks, one of them at least."""
-    return int(max(one.size, prod(one.chunks or ())))
+    return int(max(item.size, prod(item.chunks or ())))
 
 
 def _text(value: Any) -> str:

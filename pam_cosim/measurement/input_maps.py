@@ -36,10 +36,10 @@ def input_maps(experiment: Experiment, interface: Interface) -> list[InputMap]:
         message = "a map that is fitted is one for all runs: state it under [columns]"
         raise table.error(message, "fit")
     free = dict.fromkeys([*experiment.fit, *(name for run in experiment.runs for name in run.fit)])
-    for known in (interface.inputs[name] for name in free if name in interface.inputs):
-        stated = experiment.parameters.get(known.name)
-        value = stated.quantity(known.unit) if stated else known.start or 0.0
-        maps.append(InputMap(known.name, known.unit, None, 0.0, value))
+    for variable in (interface.inputs[name] for name in free if name in interface.inputs):
+        stated = experiment.parameters.get(variable.name)
+        value = stated.quantity(variable.unit) if stated else variable.start or 0.0
+        maps.append(InputMap(variable.name, variable.unit, None, 0.0, value))
     return maps
 
 
@@ -76,7 +76,7 @@ def _by_names(table: Any, raw: Mapping[str, str], constants: Mapping[str, str]) 
         if isinstance(within, dict):
             update[key] = {constants.get(name, name): value for name, value in within.items()}
         elif within is not None:
-            update[key] = [_by_names(one, raw, constants) for one in within]
+            update[key] = [_by_names(part, raw, constants) for part in within]
     return table.model_copy(update=update)
 
 
@@ -91,19 +91,19 @@ def _columns(columns: Mapping[str, ColumnTable], raw: Mapping[str, str]) -> dict
     return renamed
 
 
-def _map(known: Variable, table: ColumnTable) -> InputMap:
+def _map(variable: Variable, table: ColumnTable) -> InputMap:
     gain = table.gain.value if table.gain else 1.0
-    for raw in dict.fromkeys((known.unit, *_RECORDED_IN)):
+    for raw in dict.fromkeys((variable.unit, *_RECORDED_IN)):
         try:
-            factor = parse_quantity(gain, quotient(known.unit, raw))
+            factor = parse_quantity(gain, quotient(variable.unit, raw))
         except UnitError:
             continue
         if factor == 0.0:
-            raise table.error(f"the gain of {known.name} must not be zero", "gain")
-        same = raw == known.unit  # a temperature is shifted by a difference
-        shift = table.offset.quantity(known.unit, difference=same) if table.offset else 0.0
-        return InputMap(known.name, known.unit, raw, factor, shift)
-    message = f'gain of {known.name}: {gain} does not fit; write for example "0.05 {quotient(known.unit, "V")}"'
+            raise table.error(f"the gain of {variable.name} must not be zero", "gain")
+        same = raw == variable.unit  # a temperature is shifted by a difference
+        shift = table.offset.quantity(variable.unit, difference=same) if table.offset else 0.0
+        return InputMap(variable.name, variable.unit, raw, factor, shift)
+    message = f'gain of {variable.name}: {gain} does not fit; write for example "0.05 {quotient(variable.unit, "V")}"'
     raise table.error(message, "gain")
 
 
@@ -116,12 +116,17 @@ def _free(name: str, table: ColumnTable, interface: Interface) -> dict[str, Free
     )
     if gain is None or offset is None:
         raise place.error(f"{interface.model} has no map of {name} that could be fitted")
-    one = _map(Variable(name, offset.unit), table)
-    low, high = sorted((one.gain / 2, one.gain * 2))
-    span = _usual(interface, offset.unit) / 2 or abs(one.gain)
+    input_map = _map(Variable(name, offset.unit), table)
+    low, high = sorted((input_map.gain / 2, input_map.gain * 2))
+    span = _usual(interface, offset.unit) / 2 or abs(input_map.gain)
     ends = {
-        gain_of(name): (low, high, one.gain, gain.unit),
-        offset_of(name): (one.offset - span, one.offset + span, one.offset, offset.unit),
+        gain_of(name): (low, high, input_map.gain, gain.unit),
+        offset_of(name): (
+            input_map.offset - span,
+            input_map.offset + span,
+            input_map.offset,
+            offset.unit,
+        ),
     }
     chosen = {"gain": [gain_of(name)], "offset": [offset_of(name)]}.get(str(table.fit), list(ends))
     made = {}

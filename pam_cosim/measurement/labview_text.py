@@ -33,11 +33,11 @@ def units_above(above: Sequence[Row], count: int) -> list[str] | None:
 
     A channel's label may be a text of the programmer's; one that names no unit is passed over.
     """
-    said = {row.cells[0]: row.cells for row in above if row.cells}
-    if _UNITS not in said:
+    cells_by_key = {row.cells[0]: row.cells for row in above if row.cells}
+    if _UNITS not in cells_by_key:
         return None
-    along = "s" if "Time" in said.get(_ALONG, ()) else ""
-    units = [along, *(cell if is_unit(cell) else "" for cell in said[_UNITS][1:])]
+    along = "s" if "Time" in cells_by_key.get(_ALONG, ()) else ""
+    units = [along, *(cell if is_unit(cell) else "" for cell in cells_by_key[_UNITS][1:])]
     return [*units, *[""] * count][:count]
 
 
@@ -64,11 +64,11 @@ def completed(lines: list[Line]) -> list[Line]:
 
 def _times(above: Sequence[Line], separator: str, count: int) -> list[str]:
     """The times of so many rows as LabVIEW writes them; empty where the channels' times differ or are not said."""
-    said = {key: set(cells) for _, line in above for key, *cells in [line.split(separator)]}
-    first, step = (sorted(said.get(key, set()) - {""}) for key in (_START, _STEP))
-    numbers = [*first, *step]
-    if len(first) != 1 or len(step) != 1 or not all(map(NUMBER.fullmatch, numbers)):
+    cells_by_key = {key: set(cells) for _, line in above for key, *cells in [line.split(separator)]}
+    starts, step = (sorted(cells_by_key.get(key, set()) - {""}) for key in (_START, _STEP))
+    numbers = [*starts, *step]
+    if len(starts) != 1 or len(step) != 1 or not all(map(NUMBER.fullmatch, numbers)):
         return [""] * count
-    begin, interval = (float(one.replace(",", ".")) for one in numbers)
+    begin, interval = (float(number.replace(",", ".")) for number in numbers)
     times = [f"{begin + k * interval:.12g}" for k in range(count)]
-    return [one.replace(".", ",") for one in times] if "," in "".join(numbers) else times
+    return [number.replace(".", ",") for number in times] if "," in "".join(numbers) else times

@@ -11,11 +11,11 @@ FEWEST_SAMPLES = 20  # that are compared with each other
 
 def marker_of(values: Array) -> float | None:
     """The one number that is farther from all others than these are apart; None: there is none."""
-    known = values[np.isfinite(values)]
-    if len(known) < FEWEST_SAMPLES:
+    finite = values[np.isfinite(values)]
+    if len(finite) < FEWEST_SAMPLES:
         return None
-    for value in (known.min(), known.max()):
-        rest = known[known != value]
+    for value in (finite.min(), finite.max()):
+        rest = finite[finite != value]
         span = float(np.ptp(rest)) if rest.size else 0.0
         if span and float(np.min(np.abs(rest - value))) > span:
             return float(value)
@@ -24,6 +24,6 @@ def marker_of(values: Array) -> float | None:
 
 def input_marker_of(values: Array) -> float | None:
     """The same of an input; None also where it mostly keeps its value: the highest of three steps is no marker."""
-    known = values[np.isfinite(values)]
-    is_read = len(known) > 1 and float(np.median(np.abs(np.diff(known)))) > 0.0
-    return marker_of(known) if is_read else None
+    finite = values[np.isfinite(values)]
+    is_read = len(finite) > 1 and float(np.median(np.abs(np.diff(finite)))) > 0.0
+    return marker_of(finite) if is_read else None

@@ -91,7 +91,7 @@ def _chosen(variables: Mapping[str, Any], name: str | None, file: Path) -> Any:
         return places[name.strip("/")]
     if any(_is_vector(value) for value in variables.values()):
         return variables
-    structures = [one for one, value in variables.items() if _structures(value)]
+    structures = [variable for variable, value in variables.items() if _structures(value)]
     if len(structures) != 1:
         message = f"there is no vector of numbers among {_held(variables)}"
         raise InputError(
@@ -112,10 +112,12 @@ def _places(fields: Mapping[str, Any], above: str = "") -> Iterator[tuple[str, A
 def _structures(value: Any) -> list[dict[str, Any]]:
     """The fields of a structure, or of each of a row of them or of cells."""
     if isinstance(value, np.ndarray) and value.dtype == object and not value.dtype.names:
-        return [fields for one in value.flat for fields in _structures(one)]
+        return [fields for element in value.flat for fields in _structures(element)]
     if not isinstance(value, np.ndarray | np.void) or not value.dtype.names or _is_object(value):
         return []
-    return [{name: one[name] for name in value.dtype.names} for one in np.atleast_1d(value).flat]
+    return [
+        {name: element[name] for name in value.dtype.names} for element in np.atleast_1d(value).flat
+    ]
 
 
 def _is_object(value: Any) -> bool:
@@ -164,7 +166,7 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
             'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
         )
     fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
-    return _named([one for own in fields for one in _vectors(own)])
+    return _named([vector for structure in fields for vector in _vectors(structure)])
 
 
 _Path = tuple[str, ...]
@@ -175,14 +177,14 @@ def _vectors(fields: Mapping[str, Any], above: _Path = ()) -> list[tuple[_Path, 
 
     One that is alone with a text called label or name, as Simulink and dSPACE write signals, is called by that.
     """
-    own = [name for name, value in fields.items() if _is_vector(np.asarray(value))]
+    vector_names = [name for name, value in fields.items() if _is_vector(np.asarray(value))]
     label = next((v for n, v in fields.items() if n.casefold() in _LABELS and _is_text(v)), None)
-    names = [label] if above and label and len(own) == 1 else own
-    found = [((*above, name), fields[one]) for name, one in zip(names, own, strict=True)]
-    if len(own) > 1:
-        return found
-    within = [(name, one) for name, value in fields.items() for one in _structures(value)]
-    return [*found, *(pair for name, one in within for pair in _vectors(one, (*above, name)))]
+    names = [label] if above and label and len(vector_names) == 1 else vector_names
+    vectors = [((*above, name), fields[key]) for name, key in zip(names, vector_names, strict=True)]
+    if len(vector_names) > 1:
+        return vectors
+    within = [(name, key) for name, value in fields.items() for key in _structures(value)]
+    return [*vectors, *(pair for name, key in within for pair in _vectors(key, (*above, name)))]
 
 
 def _is_text(value: Any) -> bool:

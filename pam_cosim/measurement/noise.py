@@ -31,22 +31,24 @@ def complete_noise(stated: Mapping[str, StatedSignal], runs: Sequence[Run]) -> d
         stated: the measured outputs by name.
         runs: their samples.
     """
-    return with_repeatability({name: _complete(one, runs) for name, one in stated.items()}, runs)
+    return with_repeatability(
+        {name: _complete(signal, runs) for name, signal in stated.items()}, runs
+    )
 
 
 def _complete(stated: StatedSignal, runs: Sequence[Run]) -> Signal:
     """A signal with the noise of one run, stated, estimated or assumed."""
     samples = [run.measurements[stated.name] for run in runs if stated.name in run.measurements]
-    known = stated.sigma or _typical(runs, stated.name)
+    known_sigma = stated.sigma or _typical(runs, stated.name)
     signal = Signal(
         stated.name,
         stated.unit,
-        known or _assumed(samples),
+        known_sigma or _assumed(samples),
         estimated=stated.sigma is None,
         fitted=stated.fitted,
         step=stated.step,
         repeatability=stated.repeatability,
-        assumed=not known,
+        assumed=not known_sigma,
         stated=stated.sigma,
     )
     if not (signal.assumed or signal.step):
@@ -55,7 +57,7 @@ def _complete(stated: StatedSignal, runs: Sequence[Run]) -> Signal:
 
 
 def _growing(signal: Signal, growth: float, samples: Sequence[Array]) -> Signal:
-    """The signal with noise that grows with the reading; steps count as noise beside it, white and the same everywhere.
+    """The signal with noise that grows with the reading; steps count as additional white noise.
 
     What an instrument of a class of accuracy is off by at every reading alike is no noise: that is an effect.
     """
@@ -96,8 +98,8 @@ def record_step(values: ArrayLike) -> float:
         return 0.0
     # From level to level, so that digits which round a step themselves do not add up; then the step that suits all.
     places = np.concatenate([[0.0], np.cumsum(np.round(np.diff(levels) / quantum))])
-    step, first = (float(c) for c in np.polyfit(places, levels, 1))
-    off = np.abs(levels - first - step * places)
+    step, offset = (float(c) for c in np.polyfit(places, levels, 1))
+    off = np.abs(levels - offset - step * places)
     return step if bool((off < CRITERIA.noise.off_step * step).all()) else 0.0
 
 
@@ -157,10 +159,10 @@ def _misses(at: Array, values: Array, around: Sequence[int]) -> Array:
         return np.empty(0)
     nodes = at[middle[:, None] + np.array(around)]
     distance = nodes[:, :, None] - nodes[:, None, :]
-    own = np.arange(len(around))
-    distance[:, own, own] = 1.0
+    places = np.arange(len(around))
+    distance[:, places, places] = 1.0
     factors = np.repeat((at[middle, None] - nodes)[:, None, :], len(around), axis=1)
-    factors[:, own, own] = 1.0
+    factors[:, places, places] = 1.0
     with np.errstate(all="ignore"):  # two nodes at one place, or nearly so, have no weights
         weights = (factors / distance).prod(axis=2)
         there = np.isfinite(np.sum(weights**2, axis=1))

@@ -18,16 +18,20 @@ def known_values(interface: Interface, values: Mapping[str, Stated]) -> dict[str
     Raises:
         InputError: an unknown name, a unit that does not fit, a value outside the model's range.
     """
-    known = {**interface.parameters, **interface.inputs}
+    variables = {**interface.parameters, **interface.inputs}
     what = f"{interface.model} has no parameter or input"
     return {
-        name: _value(_variable(known, name, what, stated.place), stated)
+        name: _value(_variable(variables, name, what, stated.place), stated)
         for name, stated in values.items()
     }
 
 
 def free_parameter(
-    interface: Interface, name: str, table: FreeTable, known: Mapping[str, Stated], run: str = ""
+    interface: Interface,
+    name: str,
+    table: FreeTable,
+    stated_values: Mapping[str, Stated],
+    run: str = "",
 ) -> FreeParameter:
     """One entry of ``[fit]`` or ``[runs.fit]``; a value under ``[parameters]`` (``known``) is its start value.
 
@@ -48,10 +52,10 @@ def free_parameter(
         raise table.error(f"{name}: the bounds are reversed or equal, {bounds}")
     if table.transform == "log" and not low > 0.0:
         raise table.error(f"{name}: a logarithm needs bounds above zero, not {bounds}", "transform")
-    if table.start is not None and name in known and not run:
+    if table.start is not None and name in stated_values and not run:
         message = f"{name} has a start value here and a value under [parameters]; keep one of them"
         raise table.error(message, "start")
-    stated = table.start or known.get(name)
+    stated = table.start or stated_values.get(name)
     start = None if stated is None else _value(parameter, stated)
     if stated is not None and start is not None and not low <= start <= high:
         raise stated.place.error(f"{name}: the start value lies outside the bounds, {bounds}")
@@ -60,14 +64,14 @@ def free_parameter(
         mean, subject = _value(parameter, table.prior.mean), f"sd of the prior of {name}"
         prior = Prior(mean, table.prior.sd.above_zero(parameter.unit, subject, difference=True))
         start = min(max(mean, low), high) if start is None else start
-    own = f"{name}@{run}" if run else name
-    return FreeParameter(own, low, high, start, parameter.unit, table.transform, prior, run)
+    full_name = f"{name}@{run}" if run else name
+    return FreeParameter(full_name, low, high, start, parameter.unit, table.transform, prior, run)
 
 
-def _variable(known: Mapping[str, Variable], name: str, what: str, place: Place) -> Variable:
-    if name not in known:
-        raise place.error(f"{what} {shown(name)}; {did_you_mean(name, known)}")
-    return known[name]
+def _variable(variables: Mapping[str, Variable], name: str, what: str, place: Place) -> Variable:
+    if name not in variables:
+        raise place.error(f"{what} {shown(name)}; {did_you_mean(name, variables)}")
+    return variables[name]
 
 
 def _value(parameter: Variable, stated: Stated) -> float:

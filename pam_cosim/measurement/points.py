@@ -91,7 +91,7 @@ def points_of(
     if branch is not None:
         imposed[BRANCH] = branch
         apart.append(-branch)
-    found = []
+    curves_found = []
     for curve in curves(driving, read, apart):
         out = bool(apart[0][curve.rows[0]])
         label = ", ".join(
@@ -102,8 +102,10 @@ def points_of(
             for columns in (imposed, read)
         )
         recording = Recording(inputs[curve.along], inputs, outputs, table.notes)
-        found.append(Points(label, curve.along, interface.inputs[curve.along].unit, recording, out))
-    return _distinct(found)
+        curves_found.append(
+            Points(label, curve.along, interface.inputs[curve.along].unit, recording, out)
+        )
+    return _distinct(curves_found)
 
 
 def _check_columns(table: Table, interface: Interface) -> None:
@@ -122,13 +124,13 @@ def _way(branch: Array | None, curve: Curve) -> str:
     return next(word for word, value in WORDS.items() if value == branch[curve.rows[0]])
 
 
-def _distinct(found: list[Points]) -> list[Points]:
+def _distinct(curves_found: list[Points]) -> list[Points]:
     """Labels of curves that are alike are numbered."""
     seen, named = Counter[str](), []
-    for one in found:
-        seen[one.label] += 1
-        number = f" ({seen[one.label]})" if seen[one.label] > 1 else ""
-        named.append(replace(one, label=one.label + number))
+    for curve in curves_found:
+        seen[curve.label] += 1
+        number = f" ({seen[curve.label]})" if seen[curve.label] > 1 else ""
+        named.append(replace(curve, label=curve.label + number))
     return named
 
 
@@ -183,8 +185,8 @@ def _branch(
     if stated in WORDS:
         return np.full(count, WORDS[stated])
     by_unit = {unit: [n for n in imposed if interface.inputs[n].unit == unit] for unit in CONTRACTS}
-    first = [name for names in by_unit.values() for name in names]
-    ways, along = directions(imposed, first, read)
+    driving = [name for names in by_unit.values() for name in names]
+    ways, along = directions(imposed, driving, read)
     if not ways.any():
         message = (
             f"the rows of {table.file.name} tell no direction: no pressure, length or load changes"
@@ -209,13 +211,13 @@ def _held_out(
             message = f"{shown(name)} is no column of {table.file.name} that is imposed; those are {listed(imposed)}"
             raise place.error(message)
         column, unit = imposed[name], interface.inputs[name].unit
-        near = max(
+        tolerance = max(
             VALUE_TOLERANCE * float(np.ptp(column)),
             CONSTANT_RANGE * float(np.abs(column).max()),
         )
         for value in values:
             wanted = value.quantity(unit)
-            meant = np.abs(column - wanted) <= near
+            meant = np.abs(column - wanted) <= tolerance
             if not meant.any():
                 nearest = format_quantity(float(column[np.argmin(np.abs(column - wanted))]), unit)
                 raise place.error(
@@ -228,8 +230,8 @@ def _held_out(
 
 
 def _label(curve: Curve, interface: Interface) -> str:
-    said = (
+    parts = (
         f"{name} = {format_quantity(value, interface.inputs[name].unit)}"
         for name, value in curve.at.items()
     )
-    return ", ".join(said).replace("/", " per ")
+    return ", ".join(parts).replace("/", " per ")

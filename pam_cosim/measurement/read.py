@@ -87,7 +87,9 @@ def _converted(
             raise signal.error(message)
     tables = experiment.full_runs()
     check_runs(tables, experiment)
-    of_runs = [one for table in tables for one in parameters_of_run(interface, table, stated)]
+    of_runs = [
+        parameter for table in tables for parameter in parameters_of_run(interface, table, stated)
+    ]
     read = [runs_of_table(interface, table, stated, shared, overrides) for table in tables]
     runs = tuple(run for several in read for run in several)
     overrides.check(title, [run.name for run in runs])
@@ -100,18 +102,18 @@ def _converted(
         bench="",
         signals=complete_noise(signals, runs),
         parameters=shared,
-        fit=free | {one.name: one for one in of_runs},
+        fit=free | {parameter.name: parameter for parameter in of_runs},
         runs=runs,
         excluded=tuple(experiment.effects.exclude),
         expected=tuple(experiment.effects.expect),
     )
 
 
-def _no_map(experiment: Experiment, one: InputMap) -> InputError:
-    message = f"{one.name} is an input, and an FMU takes no parameters in its place: name a bench or a Modelica model"
-    if one.raw is not None:
-        return experiment.columns[one.name].error(message, "fit")
-    return (experiment.at("fit") / one.name).error(message)
+def _no_map(experiment: Experiment, input_map: InputMap) -> InputError:
+    message = f"{input_map.name} is an input, and an FMU has no parameters for it: name a bench or a Modelica model"
+    if input_map.raw is not None:
+        return experiment.columns[input_map.name].error(message, "fit")
+    return (experiment.at("fit") / input_map.name).error(message)
 
 
 def _experiment_file(folder: Path) -> Path:
@@ -130,8 +132,8 @@ def _experiment_file(folder: Path) -> Path:
 def _model_of(experiment: Experiment, benches: Callable[[], Sequence[str]]) -> str:
     """The bench's name."""
     if not experiment.model:
-        known = ", ".join(benches())
-        one_of = f", one of {known}, or a Modelica class, a .mo or an .fmu file" if known else ""
+        names = ", ".join(benches())
+        one_of = f", one of {names}, or a Modelica class, a .mo or an .fmu file" if names else ""
         raise experiment.error(
             f'model is missing: name the bench as model = "..."{one_of}', "model"
         )
@@ -139,7 +141,7 @@ def _model_of(experiment: Experiment, benches: Callable[[], Sequence[str]]) -> s
 
 
 def _bench(experiment: Experiment) -> str:
-    """The model that the file names; a ``.mo`` or ``.fmu`` file beside the experiment is meant relative to it."""
+    """The model that the file names; a ``.mo`` or ``.fmu`` file in the folder of the experiment is relative to it."""
     name = experiment.model or ""
     return str(experiment.at("model").file_inside(name)) if is_file(name) else name
 

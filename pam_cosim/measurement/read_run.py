@@ -34,8 +34,8 @@ def read_run(run: RunTable, interface: Interface) -> tuple[Recording, tuple[Path
         other = _recording(logger, run, files[-1], interface)
         offset = _offset(run, logger, recording, other)
         if offset.sd:
-            said = f"the clock of {logger.file} is put {offset.value:.4g} s on, ± {offset.sd:.2g} s, by {logger.match}"
-            recording = replace(recording, notes=(*recording.notes, said))
+            note = f"the clock of {logger.file} is put {offset.value:.4g} s on, ± {offset.sd:.2g} s, by {logger.match}"
+            recording = replace(recording, notes=(*recording.notes, note))
         try:
             recording = merged(recording, other, offset.value, run.between_samples)
         except ClockError as error:
@@ -93,19 +93,23 @@ def _recording(
     return recording_of(table, interface)
 
 
-def _offset(run: RunTable, logger: LoggerTable, one: Recording, other: Recording) -> Offset:
+def _offset(run: RunTable, logger: LoggerTable, reference: Recording, shifted: Recording) -> Offset:
     if (logger.offset is None) == (logger.match is None):
         message = 'state what to add to its times, offset = "0.12 s", or a signal that both files have, match = "p"'
         raise logger.error(f"{logger.file}: {message}", "offset")
     if logger.offset is not None:
         return Offset(logger.offset.quantity("s"))
     name = str(logger.match)
-    courses = [{**recording.inputs, **recording.measurements} for recording in (one, other)]
+    signals_of_files = [
+        {**recording.inputs, **recording.measurements} for recording in (reference, shifted)
+    ]
     try:
-        for course, file in zip(courses, (run.file, logger.file), strict=True):
-            if name not in course:
-                raise ClockError(f"{file} has no {shown(name)}; {did_you_mean(name, course)}")
-        return estimate_offset((one.time, courses[0][name]), (other.time, courses[1][name]))
+        for signals, file in zip(signals_of_files, (run.file, logger.file), strict=True):
+            if name not in signals:
+                raise ClockError(f"{file} has no {shown(name)}; {did_you_mean(name, signals)}")
+        return estimate_offset(
+            (reference.time, signals_of_files[0][name]), (shifted.time, signals_of_files[1][name])
+        )
     except ClockError as error:
         message = (
             f"the offset of {logger.file} cannot be estimated: {error}; state it as offset = ..."
@@ -114,5 +118,5 @@ def _offset(run: RunTable, logger: LoggerTable, one: Recording, other: Recording
 
 
 def _layout(stated: RecordingTable, columns: Columns, interface: Interface) -> Layout:
-    asked = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
-    return stated.layout(asked=asked, clock=clock_of(columns))
+    needed = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
+    return stated.layout(asked=needed, clock=clock_of(columns))

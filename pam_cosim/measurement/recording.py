@@ -78,14 +78,14 @@ def only_whole_rows(table: Table, needed: Iterable[str]) -> Table:
     columns = [table.columns[name].values for name in needed]
     if not table.missing or not columns:
         return table
-    whole = np.asarray(~np.isnan(np.array(columns)).any(axis=0))
-    if whole.all():
+    is_complete = np.asarray(~np.isnan(np.array(columns)).any(axis=0))
+    if is_complete.all():
         return table
-    if not whole.any():
-        raise InputError(f"no row has all that is needed: {listed(needed)}", table.file)
-    count, words = int((~whole).sum()), listed(map(shown, table.missing))
-    note = f"{LEFT_OUT} {count} of {len(whole)} rows, in which a value that is needed is missing ({words})"
-    return replace(table.rows(whole), notes=(*table.notes, note))
+    if not is_complete.any():
+        raise InputError(f"no row has values in all required columns: {listed(needed)}", table.file)
+    count, words = int((~is_complete).sum()), listed(map(shown, table.missing))
+    note = f"{LEFT_OUT} {count} of {len(is_complete)} rows, in which a value that is needed is missing ({words})"
+    return replace(table.rows(is_complete), notes=(*table.notes, note))
 
 
 def with_held_values(table: Table, held: Iterable[str]) -> Table:
@@ -122,9 +122,9 @@ def unknown_column(name: str, interface: Interface, time: bool = True) -> str:
     """What to say of a column that the bench does not know; ``time``: one of time is expected."""
     if name in interface.parameters:
         return f"{shown(name)} is a parameter of {interface.model}; set it under [runs.parameters]"
-    known = [*([TIME] if time else []), *interface.inputs, *interface.outputs]
+    names = [*([TIME] if time else []), *interface.inputs, *interface.outputs]
     hint = "state what it is under [columns], or leave it out: [recording] ignore = [...]"
-    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, known)}; {hint}"
+    return f"{interface.model} has no input or output {shown(name)}; {did_you_mean(name, names)}; {hint}"
 
 
 def converted(table: Table, name: str, unit: str) -> NDArray[np.float64]:

@@ -53,10 +53,10 @@ def with_repeatability(signals: Mapping[str, Signal], runs: Sequence[Run]) -> di
 def _with_estimate(signal: Signal, runs: Sequence[Run]) -> Signal:
     if signal.repeatability:
         return signal
-    found = repeatability(runs, signal.name)
-    if found**2 <= (1.0 + CRITERIA.noise.repeatability_excess) * signal.sigma**2:
+    estimate = repeatability(runs, signal.name)
+    if estimate**2 <= (1.0 + CRITERIA.noise.repeatability_excess) * signal.sigma**2:
         return signal
-    return replace(signal, repeatability=found, repeats=True)
+    return replace(signal, repeatability=estimate, repeats=True)
 
 
 def _with_repeatability_as_noise(signal: Signal) -> Signal:
@@ -69,10 +69,10 @@ def _with_repeatability_as_noise(signal: Signal) -> Signal:
 
 def _repeated_pairs(runs: Sequence[Run]) -> Iterator[tuple[Run, Run]]:
     """Pairs of runs of the same test: equal parameters, and inputs that are as good as equal."""
-    every = {
+    pairs = {
         name: [r.inputs[name] for r in runs if name in r.inputs] for a in runs for name in a.inputs
     }
-    span = {name: float(np.ptp(np.concatenate(values))) for name, values in every.items()}
+    span = {name: float(np.ptp(np.concatenate(values))) for name, values in pairs.items()}
     for a, b in itertools.combinations(runs, 2):
         if _are_same_test(a, b) and all(
             _has_near_input(a, b, name, span[name]) for name in a.inputs
@@ -87,22 +87,22 @@ def _are_same_test(a: Run, b: Run) -> bool:
         b.inputs.keys(),
     ) or not a.inputs:
         return False
-    one, other = (float(np.ptp(run.time)) for run in (a, b))
-    return abs(one - other) <= CRITERIA.noise.same_test * max(one, other)
+    duration_a, duration_b = (float(np.ptp(run.time)) for run in (a, b))
+    return abs(duration_a - duration_b) <= CRITERIA.noise.same_test * max(duration_a, duration_b)
 
 
 def _has_near_input(a: Run, b: Run, name: str, span: float) -> bool:
     """Whether an input differs by little of what it goes through in all runs, and in these two: or by noise alone."""
-    near, other = a.inputs[name], b.inputs[name][_nearest_samples(a, b)]
-    square = float(np.mean((near - other) ** 2))
-    size = max(float(np.abs(near).max()), float(np.abs(other).max()))
+    input_a, input_b = a.inputs[name], b.inputs[name][_nearest_samples(a, b)]
+    square = float(np.mean((input_a - input_b) ** 2))
+    size = max(float(np.abs(input_a).max()), float(np.abs(input_b).max()))
     if sqrt(square) > CRITERIA.noise.same_test * span:
         return False
     if sqrt(square) <= CRITERIA.noise.same_test * size:
         return True
     noise = estimate_noise(
-        a.time, near - other
-    )  # of an input that rests beside others and is recorded
+        a.time, input_a - input_b
+    )  # of an input that is constant while others vary, and is recorded
     return square <= (1.0 + CRITERIA.noise.repeatability_excess) * noise**2
 
 

@@ -52,10 +52,10 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     kept = np.setdiff1d(rows_kept if recording.inputs else jumps[:0], starts[sizes == 1])
     mean_at = np.searchsorted(starts, kept, side="right") - 1
     # About the first sample, so that the mean of what stands still is that to the last digit.
-    first = {name: v[starts] for name, v in recording.inputs.items()}
+    first_values = {name: v[starts] for name, v in recording.inputs.items()}
     inputs = {
         name: v + np.add.reduceat(recording.inputs[name] - np.repeat(v, sizes), starts) / sizes
-        for name, v in first.items()
+        for name, v in first_values.items()
     }
     means = {name: _mean(time, v, starts) for name, v in recording.measurements.items()}
     elsewhere = {
@@ -65,12 +65,12 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     pairs: list[Array] = [
         np.column_stack([means[name].time[at], at]) for name, at in elsewhere.items()
     ]
-    further, row = np.unique(
+    extra_times, row = np.unique(
         np.concatenate([np.empty((0, 2)), *pairs]), axis=0, return_inverse=True
     )
     rows = np.split(row.ravel(), np.cumsum([len(at) for at in elsewhere.values()]))
     row_of = dict(zip(elsewhere, rows, strict=False))
-    own_time, of_mean = further[:, 0], further[:, 1].astype(np.int64)
+    own_time, of_mean = extra_times[:, 0], extra_times[:, 1].astype(np.int64)
     times = np.concatenate([middle, time[kept], own_time])
     # Stable: of rows at one time the mean before a step comes first.
     order = np.lexsort((np.concatenate([starts, kept, starts[of_mean]]), times))
@@ -78,9 +78,9 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
 
     def of_input(name: str, values: Array) -> Array:
         recorded = recording.inputs[name]
-        own = values[mean_at] if held else recorded[kept]
+        means = values[mean_at] if held else recorded[kept]
         there = values[of_mean] if held else np.interp(own_time, time, recorded)
-        return locked(np.concatenate([values, own, there])[order])
+        return locked(np.concatenate([values, means, there])[order])
 
     def of_measurement(name: str, mean: _Mean) -> Array:
         values, there = mean.values.copy(), np.full(len(own_time), np.nan)
@@ -132,13 +132,13 @@ def with_noise_of_means(
 
 def _starts(time: Array, jumps: _Places, interval: float) -> _Places:
     """First index of each mean: what lies between steps is divided evenly."""
-    first = np.concatenate([[0], jumps + 1])
+    begins = np.concatenate([[0], jumps + 1])
     last = np.concatenate([jumps, [len(time) - 1]])
-    span = time[last] - time[first]
+    span = time[last] - time[begins]
     parts = np.maximum(1, np.round(span / interval)).astype(np.int64)
-    segment = np.repeat(np.arange(len(first)), last - first + 1)
+    segment = np.repeat(np.arange(len(begins)), last - begins + 1)
     with np.errstate(invalid="ignore", divide="ignore"):
-        share = np.nan_to_num((time - time[first][segment]) / span[segment])
+        share = np.nan_to_num((time - time[begins][segment]) / span[segment])
     place = np.minimum(np.floor(share * parts[segment]).astype(np.int64), parts[segment] - 1)
     number = np.concatenate([[0], np.cumsum(parts)[:-1]])[segment] + place
     return np.concatenate([[0], np.flatnonzero(np.diff(number)) + 1])

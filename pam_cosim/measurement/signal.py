@@ -53,8 +53,8 @@ class Signal:
         sigma: standard deviation of the instrument's noise [unit]; where it grows with the reading, its root mean
             square over the samples.
         estimated: ``sigma`` was not stated by the experimenter: it was estimated from the samples, or assumed.
-        fitted: parameters are fitted to it and models judged by it; otherwise it is only shown beside the model.
-        step: of the record [unit], where that is coarse beside the noise: ``sigma`` holds what it adds. 0: none.
+        fitted: parameters are fitted to it and models judged by it; otherwise it is only shown with the model.
+        step: of the record [unit], where that is coarse compared with the noise: ``sigma`` holds what it adds. 0: none.
         repeatability: standard deviation between runs of the same test [unit], the noise included: ``sigma`` is this
             where it is larger. 0: nobody knows.
         repeats: ``repeatability`` was estimated from runs that repeat one another, not stated by the experimenter.

@@ -26,7 +26,7 @@ def jumps(inputs: Mapping[str, Array], most: int) -> NDArray[np.int64]:
 def between_samples(run: Run) -> NDArray[np.int64]:
     """Rows after which an input steps while as much time passes as usual; a step that stands in two rows is none.
 
-    Where steps follow each other at once, it is a course, and its bends are where the samples are.
+    Where steps follow each other at once, it is a time series, and its bends are at the samples.
     """
     count = len(run.time)
     if run.is_static or not run.inputs or count < CRITERIA.noise.fewest_samples:

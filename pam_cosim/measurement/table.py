@@ -66,7 +66,9 @@ class Table:
 
     def rows(self, kept: slice | NDArray[np.bool_]) -> Table:
         """The table with some of its rows."""
-        columns = {n: replace(one, values=one.values[kept]) for n, one in self.columns.items()}
+        columns = {
+            n: replace(column, values=column.values[kept]) for n, column in self.columns.items()
+        }
         lines = None if self.lines is None else self.lines[kept]
         return replace(self, columns=columns, lines=lines)
 
@@ -200,7 +202,7 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
     """The table of a file in which each column stands by itself; times of day are seconds since the first.
 
     Args:
-        vectors: heading, unit beside it ("": none) and values of each column; a text says what it holds instead of
+        vectors: heading, its unit ("": none) and values of each column; a text says what it holds instead of
             numbers.
         stated: how the file is written.
         file: path of the file.
@@ -209,8 +211,8 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
         InputError: a heading that cannot be read, no numbers, two columns of a name, or of unlike length.
     """
     named: dict[str, Column] = {}
-    for heading, beside, vector in vectors:
-        name, unit = _headed(heading, beside, file)
+    for heading, unit_next, vector in vectors:
+        name, unit = _headed(heading, unit_next, file)
         if not stated.keeps(heading, name):
             continue
         if name in named:
@@ -225,12 +227,10 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
         named[name] = Column(name, unit, np.array(values, dtype=float).ravel(), heading)
     if not named:
         raise InputError("there is no column of numbers", file)
-    first = next(iter(named.values()))
+    example = next(iter(named.values()))
     for column in named.values():
-        if len(column.values) != len(first.values):
-            message = (
-                f"it has {len(column.values)} values, {shown(first.name)} has {len(first.values)}"
-            )
+        if len(column.values) != len(example.values):
+            message = f"it has {len(column.values)} values, {shown(example.name)} has {len(example.values)}"
             raise InputError(
                 f"{message}; state which to leave out: ignore = [...]", file, None, column.name
             )
@@ -238,7 +238,7 @@ def table_of(vectors: Iterable[tuple[str, str, Any]], stated: Layout, file: Path
 
 
 def _headed(heading: str, unit: str, file: Path) -> tuple[str, str]:
-    """Name and unit of a column of a file that may state units beside names."""
+    """Name and unit of a column of a file that may state units next to names."""
     parts = split_heading(heading)
     if parts is None:
         raise InputError(

@@ -24,18 +24,22 @@ def read_tdms(file: Path, stated: Layout) -> Table:
     # The reader lets out whatever a broken file makes of it.
     with reading(file, "TDMS", Exception):
         declared = TdmsFile.read_metadata(file).groups()
-        check_count(sum(len(one) for group in declared for one in group.channels()), file)
+        check_count(sum(len(channel) for group in declared for channel in group.channels()), file)
         groups = {group.name: group for group in TdmsFile.read(file).groups() if group.channels()}
     wanted = [stated.table] if stated.table is not None else list(groups)
     if len(wanted) != 1 or wanted[0] not in groups:
-        said = "" if stated.table is None else f"there is no group {shown(stated.table)}; "
+        reason = "" if stated.table is None else f"there is no group {shown(stated.table)}; "
         raise InputError(
-            f"{said}state one of {listed(groups)} under [recording], as table = ...", file
+            f"{reason}state one of {listed(groups)} under [recording], as table = ...", file
         )
     channels: list[Any] = groups[wanted[0]].channels()
-    units = [str(one.properties.get("unit_string", "") or "") for one in channels]
-    vectors = [(one.name, unit, one[:]) for one, unit in zip(channels, units, strict=True)]
+    units = [str(channel.properties.get("unit_string", "") or "") for channel in channels]
+    vectors = [
+        (channel.name, unit, channel[:]) for channel, unit in zip(channels, units, strict=True)
+    ]
     table = table_of(vectors, stated, file)
-    increments = {float(one.properties.get("wf_increment", 0.0) or 0.0) for one in channels} - {0.0}
+    increments = {
+        float(channel.properties.get("wf_increment", 0.0) or 0.0) for channel in channels
+    } - {0.0}
     is_timed = TIME in table.columns or len(increments) != 1
     return table if is_timed else table.with_time(increments.pop())

@@ -61,10 +61,12 @@ class Reader:
         """(n,) of each column that is kept; NaN where a cell is empty."""
         self._lines = lines
         blocks = [self._block(lines[at : at + _BLOCK]) for at in range(0, len(lines), _BLOCK)]
-        whole = [np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))]
+        columns_read = [
+            np.concatenate([block[k] for block in blocks]) for k in range(len(self.keep))
+        ]
         return [
             values if self._is_clock(place, values) else self._without_missing(values)
-            for place, values in zip(self.keep, whole, strict=True)
+            for place, values in zip(self.keep, columns_read, strict=True)
         ]
 
     def _is_clock(self, place: int, values: NDArray[np.float64]) -> bool:
@@ -137,14 +139,14 @@ class Reader:
             cells = [self._bare(cell.strip(), column) for cell in cells]
         return _floats(cells, self.decimal)
 
-    def _seconds(self, cells: Sequence[str], first: str) -> NDArray[np.float64] | None:
+    def _seconds(self, cells: Sequence[str], date: str) -> NDArray[np.float64] | None:
         """(n,) seconds since the first date; None where one is not plainly a date."""
-        begin = date_time(first)
+        begin = date_time(date)
         made = [date_time(cell.strip()) for cell in cells]
-        known = [one for one in made if one is not None]
-        if begin is None or len(known) < len(made):
+        dates = [moment for moment in made if moment is not None]
+        if begin is None or len(dates) < len(made):
             return None
-        seconds = [seconds_between(begin, one) for one in known]
+        seconds = [seconds_between(begin, moment) for moment in dates]
         return None if None in seconds else np.array(seconds, dtype=np.float64)
 
     def _split(self, number: int, line: str) -> list[str]:
@@ -204,8 +206,8 @@ class Reader:
         """Seconds since the first date of a column."""
         seconds = self._seconds([cell], self.dates[column])
         if seconds is None:
-            first = shown(self.dates[column])
-            message = f"{shown(cell)} is no date and time as the first one, {first}"
+            first_date = shown(self.dates[column])
+            message = f"{shown(cell)} is no date and time as the first one, {first_date}"
             raise self._error(f"{message}; correct it in the file", line, column)
         return float(seconds[0])
 
@@ -215,7 +217,7 @@ class Reader:
         for number, line in self._lines:
             if "," in line:
                 cells = self._split(number, line)
-                with_comma += [one for one in cells[column : column + 1] if "," in one]
+                with_comma += [cell for cell in cells[column : column + 1] if "," in cell]
         return bool(with_comma) and all(map(_GROUPED.fullmatch, with_comma))
 
     def _not_a_number(self, cell: str, column: int) -> str:
@@ -232,10 +234,10 @@ class Reader:
             return f"{shown(cell)} is not a finite number; leave the cell empty where a sample is missing{where}"
         if re.fullmatch(r"[+-]?\d+[.,]\d+", cell, re.ASCII):
             if self.decimal == "." and "," in cell and self._may_be_grouped(column):
-                whole, point = cell.replace(",", ""), cell.replace(",", ".")
+                as_integer, point = cell.replace(",", ""), cell.replace(",", ".")
                 return (
                     f"{shown(cell)} may be grouped by thousands, or have a decimal comma, as every such number of this "
-                    f"column may; write {whole} or {point}, whichever is meant"
+                    f"column may; write {as_integer} or {point}, whichever is meant"
                 )
             if self.decimal == ".":
                 stated = 'state decimal = "," under [recording]'

@@ -20,6 +20,9 @@ _MARKS = (
 _NO_TEXT = re.compile(rb"[\x00-\x08\x0e-\x1f\x81\x8d\x8f\x90\x9d]")
 WESTERN = "cp1252"
 _MOST = 20_000_000  # bytes of a text that a person wrote
+_MOST_OF_TABLE = (
+    400_000_000  # bytes of a text that a program wrote; read, it takes several times as many
+)
 
 
 def read_text(path: Path) -> str:
@@ -40,7 +43,7 @@ def read_any_text(path: Path, encoding: str | None = None) -> tuple[str, str]:
     Raises:
         InputError: as ``read_text``; an unknown encoding; no text.
     """
-    return any_text(read_bytes(path), path, encoding)
+    return any_text(read_bytes(path, _MOST_OF_TABLE), path, encoding)
 
 
 def any_text(data: bytes, path: Path, encoding: str | None = None) -> tuple[str, str]:

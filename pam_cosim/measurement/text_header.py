@@ -56,9 +56,9 @@ def header_of(
     decimal = (
         "; write decimal points, not commas" if separator == "," and count == 2 * len(names) else ""
     )
-    said = f"this row has {count} cells, the header has {len(names)}{decimal}"
+    reason = f"this row has {count} cells, the header has {len(names)}{decimal}"
     fits = [row for row in above[:-1] if len(_names(separator, row.text, count)) == count]
-    return f"{said}; {other_line(fits[-1].number)}" if fits and not decimal else said
+    return f"{reason}; {other_line(fits[-1].number)}" if fits and not decimal else reason
 
 
 def other_line(number: int) -> str:
@@ -81,7 +81,7 @@ _NO_HEADER = (
 )
 
 
-_BESIDE = "where units stand beside the names, such as 'p [kPa]', leave units_line out"
+_BESIDE = "where units stand next to the names, such as 'p [kPa]', leave units_line out"
 
 
 def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Header | None:

@@ -68,17 +68,19 @@ def find_layout(lines: list[Line], stated: Layout, file: Path) -> TextLayout:
     Raises:
         InputError: there is none, or several; says what to state.
     """
-    said = _SAID.fullmatch(lines[0][1])
-    if said and said[1] in WORDS:
-        stated = stated if stated.separator else replace(stated, separator=_key(said[1]))
+    stated_separator = _SAID.fullmatch(lines[0][1])
+    if stated_separator and stated_separator[1] in WORDS:
+        stated = (
+            stated if stated.separator else replace(stated, separator=_key(stated_separator[1]))
+        )
         lines = [(0, "#"), *lines[1:]]
     tried = [stated.separator] if stated.separator else list(SEPARATORS)
-    layouts = [_layout_by(SEPARATORS[one], lines, stated) for one in tried]
+    layouts = [_layout_by(SEPARATORS[name], lines, stated) for name in tried]
     read = [layout for layout in layouts if layout is not None]
     if not read:
         raise _no_rows(lines, file)
     best = _only_consistent(read, file)
-    best = best or max(read, key=lambda one: (one.complaint is None, len(one.headings)))
+    best = best or max(read, key=lambda name: (name.complaint is None, len(name.headings)))
     if best.complaint:
         raise InputError(best.complaint[1], file, best.complaint[0])
     return best
@@ -103,7 +105,7 @@ def _only_consistent(layouts: list[TextLayout], file: Path) -> TextLayout | None
 
 
 def _key(separator: str) -> str:
-    return next(key for key, one in SEPARATORS.items() if one == separator)
+    return next(key for key, sign in SEPARATORS.items() if sign == separator)
 
 
 def _no_rows(lines: list[Line], file: Path) -> InputError:
@@ -123,9 +125,9 @@ def _rows_of_words(lines: list[Line], file: Path) -> InputError | None:
     for number, line in lines[:LOOKED_AT]:
         for separator in SEPARATORS.values():
             with suppress(csv.Error):
-                first, *more = split_cells(line, separator) or [""]
+                head, *more = split_cells(line, separator) or [""]
                 words = [cell for cell in more if cell and not is_number(cell)]
-                if words and is_number(first):
+                if words and is_number(head):
                     message = f"most cells of this row are no numbers, such as {shown(words[0])}"
                     hint = f"missing = {json.dumps([words[0]], ensure_ascii=False)}"
                     return InputError(
@@ -217,18 +219,16 @@ def decimal_sign(cells: Iterable[tuple[int, str]], separator: str, file: Path) -
     """
     if separator == ",":
         return "."
-    first: tuple[int, str] | None = None
+    example: tuple[int, str] | None = None
     for line, cell in cells:
         sign = "," if "," in cell else "." if "." in cell else ""
         if sign and NUMBER.fullmatch(cell) and not _THOUSANDS.fullmatch(cell):
             return sign
-        if sign and first is None:
-            first = (line, cell)
-    if first is None:
+        if sign and example is None:
+            example = (line, cell)
+    if example is None:
         return "."
-    sign = "," if "," in first[1] else "."
-    message = (
-        f"{shown(first[1])} may have decimals or be grouped by thousands, and no other number tells"
-    )
+    sign = "," if "," in example[1] else "."
+    message = f"{shown(example[1])} may have decimals or be grouped by thousands, and no other number tells"
     hint = f'state decimal = "{sign}" under [recording], or write numbers without groups'
-    raise InputError(f"{message}; {hint}", file, first[0])
+    raise InputError(f"{message}; {hint}", file, example[0])

@@ -81,8 +81,8 @@ def is_row(cells: list[str], missing: frozenset[str] = frozenset()) -> bool:
         return False
     if not NUMBER.fullmatch(cells[0]) and not any(map(NUMBER.fullmatch, cells)):
         return False  # a date above the table
-    known = sum(1 for one in cells if not one or is_number(one) or one.casefold() in missing)
-    return 2 * known >= len(cells)
+    count = sum(1 for cell in cells if not cell or is_number(cell) or cell.casefold() in missing)
+    return 2 * count >= len(cells)
 
 
 def is_dated_row(cells: list[str]) -> bool:

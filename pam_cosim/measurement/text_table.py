@@ -36,6 +36,7 @@ from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, f
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
 from pam_cosim.wording import shown
 
+_MOST_LINES = 5_000_000  # Each takes some 200 bytes while it is read.
 _TALLEST = 8  # Lines of one quoted cell.
 _MEANT = re.compile(
     r"[+-]?[\d.,]+([eE][+-]?\d+)?|[+-]?(nan|inf|infinity)", re.ASCII | re.IGNORECASE
@@ -55,7 +56,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
             finite number; with line and column.
     """
     text, encoding = read_any_text(file, stated.encoding)
-    lines = _filled_lines(text)
+    lines = _filled_lines(text, file)
     is_ended = _is_ended(text)
     del text
     if not lines:
@@ -76,7 +77,9 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     if stated.clock is not None:
         clock = stated.clock
         reader.clock = frozenset(
-            i for i, own in enumerate(called) if not clock.isdisjoint((*own, i + 1))
+            i
+            for i, heading_names in enumerate(called)
+            if not clock.isdisjoint((*heading_names, i + 1))
         )
     beginning = _rows(body[:LOOKED_AT], layout.separator)
     reader.dates = _dates(beginning, keep)
@@ -124,16 +127,26 @@ def _cut_short(body: Sequence[Line], layout: TextLayout) -> int | None:
     return body[-1][0] if cut else None
 
 
-def _filled_lines(text: str) -> list[Line]:
-    """The lines that are not blank, with their numbers."""
+def _filled_lines(text: str, file: Path) -> list[Line]:
+    """The lines that are not blank, with their numbers.
+
+    Raises:
+        InputError: there are too many.
+    """
+    count = text.count("\n") + text.count("\r")
+    if count > _MOST_LINES:
+        raise InputError(
+            f"it has {count} lines, and {_MOST_LINES} of a text can be taken: split it, or save it as Parquet",
+            file,
+        )
     filled = [(number, line) for number, line in _lines(text) if line and not line.isspace()]
     return labview_text.completed(filled)
 
 
 def _dates(rows: Sequence[Sequence[str]], keep: Sequence[int]) -> dict[int, str]:
     """Places of columns of dates with times of day, and the first of each."""
-    first = {i: next(iter(_filled(rows, i)), "") for i in keep}
-    return {i: cell for i, cell in first.items() if date_time(cell) is not None}
+    examples = {i: next(iter(_filled(rows, i)), "") for i in keep}
+    return {i: cell for i, cell in examples.items() if date_time(cell) is not None}
 
 
 def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
@@ -143,14 +156,18 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
         InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
     """
     text, _ = read_any_text(file, stated.encoding)
-    lines = _filled_lines(text)
+    lines = _filled_lines(text, file)
     if not lines:
         return {}
     layout = _layout(lines, _is_ended(text), stated, file)
     looked_at = _rows(lines[layout.start : layout.start + LOOKED_AT], layout.separator)
     cells = [_filled(looked_at, i) for i in range(len(layout.headings))]
-    known = [_present(looked_at, i, stated.missing) for i in range(len(layout.headings))]
-    texts = [i for i, own in enumerate(cells) if _is_text(own) and not unit_of(known[i])]
+    present = [_present(looked_at, i, stated.missing) for i in range(len(layout.headings))]
+    texts = [
+        i
+        for i, column_cells in enumerate(cells)
+        if _is_text(column_cells) and not unit_of(present[i])
+    ]
     rows = _rows(lines[layout.start :], layout.separator) if texts else []
     return {layout.headings[i][0]: tuple(dict.fromkeys(_filled(rows, i))) for i in texts}
 
@@ -227,7 +244,7 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
             )
         name, unit = parts
         if name.casefold() == labview_text.TIME and name in seen:
-            name = f"{name} {1 + sum(one.startswith(name) for one in seen)}"
+            name = f"{name} {1 + sum(seen_name.startswith(name) for seen_name in seen)}"
         if name in seen:
             hint = f"; or, {other_line(line - 1)}" if line is not None and line > 1 else ""
             message = f"this column stands twice in the header; rename one{hint}"
@@ -243,15 +260,15 @@ def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
 
 def _notes(layout: TextLayout, encoding: str, decimal: str, cut: int | None) -> Iterator[str]:
     """How the text was read, and which rows are not."""
-    said = []
+    notes = []
     if layout.separator != ",":
-        said.append(f"columns separated by {WORDS[layout.separator]}")
+        notes.append(f"columns separated by {WORDS[layout.separator]}")
     if decimal == ",":
-        said.append("decimal commas")
+        notes.append("decimal commas")
     if encoding == WESTERN:
-        said.append("Western European letters")
-    if said:
-        yield f"read with {', '.join(said)}"
+        notes.append("Western European letters")
+    if notes:
+        yield f"read with {', '.join(notes)}"
     if layout.passed_over:
         rows = "the row" if layout.passed_over == 1 else f"{layout.passed_over} rows"
         yield f"{LEFT_OUT} {rows} above the header, which stands on line {layout.header_line}"

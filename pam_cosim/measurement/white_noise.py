@@ -68,9 +68,9 @@ def _without_repeats(time: Array, values: Array) -> tuple[Array, Array]:
         return time, values
     new = np.concatenate([[True], (steps > 0.0) | (np.diff(values) != 0.0)])
     time, values = time[new], values[new]
-    first = np.concatenate([[True], np.diff(time) > 0.0])
+    is_first = np.concatenate([[True], np.diff(time) > 0.0])
     rows = np.arange(len(time))
-    return np.interp(rows, rows[first], time[first]), values
+    return np.interp(rows, rows[is_first], time[is_first]), values
 
 
 def _without_held(time: Array, values: Array) -> tuple[Array, Array]:

@@ -47,10 +47,10 @@ def _bits_of(values: Array) -> int | None:
     if not np.isfinite(values).all() or (values != np.round(values)).any():
         return None
     steps = np.diff(values)
-    falls, others = steps[steps < 0.0], steps[steps >= 0.0]
-    usual = float(np.median(others)) if others.size else 0.0
-    if not falls.size or not 0.0 < others.max(initial=0.0) <= LONGEST_STEP * usual:
+    falls, rises = steps[steps < 0.0], steps[steps >= 0.0]
+    usual = float(np.median(rises)) if rises.size else 0.0
+    if not falls.size or not 0.0 < rises.max(initial=0.0) <= LONGEST_STEP * usual:
         return None
-    spread = float(np.ptp(others))
+    spread = float(np.ptp(rises))
     fits = (bits for bits in _BITS if np.all(np.abs(falls + 2.0**bits - usual) <= spread))
     return next(fits, None)

@@ -75,9 +75,9 @@ def _with_lead(run: Run) -> dict[str, NDArray[np.float64]]:
     early = run.time < run.time[0] + run.start.lead
     for name, (time, values) in run.start.leading.items():
         if name in measurements and np.array_equal(time, run.time[early]):
-            whole = measurements[name].copy()
-            whole[early] = values
-            measurements[name] = whole
+            extended = measurements[name].copy()
+            extended[early] = values
+            measurements[name] = extended
     return measurements
 
 
@@ -146,7 +146,9 @@ class _Writer:
         name = free.parameter
         bounds = {"min": free.min, "max": free.max, "start": free.start}
         cells = [
-            f"{key} = {self._quantity(name, one)}" for key, one in bounds.items() if one is not None
+            f"{key} = {self._quantity(name, bound)}"
+            for key, bound in bounds.items()
+            if bound is not None
         ]
         if free.transform is not None:
             cells.append(f'transform = "{free.transform}"')
@@ -159,17 +161,17 @@ class _Writer:
         return f"{toml_string(name)} = {{ {', '.join(cells)} }}"
 
     def _effects(self) -> Iterator[str]:
-        known = {"exclude": self.data_set.excluded, "expect": self.data_set.expected}
-        if any(known.values()):
+        lists = {"exclude": self.data_set.excluded, "expect": self.data_set.expected}
+        if any(lists.values()):
             yield "\n[effects]"
         yield from (
             f"{key} = [{', '.join(map(toml_string, names))}]"
-            for key, names in known.items()
+            for key, names in lists.items()
             if names
         )
 
     def _runs(self) -> Iterator[str]:
-        known = self.data_set.parameters
+        shared = self.data_set.parameters
         for run in self.data_set.runs:
             yield f'\n[[runs]]\nfile = {toml_string(_file_name(run))}\nrole = "{run.role}"'
             if run.is_static:
@@ -177,13 +179,15 @@ class _Writer:
             yield from self._start(run.start)
             if run.interpolation != "linear" and not run.is_static:
                 yield f'interpolation = "{run.interpolation}"'
-            own = {
-                name: value for name, value in run.parameters.items() if known.get(name) != value
+            differing = {
+                name: value for name, value in run.parameters.items() if shared.get(name) != value
             }
-            if own:
+            if differing:
                 yield "[runs.parameters]"
-            yield from self._values(own)
-            free = [one for one in self.data_set.fit.values() if one.run == run.name]
+            yield from self._values(differing)
+            free = [
+                parameter for parameter in self.data_set.fit.values() if parameter.run == run.name
+            ]
             if free:
                 yield "[runs.fit]"
             yield from map(self._free_table, free)

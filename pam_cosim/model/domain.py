@@ -37,11 +37,11 @@ class Domain:
 
     def faults(self, families: Sequence[str]) -> dict[str, str]:
         """What those families say of an instrument that are faults of one, by family."""
-        said = {
+        sentences = {
             WRONG_PARAMETER: "what the data set states of a parameter is not so",
             **dict(self.instruments),
         }
-        return {family: said[family] for family in families if family in said}
+        return {family: sentences[family] for family in families if family in sentences}
 
     def place(self, balance: str) -> int:
         """Where a balance stands in the order; those that are not in it come last."""

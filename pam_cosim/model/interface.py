@@ -86,8 +86,8 @@ class Interface(Printed):
     @property
     def start_values(self) -> dict[str, Variable]:
         """The continuous states whose start values can be set."""
-        known = self.locals | self.outputs
-        return {name: known[name] for name in self.states}
+        variables = self.locals | self.outputs
+        return {name: variables[name] for name in self.states}
 
 
 _SENSITIVITY = "sensitivity."

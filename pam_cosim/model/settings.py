@@ -30,14 +30,14 @@ def settable(name: str, interface: Interface) -> Variable:
     Raises:
         InputError: nothing of that name can be set; says which name is nearest.
     """
-    known = interface.settable
-    if name not in known:
+    variables = interface.settable
+    if name not in variables:
         if name in interface.outputs:
             raise InputError(f"'{name}' is an output of {interface.model} and cannot be set")
         raise InputError(
-            f"{interface.model} has no parameter or input '{name}'; {did_you_mean(name, known)}"
+            f"{interface.model} has no parameter or input '{name}'; {did_you_mean(name, variables)}"
         )
-    return known[name]
+    return variables[name]
 
 
 def value_of(value: Setting, variable: Variable) -> float:

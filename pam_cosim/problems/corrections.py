@@ -55,7 +55,7 @@ class Correction:
 
 
 def corrections_of(data: DataSet, values: Mapping[str, float]) -> tuple[Correction, ...]:
-    """What a model file has to keep beside parameter values, so that a comparison repeats the numbers.
+    """Content of a model file in addition to parameter values, so that a comparison repeats the numbers.
 
     Args:
         data: as it was compared or fitted.
@@ -81,7 +81,7 @@ def _of_run(
     data: DataSet, run: Run, values: Mapping[str, float]
 ) -> dict[str, tuple[float, float | None]]:
     """By name: the value in a run, and what the data set states of it; where the two differ in origin."""
-    own = data.parameters_of(run, values)
+    run_parameters = data.parameters_of(run, values)
     end = f"@{run.name}"
     names = [
         *run.replaced,
@@ -89,15 +89,15 @@ def _of_run(
         *(name.removesuffix(end) for name in values if name.endswith(end)),
     ]
     return {
-        name: (own[name], run.replaced.get(name, run.parameters.get(name)))
+        name: (run_parameters[name], run.replaced.get(name, run.parameters.get(name)))
         for name in dict.fromkeys(names)
-        if name in own
+        if name in run_parameters
     }
 
 
 def annotation_of(corrections: Iterable[Correction]) -> str:
     """The Modelica annotation that keeps corrections; empty without any."""
-    texts = ", ".join(string_text(str(one)) for one in corrections)
+    texts = ", ".join(string_text(str(correction)) for correction in corrections)
     return f"{VENDOR}({KEY}={{{texts}}})" if texts else ""
 
 
@@ -108,16 +108,16 @@ def corrections_in(tree: ClassTree, classes: Iterable[str]) -> tuple[Correction,
         tree: the library with the user's files.
         classes: full names, the most derived one first.
     """
-    found: dict[tuple[str, str], Correction] = {}
+    corrections: dict[tuple[str, str], Correction] = {}
     for name in classes:
         annotation = tree.classes[name].annotations.get(VENDOR, "")
         if KEY not in annotation:
             continue
         for literal in re.findall(r'"((?:[^"\\]|\\.)*)"', annotation):
-            one = parsed_correction(re.sub(r"\\(.)", r"\1", literal))
-            if one is not None:
-                found.setdefault((one.name, one.run), one)
-    return tuple(found.values())
+            correction = parsed_correction(re.sub(r"\\(.)", r"\1", literal))
+            if correction is not None:
+                corrections.setdefault((correction.name, correction.run), correction)
+    return tuple(corrections.values())
 
 
 def parsed_correction(text: str) -> Correction | None:

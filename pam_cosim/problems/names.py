@@ -47,7 +47,7 @@ def target(name: str, data: DataSet, interface: Interface) -> Target:
         settable(parameter_of(parameter), interface)
         return Target(parameter_of(parameter), Variable(name, "1"), run, ratio=True)
     variable = settable(parameter, interface)
-    runs = [one.name for one in data.runs]
+    runs = [run_of_data.name for run_of_data in data.runs]
     if at and run and run not in runs:
         raise InputError(f"'{name}': {data.title} has no run '{run}'; {did_you_mean(run, runs)}")
     return Target(parameter, variable, run)
@@ -62,5 +62,8 @@ def resolved_values(
         InputError: as ``target``; a value with another dimension, out of range, or that is no finite number.
     """
     pairs = [(target(name, data, interface), value) for name, value in values.items()]
-    resolved = [(one, value_of(value, one.variable)) for one, value in pairs]
+    resolved = [
+        (resolved_target, value_of(value, resolved_target.variable))
+        for resolved_target, value in pairs
+    ]
     return sorted(resolved, key=lambda pair: bool(pair[0].run))

@@ -39,7 +39,7 @@ class ParameterValue:
 
 @dataclass(frozen=True)
 class ModelValues:
-    """What a model says of values beside the defaults of its base class.
+    """Values of a model that differ from the defaults of its base class.
 
     Attributes:
         label: the model, as messages name it.
@@ -97,8 +97,12 @@ class Problem(Printed):
         Once for each value and source that it has.
         """
         named = {name for run in self.data.runs for name in run.parameters}
-        further = [n for n in self.interface.settable if n in named - {*self.interface.parameters}]
-        return tuple(row for n in [*self.interface.parameters, *further] for row in self._rows(n))
+        other_names = [
+            n for n in self.interface.settable if n in named - {*self.interface.parameters}
+        ]
+        return tuple(
+            row for n in [*self.interface.parameters, *other_names] for row in self._rows(n)
+        )
 
     def _rows(self, name: str) -> list[ParameterValue]:
         variable = self.interface.settable[name]
@@ -111,14 +115,24 @@ class Problem(Printed):
             ParameterValue(name, value, variable.unit, source + self._of_runs(source, names))
             for (value, source), names in runs.items()
         ]
-        free = [one for one in self.free if one.parameter == name]
+        free = [free_parameter for free_parameter in self.free if free_parameter.parameter == name]
         rows += [
-            ParameterValue(one.name, one.start, one.unit, "fitted from here", (one.low, one.high))
-            for one in free
+            ParameterValue(
+                free_parameter.name,
+                free_parameter.start,
+                free_parameter.unit,
+                "fitted from here",
+                (free_parameter.low, free_parameter.high),
+            )
+            for free_parameter in free
         ]
-        own = {one.run for one in free}
-        is_open = any(name not in run.parameters and run.name not in own for run in self.data.runs)
-        if is_open and all(one.run or is_ratio(one.name) for one in free):
+        runs_with_own = {free_parameter.run for free_parameter in free}
+        is_open = any(
+            name not in run.parameters and run.name not in runs_with_own for run in self.data.runs
+        )
+        if is_open and all(
+            free_parameter.run or is_ratio(free_parameter.name) for free_parameter in free
+        ):
             source = f"stated by {self.known.label}" if name in self.known.stated else DEFAULT
             rows.append(ParameterValue(name, variable.start or 0.0, variable.unit, source))
         return rows
@@ -150,8 +164,8 @@ class Problem(Printed):
         return "\n".join(lines)
 
 
-def _origin(one: ParameterValue) -> str:
-    if one.free is None:
-        return one.source
-    low, high = (format_quantity(end, one.unit) for end in one.free)
-    return f"{one.source}, between {low} and {high}"
+def _origin(row: ParameterValue) -> str:
+    if row.free is None:
+        return row.source
+    low, high = (format_quantity(end, row.unit) for end in row.free)
+    return f"{row.source}, between {low} and {high}"

@@ -93,13 +93,13 @@ class _Resolution:
         for correction in self.known.corrections:
             self._correct(correction)
         self._note_missing_runs()
-        for one, value in resolved_values(values, self.data, self.interface):
-            if one.ratio and one.name in values:
+        for named, value in resolved_values(values, self.data, self.interface):
+            if named.ratio and named.name in values:
                 raise InputError(
-                    f"'{ratio_to_stated(one.name)}' is a factor on what the data set states, and '{one.name}' is "
+                    f"'{ratio_to_stated(named.name)}' is a factor on what the data set states, and '{named.name}' is "
                     "stated too: state one of the two"
                 )
-            self._state(one, value)
+            self._state(named, value)
         chosen = self._guesses(guesses, free)
         if free is not None:
             self._free(free, chosen)
@@ -126,22 +126,22 @@ class _Resolution:
 
     def _earlier_fit(self) -> None:
         """Values of the model and of an earlier fit, where the data set states none."""
-        found = resolved_values(self.known.fitted, self.data, self.interface)
-        numbers = {str(one): value for one, value in found}
+        fitted_values = resolved_values(self.known.fitted, self.data, self.interface)
+        numbers = {str(named): value for named, value in fitted_values}
         for name, entry in self.fit.items():
             if name in numbers:
                 self.fit[name] = replace(entry, start=numbers[name])
             elif entry.parameter in self.known.stated:
                 self.fit[name] = replace(entry, start=None)
         source = f"stated by {self.known.origin}"
-        for one, value in found:
-            name = str(one)
-            if one.ratio or one.run:
-                self._state(one, value, source)
+        for named, value in fitted_values:
+            name = str(named)
+            if named.ratio or named.run:
+                self._state(named, value, source)
                 continue
-            open_runs = [run for run in self.runs.values() if one.name not in run.parameters]
+            open_runs = [run for run in self.runs.values() if named.name not in run.parameters]
             for run in self.runs.values():
-                if one.name in run.parameters:
+                if named.name in run.parameters:
                     text = f"the data set states {name}, and its value is used instead of that of {self.known.origin}"
                     self._note(run.name, text)
             if open_runs:
@@ -149,26 +149,28 @@ class _Resolution:
             for run in open_runs if name not in self.fit else ():
                 self._put(run.name, name, value, source)
 
-    def _correct(self, one: Correction) -> None:
+    def _correct(self, correction: Correction) -> None:
         """A value that a verdict found, unless the data set states another one by now."""
         source = f"corrected by the verdict in {self.known.label}"
-        for run in self.runs.values() if not one.run else [self.runs.get(one.run)]:
-            if run is None or one.name not in self.interface.settable:
+        for run in self.runs.values() if not correction.run else [self.runs.get(correction.run)]:
+            if run is None or correction.name not in self.interface.settable:
                 continue
-            if one.name in self.interface.states:
-                mode: StartMode = "estimated" if one.estimated else "measured"
-                self._begin(run, one.name, one.value, source, run.start.mode or mode)
+            if correction.name in self.interface.states:
+                mode: StartMode = "estimated" if correction.estimated else "measured"
+                self._begin(run, correction.name, correction.value, source, run.start.mode or mode)
                 continue
-            stated = run.replaced.get(one.name, run.parameters.get(one.name))
-            if one.applies_to(stated):
-                self._put(run.name, one.name, one.value, source)
-            elif stated is not None and stated != one.value:
-                self._note(run.name, self._overruled(one, stated))
+            stated = run.replaced.get(correction.name, run.parameters.get(correction.name))
+            if correction.applies_to(stated):
+                self._put(run.name, correction.name, correction.value, source)
+            elif stated is not None and stated != correction.value:
+                self._note(run.name, self._overruled(correction, stated))
 
     def _note_missing_runs(self) -> None:
         """Says that values of runs are kept which the data set does not have."""
         missing = {
-            one.run: None for one in self.known.corrections if one.run not in {"", *self.runs}
+            correction.run: None
+            for correction in self.known.corrections
+            if correction.run not in {"", *self.runs}
         }
         if missing:
             text = (
@@ -177,36 +179,38 @@ class _Resolution:
             )
             self._note(next(iter(self.runs)), text)
 
-    def _overruled(self, one: Correction, stated: float) -> str:
-        unit = self.interface.settable[one.name].unit
-        before = "nothing" if one.stated is None else format_quantity(one.stated, unit)
+    def _overruled(self, correction: Correction, stated: float) -> str:
+        unit = self.interface.settable[correction.name].unit
+        before = (
+            "nothing" if correction.stated is None else format_quantity(correction.stated, unit)
+        )
         return (
-            f"the data set states {one.name} = {format_quantity(stated, unit)}, and it stated {before} when the "
-            f"verdict in {self.known.label} found {format_quantity(one.value, unit)}: the stated value is used"
+            f"the data set states {correction.name} = {format_quantity(stated, unit)}, and it stated {before} when the "
+            f"verdict in {self.known.label} found {format_quantity(correction.value, unit)}: the stated value is used"
         )
 
     def _note(self, run: str, text: str) -> None:
         notes = (*self.runs[run].notes, text)
         self.runs[run] = replace(self.runs[run], notes=notes)
 
-    def _state(self, one: Target, value: float, source: str = _CALLER) -> None:
+    def _state(self, named: Target, value: float, source: str = _CALLER) -> None:
         """A value that counts before what the data set states."""
-        runs = [self.runs[one.run]] if one.run else list(self.runs.values())
-        if one.name in self.interface.states:
+        runs = [self.runs[named.run]] if named.run else list(self.runs.values())
+        if named.name in self.interface.states:
             for run in runs:
                 mode: StartMode = "rest" if run.start.mode == "rest" else "measured"
-                self._begin(run, one.name, value, source, mode)
+                self._begin(run, named.name, value, source, mode)
             return
         for run in runs:
-            number = value * self._stated_in(run, one.name) if one.ratio else value
-            number = value_of(number, self.interface.settable[one.name])
-            self._put(run.name, one.name, number, source)
-        if not one.ratio:
-            self.stated[str(one)] = value
+            number = value * self._stated_in(run, named.name) if named.ratio else value
+            number = value_of(number, self.interface.settable[named.name])
+            self._put(run.name, named.name, number, source)
+        if not named.ratio:
+            self.stated[str(named)] = value
         self.fit = {
             name: entry
             for name, entry in self.fit.items()
-            if entry.parameter != one.name or (one.run and entry.run != one.run)
+            if entry.parameter != named.name or (named.run and entry.run != named.run)
         }
 
     def _stated_in(self, run: Run, name: str) -> float:
@@ -223,11 +227,11 @@ class _Resolution:
             raise InputError(
                 f"'{name}' varies along the points of {run_name} and cannot be held constant"
             )
-        first = run.replaced.get(name, run.parameters.get(name))
+        stated_first = run.replaced.get(name, run.parameters.get(name))
         self.runs[run_name] = replace(
             run,
             parameters={**run.parameters, name: value},
-            replaced=run.replaced if source == _HELD else {**run.replaced, name: first},
+            replaced=run.replaced if source == _HELD else {**run.replaced, name: stated_first},
             inputs={n: column for n, column in run.inputs.items() if n != name},
             default_inputs=tuple(n for n in run.default_inputs if n != name),
         )
@@ -247,11 +251,11 @@ class _Resolution:
     ) -> dict[str, float]:
         """Where fits begin [SI]; initial states among them are where runs, or the estimates of these, begin."""
         chosen: dict[str, float] = {}
-        for one, value in resolved_values(guesses, self.data, self.interface):
-            name = str(one)
-            if one.run and one.name in self.interface.states:
-                run = self.runs[one.run]
-                self._begin(run, one.name, value, "initial guess", run.start.mode)
+        for named, value in resolved_values(guesses, self.data, self.interface):
+            name = str(named)
+            if named.run and named.name in self.interface.states:
+                run = self.runs[named.run]
+                self._begin(run, named.name, value, "initial guess", run.start.mode)
             elif name in self.fit:
                 self.fit[name] = _begun_at(self.fit[name], value)
             elif name not in (free or ()):
@@ -271,67 +275,67 @@ class _Resolution:
                 continue
             start = free_parameter(entry, self.data, self.interface).start
             for run in list(self.runs.values()):
-                own = entry.run == run.name
-                if own or (not entry.run and entry.parameter not in run.parameters):
+                is_of_run = entry.run == run.name
+                if is_of_run or (not entry.run and entry.parameter not in run.parameters):
                     self._put(run.name, entry.parameter, start, _HELD)
 
     def _entry(
         self, name: str, declared: Mapping[str, FreeParameter], guesses: Mapping[str, float]
     ) -> FreeParameter:
-        one = target(name, self.data, self.interface)
-        if one.ratio and one.run:
+        named = target(name, self.data, self.interface)
+        if named.ratio and named.run:
             raise InputError(
-                f"'{name}': a factor is fitted for all runs; fit '{one.name}@{one.run}' instead"
+                f"'{name}': a factor is fitted for all runs; fit '{named.name}@{named.run}' instead"
             )
-        if one.run and self.runs[one.run].role == "holdout":
+        if named.run and self.runs[named.run].role == "holdout":
             raise InputError(
                 f"'{name}' is of a run that is held out and never fitted: state its value by --set"
             )
-        stated = self._release(one)
+        stated = self._release(named)
         if name in declared:
             return declared[name]
-        if one.ratio:
+        if named.ratio:
             for run in self.runs.values():
-                self._stated_in(run, one.name)
-        made = _bounded(one, stated, self.interface)
+                self._stated_in(run, named.name)
+        made = _bounded(named, stated, self.interface)
         guess = guesses.get(name, stated)
         return made if guess is None else _begun_at(made, guess)
 
-    def _release(self, one: Target) -> float | None:
+    def _release(self, named: Target) -> float | None:
         """What the data set states of a parameter that is to be fitted, which counts no longer; None: nothing.
 
         Raises:
             InputError: runs state different values.
         """
-        if one.ratio:
+        if named.ratio:
             return None
-        runs = [self.runs[one.run]] if one.run else list(self.runs.values())
-        held = {r.name for r in runs if self.sources.get((r.name, one.name)) == _CALLER}
+        runs = [self.runs[named.run]] if named.run else list(self.runs.values())
+        held = {r.name for r in runs if self.sources.get((r.name, named.name)) == _CALLER}
         if held and all(run.name in held for run in runs if run.role == "fit"):
             raise InputError(
-                f"'{one.name}' is to be fitted, and the caller states its value for every fitted run: state an "
+                f"'{named.name}' is to be fitted, and the caller states its value for every fitted run: state an "
                 "initial guess by --start, or leave it out of --free"
             )
-        stating = [run for run in runs if one.name in run.parameters and run.name not in held]
-        found = {run.parameters[one.name]: run.name for run in stating}
-        if len(found) > 1:
+        stating = [run for run in runs if named.name in run.parameters and run.name not in held]
+        runs_by_value = {run.parameters[named.name]: run.name for run in stating}
+        if len(runs_by_value) > 1:
             texts = listed(
-                f"{format_quantity(value, one.variable.unit)} in {run}"
-                for value, run in found.items()
+                f"{format_quantity(value, named.variable.unit)} in {run}"
+                for value, run in runs_by_value.items()
             )
             raise InputError(
-                f"'{one.name}' has one value for all runs if it is fitted, and the runs state several ({texts}): fit "
-                f"the factor on these, --free '{ratio_to_stated(one.name)}', or the value of one run, "
-                f"--free '{one.name}@{next(iter(found.values()))}'"
+                f"'{named.name}' has one value for all runs if it is fitted, and the runs state several ({texts}): fit "
+                f"the factor on these, --free '{ratio_to_stated(named.name)}', or the value of one run, "
+                f"--free '{named.name}@{next(iter(runs_by_value.values()))}'"
             )
         for run in stating:
-            stated = run.replaced.get(one.name, run.parameters[one.name])
+            stated = run.replaced.get(named.name, run.parameters[named.name])
             self.runs[run.name] = replace(
                 run,
-                parameters={n: v for n, v in run.parameters.items() if n != one.name},
-                replaced={**run.replaced, one.name: stated},
+                parameters={n: v for n, v in run.parameters.items() if n != named.name},
+                replaced={**run.replaced, named.name: stated},
             )
-        return next(iter(found), None)
+        return next(iter(runs_by_value), None)
 
 
 def _begun_at(entry: FreeParameter, value: float) -> FreeParameter:
@@ -349,16 +353,16 @@ def _begun_at(entry: FreeParameter, value: float) -> FreeParameter:
     return replace(entry, start=value)
 
 
-def _bounded(one: Target, stated: float | None, interface: Interface) -> FreeParameter:
+def _bounded(named: Target, stated: float | None, interface: Interface) -> FreeParameter:
     """A parameter between the bounds of the model; else within the range that is searched for a wrong stated value.
 
     Raises:
         InputError: it has no bounds and no stated value, or is an input or a state.
     """
-    if one.name not in interface.parameters:
-        raise InputError(f"'{one}' is no parameter of {interface.model} and cannot be fitted")
-    if stated and (one.variable.min is None or one.variable.max is None):
+    if named.name not in interface.parameters:
+        raise InputError(f"'{named}' is no parameter of {interface.model} and cannot be fitted")
+    if stated and (named.variable.min is None or named.variable.max is None):
         low, start, high = sorted(stated * ratio for ratio in CRITERIA.search.stated_ratio)
-        return FreeParameter(str(one), low, high, start, one.variable.unit, run=one.run)
-    free = model_parameter(str(replace(one, run="")), interface)
-    return FreeParameter(str(one), free.low, free.high, free.start, free.unit, run=one.run)
+        return FreeParameter(str(named), low, high, start, named.variable.unit, run=named.run)
+    free = model_parameter(str(replace(named, run="")), interface)
+    return FreeParameter(str(named), free.low, free.high, free.start, free.unit, run=named.run)

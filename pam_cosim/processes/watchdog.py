@@ -2,7 +2,8 @@
 
 It runs no foreign code and imports the standard library alone. So nothing that an FMU does, be it to hold the
 interpreter's lock while it is loaded, can keep it from ending the FMU's process: when that makes no progress, and when
-the study has ended, for whatever reason.
+the study has ended, for whatever reason. It says that it is alive; where it falls silent, for the FMU may have stopped
+it, the study ends both.
 
 ``python watchdog.py LIMIT COMMAND...``: the command's last argument will be a folder of its own.
 """
@@ -22,14 +23,16 @@ import time
 from queue import Empty, SimpleQueue
 from typing import IO
 
-# Kinds of frames, on both sides of the watchdog; the last two are its own.
+# Kinds of frames, on both sides of the watchdog; the last three are its own.
 REQUEST, CLOSE = b"r", b"c"
 PROGRESS, ANSWER = b"p", b"a"
-LATE, CRASHED = b"l", b"x"
+LATE, CRASHED, ALIVE = b"l", b"x", b"v"
 _GONE = b"g"  # no frame: the study has ended
 
-_KINDS = frozenset((REQUEST, CLOSE, PROGRESS, ANSWER, LATE, CRASHED))
+_KINDS = frozenset((REQUEST, CLOSE, PROGRESS, ANSWER, LATE, CRASHED, ALIVE))
 _LONGEST = 1 << 34  # bytes of a message
+BEAT = 1.0  # [s] between two signs that the watchdog itself is alive, while the FMU has something to do
+_MOST_LINES, _LONGEST_LINE = 200, 1000  # of what the FMU prints, that are shown
 GRACE = 5.0  # [s] for an FMU to be freed after its last run
 _DYING = 1.0  # [s] between the end of a process's output and its own end
 _HEAD = struct.Struct("<cQ")
@@ -79,12 +82,29 @@ class Watchdog:
         self._requests, self._answers = process.stdin, process.stdout
         self.events: SimpleQueue[tuple[bytes, bytes]] = SimpleQueue()
         self._doing = b""
+        self._writing = threading.Lock()
+        self.say(ALIVE, str(process.pid).encode())
         self._relays = [
             threading.Thread(target=f, daemon=True)
-            for f in (self._relay_requests, self._relay_answers)
+            for f in (self._relay_requests, self._relay_answers, self._relay_text)
         ]
         for relay in self._relays:
             relay.start()
+
+    def say(self, kind: bytes, content: bytes) -> None:
+        """Writes a message to the study, which may have ended."""
+        with self._writing, contextlib.suppress(OSError):
+            write_frame(sys.stdout.buffer, kind, content)
+
+    def _relay_text(self) -> None:
+        """Shows some lines of what the FMU prints: neither commands of terminals nor messages that it diverted."""
+        assert self.process.stderr is not None
+        lines = iter(lambda: self.process.stderr.readline(_LONGEST_LINE), b"")  # type: ignore[union-attr]
+        texts = (line.decode("utf-8", "replace").rstrip().replace("\t", " ") for line in lines)
+        for number, text in enumerate(text for text in texts if text.isprintable()):
+            with contextlib.suppress(OSError):
+                if number < _MOST_LINES:
+                    print(text, file=sys.stderr, flush=True)
 
     def _relay_requests(self) -> None:
         with contextlib.suppress(EOFError, OSError):
@@ -103,25 +123,28 @@ class Watchdog:
                 kind, content = read_frame(self._answers)
                 self.events.put((kind, content if kind == PROGRESS else b""))
                 if kind == ANSWER:
-                    write_frame(sys.stdout.buffer, kind, content)
+                    self.say(kind, content)
         self.events.put((CRASHED, b""))
 
     def watch(self) -> tuple[bytes, bytes]:
         """Waits for the end: the kind of it, and what the FMU was doing last."""
         limit = self.limit or None
         deadline: float | None = None
-        started = closing = False
+        started = closing = busy = False
         while True:
+            left = BEAT if deadline is None else min(BEAT, max(0.0, deadline - _now()))
             try:
-                kind, content = self.events.get(
-                    timeout=None if deadline is None else max(0.0, deadline - _now())
-                )
+                kind, content = self.events.get(timeout=left if busy or closing else None)
             except Empty:
-                return _GONE if closing else LATE, self._doing
+                if deadline is not None and _now() >= deadline:
+                    return _GONE if closing else LATE, self._doing
+                self.say(ALIVE, str(self.process.pid).encode())
+                continue
             if kind in (_GONE, CRASHED):
                 return CLOSE if closing else kind, self._doing
             if kind in (PROGRESS, REQUEST):
                 self._doing = content
+            busy = kind == REQUEST or (busy and kind != ANSWER)
             started = started or kind == PROGRESS  # what comes before is no call of the FMU
             if kind == CLOSE:
                 closing, deadline = True, _now() + GRACE
@@ -141,7 +164,8 @@ class Watchdog:
             os.killpg(self.process.pid, signal.SIGKILL)
         self.process.kill()
         status = self.process.wait()
-        self._relays[1].join(_DYING)
+        for relay in self._relays[1:]:
+            relay.join(_DYING)
         return status
 
 
@@ -157,6 +181,7 @@ def main(limit: float, command: list[str]) -> None:
             [*command, folder],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
             start_new_session=True,
         )
         watchdog = Watchdog(process, limit)
@@ -169,11 +194,8 @@ def main(limit: float, command: list[str]) -> None:
         kind == _GONE and "PAM_COSIM_SCRATCH" in os.environ
     ):  # the command's own folder, if it was killed (``command``)
         shutil.rmtree(os.environ["PAM_COSIM_SCRATCH"], ignore_errors=True)
-    with contextlib.suppress(OSError):
-        if kind == LATE:
-            write_frame(sys.stdout.buffer, LATE, doing)
-        elif kind == CRASHED:
-            write_frame(sys.stdout.buffer, CRASHED, str(status).encode())
+    if kind in (LATE, CRASHED):
+        watchdog.say(kind, doing if kind == LATE else str(status).encode())
     os._exit(0)  # a thread may still read or write
 
 

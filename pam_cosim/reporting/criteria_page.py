@@ -15,8 +15,9 @@ _HEAD = """\
 
 These {count} numbers decide which effect a diagnosis names. They are the constants of `pam_cosim/criteria.py`, from
 which this page is made (`python -m pam_cosim.reporting.criteria_page docs/criteria.md`). *Chosen* means that neither
-theory nor a measurement fixes the number; *blind score* that cases of the [blind score](hidden-effects/report.md)
-showed which value serves. Excess is the mean square of residuals beyond the noise; sd are standard deviations.
+theory nor a measurement fixes the number; *blind score* that cases of the
+[blind score](results.md#hidden-effects-blind) showed which value serves. Excess is the mean square of residuals beyond
+the noise; sd are standard deviations.
 
 Numbers that draft a data set, describe a missing term, plan an experiment or draw are constants of the module that uses
 them, with a comment.

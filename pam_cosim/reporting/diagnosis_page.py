@@ -11,12 +11,14 @@ from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.diagnosis.judgement.verdict_sentences import (
     compared_sentence,
     error_sentence,
+    family_cells,
     headline,
     kind_name,
     meaning,
     not_tried_sentence,
     probability_rows,
     probability_sentence,
+    small_effects,
 )
 from pam_cosim.reporting.account.diagnosis_rows import (
     STATED,
@@ -83,6 +85,8 @@ def diagnosis_report(diagnosis: Diagnosis) -> str:
         not_tried=not_tried_sentence(d.not_tried_by_reason),
         probability=probability_sentence(verdict),
         probabilities=probability_picture(probabilities) if probabilities else None,
+        families=family_cells(verdict),
+        small=small_effects(verdict),
         meaning=meaning(verdict, domain),
         summary=summary_rows(d),
         ladder=ladder_picture(rungs_of(d), signals),

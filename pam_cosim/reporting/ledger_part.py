@@ -6,7 +6,6 @@ from typing import Any
 
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.ledger import Ledger
-from pam_cosim.reporting.account.diagnosis_rows import acting_balances
 from pam_cosim.reporting.account.ledger_words import ledger_words
 from pam_cosim.reporting.figures.ledger import ledger_figure
 from pam_cosim.reporting.style import Picture, drawing, picture
@@ -19,7 +18,7 @@ def ledger_part(diagnosis: Diagnosis) -> dict[str, Any] | None:
         return None
     return {
         "picture": _picture(ledger),
-        **ledger_words(ledger, acting_balances(diagnosis.path)),
+        **ledger_words(ledger),
     }
 
 

@@ -80,8 +80,8 @@ class Live:
             parts.append(self._table(self._base))
         if self._judged is not None:
             verdict = self._judged.verdict
-            said = f"{kind_name(verdict.kind)}. {verdict.reason} {probability_sentence(verdict)}"
-            parts.append(f"<p><strong>{escape(said.strip())}</strong></p>")
+            text = f"{kind_name(verdict.kind)}. {verdict.reason} {probability_sentence(verdict)}"
+            parts.append(f"<p><strong>{escape(text.strip())}</strong></p>")
         return "".join(parts)
 
     def _table(self, base: Fit) -> str:

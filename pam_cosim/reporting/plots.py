@@ -9,7 +9,7 @@ from typing import Any
 
 from matplotlib.figure import Figure
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
+from pam_cosim.analysis import FrequencyResponse, LinearModel, LinearModels, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
@@ -21,7 +21,6 @@ from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
 from pam_cosim.reporting.figures.banded import bands_figure
 from pam_cosim.reporting.figures.bode import bode, poles_along
 from pam_cosim.reporting.figures.condition_maps import condition_maps
-from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.fitted import fit_figure, profile_figure
 from pam_cosim.reporting.figures.frequency import frequency_figure
@@ -32,6 +31,7 @@ from pam_cosim.reporting.figures.panels import panels
 from pam_cosim.reporting.figures.planned import plan_figure
 from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
+from pam_cosim.reporting.figures.trajectory import trajectory_figure
 from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, png
 from pam_cosim.simulation import Trajectory
@@ -65,7 +65,7 @@ def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
         raise InputError("the simulation has no output to draw")
     _check(path)
     with drawing():
-        write_bytes(Path(path), png(course(trajectory)))
+        write_bytes(Path(path), png(trajectory_figure(trajectory)))
 
 
 @draw.register
@@ -135,14 +135,14 @@ _registered(Ledger, ledger_figure)
 _registered(LinearModel, bode)
 _registered(FrequencyResponse, frequency_figure)
 _registered(Observation, observation_figure)
-_registered(LinearCourse, poles_along)
+_registered(LinearModels, poles_along)
 _registered(RunPlan, plan_figure)
 _registered(PredictiveBands, bands_figure)
 
 
 @draw.register
 def error_ladder_figure(diagnosis: Diagnosis, path: Path | str) -> None:
-    """Draws the diagnosis in one picture, 1350 pixels wide: the most telling course and the error coming down.
+    """Draws the diagnosis in one picture, 1350 pixels wide: the most informative run and the falling error.
 
     Raises:
         InputError: the data hold no sample, or the file cannot be written.

@@ -1,4 +1,4 @@
-"""Which course shows best what an effect does."""
+"""The run that shows best what an effect does."""
 
 from __future__ import annotations
 
@@ -18,17 +18,17 @@ def most_telling(
 
     The gain is the fall of the mean square error in noise variances; without a second layer, that error itself.
     """
-    first, last = layers[0], layers[-1]
+    earliest, latest = layers[0], layers[-1]
     signals = [s for s in signals if s.fitted] or list(signals)
-    runs = [r for r in last.comparison.runs if r.run.role == "holdout"] or list(
-        last.comparison.runs
+    runs = [r for r in latest.comparison.runs if r.run.role == "holdout"] or list(
+        latest.comparison.runs
     )
     gains: list[tuple[float, RunComparison, Signal]] = []
     for run in runs:
-        before = first.run(run.run.name)
+        before = earliest.run(run.run.name)
         for signal in signals:
             if before is not None and run.run.sample_count(signal.name):
-                after = _mean_square(run, signal) if last is not first else 0.0
+                after = _mean_square(run, signal) if latest is not earliest else 0.0
                 gains.append((_mean_square(before, signal) - after, run, signal))
     return max(gains, key=lambda f: f[0])[1:] if gains else None
 

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import contextlib
 import math
+import os
 import pickle
 import signal
 import subprocess
 import sys
+import threading
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -23,6 +25,7 @@ CO_SIMULATION = "pam_cosim.simulation.worker:unlimited"
 EXCHANGE = "pam_cosim.simulation.exchange_simulator:ExchangeSimulator"
 _TICKS = 4  # looks at the progress within the limit, at least
 _LONGEST_TICK = 1.0  # [s]
+_LEAST_SILENCE, _MOST_SILENCE = 5.0, 20.0  # [s] of the watchdog, after which it is ended
 
 
 class ProcessFailure(RunFailure):
@@ -42,6 +45,9 @@ class FmuProcess:
         self.path, self.timeout, self._make = path, timeout, make
         self._process: subprocess.Popen[bytes] | None = None
         self._never_loaded = False
+        self._fmu_pid = self._silence = (
+            0  # of the FMU's process; beats without a sign of the watchdog
+        )
 
     def close(self) -> None:
         """Frees the FMU and ends its process, also where it does not want to; the next run would start another."""
@@ -88,7 +94,7 @@ class FmuProcess:
         try:
             with contextlib.suppress(OSError):  # it has ended: the answer says why
                 watchdog.write_frame(process.stdin, watchdog.REQUEST, pickle.dumps(request))
-            kind, content = watchdog.read_frame(process.stdout)
+            kind, content = self._next_frame(process)
         except EOFError:
             self._end()
             raise ProcessFailure(f"the process that watches {self.path.name} has ended") from None
@@ -105,6 +111,33 @@ class FmuProcess:
         raise ProcessFailure(
             f"{self.path.name} crashed its process ({cause_of_end(int(content))}){_memory(content)}"
         )
+
+    def _next_frame(self, process: subprocess.Popen[bytes]) -> tuple[bytes, bytes]:
+        """The next message that is no sign of life; the end of a watchdog that gives none ends this."""
+        assert process.stdout is not None
+        answered = threading.Event()
+        clock = threading.Thread(target=self._end_silent, args=(process, answered), daemon=True)
+        clock.start()
+        try:
+            while True:
+                self._silence = 0
+                kind, content = watchdog.read_frame(process.stdout)
+                if kind != watchdog.ALIVE:
+                    return kind, content
+                self._fmu_pid = int(content)
+        finally:
+            answered.set()
+
+    def _end_silent(self, process: subprocess.Popen[bytes], answered: threading.Event) -> None:
+        """Ends a watchdog that is silent, and the FMU's process; counts beats, for this process may stop too."""
+        most = max(_LEAST_SILENCE, min(self.timeout, _MOST_SILENCE)) / watchdog.BEAT
+        while not answered.wait(watchdog.BEAT):
+            self._silence += 1
+            if self._silence > most:
+                process.kill()
+                with contextlib.suppress(OSError, AttributeError):
+                    os.killpg(self._fmu_pid, signal.SIGKILL)
+                return
 
     def _unpacked(self, content: bytes) -> tuple[str, Any]:
         """An answer as the FMU's process packed it, unless the FMU wrote into it."""

@@ -14,7 +14,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, model_name
 from pam_cosim.simulation import IsolatedSimulator, Simulator
 
-# fitted or compared rows, up to which compiling takes longer; measured: docs/speed.md
+# fitted or compared rows, up to which compiling takes longer; measured: docs/results.md
 MOST_ROWS_UNCOMPILED = 10_000
 
 Paths = Sequence[Path | str]

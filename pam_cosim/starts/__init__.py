@@ -2,7 +2,7 @@
 
 from pam_cosim.starts.chosen_starts import StartChoice, starts_are_open
 from pam_cosim.starts.eliminated_starts import EliminatedStarts
-from pam_cosim.starts.initial_state import initial_state, measured_initial_state, state_course
+from pam_cosim.starts.initial_state import initial_state, measured_initial_state, state_trajectory
 from pam_cosim.starts.probe import StartProbe
 from pam_cosim.starts.run_start import InitialState, measured_signals, start_time
 
@@ -16,5 +16,5 @@ __all__ = [
     "measured_signals",
     "start_time",
     "starts_are_open",
-    "state_course",
+    "state_trajectory",
 ]

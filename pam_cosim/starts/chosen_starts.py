@@ -86,13 +86,13 @@ def first_offsets(probe: StartProbe) -> list[FirstOffset]:
         return []
     when = {name: _first_time(probe.run, name) for name in probe.signals}
     times = np.unique(list(when.values()))
-    course = probe.course(times)
+    simulated = probe.course(times)
     offsets = [
-        _offset(probe, name, float(course[name][np.searchsorted(times, time)]))
+        _offset(probe, name, float(simulated[name][np.searchsorted(times, time)]))
         for name, time in when.items()
     ]
     showing = probe.signals_of_one_state()
-    return [one for one in offsets if one.name in showing] or offsets
+    return [offset for offset in offsets if offset.name in showing] or offsets
 
 
 def _first_time(run: Run, name: str) -> float:
@@ -174,7 +174,7 @@ class StartChoice:
         return replace(self._data, runs=tuple(runs))
 
     def _first_offsets(self, run: Run) -> list[FirstOffset] | None:
-        """None where the run cannot be simulated, of which whoever simulates it next reports why."""
+        """None where the run cannot be simulated, and the next simulation reports the reason."""
         if run.is_static or run.start.periodic:
             return []
         try:
@@ -186,8 +186,10 @@ class StartChoice:
         """By signal: how far first samples are off the model's start in most runs, as by an instrument's offset."""
         offsets: dict[str, list[float]] = {}
         chosen = [run.name for run in self._data.runs if not run.start.seconds]
-        for one in (one for name in chosen for one in self._offsets[name] or []):
-            offsets.setdefault(one.name, []).append(one.offset)
+        for first_offset in (
+            first_offset for name in chosen for first_offset in self._offsets[name] or []
+        ):
+            offsets.setdefault(first_offset.name, []).append(first_offset.offset)
         fewest = CRITERIA.starts.runs
         return {name: float(np.median(v)) for name, v in offsets.items() if len(v) >= fewest}
 
@@ -201,21 +203,23 @@ class StartChoice:
             return _begun(run, "rest")
 
     def _by_first_samples(self, run: Run) -> Run:
-        first, probe = self._offsets[run.name] or [], self._probes[run.name]
-        differing = [one for one in first if one.exceeds_noise]
+        offsets, probe = self._offsets[run.name] or [], self._probes[run.name]
+        differing = [offset for offset in offsets if offset.exceeds_noise]
         if not differing or _start_is_fitted(probe):
             return _begun(run, "rest")
         start = measured_initial_state(probe)
-        is_elsewhere = any(one.exceeds_instrument(self._common.get(one.name)) for one in first)
+        is_elsewhere = any(
+            offset.exceeds_instrument(self._common.get(offset.name)) for offset in offsets
+        )
         if start.shown and not is_elsewhere:
             return run
         if start.shown and not _explains(probe, start):
             return _begun(run, "rest")
-        moving = any(one.sample.moves for one in first)
-        begins = f"{_first_samples_text(run, first)}, {'moving' if moving else 'at rest'}"
+        moving = any(offset.sample.moves for offset in offsets)
+        begins = f"{_first_samples_text(run, offsets)}, {'moving' if moving else 'at rest'}"
         if start.shown:
             return _begun(run, "estimated", f"{begins}: estimated")
-        where = ", ".join(f"{one.name} = {one.text(one.model)}" for one in differing)
+        where = ", ".join(f"{offset.name} = {offset.text(offset.model)}" for offset in differing)
         reason = f"{begins}: the model begins at {where}, and cannot begin elsewhere"
         return _begun(run, "rest", reason)
 
@@ -228,8 +232,8 @@ class StartChoice:
 
     def _estimated(self, run: Run, reason: str, unless_stated: bool = False) -> Run:
         """The run with an estimated start, where it can have one."""
-        first, probe = self._offsets[run.name], self._probes[run.name]
-        if first is None:
+        offsets, probe = self._offsets[run.name], self._probes[run.name]
+        if offsets is None:
             return run
         try:
             shown = measured_initial_state(probe).shown
@@ -239,12 +243,12 @@ class StartChoice:
                 return run
         except SimulationFailure:
             return run
-        return _begun(run, "estimated", f"{_first_samples_text(run, first)}: estimated, {reason}")
+        return _begun(run, "estimated", f"{_first_samples_text(run, offsets)}: estimated, {reason}")
 
 
 def _explains(probe: StartProbe, start: InitialState) -> bool:
     """Whether all signals are much nearer to their first samples from there: a missing force would remain."""
-    aims = np.array([one.value for one in probe.first.values()])
+    aims = np.array([sample.value for sample in probe.first.values()])
     noise = np.array([probe.data.signals[name].sigma for name in probe.signals])
 
     def squares(begin: InitialState) -> float:
@@ -254,8 +258,10 @@ def _explains(probe: StartProbe, start: InitialState) -> bool:
     return squares(InitialState()) > CRITERIA.starts.worth * squares(start)
 
 
-def _first_samples_text(run: Run, first: Sequence[FirstOffset]) -> str:
-    return f"{run.name} begins at {', '.join(one.text(one.sample.value) for one in first)}"
+def _first_samples_text(run: Run, offsets: Sequence[FirstOffset]) -> str:
+    return (
+        f"{run.name} begins at {', '.join(offset.text(offset.sample.value) for offset in offsets)}"
+    )
 
 
 def _start_is_stated(probe: StartProbe, shown: Collection[str]) -> bool:
@@ -284,8 +290,10 @@ def _start_is_fitted(probe: StartProbe) -> bool:
     Raises:
         SimulationFailure: the model breaks down at the start.
     """
-    free = [one for one in probe.data.fit.values() if one.run in ("", probe.run.name)]
-    return any(_sets_start(probe, one) for one in free)
+    free = [
+        parameter for parameter in probe.data.fit.values() if parameter.run in ("", probe.run.name)
+    ]
+    return any(_sets_start(probe, parameter) for parameter in free)
 
 
 def _sets_start(probe: StartProbe, free: FreeParameter) -> bool:
@@ -296,7 +304,7 @@ def _sets_start(probe: StartProbe, free: FreeParameter) -> bool:
     """
     name, step = free.parameter, _SHARE_OF_RANGE * (free.max - free.min)
     declared = probe.simulator.interface.parameters.get(name)
-    if declared is None:  # as whoever fits reports
+    if declared is None:  # as the fit reports
         return False
     value = probe.parameters.get(name, declared.start or 0.0)
     moved = probe.changed({name: value + step if value + step <= free.max else value - step})
@@ -319,11 +327,11 @@ def _with_periods(probe: StartProbe) -> Run:
     signals = measured_signals(run, data)
     longest = replace(run, start=replace(run.start, periods=most))
     begin = initial_state(probe.simulator, data, longest, probe.parameters)
-    first = start_time(longest)
-    period = (float(run.time[0]) - first) / most
-    times = first + period * np.arange(most + 1)
-    course = begin.trajectory(probe.simulator, longest, probe.parameters, times, signals)
-    from_last = [np.abs(course[n] - course[n][-1]) / data.signals[n].sigma for n in signals]
+    begin_of_longest = start_time(longest)
+    period = (float(run.time[0]) - begin_of_longest) / most
+    times = begin_of_longest + period * np.arange(most + 1)
+    simulated = begin.trajectory(probe.simulator, longest, probe.parameters, times, signals)
+    from_last = [np.abs(simulated[n] - simulated[n][-1]) / data.signals[n].sigma for n in signals]
     differing = np.flatnonzero(np.max(from_last, axis=0, initial=0.0) > CRITERIA.starts.round)
     count = max(int(differing[-1]) + 1 if differing.size else 0, 1)
     length = format_quantity(period, "s", 4)

@@ -27,8 +27,8 @@ from pam_cosim.starts.start_values import (
 _STILL = 1e-9  # of its size, by which a state that does not move moves by rounding
 
 
-class RestCourse(NamedTuple):
-    """The states of a run that begins where its first samples and the model's rest beside them put it.
+class RestTrajectory(NamedTuple):
+    """The states of a run that begins where its first samples and the equilibrium with them put it.
 
     Attributes:
         first: where each state begins then [SI].
@@ -78,12 +78,16 @@ class EliminatedStarts:
     @property
     def count(self) -> int:
         """Number of start values, and of the rows of what is known of them beforehand."""
-        return sum(len(one.names) for one in self.by_run.values())
+        return sum(len(values_of_run.names) for values_of_run in self.by_run.values())
 
     @property
     def settings(self) -> dict[str, float]:
         """The start values that are estimated, as they are now, by "state@run" [SI]."""
-        return {n: v for one in self.by_run.values() for n, v in one.settings().items()}
+        return {
+            n: v
+            for values_of_run in self.by_run.values()
+            for n, v in values_of_run.settings().items()
+        }
 
     def of_run(self, i: int) -> dict[str, float]:
         """Where a run begins, by "state@run" [SI]; empty where its start is not estimated."""
@@ -93,37 +97,49 @@ class EliminatedStarts:
     def place(self, values: Mapping[str, float]) -> dict[int, StartValues]:
         """The start values, about where the first samples put them with the first parameters [SI]."""
         if not self._is_placed:
-            courses = {
-                i: self._rest_course(i, values, about_given=self.to_first_order)
+            trajectories = {
+                i: self._rest_trajectory(i, values, about_given=self.to_first_order)
                 for i, run in enumerate(self._runs)
                 if run.start.mode == "estimated"
             }
             # a state that rests in one run may be on its way as that begins, as far as others take it
-            every = [self.state_ranges, *(course.ranges for course in courses.values())]
+            all_ranges = [
+                self.state_ranges,
+                *(run_trajectory.ranges for run_trajectory in trajectories.values()),
+            ]
             self.state_ranges = {
-                name: max(ranges.get(name, 0.0) for ranges in every)
+                name: max(ranges.get(name, 0.0) for ranges in all_ranges)
                 for name in self._simulator.interface.states
             }
-            found = {i: self._start_values(i, course) for i, course in courses.items()}
-            self.by_run = {i: one for i, one in found.items() if one.names}
+            placed = {
+                i: self._start_values(i, run_trajectory)
+                for i, run_trajectory in trajectories.items()
+            }
+            self.by_run = {
+                i: values_of_run for i, values_of_run in placed.items() if values_of_run.names
+            }
             self._is_placed = True
         return self.by_run
 
-    def _start_values(self, i: int, course: RestCourse) -> StartValues:
-        moving = tuple(n for n in course.first if self.state_ranges[n])
+    def _start_values(self, i: int, run_trajectory: RestTrajectory) -> StartValues:
+        moving = tuple(n for n in run_trajectory.first if self.state_ranges[n])
         variables = [self._simulator.interface.start_values[n] for n in moving]
-        low = np.array([-np.inf if one.min is None else one.min for one in variables])
-        high = np.array([np.inf if one.max is None else one.max for one in variables])
-        mean = np.array([course.first[n] for n in moving])
+        low = np.array(
+            [-np.inf if variable.min is None else variable.min for variable in variables]
+        )
+        high = np.array(
+            [np.inf if variable.max is None else variable.max for variable in variables]
+        )
+        mean = np.array([run_trajectory.first[n] for n in moving])
         sd = CRITERIA.starts.range * np.array([self.state_ranges[n] for n in moving])
-        values = np.clip(np.array([course.begin[n] for n in moving]), low, high)
-        still = {n: v for n, v in course.first.items() if n not in moving}
+        values = np.clip(np.array([run_trajectory.begin[n] for n in moving]), low, high)
+        still = {n: v for n, v in run_trajectory.first.items() if n not in moving}
         return StartValues(self._runs[i], moving, mean, sd, values, low, high, still)
 
-    def _rest_course(
+    def _rest_trajectory(
         self, i: int, values: Mapping[str, float], *, about_given: bool = False
-    ) -> RestCourse:
-        """The course of a run from where the first samples and the model's rest put it.
+    ) -> RestTrajectory:
+        """The trajectory of a run from its first samples and the equilibrium with them.
 
         ``about_given``: start values among the parameters take the place of the first samples: the start of another
         model is known, and this one has a state more.
@@ -132,15 +148,17 @@ class EliminatedStarts:
             SimulationFailure: the run does not reach its end.
         """
         run, states = self._runs[i], self._simulator.interface.states
-        own = self._data.parameters_of(run, values)
-        bare = {n: v for n, v in own.items() if n not in states}
-        given = {n: own[n] for n in states if n in own}
+        run_parameters = self._data.parameters_of(run, values)
+        bare = {n: v for n, v in run_parameters.items() if n not in states}
+        given = {n: run_parameters[n] for n in states if n in run_parameters}
         probe = StartProbe(self._simulator, self._data, run, bare)
         start = measured_initial_state(probe, given if about_given else {})
         times = np.unique(np.append(start_time(run), run.time))
-        course = start.trajectory(self._simulator, run, bare, times, states)
-        first = {n: float(course[n][0]) for n in states}
-        return RestCourse(first, {n: _range(course[n]) for n in states}, first | given)
+        run_trajectory = start.trajectory(self._simulator, run, bare, times, states)
+        initial = {n: float(run_trajectory[n][0]) for n in states}
+        return RestTrajectory(
+            initial, {n: _range(run_trajectory[n]) for n in states}, initial | given
+        )
 
     def set_out(self, z: Array, values: Mapping[str, float]) -> None:
         """Puts start values where ``z`` left them, or where new points look for them.
@@ -148,18 +166,18 @@ class EliminatedStarts:
         What a trial elsewhere made of them must not be where the next one begins: they may have gone astray there.
         """
         before = self._at.get(z.tobytes())
-        for i, one in self.place(values).items():
-            one.values = before[i] if before else self.expected(z, one)
+        for i, values_of_run in self.place(values).items():
+            values_of_run.values = before[i] if before else self.expected(z, values_of_run)
 
-    def expected(self, z: Array, one: StartValues) -> Array:
+    def expected(self, z: Array, values_of_run: StartValues) -> Array:
         """Where the start values of a run are looked for first: where the slopes of the descent lead them.
 
         No farther than the slopes by start values are trusted (``eliminate``).
         """
-        if self._linearised_at is None or one.follow is None:
-            return one.begin
-        step = one.within_reach(one.follow @ (z - self._linearised_at), 1.0)
-        return np.clip(one.begin + step, one.low, one.high)
+        if self._linearised_at is None or values_of_run.follow is None:
+            return values_of_run.begin
+        step = values_of_run.within_reach(values_of_run.follow @ (z - self._linearised_at), 1.0)
+        return np.clip(values_of_run.begin + step, values_of_run.low, values_of_run.high)
 
     def eliminated(self, i: int, simulate: LinearisedRun) -> tuple[Any, Array]:
         """The result of a run, and its residuals without what its start values take away; see ``eliminate``."""
@@ -169,22 +187,24 @@ class EliminatedStarts:
     def keep(self, z: Array) -> None:
         """Keeps where ``z`` left the start values."""
         if self.by_run:
-            self._at[z.tobytes()] = {i: one.values for i, one in self.by_run.items()}
+            self._at[z.tobytes()] = {
+                i: values_of_run.values for i, values_of_run in self.by_run.items()
+            }
 
     def take_away(self, residuals: Array) -> None:
         """Takes from the residuals what the start values take away, by the slopes that are known of them."""
-        for one, rows, _ in self._blocks(residuals):
-            residuals[rows] = one.taken_away(residuals[rows])
+        for values_of_run, rows, _ in self._blocks(residuals):
+            residuals[rows] = values_of_run.taken_away(residuals[rows])
 
     def _blocks(self, residuals: Array) -> Iterator[tuple[StartValues, slice, slice]]:
         """The start values of each run, the rows of its residuals, and of what is known of them beforehand."""
         row = len(residuals) - self.count
-        for i, one in self.by_run.items():
-            yield one, self._rows[i], slice(row, row := row + len(one.names))
+        for i, values_of_run in self.by_run.items():
+            yield values_of_run, self._rows[i], slice(row, row := row + len(values_of_run.names))
 
     def prior_rows(self) -> list[Array]:
         """The rows of what is known of start values beforehand, which are the last ones of the residuals."""
-        return [one.prior_rows() for one in self.by_run.values()]
+        return [values_of_run.prior_rows() for values_of_run in self.by_run.values()]
 
     def followed(self, jacobian: Array, z: Array | None = None) -> Array:
         """The slopes with the start values moving along, so that least is left.
@@ -194,14 +214,14 @@ class EliminatedStarts:
             z: where a descent goes on, along these slopes; None: nowhere.
         """
         followed = jacobian.copy()
-        for one, rows, known in self._blocks(jacobian):
-            moves = one.following(jacobian[rows]) if jacobian.shape[1] else None
+        for values_of_run, rows, prior_places in self._blocks(jacobian):
+            moves = values_of_run.following(jacobian[rows]) if jacobian.shape[1] else None
             if moves is not None:
-                count = len(one.names)
-                followed[rows] += one.slopes[:-count] @ moves
-                followed[known] = one.slopes[-count:] @ moves
+                count = len(values_of_run.names)
+                followed[rows] += values_of_run.slopes[:-count] @ moves
+                followed[prior_places] = values_of_run.slopes[-count:] @ moves
             if z is not None:
-                one.begin, one.follow = one.values, moves
+                values_of_run.begin, values_of_run.follow = values_of_run.values, moves
         self._linearised_at = self._linearised_at if z is None else z.copy()
         return followed
 
@@ -209,16 +229,16 @@ class EliminatedStarts:
         """Whether start values are looked for where the first samples and the model's rest put them from ``z`` on."""
         if not self._is_placed or self.to_first_order or z.tobytes() in self._at:
             return False
-        for i, one in self.by_run.items():
+        for i, values_of_run in self.by_run.items():
             if (fresh := self._fresh(i, values)) is not None:
-                one.begin = one.clipped(fresh)
+                values_of_run.begin = values_of_run.clipped(fresh)
         self._linearised_at = None
         return True
 
     def _fresh(self, i: int, values: Mapping[str, float]) -> dict[str, float] | None:
         """Where the first samples and the model's rest put start values of a run; None: the model breaks down."""
         try:
-            return self._rest_course(i, values).begin
+            return self._rest_trajectory(i, values).begin
         except SimulationFailure:
             return None
 
@@ -243,9 +263,9 @@ class EliminatedStarts:
                 where it fails.
         """
         before = self._squares(residuals)
-        here = {i: one.values for i, one in self.by_run.items()}
-        for i, one in self.by_run.items():
-            rows, one.begin = self._rows[i], one.values
+        here = {i: values_of_run.values for i, values_of_run in self.by_run.items()}
+        for i, values_of_run in self.by_run.items():
+            rows, values_of_run.begin = self._rows[i], values_of_run.values
             if before[i] <= CRITERIA.fit.at_noise * (rows.stop - rows.start):
                 continue
             if (named := self._fresh(i, values)) is None:
@@ -254,12 +274,12 @@ class EliminatedStarts:
             for count in horizons(run, measured_signals(run, self._data), len(named)):
                 begin = {f"{name}@{run.name}": value for name, value in named.items()}
                 named = named | of_part(first_rows(run, count), {**values, **begin})
-            one.begin = one.clipped(named)
+            values_of_run.begin = values_of_run.clipped(named)
         self._forget(z)
         after = self._squares(anew())
         better = {i for i in after if after[i] < (1 - CRITERIA.starts.linear) * before[i]}
-        for i, one in self.by_run.items():
-            one.begin = one.values if i in better else here[i]
+        for i, values_of_run in self.by_run.items():
+            values_of_run.begin = values_of_run.values if i in better else here[i]
         self._forget(z)
         return bool(better)
 
@@ -271,16 +291,19 @@ class EliminatedStarts:
     def _squares(self, residuals: Array) -> dict[int, float]:
         """The squares of each run with start values, and of what is known of these beforehand."""
         squares = [
-            float(residuals[rows] @ residuals[rows] + residuals[known] @ residuals[known])
-            for _, rows, known in self._blocks(residuals)
+            float(
+                residuals[rows] @ residuals[rows]
+                + residuals[prior_places] @ residuals[prior_places]
+            )
+            for _, rows, prior_places in self._blocks(residuals)
         ]
         return dict(zip(self.by_run, squares, strict=True))
 
 
-def _range(course: Array) -> float:
+def _range(run_trajectory: Array) -> float:
     """How far a state moves; nothing where that is rounding."""
-    moved = float(np.ptp(course))
-    return moved if moved > _STILL * float(np.max(np.abs(course))) else 0.0
+    moved = float(np.ptp(run_trajectory))
+    return moved if moved > _STILL * float(np.max(np.abs(run_trajectory))) else 0.0
 
 
 def horizons(run: Run, signals: Sequence[str], unknowns: int) -> list[int]:

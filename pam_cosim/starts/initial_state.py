@@ -1,9 +1,9 @@
 """The state in which the simulation of a run begins: stated, measured, estimated or eliminated.
 
-The first samples show some of the states. The others follow: they are at rest beside these, under the first inputs.
+The first samples show some of the states. The others follow: they are in equilibrium with these under the first inputs.
 
 A signal that depends on one state alone shows it: a pressure reading the pressure, a ruler the position. An instrument
-that has states of its own, as a delay has, is at rest beside what it reads. Where the rate of such a state depends on
+with states of its own, as a delay has, is in equilibrium with its reading. Where the rate of such a state depends on
 one further state alone, the slope of the samples shows that: the speed, or what lies behind the lag of an instrument.
 Of an instrument it may depend on others that are shown: behind a thermometer lies the mass of a gas whose pressure is
 known.
@@ -18,6 +18,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.simulation import AnySimulator
 from pam_cosim.starts.probe import ObservedState, StartProbe
@@ -63,8 +64,8 @@ def measured_initial_state(
         return InitialState(dict(given))
     shown, values = _shown_by_first_samples(probe) if probe.first else ({}, {})
     values |= given
-    signals = {state: one.signal for state, one in shown.items()}
-    return InitialState(values, probe.settle_beside(values), signals)
+    signals = {state: observed.signal for state, observed in shown.items()}
+    return InitialState(values, probe.settle_others(values), signals)
 
 
 def _shown_by_first_samples(
@@ -95,7 +96,7 @@ def _consistent_start(
     return shown, probe.corrected(shown, dependences, values)
 
 
-def state_course(
+def state_trajectory(
     simulator: AnySimulator,
     data: DataSet,
     run: Run,
@@ -114,17 +115,20 @@ def state_course(
     Raises:
         SimulationFailure: the run did not reach its end.
     """
-    own = data.parameters_of(run, parameters)
+    run_parameters = data.parameters_of(run, parameters)
     begin = start_time(run)
     times = np.append(begin, np.maximum(run.time if times is None else times, begin))
-    start = initial_state(simulator, data, run, own)
-    return dict(start.trajectory(simulator, run, own, times, simulator.interface.states).values)
+    start = initial_state(simulator, data, run, run_parameters)
+    return dict(
+        start.trajectory(simulator, run, run_parameters, times, simulator.interface.states).values
+    )
 
 
 def _observed_states(
     probe: StartProbe, dependences: Array, ignored: Collection[str] = ()
 ) -> dict[str, ObservedState]:
-    """The observed states by name. Of two signals that show the same state, the one that shows it better.
+    """The observed states by name. Of two signals that show the same state, the one that shows it better: a
+    pressure that of a gas, not a temperature, which hardly follows its mass.
 
     Args:
         probe: of the run, with the first samples of its signals.
@@ -133,13 +137,13 @@ def _observed_states(
     """
     shown = _observed_by_signals(probe, dependences, ignored)
     _add_observed_by_rates(shown, dependences, len(probe.signals))
-    return {probe.states[i]: one for i, one in shown.items()}
+    return {probe.states[i]: observed for i, observed in shown.items()}
 
 
 def _observed_by_signals(
     probe: StartProbe, matrix: Array, ignored: Collection[str]
 ) -> dict[int, ObservedState]:
-    """By number of the state: what signals read, and the states of instruments, which are at rest beside that."""
+    """By number of the state: what signals read, and the states of instruments, which are in equilibrium with that."""
     rates, shown = matrix[len(probe.signals) :], dict[int, ObservedState]()
     better: dict[int, float] = {}
     for row, (signal, sample) in enumerate(probe.first.items()):
@@ -150,7 +154,9 @@ def _observed_by_signals(
         slope = _slope_at_rest(matrix[row], rates, source, instrument)
         if not slope:
             continue
-        spread = sample.sd / abs(slope)
+        # the law between a reading and a state is no more exact than that, be the reading as precise as it may
+        error = CRITERIA.noise.assumed_share * abs(sample.value)
+        spread = float(np.hypot(sample.sd, error)) / abs(slope)
         if spread < better.get(source, np.inf):
             better[source] = spread
             rate = sample.slope / slope if sample.moves else 0.0
@@ -170,14 +176,17 @@ def _source_of_reading(dependent: set[int], rates: Array) -> tuple[int, set[int]
         dependent: the states.
         rates: (states, states) slopes of the rates by the states.
     """
-    found = []
+    sources = []
     for source in dependent:
-        own = dependent - {source}
-        while more := {j for i in own for j in _nonzero(rates[i])} - {source, *own}:
-            own |= more
-        if {i for j in own for i in _nonzero(rates[:, j])} <= own:
-            found.append((source, own))
-    return found[0] if len(found) == 1 else None
+        instrument_states = dependent - {source}
+        while more := {j for i in instrument_states for j in _nonzero(rates[i])} - {
+            source,
+            *instrument_states,
+        }:
+            instrument_states |= more
+        if {i for j in instrument_states for i in _nonzero(rates[:, j])} <= instrument_states:
+            sources.append((source, instrument_states))
+    return sources[0] if len(sources) == 1 else None
 
 
 def _nonzero(slopes: Array) -> list[int]:
@@ -186,9 +195,9 @@ def _nonzero(slopes: Array) -> list[int]:
 
 def _slope_at_rest(row: Array, rates: Array, source: int, instrument: set[int]) -> float:
     """The slope of a reading by what it reads, the states of its instrument following at rest."""
-    own = sorted(instrument)
-    follow = np.linalg.lstsq(rates[np.ix_(own, own)], rates[own, source], rcond=None)[0]
-    return float(row[source] - row[own] @ follow)
+    places = sorted(instrument)
+    follow = np.linalg.lstsq(rates[np.ix_(places, places)], rates[places, source], rcond=None)[0]
+    return float(row[source] - row[places] @ follow)
 
 
 def _add_observed_by_rates(shown: dict[int, ObservedState], matrix: Array, signals: int) -> None:
@@ -208,10 +217,10 @@ def _add_observed_by_rates(shown: dict[int, ObservedState], matrix: Array, signa
     waiting = list(shown)
     while (by := next((i for i in waiting if shows(i)), None)) is not None:
         waiting.remove(by)
-        known, (state,) = shown[by], unknown(by)
-        moved = sum(rates[by, i] * one.rate for i, one in shown.items())
+        observed, (state,) = shown[by], unknown(by)
+        moved = sum(rates[by, i] * shown_state.rate for i, shown_state in shown.items())
         rate = -float(moved) / float(rates[by, state])
-        shown[state] = ObservedState(signals + by, known.rate, 0.0, known.signal, rate)
+        shown[state] = ObservedState(signals + by, observed.rate, 0.0, observed.signal, rate)
         waiting.append(state)
 
 
@@ -222,8 +231,8 @@ def _states_of_instruments(rates: Array) -> set[int]:
     Args:
         rates: (states, states) slopes of the rates by the states.
     """
-    found = set[int]()
+    states = set[int]()
     acting = [{*_nonzero(column)} for column in rates.T]
-    while more := {i for i, on in enumerate(acting) if i not in found and on <= {i, *found}}:
-        found |= more
-    return found
+    while more := {i for i, on in enumerate(acting) if i not in states and on <= {i, *states}}:
+        states |= more
+    return states

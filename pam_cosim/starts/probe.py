@@ -62,8 +62,8 @@ class StartProbe:
         self.simulator, self.data, self.run, self.parameters = simulator, data, run, parameters
         self.states, self.rates = simulator.interface.states, simulator.interface.rates
         signals = measured_signals(run, data)
-        found = {n: first_of_run(run, n, data.signals[n].sigma) for n in signals}
-        self.first: dict[str, FirstSamples] = {n: one for n, one in found.items() if one}
+        samples = {n: first_of_run(run, n, data.signals[n].sigma) for n in signals}
+        self.first: dict[str, FirstSamples] = {n: sample for n, sample in samples.items() if sample}
         self.signals = list(self.first)
 
     def changed(self, parameters: Mapping[str, float]) -> StartProbe:
@@ -88,8 +88,8 @@ class StartProbe:
         return self._simulated(InitialState(), times, self.signals)
 
     def _simulated(self, start: InitialState, times: ArrayLike, names: Sequence[str]) -> Trajectory:
-        own = {n: v for n, v in self.parameters.items() if n not in self.states}
-        return start.trajectory(self.simulator, self.run, own, times, names)
+        model_parameters = {n: v for n, v in self.parameters.items() if n not in self.states}
+        return start.trajectory(self.simulator, self.run, model_parameters, times, names)
 
     def signals_of_one_state(self) -> list[str]:
         """The signals that depend on one state alone."""
@@ -137,8 +137,8 @@ class StartProbe:
         """Start values of the observed states at which the signals that determine them are as measured."""
         begin = self.state({})
         starts = {name: values.get(name, begin[name]) for name in shown}
-        rows = [one.row for one in shown.values()]
-        aims = np.array([one.aim for one in shown.values()])
+        rows = [observed.row for observed in shown.values()]
+        aims = np.array([observed.aim for observed in shown.values()])
         slopes = dependences[np.ix_(rows, [self.states.index(name) for name in shown])]
         for _ in range(_CORRECTIONS if starts else 0):
             miss = aims - self.at(starts)[0][rows]
@@ -155,13 +155,14 @@ class StartProbe:
         """The signals that are not as they were measured, wherever the states that they show begin."""
         outputs, _ = self.at(values)
         return {
-            one.signal
-            for one in shown.values()
-            if one.spread and abs(outputs[one.row] - one.aim) > CRITERIA.starts.away * one.spread
+            observed.signal
+            for observed in shown.values()
+            if observed.spread
+            and abs(outputs[observed.row] - observed.aim) > CRITERIA.starts.away * observed.spread
         }
 
-    def settle_beside(self, values: Mapping[str, float]) -> Settle:
-        """Whether the other states come to rest beside these: "others"; "none" where they find no rest."""
+    def settle_others(self, values: Mapping[str, float]) -> Settle:
+        """Whether the other states come to rest with these: "others"; "none" where they find no rest."""
         try:
             if self.simulator.settles:
                 self.at(values, "others")

@@ -40,14 +40,14 @@ def start_time(run: Run) -> float:
     """When the simulation of a run begins [s].
 
     A run that records inputs begins with its first row, or as long before as something is known of them. A run without
-    inputs is a free course from the state at time zero, which the first sample may come after.
+    inputs is a free motion from the state at time zero, which the first sample may come after.
     """
-    first = float(run.time[0])
+    first_time = float(run.time[0])
     if run.start.periodic:
-        return first - run.start.periods * _period(run)
+        return first_time - run.start.periods * _period(run)
     if run.start.seconds:
-        return first - run.start.seconds
-    return first if run.inputs or run.start.is_found else min(0.0, first)
+        return first_time - run.start.seconds
+    return first_time if run.inputs or run.start.is_found else min(0.0, first_time)
 
 
 def _period(run: Run) -> float:
@@ -156,13 +156,13 @@ def first_samples(time: Array, values: Array, sigma: float, start: float) -> Fir
     there: NDArray[np.intp] = np.flatnonzero(np.isfinite(values))[: CRITERIA.starts.most_samples]
     if not there.size:
         return None
-    t, first = time[there] - start, float(values[there[0]])
+    t, first_value = time[there] - start, float(values[there[0]])
     if len(t) > 1 and t[0] > CRITERIA.starts.pause * float(np.median(np.diff(t))):
         return None  # a line through such samples says what the signal did then, not where it was
     if len(there) < _LEAST or not sigma:
-        return FirstSamples(first, sigma)
+        return FirstSamples(first_value, sigma)
     # straight lines through the first one, two, ... n samples
-    n, y = np.arange(1.0, len(t) + 1.0), values[there] - first
+    n, y = np.arange(1.0, len(t) + 1.0), values[there] - first_value
     mean, level = np.cumsum(t) / n, np.cumsum(y) / n
     spread = np.cumsum(t**2) - n * mean**2
     both = np.cumsum(t * y) - n * mean * level
@@ -173,9 +173,9 @@ def first_samples(time: Array, values: Array, sigma: float, start: float) -> Fir
     bent[: _LEAST - 1] = False
     last = (int(np.argmax(bent)) if bent.any() else len(t)) - 1
     if last < _LEAST - 1 or spread[last] <= 0.0:
-        return FirstSamples(first, sigma)
+        return FirstSamples(first_value, sigma)
     return FirstSamples(
-        float(first + level[last] - slope[last] * mean[last]),
+        float(first_value + level[last] - slope[last] * mean[last]),
         float(sigma * np.sqrt(1.0 / n[last] + mean[last] ** 2 / spread[last])),
         float(slope[last]),
         float(sigma / np.sqrt(spread[last])),

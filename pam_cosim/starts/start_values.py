@@ -35,7 +35,7 @@ class StartValues:
     Attributes:
         run: the run.
         names: of the k states.
-        mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the model's rest beside them
+        mean, sd: (k,) what is known of them beforehand [SI]: where the first samples and the equilibrium with them
             say that it begins, and how far the runs take them.
         values: (k,) the present ones [SI]; ``low`` and ``high`` (k,) what the model says that they can be.
         still: states that no run moves, where they are [SI].
@@ -102,8 +102,8 @@ class StartValues:
         return np.asarray(-np.linalg.lstsq(self.slopes, np.vstack([columns, below]), rcond=None)[0])
 
     def deviations(self) -> Array:
-        """(k,) standard deviations [SI] of the start values beside given parameters."""
-        # no singular value is below one, of the rows of what is known; their squares would be lost beside large ones
+        """(k,) standard deviations [SI] of the start values at given parameters."""
+        # no singular value is below one, of the rows of what is known; their squares would be lost next to large ones
         _, sizes, directions = np.linalg.svd(self.slopes * self.sd, full_matrices=False)
         return np.asarray(self.sd * np.linalg.norm(directions.T / sizes, axis=1))
 
@@ -184,8 +184,8 @@ class _Point:
         self.slopes = of.with_prior_slopes(slopes)
         self.cost = float(rows @ rows)
         self.step = of.step(self.slopes, rows)
-        left = rows + self.slopes @ self.step
-        gain = self.cost - float(left @ left)
+        remaining = rows + self.slopes @ self.step
+        gain = self.cost - float(remaining @ remaining)
         # little is left to gain; where a step does not gain it, a shorter one will not do so either
         self.is_level = self.is_little(gain)
         # ... and that by the slopes alone

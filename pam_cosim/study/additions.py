@@ -55,7 +55,7 @@ def add(
 
     Raises:
         InputError: an unknown effect, one that finds no place in the model, a value of a parameter that it lacks;
-            nothing was learned.
+            the diagnosis has no learned term.
     """
     if not learned:
         origin = what if isinstance(what, Path) else None
@@ -63,7 +63,7 @@ def add(
     diagnosis = load(what) if isinstance(what, Path) else what
     if not isinstance(diagnosis, Diagnosis) or diagnosis.learned is None:
         raise InputError(
-            "nothing was learned: a term is learned where a diagnosis says unknown, and --save keeps it"
+            "this diagnosis has no learned term: only a saved diagnosis with the verdict unknown has one"
         )
     term, model = diagnosis.learned.term, diagnosis.learned.model
     fitted = FittedModel(diagnosis.model, model.effects, model.fit.values, diagnosis.data.constants)
@@ -81,10 +81,10 @@ def _added(
     output: Path | str | None,
     values: Mapping[str, Setting],
     files: Sequence[Path],
-    beside: str = "",
+    class_text: str = "",
     origin: Path | None = None,
 ) -> str:
-    """The text of a model with effects and values, with classes that stand ``beside`` it.
+    """The text of a model with effects and values, with the text of further classes.
 
     Values that were read from a file, ``origin``, are looked at as those that are set.
     """
@@ -93,7 +93,7 @@ def _added(
     base = to or fitted.model
     if not base or is_fmu(base):
         raise InputError("effects and values are added to a Modelica model: name it by to")
-    ratio = next((parameter_of(one) for one in fitted.effects if is_ratio(one)), None)
+    ratio = next((parameter_of(effect) for effect in fitted.effects if is_ratio(effect)), None)
     if ratio is not None and not fitted.values:
         raise InputError(
             f"what is stated of {ratio} is no part of a model: correct it in the data set"
@@ -110,7 +110,7 @@ def _added(
             check_fitted(fitted, interface, origin)
         fitted = replace(fitted, values={**fitted.values, **_resolved(values, interface)})
         parameters = (*parameters, *fitted.values)
-    composition = compose_fitted(tree, fitted, name, parameters, files=extra, beside=beside)
+    composition = compose_fitted(tree, fitted, name, parameters, files=extra, class_text=class_text)
     if output:
         write_text(Path(output), composition.text)
     return composition.text

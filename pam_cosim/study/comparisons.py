@@ -46,8 +46,8 @@ def compared(problem: Problem, timeout: float | None = None, *, whole: bool = Tr
     starts, brief = [START_VALUES] * started.estimates_starts, few_rows(started)
     with opened(problem.model, problem.files, starts, timeout, brief=brief) as simulator:
         open_runs = runs_without_start(started, problem.settings, problem.interface)
-        found = estimated_starts(simulator, started, open_runs, problem.settings)
-        values = problem.settings | {name: e.value for name, e in found.items()}
+        estimated = estimated_starts(simulator, started, open_runs, problem.settings)
+        values = problem.settings | {name: e.value for name, e in estimated.items()}
         result = _compare(simulator, started, values)
         if not whole:
             return result

@@ -106,8 +106,8 @@ def couple(
         InputError: an unknown model or name, units that do not fit, an input with two sources.
     """
     made = {
-        name: one if isinstance(one, Controller) else _part(name, str(one), files)
-        for name, one in components.items()
+        name: component if isinstance(component, Controller) else _part(name, str(component), files)
+        for name, component in components.items()
     }
     joined = tuple(connect(text, made) for text in connections)
     return System(made, joined, couple_values(parameters or {}, made), timeout, title).sampling(

@@ -84,7 +84,8 @@ def _read(
     if folder.suffix.lower() == ".npz":
         if overrides != Overrides():
             raise InputError(
-                "what was judged keeps its ends and starts; cut the data set that it is of", folder
+                "a saved product keeps its cuts and initial states; cut its data set instead",
+                folder,
             )
         data = judged_data(folder)
         data = replace(data, model=model or data.model)
@@ -101,7 +102,7 @@ def _read(
 
 
 def _check_there(folder: Path | str) -> None:
-    """Whatever else keeps a data set from being read is told by whoever reads it."""
+    """Other errors of the data set are reported when it is read."""
     try:
         os.lstat(folder)
     except FileNotFoundError:
@@ -158,7 +159,7 @@ def new(
     """
     stated = {name: str(value) for name, value in (parameters or {}).items()}
     wishes = DraftRequests(title, model, columns, stated, recording, muscle, roles)
-    paths = [Path(one) for one in recordings]
+    paths = [Path(file) for file in recordings]
     described = described_with(files)
     made = draft(
         Path(folder),

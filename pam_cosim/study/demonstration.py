@@ -94,14 +94,14 @@ def unpack(folder: Path) -> Path:
     ours = {DATA, *(path.name for path in results_of(folder, "report", "Better"))}
     if folder.exists() and not folder.is_dir():
         raise InputError("is a file; name a folder for the demonstration", folder)
-    others = (
+    unrelated = (
         sorted(path.name for path in folder.iterdir() if path.name not in ours)
         if folder.exists()
         else []
     )
-    if others:
+    if unrelated:
         raise InputError(
-            f"holds {others[0]}; name a new or an empty folder for the demonstration", folder
+            f"holds {unrelated[0]}; name a new or an empty folder for the demonstration", folder
         )
     place = folder / DATA
     make_folder(place)

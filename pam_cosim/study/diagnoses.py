@@ -49,7 +49,7 @@ def diagnose(
     """
     limit = _seconds(time_limit, "time limit")
     if limit is not None and not limit > 0:
-        raise InputError(f"the time limit must be longer than nothing: {time_limit}")
+        raise InputError(f"the time limit must be above zero: {time_limit}")
     problem = as_problem(data, model, files, values=parameters, free=free, start=start)
     return _diagnose(
         problem.data,

@@ -12,7 +12,7 @@ import numpy as np
 from pam_cosim.analysis.frequency_response import FrequencyResponse
 from pam_cosim.analysis.isolated import work_on
 from pam_cosim.analysis.linear import LinearModel
-from pam_cosim.analysis.linear_course import LinearCourse
+from pam_cosim.analysis.linear_models import LinearModels
 from pam_cosim.analysis.linearise import linearise_at, linearise_run
 from pam_cosim.analysis.sines import Sines, respond, respond_from_start
 from pam_cosim.errors import InputError
@@ -82,8 +82,8 @@ def linearise(
             state.
         SimulationFailure: the model cannot be evaluated there.
     """
-    known = exchange(model, files)
-    settings = resolve(parameters or {}, known.interface)
+    exchange_model = exchange(model, files)
+    settings = resolve(parameters or {}, exchange_model.interface)
     if isinstance(at, str) and at != "rest":
         raise InputError(f"'{at}' is no point: give 'rest', values by name, or a time")
     if isinstance(at, str | Mapping):
@@ -91,11 +91,11 @@ def linearise(
             raise InputError(
                 "inputs over time are for a time of a run; inputs that are held belong to the parameters"
             )
-        conditions = {} if isinstance(at, str) else conditions_of(at, known.interface)
+        conditions = {} if isinstance(at, str) else conditions_of(at, exchange_model.interface)
         rest = isinstance(at, str) or bool(free)
         return work_on(
-            known.path,
-            known.trusted,
+            exchange_model.path,
+            exchange_model.trusted,
             timeout,
             linearise_at,
             settings,
@@ -105,13 +105,19 @@ def linearise(
             _listed(outputs),
         )
     if free:
-        raise InputError("inputs are free at a rest only")
+        raise InputError("free inputs need a steady state")
     if isinstance(at, tuple):
-        points = [_of_trajectory(at[0], float(at[1]), known)]
+        points = [_of_trajectory(at[0], float(at[1]), exchange_model)]
     else:
-        points = _of_run(model, settings, inputs, [float(at)], known, files, timeout)
+        points = _of_run(model, settings, inputs, [float(at)], exchange_model, files, timeout)
     return work_on(
-        known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs)
+        exchange_model.path,
+        exchange_model.trusted,
+        timeout,
+        linearise_run,
+        settings,
+        points,
+        _listed(outputs),
     )[0]
 
 
@@ -124,7 +130,7 @@ def linearise_along(
     outputs: Sequence[str] | None = None,
     files: models.Paths = (),
     timeout: float | None = None,
-) -> LinearCourse:
+) -> LinearModels:
     """The linear models at several times of one run.
 
     Args:
@@ -142,13 +148,21 @@ def linearise_along(
     """
     if not len(times):
         raise InputError("no time is given")
-    known = exchange(model, files)
-    settings = resolve(parameters or {}, known.interface)
-    points = _of_run(model, settings, inputs, [float(t) for t in times], known, files, timeout)
-    linear_models = work_on(
-        known.path, known.trusted, timeout, linearise_run, settings, points, _listed(outputs)
+    exchange_model = exchange(model, files)
+    settings = resolve(parameters or {}, exchange_model.interface)
+    points = _of_run(
+        model, settings, inputs, [float(t) for t in times], exchange_model, files, timeout
     )
-    return LinearCourse(tuple(linear_models))
+    linear_models = work_on(
+        exchange_model.path,
+        exchange_model.trusted,
+        timeout,
+        linearise_run,
+        settings,
+        points,
+        _listed(outputs),
+    )
+    return LinearModels(tuple(linear_models))
 
 
 def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, float]:
@@ -158,15 +172,15 @@ def conditions_of(at: Mapping[str, Setting], interface: Interface) -> dict[str, 
         InputError: an unknown name, or a value that cannot be used.
     """
     groups = (interface.inputs, interface.outputs, interface.locals, interface.sensitivities)
-    known = {name: variable for group in groups for name, variable in group.items()}
+    variables = {name: variable for group in groups for name, variable in group.items()}
     for name in at:
         if name in interface.parameters:
             raise InputError(f"'{name}' is a parameter: set it with the parameters")
-        if name not in known:
+        if name not in variables:
             raise InputError(
-                f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}"
+                f"{interface.model} has no variable '{name}'; {did_you_mean(name, variables)}"
             )
-    return {name: value_of(value, known[name]) for name, value in at.items()}
+    return {name: value_of(value, variables[name]) for name, value in at.items()}
 
 
 def _listed(names: Sequence[str] | None) -> list[str] | None:
@@ -174,9 +188,9 @@ def _listed(names: Sequence[str] | None) -> list[str] | None:
 
 
 def _of_trajectory(
-    trajectory: Trajectory, time: float, known: Exchange
+    trajectory: Trajectory, time: float, exchange_model: Exchange
 ) -> tuple[float, dict[str, float]]:
-    needed = state_names(known.path)
+    needed = state_names(exchange_model.path)
     missing = [name for name in needed if name not in trajectory.values]
     if missing:
         raise InputError(
@@ -185,7 +199,9 @@ def _of_trajectory(
     if not trajectory.time[0] <= time <= trajectory.time[-1]:
         span = f"from {trajectory.time[0]:g} s to {trajectory.time[-1]:g} s"
         raise InputError(f"the trajectory is {span}, without {time:g} s")
-    starts = {name: variable.start or 0.0 for name, variable in known.interface.inputs.items()}
+    starts = {
+        name: variable.start or 0.0 for name, variable in exchange_model.interface.inputs.items()
+    }
     values = {
         n: float(np.interp(time, trajectory.time, trajectory.values[n])) for n in trajectory.values
     }
@@ -197,14 +213,14 @@ def _of_run(
     settings: Mapping[str, float],
     inputs: Inputs | None,
     times: list[float],
-    known: Exchange,
+    exchange_model: Exchange,
     files: models.Paths,
     timeout: float | None,
 ) -> list[tuple[float, dict[str, float]]]:
     start = float(inputs.time[0]) if inputs is not None else 0.0
     if times[0] < start or any(b <= a for a, b in zip(times, times[1:], strict=False)):
         raise InputError(f"the times must increase, from {start:g} s on")
-    names = [*state_names(known.path), *known.interface.inputs]
+    names = [*state_names(exchange_model.path), *exchange_model.interface.inputs]
     with models.opened(model, files, timeout=timeout) as simulator:
         run = simulator.run(
             times, parameters=settings, inputs=inputs, outputs=names, start_time=start
@@ -232,7 +248,7 @@ def frequency_response(
     progress: Callable[[int, int], None] | None = None,
     timeout: float | None = None,
 ) -> FrequencyResponse:
-    """How a model answers to sines of an input, nonlinear as it is, beside its linear model.
+    """Nonlinear response of a model to sines of an input, compared with its linear model.
 
     An FMU for co-simulation alone swings about its start values, prolonged until it settles, without a linear model.
 
@@ -260,7 +276,7 @@ def frequency_response(
     if not chosen.size or not np.all(np.isfinite(chosen) & (chosen > 0)):
         raise InputError("frequencies must be above zero")
     if most_periods < 2:
-        raise InputError("two periods at least are compared")
+        raise InputError("at least two periods are needed")
     path = models.build(model, files=files)
     face = read_interface(path)
     exchanging = has_exchange(path)
@@ -282,11 +298,11 @@ def frequency_response(
         )
     if exchanging:
         trusted = not is_fmu(model)
-        told = progress if trusted else None  # what runs in another process cannot call
+        callback = progress if trusted else None  # what runs in another process cannot call
         return work_on(
-            path, trusted, timeout, respond, settings, conditions, list(free), sines, told
+            path, trusted, timeout, respond, settings, conditions, list(free), sines, callback
         )
     if conditions:
-        raise InputError("a rest can be looked for in an FMU with model exchange only", path)
+        raise InputError("a steady state needs an FMU for model exchange", path)
     with models.opened(model, files, timeout=timeout) as simulator:
         return respond_from_start(simulator, settings, sines, progress)

@@ -47,11 +47,11 @@ def fit(
         files: further Modelica files.
         progress: called after each simulation with the ``FitProgress``, which prints itself: ``print`` will do.
         timeout: as in ``simulate``.
-        resume: a file that keeps every simulation's outcome. The same call goes on where the last one was interrupted
+        resume: a file that keeps every simulation. The same call goes on where the last one was interrupted
             and ends as it would have; the file is made where it is not there.
 
     Raises:
-        InputError: unknown model, parameter or method; nothing to fit; ``resume`` keeps another fit.
+        InputError: unknown model, parameter or method; nothing to fit; ``resume`` is of another model.
         SimulationFailure: no start value can be simulated.
     """
     if starts and method != "multi-start":
@@ -104,7 +104,7 @@ def profile(
     problem = as_problem(data, model, files)
     fitted = fit.comparison.data
     pairs = zip(problem.data.runs, fitted.runs, strict=False)
-    differs = any(one.parameters != other.parameters for one, other in pairs)
+    differs = any(run_a.parameters != run_b.parameters for run_a, run_b in pairs)
     if isinstance(data, Problem) and (differs or {*problem.data.fit} != {*fit.parameters}):
         raise InputError("the fit is of another problem: fit this one by pam.fit(problem)")
     names = fitted.differentiated

@@ -59,7 +59,9 @@ class FittedModel:
     @property
     def left_out(self) -> list[str]:
         """The values that neither the model's text nor its corrections can hold."""
-        kept = {one.target for one in self.corrections} | {one.name for one in self.corrections}
+        kept = {correction.target for correction in self.corrections} | {
+            correction.name for correction in self.corrections
+        }
         return [
             name for name in self.values if _of_the_data(name) and parameter_of(name) not in kept
         ]
@@ -125,16 +127,16 @@ def read_fitted_model(path: Path) -> FittedModel:
     content = read_json(path)
     values = parameters_in(content, path)
     try:
-        found = _Final.model_validate(content.get("final", content))
+        final = _Final.model_validate(content.get("final", content))
     except ValidationError as error:
         wrong = error.errors()[0]
         raise InputError(f"{'.'.join(map(str, wrong['loc']))}: {wrong['msg']}", path) from None
-    corrections = tuple(filter(None, map(parsed_correction, found.corrections)))
+    corrections = tuple(filter(None, map(parsed_correction, final.corrections)))
     if not corrections:
         targets = [(*name.rpartition("@")[::2], value) for name, value in values.items()]
         corrections = tuple(Correction(n, value, run=run) for n, run, value in targets if n)
     return FittedModel(
-        found.model, found.effects, values, found.constants, units_in(content), corrections
+        final.model, final.effects, values, final.constants, units_in(content), corrections
     )
 
 
@@ -197,9 +199,9 @@ def check_fitted(fitted: FittedModel, interface: Interface, file: Path) -> None:
         if is_ratio(parameter):
             continue
         try:
-            known = settable(parameter, interface)
-            _check_unit(fitted.units.get(name, known.unit), known)
-            value_of(value, known)
+            variable = settable(parameter, interface)
+            _check_unit(fitted.units.get(name, variable.unit), variable)
+            value_of(value, variable)
         except InputError as problem:
             raise InputError(problem.message, file) from None
 
@@ -210,7 +212,7 @@ def compose_fitted(
     name: str | None,
     parameters: Collection[str],
     files: Sequence[Path],
-    beside: str = "",
+    class_text: str = "",
 ) -> Composition:
     """The Modelica class of a model with effects and values; its text stands by itself.
 
@@ -220,7 +222,7 @@ def compose_fitted(
         name: of the class; None: made from the names.
         parameters: names of all parameters of the base model.
         files: the user's files.
-        beside: text of classes that it is made of, which its text then holds.
+        class_text: text of classes that it uses, which its text then holds.
 
     Raises:
         InputError: an effect finds no place; a value is of none of the parameters; there is a class of that name.
@@ -236,16 +238,14 @@ def compose_fitted(
         values=values,
         annotation=annotation_of(kept),
     )
-    if made is None:
-        raise InputError(f"{fitted.model} has no place for {', '.join(fitted.effects)}")
-    known = {*parameters, *(n for names in made.parameters.values() for n in names)}
-    stray = next((n for n in values if n not in known), None)
+    parameter_names = {*parameters, *(n for names in made.parameters.values() for n in names)}
+    stray = next((n for n in values if n not in parameter_names), None)
     if stray is not None:
         raise InputError(f"{made.name} has no parameter '{stray}', of which there is a value")
     if made.name in tree.classes or made.name in names.PREDEFINED:
         raise InputError(f"there is a class {made.name} already: choose another name")
-    if beside:
-        made = replace(made, text=f"{beside.rstrip()}\n\n{made.text}")
+    if class_text:
+        made = replace(made, text=f"{class_text.rstrip()}\n\n{made.text}")
     return replace(made, text=with_base(made, fitted.model))
 
 

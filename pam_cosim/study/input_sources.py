@@ -50,10 +50,10 @@ def inputs_of(
         raise InputError("the inputs are an empty text; name a CSV file, or write 'u_in = 0.25'")
     if isinstance(source, (str, Path)) and not is_formulas(str(source)):
         return read_inputs(Path(source), interface)
-    from pam_cosim.study.read_limits import check_course
+    from pam_cosim.study.read_limits import check_input_series
 
     inputs = _unchecked(source, interface, times)
-    check_course(inputs, interface)
+    check_input_series(inputs, interface)
     return inputs
 
 
@@ -111,16 +111,16 @@ def read_inputs(file: Path, interface: Interface) -> Inputs:
         InputError: the file cannot be read, has no input column, or a value that the model does not allow.
     """
     from pam_cosim.measurement import read_recording
-    from pam_cosim.study.read_limits import check_course
+    from pam_cosim.study.read_limits import check_input_series
 
     recording = read_recording(file, interface)
     if not recording.inputs:
-        known = ", ".join(interface.inputs) or "none"
+        input_names = ", ".join(interface.inputs) or "none"
         raise InputError(
-            f"has no column of an input; the inputs of {interface.model}: {known}", file, 1
+            f"has no column of an input; the inputs of {interface.model}: {input_names}", file, 1
         )
     inputs = Inputs(recording.time, recording.inputs, "linear")
-    check_course(inputs, interface, file)
+    check_input_series(inputs, interface, file)
     return inputs
 
 

@@ -8,11 +8,13 @@ from pathlib import Path
 from pam_cosim.catalogue import BenchPart, EffectClass, compose_bench, effect_classes
 from pam_cosim.catalogue import benches as _benches
 from pam_cosim.catalogue import rig_parts as _rig_parts
-from pam_cosim.compiler import names, read_library
+from pam_cosim.catalogue.effect_sheet import EffectSheet, effect_sheet
+from pam_cosim.compiler import names, read_library, read_structure
 from pam_cosim.compiler.names import last
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_model_file, write_text
 from pam_cosim.simulation.models import Paths, as_paths
+from pam_cosim.wording import did_you_mean
 
 
 def benches(files: Paths = ()) -> list[str]:
@@ -23,6 +25,24 @@ def benches(files: Paths = ()) -> list[str]:
 def effects(files: Paths = ()) -> list[EffectClass]:
     """The catalogue: every effect of the library and of ``files``."""
     return list(effect_classes(read_library(files=as_paths(files))))
+
+
+def effect_sheets(name: str | None = None, files: Paths = ()) -> list[EffectSheet]:
+    """Effects in full: the one of a name, those of a family, or all.
+
+    Raises:
+        InputError: there is neither an effect nor a family of that name.
+    """
+    sources = as_paths(files)
+    tree = read_library(files=sources)
+    every = effect_classes(tree)
+    meant = [e for e in every if name in (None, e.name, e.qualified_name, e.family)]
+    if not meant:
+        known = dict.fromkeys(word for e in every for word in (e.name, e.family))
+        hint = did_you_mean(str(name), list(known))
+        raise InputError(f"there is no effect and no family '{name}'; {hint}")
+    structures = {last(bench): read_structure(bench, files=sources) for bench in _benches(tree)}
+    return [effect_sheet(tree, effect, structures) for effect in meant]
 
 
 def rig_parts(files: Paths = ()) -> list[BenchPart]:

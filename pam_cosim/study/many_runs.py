@@ -16,7 +16,7 @@ from pam_cosim.model.references import is_fmu, model_name
 from pam_cosim.model.settings import Setting, resolve
 from pam_cosim.simulation.models import Paths, build
 from pam_cosim.study.input_sources import Source
-from pam_cosim.study.runs import _course, kept_variables
+from pam_cosim.study.runs import _input_series, kept_variables
 from pam_cosim.sweeps import Sweep, SweepPlan, design_of, make_sweep, read_scalars
 from pam_cosim.sweeps.patterns import INPUTS, Pattern, read_patterns, varies_inputs
 
@@ -65,14 +65,14 @@ def sweep(
         inputs: of every run, as in ``simulate``.
         stop_time: of every run, as in ``simulate``.
         interval: of every run, as in ``simulate``.
-        outputs: further variables to keep over time, beside the model's outputs.
+        outputs: further variables to record over time.
         scalars: numbers of each run by name, or a list: "max(T)", "time_to(p, 90 %)", "steady(x)",
             "mean(valve.inlet.m_flow)"; ``sweeps.FUNCTIONS`` lists them.
         trajectories: whether values over time are kept; default: where there are no scalars.
         design: "grid", "list", "random" or "latin-hypercube".
         runs: how many, of "random" and "latin-hypercube".
         seed: of these.
-        output: a file for the result, NetCDF (.nc), Parquet (.parquet) or CSV. Runs that are done are kept beside it: a
+        output: a file for the result, NetCDF (.nc), Parquet (.parquet) or CSV. Finished runs are kept next to it: a
             sweep that was stopped goes on with the same call.
         executor: where runs are made: any executor of ``concurrent.futures``, a Dask client or the address of a Dask
             scheduler; default: processes of this machine, as soon as the work is worth them.
@@ -93,21 +93,21 @@ def sweep(
     interface = read_interface(fmu)
     patterns = _patterns(interface, vary, stop_time, interval)
     longest = max((p.inputs for p in patterns), key=lambda i: float(i.time[-1]), default=None)
-    course, times = _course(
+    input_series, times = _input_series(
         interface, longest if patterns and inputs is None else inputs, stop_time, interval
     )
-    course = None if patterns and inputs is None else course
-    asked = read_scalars(scalars, interface)
+    input_series = None if patterns and inputs is None else input_series
+    requested = read_scalars(scalars, interface)
     plan = SweepPlan(
         fmu=fmu,
         interface=interface,
         design=design_of(vary, interface, design, runs, checked_seed(seed), patterns),
         fixed=resolve(parameters or {}, interface),
-        inputs=course,
+        inputs=input_series,
         times=times,
         outputs=tuple(kept_variables(interface, outputs)),
-        scalars=asked,
-        keep=not asked if trajectories is None else trajectories,
+        scalars=requested,
+        keep=not requested if trajectories is None else trajectories,
         foreign=foreign,
         timeout=timeout,
     )
@@ -127,7 +127,7 @@ def _patterns(
     if not varies_inputs(vary, interface):
         return ()
     patterns = read_patterns(
-        vary[INPUTS], lambda source: _course(interface, source, stop_time, interval)[0]
+        vary[INPUTS], lambda source: _input_series(interface, source, stop_time, interval)[0]
     )
     _check_beginnings(patterns)
     return patterns
@@ -135,11 +135,11 @@ def _patterns(
 
 def _check_beginnings(patterns: Sequence[Pattern]) -> None:
     """Raises ``InputError`` where they do not all begin at one time: all runs have the times of one."""
-    one = patterns[0]
+    pattern = patterns[0]
     for other in patterns[1:]:
-        begin, differs = float(one.inputs.time[0]), float(other.inputs.time[0])
+        begin, differs = float(pattern.inputs.time[0]), float(other.inputs.time[0])
         if differs != begin:
             raise InputError(
-                f"'{INPUTS}' is varied, and '{one.name}' begins at {begin:g} s, '{other.name}' at {differs:g} s: all "
-                "runs of a sweep begin at one time"
+                f"'{INPUTS}' is varied, and '{pattern.name}' begins at {begin:g} s, '{other.name}' at {differs:g} s: "
+                "all runs of a sweep begin at one time"
             )

@@ -63,8 +63,8 @@ def observe(
         InputError: an unknown name, a value that cannot be used; nothing measured.
         SimulationFailure: the model cannot be carried on from an estimate.
     """
-    known = exchange(model, files)
-    face = known.interface
+    exchange_model = exchange(model, files)
+    face = exchange_model.interface
     read = _recorded(recording, face, noise)
     unmeasured = dict(unknown or {})
     for name in unmeasured:
@@ -81,8 +81,8 @@ def observe(
     belief = Belief(
         _deviations(noise, face),
         random_walks,
-        _deviations(drift or {}, face, state_names(known.path)),
-        _deviations(spread or {}, face, state_names(known.path)),
+        _deviations(drift or {}, face, state_names(exchange_model.path)),
+        _deviations(spread or {}, face, state_names(exchange_model.path)),
         conditions_of(start or {}, face),
     )
     _check_noise(belief.noise, read[2], face)
@@ -96,7 +96,14 @@ def observe(
         belief = replace(belief, start=states)
     chosen = list(face.outputs if outputs is None else outputs)
     made = work_on(
-        known.path, known.trusted, timeout, observe_samples, settings, samples, belief, chosen
+        exchange_model.path,
+        exchange_model.trusted,
+        timeout,
+        observe_samples,
+        settings,
+        samples,
+        belief,
+        chosen,
     )
     return replace(made, begins=begins)
 
@@ -112,7 +119,7 @@ def _recorded(
         time, columns = rows.time, {**rows.inputs, **rows.measurements}
     if not noise:
         raise InputError(
-            "nothing is measured: give the noise of each signal that is, such as p: 0.5 kPa"
+            "no signal is measured: state the noise of each measured signal, such as p: 0.5 kPa"
         )
     inputs = {name: np.asarray(v) for name, v in columns.items() if name in face.inputs}
     readings = {name: np.asarray(v) for name, v in columns.items() if name not in inputs}

@@ -42,7 +42,7 @@ def plan(
 
     Raises:
         InputError: no other model is known; limits of something unknown or with another unit; nothing to choose.
-        SimulationFailure: no course could be simulated.
+        SimulationFailure: no run could be simulated.
     """
     if isinstance(diagnosis, Problem):
         files = (*as_paths(files), *diagnosis.files)
@@ -76,14 +76,14 @@ def _ranges(
     if not limits:
         return {}
     interface = describe(data.model, files)
-    known = {**interface.parameters, **interface.inputs, **interface.outputs}
+    variables = {**interface.parameters, **interface.inputs, **interface.outputs}
     ranges = {}
     for name, ends in limits.items():
-        if name not in known:
+        if name not in variables:
             raise InputError(
-                f"{interface.model} has no '{name}' to limit; {did_you_mean(name, known)}"
+                f"{interface.model} has no '{name}' to limit; {did_you_mean(name, variables)}"
             )
         if isinstance(ends, str) or len(ends) != 2:
             raise InputError(f"'{name}': limits are two values, the lowest and the highest")
-        ranges[name] = (value_of(ends[0], known[name]), value_of(ends[1], known[name]))
+        ranges[name] = (value_of(ends[0], variables[name]), value_of(ends[1], variables[name]))
     return ranges

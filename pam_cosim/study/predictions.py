@@ -31,7 +31,7 @@ from pam_cosim.simulation.models import Paths, as_paths, opened
 from pam_cosim.study.fits import fit
 from pam_cosim.study.input_sources import Source
 from pam_cosim.study.problems import check_kind
-from pam_cosim.study.runs import _course
+from pam_cosim.study.runs import _input_series
 from pam_cosim.wording import did_you_mean, listed
 
 # of the parameters: the ends of a 95 % band are known to a seventh of a standard deviation
@@ -61,7 +61,7 @@ def predict(
         product: what was fitted; of a diagnosis, the model with all effects that were added. A problem is fitted first.
         inputs: over time, as for ``simulate``.
         parameters: what is set in the run, by name; what differs between the recorded runs has to be stated.
-        run: the name of a recorded run, instead of ``inputs``: its readings stand beside the bands, at its own times.
+        run: the name of a recorded run, instead of ``inputs``: its readings are shown with the bands, at its own times.
         stop_time: as for ``simulate``.
         interval: likewise.
         samples: of the parameters.
@@ -86,13 +86,13 @@ def predict(
         else (product, product.comparison.data)
     )
     if not fitted.parameters:
-        raise InputError("nothing was fitted: no parameter leaves anything open")
+        raise InputError("no parameter was fitted, so there are no bands")
     with _simulator(product, data, files) as simulator:
         free = _free(fitted, data, simulator.interface)
         posterior = _posterior(simulator, data, fitted, free, samples, seed)
         if run is not None:
             stated = (inputs, parameters or None, stop_time, interval)
-            if any(one is not None for one in stated):
+            if any(option is not None for option in stated):
                 raise InputError(
                     f"the run {run} has inputs and parameters of its own, and times; leave those out, or the run"
                 )
@@ -130,10 +130,10 @@ def _free(fit: Fit, data: DataSet, interface: Interface) -> list[Free]:
 
 
 def _recorded(data: DataSet, name: str) -> Run:
-    known = {run.name: run for run in data.runs if not run.is_static}
-    if name not in known:
-        raise InputError(f"there is no run '{name}' over time; {did_you_mean(name, known)}")
-    return known[name]
+    runs_by_name = {run.name: run for run in data.runs if not run.is_static}
+    if name not in runs_by_name:
+        raise InputError(f"there is no run '{name}' over time; {did_you_mean(name, runs_by_name)}")
+    return runs_by_name[name]
 
 
 def _run(
@@ -147,14 +147,18 @@ def _run(
     """A run that nobody made."""
     if data.is_static:
         raise InputError("points at rest have no run over time")
-    course, times = _course(interface, inputs, stop_time, interval)
+    input_series, times = _input_series(interface, inputs, stop_time, interval)
     values = resolve(parameters, interface)
-    first = data.runs[0].parameters
-    recorded = {name: {run.parameters.get(name) for run in data.runs} for name in first}
-    open_ones = [name for name, own in recorded.items() if len(own) > 1 and name not in values]
+    constants = data.runs[0].parameters
+    recorded = {name: {run.parameters.get(name) for run in data.runs} for name in constants}
+    open_ones = [
+        name for name, distinct in recorded.items() if len(distinct) > 1 and name not in values
+    ]
     if open_ones:
-        raise InputError(f"state {listed(open_ones)} of the run: the recorded ones differ in that")
-    if course is None:
+        raise InputError(
+            f"state {listed(open_ones)} of the run: the recorded runs have different values"
+        )
+    if input_series is None:
         return further_run(data, times, {}, values, "a further run")
-    time, columns = rows_of(course, np.asarray(times))
+    time, columns = rows_of(input_series, np.asarray(times))
     return further_run(data, time, columns, values, "a further run")

@@ -69,21 +69,21 @@ def problem(
         )
     name, paths = data.model_for(model), as_paths(files)
     interface = describe(name, paths)
-    known = _model_values(data, name, paths)
+    model_values = _model_values(data, name, paths)
     if fitted:
-        known = replace(known, fitted=fitted, origin=origin)
+        model_values = replace(model_values, fitted=fitted, origin=origin)
     return _problem(
-        data, name, interface, paths, known=known, values=values, free=free, guesses=start
+        data, name, interface, paths, known=model_values, values=values, free=free, guesses=start
     )
 
 
 def as_problem(
     data: DataSet | Problem, model: str | None = None, files: Paths = (), **stated: object
 ) -> Problem:
-    """The problem itself, or that of a data set with what is stated beside it, as ``problem`` takes it.
+    """The problem itself, or that of a data set with the stated options, as ``problem`` takes it.
 
     Raises:
-        InputError: as ``problem``; a problem with more stated beside it.
+        InputError: as ``problem``; a problem together with further options.
     """
     if not isinstance(data, Problem):
         return problem(data, model, files=files, **stated)  # type: ignore[arg-type]
@@ -130,15 +130,19 @@ def _model_values(data: DataSet, name: str, files: Sequence[Path]) -> ModelValue
     if is_fmu(name):
         return ModelValues()
     sources = sources_of(files, name, *[data.bench] * bool(data.bench))
-    asked = data.unmapped if data.unmapped and name == data.model else name
-    other = data.bench and asked != data.bench
+    requested = data.unmapped if data.unmapped and name == data.model else name
+    other = data.bench and requested != data.bench
     has_starts = any(free.start is not None for free in data.fit.values())
     is_open = other and (has_starts or is_file(name))
     if not (is_open or any(map(_keeps_corrections, sources))):
         return ModelValues()
     tree = read_library(files=sources)
     lineage, bench = _lineage(tree, name, sources), _lineage(tree, data.bench, sources)
-    stated = {n for one in lineage if one not in bench for n in _stated(tree, one)} if other else ()
+    stated = (
+        {n for ancestor in lineage if ancestor not in bench for n in _stated(tree, ancestor)}
+        if other
+        else ()
+    )
     label = Path(name).name if is_file(name) else names.last(name)
     return ModelValues(label, frozenset(stated), corrections=corrections_in(tree, lineage))
 
@@ -160,5 +164,5 @@ def _stated(tree: ClassTree, name: str) -> set[str]:
     """Full names of all that a class itself gives a value."""
     info = tree.classes[name]
     inherited = {name for base in info.extends for name in base.modifications}
-    own = {f"{c.name}.{name}" for c in info.components for name in c.modifications}
-    return inherited | own | {c.name for c in info.components if c.value}
+    modified = {f"{c.name}.{name}" for c in info.components for name in c.modifications}
+    return inherited | modified | {c.name for c in info.components if c.value}

@@ -18,7 +18,7 @@ from typing import Any, get_args
 import numpy as np
 from cattrs import Converter
 
-from pam_cosim.analysis import FrequencyResponse, LinearCourse, LinearModel, Observation
+from pam_cosim.analysis import FrequencyResponse, LinearModel, LinearModels, Observation
 from pam_cosim.comparison import Comparison, ConditionTable
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.diagnosis.planning import RunPlan
@@ -41,7 +41,7 @@ Product = (
     | RunPlan
     | PredictiveBands
     | LinearModel
-    | LinearCourse
+    | LinearModels
     | FrequencyResponse
     | Observation
 )

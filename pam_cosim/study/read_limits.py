@@ -33,7 +33,7 @@ def inputs_beyond(data: DataSet, interface: Interface) -> tuple[str, ...]:
     return tuple(f"{run.file.name}: {message}" for run, message in _beyond(data, interface))
 
 
-def check_course(inputs: Inputs, interface: Interface, file: Path | None = None) -> None:
+def check_input_series(inputs: Inputs, interface: Interface, file: Path | None = None) -> None:
     """The same of inputs that were not recorded in a data set, in ``file`` if they come from one.
 
     Raises:

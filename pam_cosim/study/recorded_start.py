@@ -12,7 +12,7 @@ from pam_cosim.fitting import with_starts
 from pam_cosim.measurement import DataSet, Run, Signal
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.simulation.models import Paths, opened
-from pam_cosim.starts import state_course
+from pam_cosim.starts import state_trajectory
 
 
 def recorded_start(
@@ -45,17 +45,19 @@ def recorded_start(
         "the recording", Path(), "fit", interpolation, dict(parameters), times, inputs, measurements
     )
     with opened(model, files, timeout=timeout) as simulator:
-        known = simulator.interface.variables
-        signals = {name: Signal(name, known[name].unit, noise[name]) for name in measurements}
+        interface_variables = simulator.interface.variables
+        signals = {
+            name: Signal(name, interface_variables[name].unit, noise[name]) for name in measurements
+        }
         data = DataSet(Path(), "", model, signals, {}, {}, (run,))
         try:
             run = with_starts(simulator, data).runs[0]
             if run.start.mode != "estimated":
                 return {}, ""
             at_first = replace(run, start=replace(run.start, mode="measured"))
-            course = state_course(simulator, data, at_first, {}, ())
+            states = state_trajectory(simulator, data, at_first, {}, ())
             return {
-                name: float(one[0]) for name, one in course.items()
+                name: float(values[0]) for name, values in states.items()
             }, run.start.reason.removesuffix(": estimated")
         except SimulationFailure:  # the filter says what it cannot do
             return {}, ""

@@ -44,7 +44,7 @@ def simulate(
             values; a number [SI] or a text with a unit such as "207 kPa".
         inputs: over time: ``Inputs``, a CSV file, a mapping of names to arrays or functions of time, a pandas frame
             (``input_sources.inputs_of``).
-        outputs: further variables to keep, beside the model's outputs.
+        outputs: further variables to record.
         stop_time: [s]; default: the last time of ``inputs``, or the model's own.
         interval: [s] between outputs; default: the model's own.
         engine: "own", or "fmpy": FMPy drives the same FMU, in this process.
@@ -60,18 +60,18 @@ def simulate(
         raise InputError(f"there is no engine '{engine}'; there are {', '.join(ENGINES)}")
     with opened(model, files, timeout=timeout) as simulator:
         interface = simulator.interface
-        course, times = _course(interface, inputs, stop_time, interval)
+        input_series, times = _input_series(interface, inputs, stop_time, interval)
         values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
         if engine == "fmpy":
             from pam_cosim.simulation.fmpy_engine import run_with_fmpy
 
             return run_with_fmpy(
-                simulator.path, times, parameters=values, inputs=course, outputs=kept
+                simulator.path, times, parameters=values, inputs=input_series, outputs=kept
             )
-        return simulator.run(times, parameters=values, inputs=course, outputs=kept)
+        return simulator.run(times, parameters=values, inputs=input_series, outputs=kept)
 
 
-def _course(
+def _input_series(
     interface: Interface, source: Source | None, stop_time: Setting | None, interval: Setting | None
 ) -> tuple[Inputs | None, np.ndarray]:
     """Inputs over time, and the times of the outputs."""
@@ -90,18 +90,18 @@ def _seconds(given: Setting | None, what: str) -> float | None:
 
 
 def kept_variables(interface: Interface, outputs: Sequence[str]) -> list[str]:
-    """The model's own outputs and the variables that are asked for beside them.
+    """The model's own outputs and the further variables that are requested.
 
     Raises:
         InputError: there is no such variable; says which is nearest.
     """
     if isinstance(outputs, str):
         raise InputError(f"outputs are a list of names: write ['{outputs}']")
-    known = interface.variables
+    interface_variables = interface.variables
     for name in outputs:
-        if name not in known:
+        if name not in interface_variables:
             raise InputError(
-                f"{interface.model} has no variable '{name}'; {did_you_mean(name, known)}"
+                f"{interface.model} has no variable '{name}'; {did_you_mean(name, interface_variables)}"
             )
     return list(dict.fromkeys([*interface.outputs, *interface.sensitivities, *outputs]))
 

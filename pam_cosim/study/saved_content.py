@@ -93,8 +93,12 @@ def _check_lengths(content: dict[str, Any], arrays: Mapping[str, Any]) -> None:
             if isinstance(value, dict) and not _is_reference(value)
             else [value]
         )
-        for one in several:
-            if isinstance(one, dict) and _is_reference(one) and arrays[one["array"]].shape != shape:
+        for array in several:
+            if (
+                isinstance(array, dict)
+                and _is_reference(array)
+                and arrays[array["array"]].shape != shape
+            ):
                 raise ValueError(f"'{key}' is not of the length of its times")
 
 

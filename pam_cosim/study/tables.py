@@ -1,4 +1,4 @@
-"""Results as tables: the next run, comparisons beside earlier ones."""
+"""Results as tables: the next run, comparisons next to earlier ones."""
 
 from __future__ import annotations
 
@@ -33,8 +33,11 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
     rows = list(zip(*plan.table.values(), strict=True))
     if plan.interpolation == "previous":
         rows = _with_steps(rows)
-    said = [f"run {_line(plan.run)}, {_line(plan.change)}", *_settings(plan.parameters, plan.units)]
-    write_text(path, _text_of_run(said, list(plan.table), rows, plan.units))
+    remarks = [
+        f"run {_line(plan.run)}, {_line(plan.change)}",
+        *_settings(plan.parameters, plan.units),
+    ]
+    write_text(path, _text_of_run(remarks, list(plan.table), rows, plan.units))
 
 
 def write_planned_runs(path: Path, plan: RunPlan) -> list[Path]:
@@ -53,9 +56,9 @@ def write_planned_runs(path: Path, plan: RunPlan) -> list[Path]:
     for file in files:
         check_writable(file)
     for file, run in zip(files, plan.runs, strict=True):
-        said = [plan.expectation, *_settings(run.parameters, plan.units)]
+        remarks = [plan.expectation, *_settings(run.parameters, plan.units)]
         rows = list(zip(*run.table.values(), strict=True))
-        write_text(file, _text_of_run(said, list(run.table), rows, plan.units))
+        write_text(file, _text_of_run(remarks, list(run.table), rows, plan.units))
     return files
 
 
@@ -72,14 +75,14 @@ def _settings(parameters: Mapping[str, float], units: Mapping[str, str]) -> list
 
 
 def _text_of_run(
-    said: Sequence[str],
+    comments: Sequence[str],
     names: Sequence[str],
     rows: Sequence[tuple[float, ...]],
     units: Mapping[str, str],
 ) -> str:
     """Comments, and the inputs of a run as a table with units."""
     units = {"time": "s", **units}
-    remarks = "".join(f"# {_line(line)}\n" for line in said)
+    remarks = "".join(f"# {_line(line)}\n" for line in comments)
     heads = [f"{n} [{_file_unit(units[n]) or '1'}]" for n in names]
     cells = ([_cell(v, units[n]) for n, v in zip(names, row, strict=True)] for row in rows)
     return remarks + table_text((heads, cells))
@@ -119,8 +122,8 @@ def read_comparison(path: Path) -> dict[str, Any]:
     signals = content.get("signals") if isinstance(content, dict) else None
     if not isinstance(signals, dict) or not all(isinstance(s, dict) for s in signals.values()):
         raise InputError("is not a result of 'pam-cosim compare --json'", path)
-    for name, own in signals.items():
-        rmse = own.get("rmse")
+    for name, scores in signals.items():
+        rmse = scores.get("rmse")
         if isinstance(rmse, bool) or not isinstance(rmse, (int, float)) or not 0 <= rmse < math.inf:
             raise InputError(f"signals.{name}.rmse is {shown(rmse)}, no error", path)
     comparison: dict[str, Any] = content

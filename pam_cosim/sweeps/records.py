@@ -1,28 +1,18 @@
-"""The runs of a sweep that are done, in a file that grows: what a stop of any kind leaves, the next start finds.
-
-The file is a line of JSON, which says of what sweep it is, and a record of fixed size for each run. A record that was
-cut off by the stop is not one.
-"""
+"""The finished runs of a sweep, in a store: the next start finds what a stop of any kind leaves."""
 
 from __future__ import annotations
 
 import json
-import os
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any, BinaryIO
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-
-_MARK = "pam-cosim sweep 2"
-_LONGEST_REASON = 1000  # bytes of why a run failed, and of its warnings
-_LONGEST_HEAD = 10_000_000
+from pam_cosim.store import Store
 
 
 @dataclass(frozen=True)
@@ -45,10 +35,10 @@ class RunResult:
 
 
 class Records:
-    """The file of a sweep; a context manager.
+    """The runs of a sweep in a store; a context manager that keeps the store open unless an error ends it.
 
     Args:
-        path: of the file; one that is there is gone on with.
+        path: of the file, which is continued where it is there; None: the runs are kept for this process alone.
         identity: what the sweep is, by names a person understands; a file of another sweep is refused.
         runs: how many there are to make.
         scalars: how many numbers of each run.
@@ -56,195 +46,115 @@ class Records:
         times: how many values of each of them.
 
     Raises:
-        InputError: the file is of another sweep, of none, or in use.
+        InputError: as ``Store``.
     """
 
     def __init__(
         self,
-        path: Path,
+        path: Path | None,
         identity: Mapping[str, Any],
         runs: int,
         scalars: int,
         outputs: int,
         times: int,
     ) -> None:
-        self.path, self.runs = path, runs
-        self.kind = np.dtype(
-            [
-                ("run", "<i8"),
-                ("failure", f"S{_LONGEST_REASON}"),
-                ("warnings", f"S{_LONGEST_REASON}"),
-                ("scalars", "<f8", (scalars,)),
-                ("values", "<f8", (outputs, times)),
-            ]
-        )
-        head = {"format": _MARK, **identity}
-        self._count = 0
-        self._file: BinaryIO = _opened(path)
-        new = self._size() == 0
-        try:
-            self._offset = self._begin(head)
-        except BaseException as problem:
-            self._close(remove=new)
-            if isinstance(problem, OSError):
-                raise InputError(f"cannot be written: {problem.strerror}", path) from None
-            raise
-        self._count = (self._size() - self._offset) // self.kind.itemsize
-        self._file.truncate(self._offset + self._count * self.kind.itemsize)
-        self._file.seek(0, os.SEEK_END)
-        self._place = np.full(runs, -1, dtype=np.int64)  # of each run's record
-        self._known = 0
-        self._look()
+        self._store = Store(path, "sweep", identity)
+        self._scalars = np.full((runs, scalars), np.nan)
+        self._shape = outputs, times
+        self._texts: dict[int, list[str]] = {}  # of each run: the failure and the warnings
+        for key, content in self._store.items():
+            self._note(int.from_bytes(key, "big"), content)
 
     def __enter__(self) -> Records:
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self.close()
+    def __exit__(self, problem: object, *_: object) -> None:
+        if problem is None:
+            self._store.release()
+        else:
+            self._store.close()
 
-    def close(self) -> None:
-        """Ends the writing; one that holds no run is removed."""
-        if not self._file.closed:
-            self._close(remove=self._count == 0)
-
-    def _close(self, remove: bool) -> None:
-        with suppress(OSError):  # the disk is full, which was said before
-            self._file.close()
-        if remove:
-            self.path.unlink(missing_ok=True)
-
-    def _size(self) -> int:
-        return os.fstat(self._file.fileno()).st_size
-
-    def _begin(self, head: Mapping[str, Any]) -> int:
-        """Writes the first line, or compares it with what is there; where the records begin."""
-        if self._size() == 0:
-            line = json.dumps(head, allow_nan=False).encode() + b"\n"
-            self._file.write(line)
-            self._file.flush()
-            return len(line)
-        self._file.seek(0)
-        line = self._file.readline(_LONGEST_HEAD)
-        try:
-            kept = json.loads(line)
-        except ValueError:
-            kept = None
-        if not isinstance(kept, dict) or kept.get("format") != _MARK:
-            raise InputError(
-                "is not what a sweep leaves when it is stopped; remove it or name another result",
-                self.path,
-            )
-        other = [name for name in dict.fromkeys([*head, *kept]) if head.get(name) != kept.get(name)]
-        if other:
-            raise InputError(
-                f"is left of another sweep: {', '.join(other)} differ; remove it or name another result",
-                self.path,
-            )
-        return len(line)
+    def _note(self, run: int, content: bytes) -> None:
+        """Reads what stays in memory: everything but the values over time."""
+        texts, scalars, values = _parts(content, self._scalars.shape[1])
+        failed = bool(texts[0])
+        if run < len(self._scalars) and values.size == (
+            0 if failed else self._shape[0] * self._shape[1]
+        ):
+            self._texts[run], self._scalars[run] = texts, scalars
 
     def add(self, rows: Sequence[RunResult]) -> None:
-        """Writes runs that are done; on the disk when this returns.
+        """Keeps finished runs.
 
         Raises:
             InputError: the disk is full, or not there any more; the runs before are kept.
         """
-        records = np.zeros(len(rows), self.kind)
-        for record, row in zip(records, rows, strict=True):
-            record["run"], record["failure"] = row.run, _cut(row.failure)
-            record["warnings"] = _cut("\n".join(row.warnings))
-            record["scalars"] = row.scalars
-            record["values"] = np.nan if row.values is None else row.values
-        try:
-            self._file.write(records.tobytes())
-            self._file.flush()
-        except OSError as problem:
-            raise InputError(f"cannot be written: {problem.strerror}", self.path) from None
-        for i, row in enumerate(rows):
-            self._place[row.run] = self._count + i
-        self._count += len(rows)
+        contents = {row.run: _content(row) for row in rows}
+        self._store.add((_key(run), content) for run, content in contents.items())
+        for run, content in contents.items():
+            self._note(run, content)
 
-    def _look(self) -> None:
-        if self._count:
-            places = self._mapped()["run"]
-            good = (places >= 0) & (places < self.runs)
-            self._place[places[good]] = np.flatnonzero(good)
-
-    def _mapped(self) -> NDArray[Any]:
-        return np.memmap(self.path, self.kind, "r", self._offset, (self._count,))
+    def __len__(self) -> int:
+        return len(self._scalars)
 
     @property
     def missing(self) -> list[int]:
         """Numbers of the runs that are still to make."""
-        return [int(i) for i in np.flatnonzero(self._place < 0)]
+        return [run for run in range(len(self)) if run not in self._texts]
 
     @property
     def done(self) -> int:
         """How many runs are kept."""
-        return int(np.count_nonzero(self._place >= 0))
-
-    def table(self) -> SweepRuns:
-        """All runs, once none is missing; stays readable when the file is removed."""
-        return SweepRuns(self._mapped(), self._place.copy())
-
-
-@dataclass(frozen=True)
-class SweepRuns:
-    """The runs in their order; numbers stay on the disk until they are asked for."""
-
-    records: NDArray[Any]
-    place: NDArray[np.int64]
+        return len(self._texts)
 
     def failure(self, run: int) -> str:
         """Why a run failed; empty where it did not."""
-        return bytes(self.records["failure"][self.place[run]]).decode("utf-8", "replace")
+        return self._texts[run][0]
 
     def failures(self) -> list[str]:
         """Of all runs."""
-        return self._texts("failure")
+        return [self.failure(run) for run in range(len(self))]
 
     def warnings(self) -> list[list[str]]:
         """Of the model, in each run."""
-        return [text.splitlines() for text in self._texts("warnings")]
-
-    def _texts(self, field: str) -> list[str]:
-        return [
-            text.decode("utf-8", "replace") for text in self.records[field][self.place].tolist()
-        ]
+        return [self._texts[run][1:] for run in range(len(self))]
 
     def scalars(self) -> Array:
         """(runs, scalars)."""
-        return np.asarray(self.records["scalars"][self.place])
+        return self._scalars
 
     def values(self, run: int) -> Array:
-        """(outputs, times) of one run."""
-        return np.array(self.records["values"][self.place[run]])
+        """(outputs, times) of one run, from the disk; NaN where it failed.
+
+        Raises:
+            InputError: they were damaged since they were written.
+        """
+        content = self._store.get(_key(run))
+        if content is None:
+            raise InputError("was damaged; make the sweep again", self._store.path)
+        values = _parts(content, self._scalars.shape[1])[2]
+        return values.reshape(self._shape) if values.size else np.full(self._shape, np.nan)
 
     def output(self, i: int) -> Array:
         """(runs, times) of one output."""
-        return np.asarray(self.records["values"][:, i, :][self.place])
+        made = np.empty((len(self), self._shape[1]))
+        for run in range(len(self)):
+            made[run] = self.values(run)[i]
+        return made
 
 
-def _cut(text: str) -> bytes:
-    return text.encode()[:_LONGEST_REASON].decode("utf-8", "ignore").encode()
+def _key(run: int) -> bytes:
+    return run.to_bytes(8, "big")
 
 
-def _opened(path: Path) -> BinaryIO:
-    """The file for this process alone.
+def _content(row: RunResult) -> bytes:
+    values = b"" if row.values is None else row.values.astype("<f8").tobytes()
+    texts = json.dumps([row.failure, *row.warnings]).encode()
+    return texts + b"\n" + row.scalars.astype("<f8").tobytes() + values
 
-    Raises:
-        InputError: it cannot be written, or another process has it.
-    """
-    try:
-        flags = os.O_RDWR | os.O_CREAT | getattr(os, "O_NOFOLLOW", 0) | getattr(os, "O_BINARY", 0)
-        file = os.fdopen(os.open(path, flags, 0o666), "r+b")
-    except OSError as problem:
-        raise InputError(f"cannot be written: {problem.strerror}", path) from problem
-    with suppress(ImportError):  # Windows has another lock
-        import fcntl
 
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
-            file.close()
-            raise InputError("another sweep is writing this", path) from None
-    return file
+def _parts(content: bytes, scalars: int) -> tuple[list[str], Array, Array]:
+    """The failure and the warnings, the scalars, and the values over time in one row."""
+    texts, _, numbers = content.partition(b"\n")
+    whole = np.frombuffer(numbers, "<f8")
+    return json.loads(texts), whole[:scalars], whole[scalars:]

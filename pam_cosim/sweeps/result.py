@@ -15,7 +15,7 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
 from pam_cosim.sweeps.patterns import INPUTS
-from pam_cosim.sweeps.records import SweepRuns
+from pam_cosim.sweeps.records import Records
 from pam_cosim.sweeps.scalars import Scalar
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, distinct_warnings, look_first
@@ -70,7 +70,7 @@ class Sweep(Printed):
         time: Array,
         outputs: tuple[str, ...],
         scalars: tuple[Scalar, ...],
-        table: SweepRuns,
+        table: Records,
     ) -> None:
         self.interface, self.design, self.fixed, self.time = interface, design, dict(fixed), time
         self.outputs, self.scalars, self.table = outputs, scalars, table
@@ -90,7 +90,7 @@ class Sweep(Printed):
             raise IndexError(f"there are {len(self)} runs")
         run %= len(self)
         failure = self.table.failure(run) or None
-        numbers = self.table.records["scalars"][self.table.place[run]].tolist()
+        numbers = self.table.scalars()[run].tolist()
         scalars = dict(zip((s.name for s in self.scalars), numbers, strict=True))
         return SweepPoint(
             self.design.settings(run), None if failure else self._trajectory(run), scalars, failure

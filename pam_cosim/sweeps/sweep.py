@@ -2,10 +2,7 @@
 
 from __future__ import annotations
 
-import contextlib
 import hashlib
-import tempfile
-import weakref
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
@@ -170,7 +167,7 @@ def make_sweep(
         SimulationFailure: a process that makes runs ended; what was made is kept.
     """
     count, outputs = len(plan.design), len(plan.outputs) if plan.keep else 0
-    path = partial_of(result) if result is not None else _temporary()
+    path = None if result is None else partial_of(result)
     times = plan.times.size if plan.keep else 0
     with Records(path, plan.identity(), count, len(plan.scalars), outputs, times) as records:
 
@@ -183,7 +180,6 @@ def make_sweep(
             progress(records.done, count)
         if missing := records.missing:
             run_all(plan.job(), missing, plan.design.points, executor, workers, say)
-        table = records.table()
     sweep = Sweep(
         plan.interface,
         plan.design,
@@ -191,23 +187,10 @@ def make_sweep(
         plan.times,
         plan.outputs if plan.keep else (),
         plan.scalars,
-        table,
+        records,
     )
-    if result is None:
-        weakref.finalize(sweep, _forget, path)
-    else:
-        sweep.partial = path
+    sweep.partial = path
     return sweep
-
-
-def _temporary() -> Path:
-    with tempfile.NamedTemporaryFile(prefix="pam-cosim-sweep-", delete=False) as file:
-        return Path(file.name)
-
-
-def _forget(path: Path) -> None:
-    with contextlib.suppress(OSError):
-        path.unlink(missing_ok=True)
 
 
 def same(one: Sweep, other: Sweep) -> bool:

@@ -10,7 +10,7 @@ from pam_cosim.units.grammar import (
     pressure_reference,
     registry_errors,
 )
-from pam_cosim.units.reckoning import quantity, with_unit
+from pam_cosim.units.quantities import quantity, with_unit
 
 __all__ = [
     "LARGEST",

@@ -10,10 +10,10 @@ from pam_cosim.units.grammar import is_dimensionless
 _FACTOR = re.compile(r"([A-Za-z]+)([+-]?\d+)?")
 
 
-def product(first: str, second: str) -> str:
+def product(left: str, right: str) -> str:
     """``N`` and ``m`` are ``N.m``, ``m`` and ``m`` are ``m2``; without dimension: "1"."""
-    powers = _powers(first)
-    for symbol, power in _powers(second).items():
+    powers = _powers(left)
+    for symbol, power in _powers(right).items():
         powers[symbol] += power
     return _text(powers)
 

@@ -44,15 +44,15 @@ class BaseUnit:
         return unit.factor / self.factor, (unit.offset - self.offset) / self.factor
 
 
-def same_unit(one: str, other: str) -> bool:
+def same_unit(unit_a: str, unit_b: str) -> bool:
     """Whether numbers in two units are the same, however these are written."""
-    if one == other:
+    if unit_a == unit_b:
         return True
     try:
-        first, second = base_unit(one), base_unit(other)
+        base_a, base_b = base_unit(unit_a), base_unit(unit_b)
     except UnitError:
         return False
-    return replace(first, name=second.name) == second
+    return replace(base_a, name=base_b.name) == base_b
 
 
 @cache
@@ -68,13 +68,13 @@ def base_unit(text: str) -> BaseUnit:
         )
     unit = read_unit(text, False)
     try:
-        zero, one = (registry().Quantity(value, unit).to_base_units() for value in (0.0, 1.0))
+        zero, unity = (registry().Quantity(value, unit).to_base_units() for value in (0.0, 1.0))
     except (OverflowError, ZeroDivisionError):
         raise UnitError(f"unit '{text}' has a factor beyond what a number holds") from None
     exponents = {}
-    for name, exponent in one.unit_items():
+    for name, exponent in unity.unit_items():
         if name not in _BASE or exponent != int(exponent):
             raise UnitError(f"unit '{text}' is not made of SI base units")
         exponents[_BASE[name]] = int(exponent)
     ordered = tuple((name, exponents[name]) for name in _BASE.values() if exponents.get(name))
-    return BaseUnit(text, ordered, float(one.magnitude - zero.magnitude), float(zero.magnitude))
+    return BaseUnit(text, ordered, float(unity.magnitude - zero.magnitude), float(zero.magnitude))

@@ -82,7 +82,7 @@ def _turns(source: Any, goal: Any) -> float:
 
 def _power(name: str, unit: Any) -> float:
     """Of a unit of that name, with any prefix, in a product of units."""
-    return float(sum(power for one, power in unit._units.items() if one.endswith(name)))
+    return float(sum(power for symbol, power in unit._units.items() if symbol.endswith(name)))
 
 
 def parse_quantity(value: str | float, target: str, *, difference: bool = False) -> float:

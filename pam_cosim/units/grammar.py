@@ -86,11 +86,11 @@ def _definitions() -> dict[str, bytes]:
         return {file.name: file.read_bytes() for file in sorted(Path(folder).iterdir())}
 
 
-def registry_errors(*further: type[Exception]) -> tuple[type[Exception], ...]:
+def registry_errors(*other_errors: type[Exception]) -> tuple[type[Exception], ...]:
     """What the registry raises, and ``further`` exceptions: what ``except`` is to catch."""
     import pint
 
-    return (pint.PintError, *further)
+    return (pint.PintError, *other_errors)
 
 
 def is_dimensionless(unit: str) -> bool:

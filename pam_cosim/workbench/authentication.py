@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import hmac
 import secrets
-from http.cookies import SimpleCookie
 from urllib.parse import parse_qs, urlsplit
 
 from starlette.datastructures import Headers
+from starlette.requests import cookie_parser
 from starlette.responses import PlainTextResponse, RedirectResponse, Response
 from starlette.types import ASGIApp, Message, Receive, Scope, Send
 
@@ -61,7 +61,7 @@ class Guard:
             response.headers["Referrer-Policy"] = "no-referrer"
             await response(scope, receive, send)
             return
-        if not self._is_token(_cookies(headers).get(self.cookie(host), "")):
+        if not self._is_token(cookie_parser(headers.get("cookie", "")).get(self.cookie(host), "")):
             await _refuse(
                 scope,
                 receive,
@@ -103,15 +103,6 @@ class Guard:
 def new_token() -> str:
     """A token that nobody can guess."""
     return secrets.token_urlsafe(32)
-
-
-def _cookies(headers: Headers) -> dict[str, str]:
-    try:
-        return {
-            name: morsel.value for name, morsel in SimpleCookie(headers.get("cookie", "")).items()
-        }
-    except Exception:  # a cookie of another site that is no cookie
-        return {}
 
 
 async def _refuse(scope: Scope, receive: Receive, send: Send, words: str) -> None:

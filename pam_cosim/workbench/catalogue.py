@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Collection, Sequence
-from html import unescape
 from pathlib import Path
 
 from pam_cosim.catalogue import (
@@ -17,22 +15,13 @@ from pam_cosim.catalogue import (
     origins,
     qualified,
 )
+from pam_cosim.catalogue.effect_sheet import equations, fingerprint, paragraphs, source
 from pam_cosim.compiler import ClassTree, read_library, read_structure
 from pam_cosim.compiler.names import last
-from pam_cosim.errors import InputError
 from pam_cosim.files import identity
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.study.fitted_model import FittedModel, compose_fitted
 from pam_cosim.workbench.protocol import Json, selected
-
-_EQUATIONS = re.compile(
-    r"^\s*(?:initial\s+)?equation\s*$\n(.*?)(?=^\s*(?:annotation\b|end\s+\w+\s*;|protected\b))",
-    re.M | re.S,
-)
-_FINGERPRINT = re.compile(r"<p>\s*Fingerprint:\s*(.*?)</p>", re.S)
-_SOURCE = re.compile(r"Source:\s*(.*?)(?:\.\s+[A-Z]|</p>)", re.S)
-_LINK = re.compile(r"</?a\b[^>]*>")
-_TAG = re.compile(r"<[^>]*>")
 
 
 class Catalogue:
@@ -71,10 +60,7 @@ class Catalogue:
         Raises:
             InputError: an effect that there is not, or that finds no place in the model.
         """
-        composition = compose(self.tree(model), model, effects, name, files=self.sources(model))
-        if composition is None:
-            raise InputError(f"{model} has no place for {', '.join(effects)} together")
-        return composition
+        return compose(self.tree(model), model, effects, name, files=self.sources(model))
 
     def written(self, fitted: FittedModel, name: str, parameters: Collection[str]) -> str:
         """The Modelica text of a model with effects and values; see ``compose_fitted``."""
@@ -90,36 +76,20 @@ class Catalogue:
             tree = self.tree(model)
             structure = read_structure(qualified(tree, model), files=self.sources(model))
             self._shown[key] = [
-                shown_effect(e, compose_on(tree, structure, (e.name,)) is not None)
+                shown_effect(tree, e, compose_on(tree, structure, (e.name,)) is not None)
                 for e in effect_classes(tree, origins(structure.parts))
             ]
         return [e | {"on": e["name"] in on} for e in self._shown[key]]
 
 
-def shown_effect(effect: EffectClass, fits: bool) -> Json:
+def shown_effect(tree: ClassTree, effect: EffectClass, fits: bool) -> Json:
     """An effect with the equations of its class, and fingerprint and source of its documentation."""
+    texts = paragraphs(effect)
     return selected(
         effect,
         "name family balance description",
-        equation=_equations(effect),
-        fingerprint=_part(effect.documentation, _FINGERPRINT),
-        source=_part(effect.documentation, _SOURCE),
+        equation="\n".join(equations(tree, effect)),
+        fingerprint=fingerprint(texts),
+        source=source(texts),
         fits=fits,
     )
-
-
-def _equations(effect: EffectClass) -> str:
-    try:
-        text = effect.file.read_text(encoding="utf-8")
-    except OSError:
-        return ""
-    own = re.search(
-        rf"\b(?:model|block|class)\s+{effect.name}\b.*?\bend\s+{effect.name}\s*;", text, re.S
-    )
-    parts = _EQUATIONS.findall(own.group() if own else "")
-    return "\n".join(line.strip() for part in parts for line in part.splitlines() if line.strip())
-
-
-def _part(documentation: str, part: re.Pattern[str]) -> str:
-    match = part.search(_LINK.sub("", documentation))
-    return "" if match is None else " ".join(unescape(_TAG.sub("", match.group(1))).split())

@@ -23,7 +23,6 @@ from pam_cosim.fitting import Fit
 from pam_cosim.ledger import BalanceEntry, Ledger, binned
 from pam_cosim.model.domain import Domain
 from pam_cosim.reporting.account import (
-    acting_balances,
     against_of,
     candidate_row,
     compared_sentence,
@@ -86,7 +85,7 @@ class Following:
                     _judged(happening, self.domain),
                 ]
             case LedgerKept():
-                return [ledger_event(happening.ledger, ())]
+                return [ledger_event(happening.ledger)]
         return []
 
     def ranking(self) -> Json:
@@ -152,6 +151,7 @@ def diagnosis_events(d: Diagnosis) -> list[Json]:
         headline=headline(d.verdict, d.data.domain),
         error=error_sentence(d.base, d.final),
         compared=compared_sentence(d.base, d.final),
+        disagreement=d.disagreement,
         not_tried=not_tried_sentence(d.not_tried_by_reason),
         doubts=[doubt.text for doubt in d.final.comparison.doubts],
         summary=summary_rows(d),
@@ -162,14 +162,14 @@ def diagnosis_events(d: Diagnosis) -> list[Json]:
     )
     events = [ranking(d.base, d.candidates, d.path, d.failed, True), verdict]
     if d.ledger is not None:
-        events.append(ledger_event(d.ledger, acting_balances(d.path)))
+        events.append(ledger_event(d.ledger))
     return events
 
 
-def ledger_event(ledger: Ledger, added: Sequence[str]) -> Json:
-    """The event of which balance fails; ``added``: balances of the effects that were added."""
+def ledger_event(ledger: Ledger) -> Json:
+    """The event of which balance fails."""
     courses = [_course(e, ledger.domain) for e in telling_entries(ledger)]
-    return event("ledger", **ledger_words(ledger, added), courses=courses)
+    return event("ledger", **ledger_words(ledger), courses=courses)
 
 
 def _course(entry: BalanceEntry, domain: Domain) -> Json:

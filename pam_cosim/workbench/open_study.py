@@ -61,6 +61,7 @@ class OpenStudy:
         self.scratch = Path(tempfile.mkdtemp(prefix="pam-cosim-workbench-"))
         self.past: list[State] = []
         self.saved: tuple[Step, ...] | None = None
+        self.saved_file: object = None  # as ``files.identity``, when it was read or written last
         self.version = 0  # of what was drawn last
         self._thread = ThreadPoolExecutor(1, thread_name_prefix="study")
         self._lock = threading.Lock()

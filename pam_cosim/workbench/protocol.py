@@ -23,8 +23,8 @@ failed: text, file, line, column, during (a command or job).
 candidate: effects, of the model of a diagnosis that was tried last.
 ranking: candidates (rows as the report has them, with effects, number, share, brief), failed, final.
 verdict: kind, kind_name, families, effects, reason, probability, meaning, instrument, and probabilities as rows of
-    what, named, share, percent; complete: whether the diagnosis has ended, with headline, error, compared, not_tried,
-    doubts, summary, parameters, next, learned, missing as the report has them.
+    what, named, share, percent; complete: whether the diagnosis has ended, with headline, error, compared,
+    disagreement, not_tried, doubts, summary, parameters, next, learned, missing as the report has them.
 ledger: sentence, rows, meanings, readings, notes as the report has them; courses: missing terms over their variables.
 no_diagnosis: ranking, verdict and ledger are no longer those of the study.
 checked: text, what the data can determine before any fit.

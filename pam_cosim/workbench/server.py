@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import contextlib
 import json
+import logging
 import socket
 import sys
 import webbrowser
@@ -21,6 +22,7 @@ from starlette.routing import Mount, Route, WebSocketRoute
 from starlette.staticfiles import StaticFiles
 from starlette.types import ASGIApp
 from starlette.websockets import WebSocket, WebSocketDisconnect
+from uvicorn.protocols.http.auto import AutoHTTPProtocol
 
 from pam_cosim.errors import InputError
 from pam_cosim.workbench.authentication import Guard, new_token
@@ -40,6 +42,8 @@ MOST_WAITING, MOST_WAITING_LETTERS = (
 )  # that a window may be behind before it is given up
 MOST_ASKED = 1000  # commands of a window that are not answered yet; further ones wait in its socket
 MOST_AT_ONCE = 2  # files that are taken at the same time
+MOST_FILES = 16_384  # open at the same time, connections among them
+STALLED = 10.0  # [s] without a byte, after which a file or a request is given up
 _PATIENCE = 1.0  # [s] for a window that is given up to hear of it
 
 
@@ -150,11 +154,14 @@ async def _body(request: Request) -> bytearray:
     content = bytearray()
     announced = request.headers.get("content-length", "0")
     too_large = announced.isdecimal() and int(announced[:20]) > MOST_BYTES
-    if not too_large:
-        async for part in request.stream():
-            content += part
-            if too_large := len(content) > MOST_BYTES:
-                break
+    parts = request.stream()
+    while not too_large:
+        async with asyncio.timeout(STALLED):
+            part = await anext(parts, None)
+        if part is None:
+            break
+        content += part
+        too_large = len(content) > MOST_BYTES
     if too_large:
         raise InputError(f"a file of more than {MOST_BYTES // 1_000_000} MB cannot be taken")
     return content
@@ -187,6 +194,8 @@ def application(workbench: Workbench, token: str, page: Path = PAGE) -> ASGIApp:
                 )
         except ClientDisconnect:
             return Response(status_code=400)
+        except TimeoutError:
+            return Response(status_code=408, headers={"Connection": "close"})
         except InputError as problem:
             return JSONResponse({"failed": failure(problem)}, 409)
         return JSONResponse(result)
@@ -256,12 +265,49 @@ def serve(
             server_header=False,
             ws_max_size=1 << 20,
             timeout_graceful_shutdown=1,
+            http=Prompt,
             ws_per_message_deflate=False,
         )
+        _allow_files()
+        logging.getLogger("uvicorn.error").addFilter(_without_trace)
         sys.setswitchinterval(SWITCH)
         server = uvicorn.Server(config)
         with contextlib.suppress(KeyboardInterrupt):
             server.run(sockets=[listener])
+
+
+class Prompt(AutoHTTPProtocol):  # type: ignore[misc, valid-type]
+    """The protocol of uvicorn, which gives up connections that ask for nothing; it does so only after an answer."""
+
+    def connection_made(self, transport: Any) -> None:
+        """A connection, from which a request must come."""
+        super().connection_made(transport)
+        self.given_up = self.loop.call_later(STALLED, self._give_up)
+
+    def _give_up(self) -> None:
+        if self.cycle is None and self in self.connections:  # else it became a websocket
+            self.transport.close()
+
+    def connection_lost(self, problem: Exception | None) -> None:
+        """The end."""
+        self.given_up.cancel()
+        super().connection_lost(problem)
+
+
+def _allow_files() -> None:
+    """Lets this process have as many connections as the system allows; some have 1024 if nobody asks for more."""
+    with contextlib.suppress(ImportError, OSError, ValueError):  # Windows has no such limit
+        import resource
+
+        hard = resource.getrlimit(resource.RLIMIT_NOFILE)[1]
+        resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, MOST_FILES), hard))
+
+
+def _without_trace(record: logging.LogRecord) -> bool:
+    """Says of a frame that is no text that it is none, and no more."""
+    if record.exc_info and isinstance(record.exc_info[1], UnicodeDecodeError):
+        record.exc_info = None
+    return True
 
 
 @contextlib.contextmanager

@@ -21,9 +21,7 @@ class Session(StudyWithJobs):
 
     Every command runs in one thread, in the order in which they came; values that are set while others are being drawn
     wait as one, so that dragging a slider never makes a queue. What takes long runs in a process of its own.
-
-    Args:
-        folder, model, files, windows, workers, worker: as for ``StudyWithJobs``.
+    The arguments are those of ``StudyWithJobs``.
     """
 
     def _begin(self, model: str | None) -> None:

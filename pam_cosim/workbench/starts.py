@@ -13,7 +13,7 @@ from pam_cosim.fitting import Estimate
 from pam_cosim.measurement import START_MODES, Run
 from pam_cosim.model.interface import Variable
 from pam_cosim.reporting.account import unit_text
-from pam_cosim.starts import state_course
+from pam_cosim.starts import state_trajectory
 from pam_cosim.units import format_quantity, readable_factor
 from pam_cosim.workbench.opened_model import Opened
 from pam_cosim.workbench.protocol import Json, event
@@ -115,7 +115,7 @@ def courses(
     if run.start.seconds or run.start.periodic or not opened.simulator.interface.states:
         return {}
     values = {**state.values, **{name: estimate.value for name, estimate in begun.items()}}
-    return state_course(opened.simulator, state.data, run, values, () if only_start else None)
+    return state_trajectory(opened.simulator, state.data, run, values, () if only_start else None)
 
 
 def _reach(variable: Variable, course: Array) -> tuple[float, float]:

@@ -31,7 +31,7 @@ PLACES = (
     SOURCE,
     Place("CITATION.cff", r"^version: ", "$"),
     Place("modelica/PneumaticMuscle/package.mo", r'annotation \(version="', '"'),
-    Place("docs/installing.md", r"pam_cosim-", "-py3"),
+    Place("docs/index.md", r"pam_cosim-", "-py3"),
     Place("README.md", r"pam_cosim-", "-py3"),
 )
 

@@ -1,6 +1,6 @@
 """Runs every bench's FMU on Windows (wine) and on ARM (qemu), and compares with Linux on x86-64.
 
-python -m scripts.systems.run [BENCH...]; the status is 1 where a result is farther off than docs/other-systems.md
+python -m scripts.systems.run [BENCH...]; the status is 1 where a result is farther off than docs/own-fmu.md
 allows, a run fails, or the binary for macOS has a fault.
 """
 

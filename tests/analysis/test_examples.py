@@ -47,7 +47,7 @@ def test_tracking(tmp_path: Path) -> None:
     said = run("tracking/tracking.py", tmp_path)
     assert "0.563 m/s by an ampere of the inlet, 0.232 m/s of the exhaust" in said
     rows = [line for line in said.splitlines() if line.startswith("| ")]
-    assert len(rows) == 3 and absent(rows, "observer.md") == []
+    assert len(rows) == 3 and absent(rows, "runs.md") == []
     assert other_pictures(tmp_path) == []
 
 
@@ -64,7 +64,7 @@ def test_slides(tmp_path: Path) -> None:
     assert (
         absent(
             [line for line in said.splitlines() if line.startswith("the loop")],
-            "linear-analysis.md",
+            "runs.md",
         )
         == []
     )
@@ -74,7 +74,7 @@ def test_slides(tmp_path: Path) -> None:
 def test_frequency_response_of_the_page(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """The picture is the one that the command beside it draws."""
     monkeypatch.chdir(tmp_path)
-    page = (ROOT / "docs" / "linear-analysis.md").read_text(encoding="utf-8").replace("\\\n", " ")
+    page = (ROOT / "docs" / "runs.md").read_text(encoding="utf-8").replace("\\\n", " ")
     [line] = [line for line in page.splitlines() if line.startswith("pam-cosim bode")]
     assert main(shlex.split(line)[1:]) == 0
     assert other_pictures(tmp_path) == []

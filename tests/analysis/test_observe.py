@@ -159,7 +159,7 @@ def test_missing_samples_and_a_file(
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        ({"noise": {}}, "nothing is measured"),
+        ({"noise": {}}, "no signal is measured"),
         ({"noise": {"q": 1}}, "no column 'q'"),
         ({"noise": {"x": "1 kg"}}, "x=1 kg"),
         ({"noise": {"x": 0}}, "a standard deviation must be above zero"),

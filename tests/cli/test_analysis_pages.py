@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
@@ -11,26 +9,18 @@ import pytest
 
 from tests.cli.conftest import ROOT, Outcome
 from tests.cli.test_commands import done
-
-
-def blocks(page: str, kind: str) -> list[str]:
-    return re.findall(rf"```{kind}\n(.*?)```", (ROOT / "docs" / page).read_text(), re.DOTALL)
+from tests.documentation.pages import blocks, commands
 
 
 @pytest.mark.full
-@pytest.mark.parametrize("page", ["linear-analysis.md"])
-def test_page(
-    page: str, command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]
+def test_linear_models_and_frequency_responses(
+    command: Callable[..., Outcome], place: Path
 ) -> None:
-    shell = "\n".join(blocks(page, "sh")).replace("\\\n", "")
-    lines = [line for line in shell.splitlines() if line.startswith("pam-cosim ")]
-    assert lines
-    for line in lines:
-        done(command(*shlex.split(line)[1:]))
-    scripts = blocks(page, "python")
-    names: dict[str, object] = {}  # the scripts of a page go on from each other
-    assert scripts
-    for script in scripts:
+    names: dict[str, object] = {}  # the second script continues the first
+    for page in ("runs.md#Linear models", "runs.md#Frequency response"):
+        for words in commands(page):
+            done(command(*words[1:]))
+        (script,) = blocks(page, "python")
         exec(compile(script, page, "exec"), names)
     assert (place / "linear.png").exists() and (place / "linear.json").exists()
 
@@ -44,9 +34,9 @@ def test_page_of_the_observer(
 ) -> None:
     """Its paths are those of the repository."""
     (place / "examples").symlink_to(ROOT / "examples")
-    script = blocks("observer.md", "python")[0]
+    (script,) = blocks("runs.md#Observer", "python")
     names: dict[str, object] = {}
-    exec(compile(script, "observer.md", "exec"), names)
+    exec(compile(script, "runs.md", "exec"), names)
     said = capsys.readouterr().out
     assert "F against the truth: rms" in said and (place / "observer.png").exists()
     recording = names["recording"]
@@ -54,6 +44,6 @@ def test_page_of_the_observer(
     (place / "recording.csv").write_text(
         "time [s],p [Pa],x [m]\n" + "".join(f"{t},{p},{x}\n" for t, p, x in rows)
     )
-    line = blocks("observer.md", "sh")[0]
-    done(command(*shlex.split(line.replace("\\\n", ""))[1:]))
+    (words,) = commands("runs.md#Observer")
+    done(command(*words[1:]))
     assert {"force.csv", "force.json", "force.png"} <= {p.name for p in place.iterdir()}

@@ -12,8 +12,9 @@ import pytest
 import pam_cosim as pam
 from tests.cli.conftest import Outcome, everything
 from tests.cli.test_commands import done
+from tests.documentation.pages import blocks, commands
 
-PAGE = (Path(__file__).parents[2] / "docs" / "benches.md").read_text(encoding="utf-8")
+PAGE = "benches.md#From a set point to a comparison"
 
 WINDER = """\
 model Winder "A drum that the muscle turns against a weight"
@@ -128,8 +129,8 @@ def test_an_instrument_of_ones_own_reads_its_signal(place: Path) -> None:
     [
         (("--mechanics", "spring", "-o", "R.mo"), "a bench needs --pneumatics"),
         (("--pneumatics", "regulator", "--mechanics", "spring"), "a bench needs -o FILE.mo"),
-        (("--list", "-o", "R.mo"), "--list says what parts there are and writes no bench"),
-        (("--list", "--static"), "--list says what parts there are and writes no bench"),
+        (("--list", "-o", "R.mo"), "--list prints the parts and writes no bench"),
+        (("--list", "--static"), "--list prints the parts and writes no bench"),
         (("--pneumatics", "regulator", "--mechanics", "spring", "-o", "R.txt"), "ends in .mo"),
         (
             ("--pneumatics", "regulater", "--mechanics", "spring", "-o", "R.mo"),
@@ -194,18 +195,12 @@ def test_words_of_a_part_are_data(command: Callable[..., Outcome], place: Path) 
 
 def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> None:
     """From a set point in a CSV file to a comparison; the measurement is of an independent static balance."""
-    (toml,) = re.findall(r"```toml\n(.*?)```", PAGE, re.DOTALL)
+    (toml,) = blocks(PAGE, "toml")
     folder = place / "my-rig"
     folder.mkdir()
     (folder / "experiment.toml").write_text(toml)
     (folder / "steps.csv").write_text(steps())
-    ran = []
-    for line in (
-        line
-        for block in re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL)
-        for line in block.splitlines()
-    ):
-        ran.append(done(command(*[word.strip('"') for word in line.split()[1:]])).out)
+    ran = [done(command(*words[1:])).out for words in commands(PAGE)]
     assert len(ran) >= 3 and "x" in ran[-1]
     score = pam.compare(pam.read(folder))
     assert "p" in str(score) and (folder / "MyRig.mo").is_file()

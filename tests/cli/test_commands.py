@@ -241,6 +241,35 @@ def test_effects_lists_the_catalogue(command: Command) -> None:
     assert "gain (0.95 to 1.05)" in outcome.out
 
 
+def test_effects_shows_one_in_full_and_a_family(command: Command, place: Path) -> None:
+    shown = done(command("effects", "MaxwellCreep", "--json", "creep.json")).out
+    (creep,) = json.loads((place / "creep.json").read_text())["effects"]
+    for line in (
+        "tau*der(q) = x - q;",
+        "f = k*(x - q);",
+        "tau = 2 [s], 0.1 to 10000: Time in which it relaxes; at its minimum: ViscousFriction; "
+        "at its maximum: LinearBladder",
+        "k = 300 [N/m], 0 to 20000: Stiffness that relaxes; at its minimum: nothing",
+        "vanishes at k = 0",
+        "Source: Maxwell's element",
+        f"has a place in: {', '.join(creep['benches'])}",
+    ):
+        assert line in shown
+    assert "<" not in shown and {"Isotonic", "Isometric"} < set(creep["benches"])
+    assert "TankFilling" not in creep["benches"]
+    assert creep["parameters"]["tau"]["at_max"] == "LinearBladder" and creep["absent"] == {"k": 0}
+    assert creep["fingerprint"].startswith("after a fast change")
+    assert "s = 8*x/L0 - 1;" in done(command("effects", "FlexibleBladder")).out
+    neck = done(command("effects", "ResonantVolume")).out  # with what it inherits
+    assert "p_s*V = m*Constants.R*T_s;" in neck and "G = 1e-08 [kg/(s.Pa)], 1e-10 to" in neck
+    ceiling = done(command("effects", "PositionCeiling")).out
+    assert "above all that x shows" in ceiling
+    family = done(command("effects", "creep")).out
+    assert "PronyCreep" in family and "LinearBladder" not in family
+    said = command("effects", "MaxwelCreep")
+    assert said.status == 2 and "did you mean 'MaxwellCreep'?" in said.err
+
+
 def test_add_writes_a_model_that_simulates(command: Command, place: Path) -> None:
     outcome = done(
         command("add", "EnergyGas", "OrificeLeak", "--to", "TankFilling", "-o", "Leaky.mo")

@@ -158,7 +158,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         (["system.toml", "-o", "system.toml"], "system.toml"),
         (
             ["system.toml", "--ssp-version", "2.0"],
-            "--ssp-version is of the archive that --ssp FILE",
+            "--ssp-version needs --ssp FILE",
         ),
         (
             ["system.toml", "--sample", "muscle=1ms", "--sample", "muscle=2ms"],

@@ -3,34 +3,28 @@
 from __future__ import annotations
 
 import re
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import ROOT, Outcome
+from tests.cli.conftest import Outcome
 from tests.cli.test_commands import done
-from tests.documentation.pages import DOCS, unsaid
+from tests.documentation.pages import DOCS, blocks, commands, unsaid
 
-PAGE = (ROOT / "docs" / "runs.md").read_text()
-
-
-def blocks(kind: str) -> list[str]:
-    return re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
+PAGES = ("runs.md#Runs", "runs.md#Sweeps")
 
 
 @pytest.mark.full
 def test_page_of_runs(
     command: Callable[..., Outcome], place: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
-    for name, course in zip(("u.csv", "pulse.csv"), blocks("csv"), strict=True):
-        (place / name).write_text(course)
-    text = "".join(blocks("sh")).replace("\\\n", " ")
-    lines = [line for line in text.splitlines() if line.startswith("pam-cosim ")]
+    for name, inputs in zip(("u.csv", "pulse.csv"), blocks(PAGES[0], "csv"), strict=True):
+        (place / name).write_text(inputs)
+    lines = [words for page in PAGES for words in commands(page)]
     assert len(lines) >= 4
-    said = "\n".join(done(command(*shlex.split(line)[1:])).out for line in lines)
-    assert unsaid("runs.md", said) == []
+    said = "\n".join(done(command(*words[1:])).out for words in lines)
+    assert unsaid(PAGES[1], said) == []
     assert (place / "sweep.png").read_bytes() == (DOCS / "pictures" / "sweep.png").read_bytes()
     made = {
         "pulse.csv",
@@ -43,7 +37,7 @@ def test_page_of_runs(
         "sweep.png",
     }
     assert {p.name for p in place.iterdir()} == {"u.csv", *made}
-    [script] = blocks("python")
+    [script] = blocks(PAGES[1], "python")
     capsys.readouterr()
     exec(compile(script, "docs/runs.md", "exec"), {})
     told = capsys.readouterr().out.splitlines()

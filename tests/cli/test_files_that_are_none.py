@@ -51,7 +51,7 @@ MODEL = "PneumaticMuscle.Benches.VesselOrifice"
 VALUES: dict[str, tuple[str, list[str]]] = {
     "beyond the range": ('{"orifice.C_d": 1e300}', ["orifice.C_d=1e+300", "must be"]),
     "of no parameter": ('{"tank.W": 1}', ["tank.W"]),
-    "twice": ('{"tank.n": 1.1, "tank.n": 1.2}', ["the key 'tank.n' stands twice"]),
+    "twice": ('{"tank.n": 1.1, "tank.n": 1.2}', ["the key 'tank.n' appears twice"]),
     "none": ("{}", ["must hold an object with parameter names"]),
     "in another unit": (
         '{"parameters": {"tank.V": {"value": 16.2, "unit": "l"}}}',

@@ -95,7 +95,9 @@ def compiling(running: Running) -> bool:
 
 
 def kept(running: Running) -> bool:
-    return any(file.stat().st_size > 100_000 for file in running.temporary.parent.glob("*.partial"))
+    return any(
+        file.stat().st_size > 100_000 for file in running.temporary.parent.glob("*.partial*")
+    )
 
 
 def isolated(running: Running) -> bool:

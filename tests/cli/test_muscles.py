@@ -3,26 +3,21 @@
 from __future__ import annotations
 
 import re
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
 import pytest
 
 import pam_cosim as pam
-from tests.cli.conftest import ROOT, Outcome
+from tests.cli.conftest import Outcome
 from tests.cli.test_commands import done
+from tests.documentation.pages import blocks, commands, source
 
-PAGE = (ROOT / "docs" / "muscles.md").read_text(encoding="utf-8")
-
-
-def blocks(kind: str) -> list[str]:
-    return re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
+PAGE = "benches.md#Muscles by name"
 
 
 def test_the_commands_of_the_page(command: Callable[..., Outcome], place: Path) -> None:
-    lines = [line for block in blocks("sh") for line in block.splitlines()]
-    said = [done(command(*shlex.split(line)[1:])).out for line in lines]
+    said = [done(command(*words[1:])).out for words in commands(PAGE)]
     ends = [re.search(r"x: from .* at the end ([\d.]+) mm", text) for text in said[1:]]
     assert len(ends) == 2 and all(ends)
     assert ends[0].group(1) == ends[1].group(1)  # type: ignore[union-attr]  # fittings change nothing but the length
@@ -30,7 +25,7 @@ def test_the_commands_of_the_page(command: Callable[..., Outcome], place: Path) 
 
 
 def test_every_muscle_of_the_page_is_there() -> None:
-    table = PAGE.split("| `--muscle` |")[1].split("\n\n")[0]
+    table = source(PAGE).split("| `--muscle` |")[1].split("\n\n")[0]
     named = {
         name
         for row in table.splitlines()
@@ -43,7 +38,7 @@ def test_every_muscle_of_the_page_is_there() -> None:
 def test_the_class_and_the_measures_of_the_page(
     command: Callable[..., Outcome], place: Path
 ) -> None:
-    (mine,), (toml,) = blocks("modelica"), blocks("toml")
+    (mine,), (toml,) = blocks(PAGE, "modelica"), blocks(PAGE, "toml")
     (place / "Mine.mo").write_text(mine)
     words = ("--pneumatics", "imposed-pressure", "--mechanics", "imposed-length", "-o")
     done(command("bench", *words, "Own.mo", "--muscle", "mine", "--file", "Mine.mo"))

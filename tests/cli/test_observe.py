@@ -57,7 +57,7 @@ def test_how_uncertain_a_state_is_at_first(command: Command, place: Path) -> Non
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--unknown", "F_ext=5 N"], "write how uncertain it is at first"),
+        (["--unknown", "F_ext=5 N"], "write its initial standard deviation"),
         (["--noise", "p=2 kPa"], "'p' is given twice"),
         (["--drift", "p=1 kPa"], "no state 'p'"),
         (["--start", "rest"], "give values by name"),

@@ -6,7 +6,6 @@ import json
 import os
 import re
 import runpy
-import shlex
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,10 +13,11 @@ import pytest
 
 from tests.cli.conftest import ROOT, Outcome
 from tests.cli.test_commands import done
+from tests.documentation.pages import commands, source
 
 LIBRARY = ROOT / "examples" / "own-library" / "DCMotor"
 RIG = runpy.run_path(str(ROOT / "examples" / "own-library" / "rig.py"))
-PAGE = (ROOT / "docs" / "your-own-library.md").read_text(encoding="utf-8")
+PAGE = "adding-an-effect.md#A library of another field"
 
 
 def diagnosed(command: Callable[..., Outcome], hidden: str, *words: str) -> dict:  # type: ignore[type-arg]
@@ -35,16 +35,15 @@ def holdout(summary: dict) -> float:  # type: ignore[type-arg]
 @pytest.mark.full
 def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> None:
     os.symlink(ROOT / "examples", place / "examples")
-    blocks = re.findall(r"```sh\n(.*?)```", PAGE, re.DOTALL)
-    (rig, *rest) = [shlex.split(line) for block in blocks for line in block.splitlines()]
+    (rig, *rest) = commands(PAGE)
     assert rig[:3] == ["python", "examples/own-library/rig.py", "motor"] and rig[3] == "--hidden"
     RIG["write"](place / "motor", rig[4])
     effects, simulate, diagnose, add, build = [done(command(*words[1:])).out for words in rest]
     assert "DCMotor" in effects and "FanDrag" in effects
     assert "w: from 0 rad/s to 238 rad/s" in simulate
-    (said,) = re.findall(r"^Verdict.*\n", PAGE, re.MULTILINE)
+    (said,) = re.findall(r"^Verdict.*\n", source(PAGE), re.MULTILINE)
     assert said in diagnose and "voltage" not in diagnose.partition("Ledger of the base model")[2]
-    errors = re.findall(r"^  holdout .*$", PAGE, re.MULTILINE)
+    errors = re.findall(r"^  holdout .*$", source(PAGE), re.MULTILINE)
     assert len(errors) == 2 and all(line in diagnose for line in errors), diagnose
     assert "share of the error in the torque balance 100" in diagnose
     assert "extends DCMotor.Benches.FreeRun" in add

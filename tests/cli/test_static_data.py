@@ -14,9 +14,9 @@ import pytest
 from scipy.optimize import brentq
 
 from tests.cli.conftest import ROOT, Outcome
+from tests.documentation.pages import blocks
 
 Command = Callable[..., Outcome]
-PAGE = (ROOT / "docs" / "static-data.md").read_text()
 EXAMPLE = ROOT / "examples" / "static-map"
 LOOP = """\
 title = "loops"
@@ -32,11 +32,6 @@ sigma = "0.1 mm"
 file = "loop.csv"
 hold_out = { F = ["60 N"] }
 """
-
-
-def block(kind: str) -> str:
-    (text,) = re.findall(rf"```{kind}\n(.*?)```", PAGE, re.DOTALL)
-    return str(text)
 
 
 def loop(noise: int = 7) -> list[str]:
@@ -68,8 +63,9 @@ def written(folder: Path, rows: list[str], experiment: str = LOOP) -> None:
 def test_the_page(command: Command, place: Path) -> None:
     folder = place / "map"
     folder.mkdir()
-    (folder / "map.csv").write_text(block("csv"))
-    (folder / "experiment.toml").write_text(block("toml"))
+    (table,), (toml,) = (blocks("data-sets.md#Points at rest", kind) for kind in ("csv", "toml"))
+    (folder / "map.csv").write_text(table)
+    (folder / "experiment.toml").write_text(toml)
     errors = []
     for words in (["compare", "map", "--report", "r.html"], ["fit", "map", "-o", "p.json"]):
         outcome = command(*words, "--json", "r.json") if words[0] == "compare" else command(*words)
@@ -140,7 +136,7 @@ def example() -> ModuleType:
 def test_a_printed_map_beats_formulas_with_as_many_parameters(
     command: Command, place: Path
 ) -> None:
-    """Held-out pressures of a fluidic muscle; see docs/static-data.md."""
+    """Held-out pressures of a fluidic muscle; see docs/data-sets.md."""
     assert command("diagnose", EXAMPLE, "--json", "d.json", "--workers", 1).status == 0
     result = json.loads((place / "d.json").read_text())
     best = min(

@@ -40,8 +40,7 @@ def _started(place: Path, *more: str) -> subprocess.Popen[str]:
 
 
 def _kept(place: Path) -> int:
-    file = place / "s.csv.partial"
-    return file.stat().st_size if file.exists() else 0
+    return sum(file.stat().st_size for file in place.glob("s.csv.partial*"))
 
 
 @pytest.mark.full
@@ -60,8 +59,7 @@ def test_a_sweep_that_is_stopped_goes_on(
     if number == signal.SIGINT:
         assert running.returncode == 130
         assert said.splitlines()[-1].endswith("kept in s.csv.partial: the same command goes on")
-    size = _kept(place)
-    assert size >= 100_000 and not (place / "s.csv").exists()
+    assert _kept(place) and not (place / "s.csv").exists()
     again = _started(place)
     out, said = again.communicate(timeout=300)
     assert again.returncode == 0, said
@@ -120,7 +118,7 @@ def test_random_runs_with_scalars_as_netcdf_and_picture(
         (["--design", "gird"], ["no design 'gird'"]),
         (["--runs", "3"], ["leave out the number of runs"]),
         (["--scalar", "max(q)"], ["no variable 'q'"]),
-        (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is asked for twice"]),
+        (["--scalar", "a=max(p)", "--scalar", "a=min(p)"], ["'a' is given twice"]),
         (["--no-trajectories"], ["needs a scalar"]),
         (["--keep", "valve.inlet.mflow"], ["no variable 'valve.inlet.mflow'", "did you mean"]),
         (["--output", "valve.inlet.mflow"], ["--output is given 2 times; it takes one value"]),

@@ -125,7 +125,7 @@ def test_example(tmp_path: Path) -> None:
     correlations = np.array([[float(v) for v in row[3:9]] for row in rows[1:5]])
     assert correlations.argmin() == correlations.size - 1
     errors = np.array([[float(v) for v in row[3:9]] for row in rows[13:17]])
-    page = text_of("condition-tables.md")
+    page = text_of("fitting.md")
     assert f"The correlation is {correlations.min():.3f} or more everywhere" in page
     assert f"right at 10 kg and 1.5 Hz ({errors.min():.1f})" in page and errors.argmin() == 6 + 4
     assert f"{errors.max():.0f} at 30 kg and 2 Hz" in page and errors.argmax() == errors.size - 1

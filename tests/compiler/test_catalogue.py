@@ -148,7 +148,6 @@ def test_printed_expression_reads_the_same(text):
 def test_each_component_is_modified_once():
     """Two effects that redeclare parts of one component share its modification; Modelica forbids a second one."""
     composition = compose(read_library(), "Isotonic", ["ValveDelay", "UnequalAreas", "EnergyGas"])
-    assert composition is not None
     assert composition.text.count("valve(") == composition.text.count("muscle(") == 1
     assert (
         "Drive = PneumaticMuscle.Effects.ValveDynamics.ValveDelay, redeclare model Area"
@@ -165,6 +164,5 @@ def test_what_is_added_has_a_name_that_no_variable_of_the_model_has(tmp_path):
         " parameter Real deadVolume = 1; end Bench; end Mine;"
     )
     composition = compose(read_library(files=[file]), "Mine.Bench", ["DeadVolume"], files=[file])
-    assert composition is not None
     assert "DeadVolume deadVolume3 " in composition.text
     assert all(name.startswith("deadVolume3.") for name in composition.parameters["DeadVolume"])

@@ -5,6 +5,7 @@ from __future__ import annotations
 import zlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -13,6 +14,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
+from pam_cosim.diagnosis.search.full_model import FullModel
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit, Linear
@@ -21,6 +23,7 @@ from tests.diagnosis.synthetic import WhiteFit, statistics
 TREE = read_library()
 SHELF = tuple(effect_classes(TREE))
 ROWS = 400
+_NEEDED = 0.2  # strength, four standard deviations
 KNOWN = {e.name: e for e in SHELF}
 
 
@@ -105,7 +108,7 @@ class LinearWorld(Search):
         }
         limits = np.full(len(names), 1e3)
         linear = Linear(names, values, -limits, limits, left["fit"], columns["fit"])
-        return WhiteFit("Test", estimates, _NOTHING, numbers, 1, linear=linear)
+        return WhiteFit("Test", estimates, _comparison(chi2), numbers, 1, linear=linear)
 
     def untouched(self, effects: Sequence[str]) -> Fit:
         """The model with these effects where the last of them does nothing yet, nor says what it could."""
@@ -132,6 +135,23 @@ class LinearWorld(Search):
             linear = Linear(names, values, -limits, limits, left, slopes)
             probes.append(EffectProbe(e.name, e.family, (f"{e.name}.strength",), linear))
         return probes
+
+    def full_models(self, base: Fit, promising: Sequence[str]) -> list[FullModel]:
+        plain: dict[str, str] = {}
+        for e in (KNOWN[name] for name in promising):
+            if not e.general:
+                plain.setdefault(e.family, e.name)
+        fit = self.fitted([*plain.values()])
+        kept = [n for n in plain.values() if abs(fit.values[f"{n}.strength"]) > _NEEDED]
+        return [FullModel(tuple(kept), {})]
+
+    def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
+        return []
+
+    def needed(self, c: Candidate, most: int) -> tuple[str, ...]:
+        strengths = {e: abs(c.fit.values[f"{e}.strength"]) for e in c.effects}
+        strongest = sorted(c.effects, key=lambda e: -strengths[e])[:most]
+        return tuple(e for e in c.effects if e in strongest and strengths[e] > _NEEDED)
 
     def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
         return self, {}
@@ -182,14 +202,9 @@ def world(hidden: Mapping[str, float], **nature: Any) -> LinearWorld:
     return LinearWorld(TREE, "Test", SHELF, None, hidden=hidden, **nature)  # type: ignore[arg-type]
 
 
-class _Nothing:
-    """The comparison of a fit that was written down."""
-
-    runs = ()
-    scores: dict[str, dict[str, object]] = {"all": {}}  # noqa: RUF012
-
-    class data:  # noqa: N801
-        signals: dict[str, object] = {}
-
-
-_NOTHING = _Nothing()  # type: ignore[var-annotated]
+def _comparison(chi2: Mapping[str, float]) -> Any:
+    """The comparison of a fit that was written down, with a signal of which both roles have as many samples."""
+    score = SimpleNamespace(chi2_reduced=sum(chi2.values()) / len(chi2))
+    signals = {"x": SimpleNamespace(fitted=True)}
+    data = SimpleNamespace(signals=signals, fitted_signals=signals)
+    return SimpleNamespace(runs=(), scores={"all": {"x": score}}, data=data)

@@ -67,7 +67,10 @@ def fitted(
         runs=tuple(
             _run(name, measured.name, error) for name, error in (runs or {}).items() if measured
         ),
-        data=SimpleNamespace(signals=signals),
+        data=SimpleNamespace(
+            signals=signals,
+            fitted_signals={n: s for n, s in signals.items() if s.fitted},
+        ),
         scores={
             "all": {n: SimpleNamespace(rmse=v, noise_rmse=1.0) for n, v in (shown or {}).items()},
             "fit": {},

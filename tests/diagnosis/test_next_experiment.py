@@ -32,7 +32,6 @@ def data(tmp_path_factory: pytest.TempPathFactory) -> DataSet:
 def rival(effect: str, family: str, data: DataSet, **values: float) -> Candidate:
     """The Isotonic bench with an effect at these parameters."""
     composition = compose(read_library(), data.model, [effect])
-    assert composition is not None
     own = composition.parameters[effect]
     given = {n: Estimate(values[n.rpartition(".")[2]], 0.0, 1.0) for n in own}
     fit = Fit(composition.name, given, None, {}, 1)  # type: ignore[arg-type]

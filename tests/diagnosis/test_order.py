@@ -227,11 +227,9 @@ def test_values_excuse_no_model_that_leaves_more_in_held_out_runs_than_the_base_
 
 
 def test_sets_of_which_an_effect_finds_no_place_are_not_proposed_again() -> None:
-    """One wraps the ruler, another takes its place."""
-    search = Search(
-        TREE, "PneumaticMuscle.Benches.VerticalLoad", tuple(KNOWN.values()), world({}).data
-    )
-    wanted = [FitRequest(("PositionCeiling", "PositionLag"), {})]
+    """Both are the law of one manometer."""
+    search = Search(TREE, "PneumaticMuscle.Benches.Isotonic", tuple(KNOWN.values()), world({}).data)
+    wanted = [FitRequest(("PressureOffset", "PressureGain"), {})]
     assert search.fit_briefly(wanted) == [] == search.failed
     assert search.displaced == {frozenset(wanted[0].effects)}
     linear = world({"LinearBladder": 5.0})

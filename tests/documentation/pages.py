@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+import shlex
 from collections.abc import Mapping, Sequence
 from pathlib import Path
 
@@ -21,9 +22,31 @@ ROOT = Path(__file__).parents[2]
 DOCS = ROOT / "docs"
 
 
+def source(page: str) -> str:
+    """Markdown of a page of ``docs``; of ``PAGE.md#HEADING`` the text below that heading of level two."""
+    name, _, heading = page.partition("#")
+    text = (DOCS / name).read_text(encoding="utf-8")
+    if not heading:
+        return text
+    parts = re.split(r"^## (.+)$", text, flags=re.MULTILINE)
+    return dict(zip(parts[1::2], parts[2::2], strict=True))[heading]
+
+
+def blocks(page: str, language: str) -> list[str]:
+    """Its code blocks in a language."""
+    return re.findall(rf"^```{language}\n(.*?)^```", source(page), re.DOTALL | re.MULTILINE)
+
+
+def commands(page: str) -> list[list[str]]:
+    """The words of each command of its shell blocks."""
+    text = "\n".join(blocks(page, "sh")).replace("\\\n", " ")
+    lines = [shlex.split(line, comments=True) for line in text.splitlines()]
+    return [words for words in lines if words]
+
+
 def text_of(page: str) -> str:
     """A page of ``docs``, each run of white space one blank."""
-    return one_line((DOCS / page).read_text(encoding="utf-8"))
+    return one_line(source(page))
 
 
 def one_line(text: str) -> str:
@@ -78,10 +101,8 @@ def quoted(page: str) -> list[str]:
 
     A line of three dots stands for what is left out.
     """
-    text = (DOCS / page).read_text(encoding="utf-8")
-    blocks = re.findall(r"```text\n(.*?)```", text, re.DOTALL)
-    lines = [line.strip() for block in blocks for line in block.splitlines()]
-    verdicts = re.findall(r"`((?:identified|ambiguous|unknown): [^`]*)`", text)
+    lines = [line.strip() for block in blocks(page, "text") for line in block.splitlines()]
+    verdicts = re.findall(r"`((?:identified|ambiguous|unknown): [^`]*)`", source(page))
     return [line for line in (*lines, *verdicts) if line and line != "..."]
 
 
@@ -118,7 +139,7 @@ def other_numbers(page: str, table: Mapping[str, Sequence[float]]) -> list[str]:
         table: the numbers of each row, by a word in backticks of its first cell.
     """
     wrong, found = [], set()
-    for line in (DOCS / page).read_text(encoding="utf-8").splitlines():
+    for line in source(page).splitlines():
         first, *cells = (
             [cell.strip() for cell in line.strip("|").split("|")] if line.startswith("|") else [""]
         )

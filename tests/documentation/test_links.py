@@ -58,13 +58,9 @@ def test_broken_links_are_seen(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) 
 
 
 def test_every_page_is_in_the_navigation() -> None:
-    """A page by its name in ``nav`` of ``mkdocs.yml``, or by its folder with a slash behind it."""
-    entries = set(re.findall(r": (\S+)$", NAVIGATION, re.MULTILINE))
-    pages = [page.relative_to(ROOT / "docs") for page in PAGES if ROOT / "docs" in page.parents]
-    assert len(pages) >= 10
-    assert not [
-        p.as_posix() for p in pages if not {p.as_posix(), f"{p.parent.as_posix()}/"} & entries
-    ]
+    entries = set(re.findall(r"(\S+\.md)$", NAVIGATION, re.MULTILINE))
+    pages = {page.name for page in (ROOT / "docs").rglob("*.md")}
+    assert 10 <= len(pages) <= 25 and pages <= entries
 
 
 def test_every_package_is_in_the_reference() -> None:
@@ -74,6 +70,6 @@ def test_every_package_is_in_the_reference() -> None:
     }
     assert len(packages) >= 9
     listed = re.findall(
-        r"^::: pam_cosim\.(\w+)$", (ROOT / "docs" / "api-rooms.md").read_text(), re.MULTILINE
+        r"^::: pam_cosim\.(\w+)$", (ROOT / "docs" / "api.md").read_text(), re.MULTILINE
     )
     assert sorted(listed) == sorted(packages)

@@ -54,6 +54,12 @@ def test_extras_do_what_the_scripts_ask_for() -> None:
     assert f"{PROJECT['name']}[docs]" in extras["test"], "the full tier builds the site"
 
 
+CODE = {
+    word
+    for folder, suffix in (("pam_cosim", ".py"), ("fmu", ".c"), ("refsim", ".py"))
+    for file in (ROOT / folder).rglob(f"*{suffix}")
+    for word in re.findall(r"\w+", file.read_text(encoding="utf-8"))
+}
 NUMBERS = ("ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen")
 
 
@@ -74,3 +80,23 @@ def test_contributing_says_what_continuous_integration_runs() -> None:
     run = (ROOT / ".ci" / "run").read_text(encoding="utf-8")
     text = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8")
     assert "--full" not in run and "continuous integration runs the line above" in text
+
+
+def test_files_and_functions_of_how_it_works_exist() -> None:
+    """Each name in backticks is a file below the packages, or stands in the code of some file on its line."""
+    rooms = [ROOT, *(ROOT / room for room in ("pam_cosim", "pam_cosim/workbench", "refsim"))]
+    missing = []
+    for line in (ROOT / "docs" / "how-it-works.md").read_text(encoding="utf-8").splitlines():
+        for name in re.findall(r"`([\w./]+)`", line):
+            if "/" in name or re.search(r"\.(py|c|js)$", name):
+                found = any((room / name).exists() for room in rooms)
+            elif re.fullmatch(r"[a-zA-Z]+_\w+|\w+\.\w+", name) and not name.isupper():
+                found = all(part in CODE for part in name.split("."))
+            else:
+                continue
+            missing += [] if found else [name]
+        for file, function in re.findall(r"`([\w/]+\.(?:py|c))`, `([\w.]+)`", line):
+            path = next(room / file for room in rooms if (room / file).exists())
+            text = path.read_text(encoding="utf-8")
+            missing += [p for p in function.split(".") if p not in text]
+    assert missing == []

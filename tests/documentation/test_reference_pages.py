@@ -34,7 +34,7 @@ from pam_cosim.fitting.profile import Profile
 from pam_cosim.measurement import experiment_tables
 from pam_cosim.measurement.free_parameter import Prior
 from pam_cosim.units import convert
-from tests.documentation.pages import DOCS, ROOT
+from tests.documentation.pages import DOCS, ROOT, source
 from tests.fitting.models import vessel_data
 from tests.reporting.synthetic import RULES, make_comparison, make_data, make_diagnosis, make_fit
 from tests.reporting.test_ledger_learned_next import make_learned, make_ledger
@@ -67,9 +67,7 @@ PRIOR = Prior(0.7, 0.02, logarithmic=True)
 
 def section(page: str, heading: str) -> str:
     """What stands below a heading of the second level, to the next one."""
-    text = (DOCS / page).read_text(encoding="utf-8")
-    parts = re.split(r"^## (.+)$", text, flags=re.MULTILINE)
-    return dict(zip(parts[1::2], parts[2::2], strict=True))[heading]
+    return source(f"{page}#{heading}")
 
 
 def listed(text: str) -> set[str]:
@@ -296,7 +294,9 @@ def test_every_example_is_in_the_index() -> None:
 
 
 def test_units_of_the_page_are_read() -> None:
-    rows = re.findall(r"^\| [^|]+ \| ([^|]+) \|$", section("data-sets.md", "Units"), re.MULTILINE)
+    rows = re.findall(
+        r"^\| [^|]+ \| ([^|]+) \|$", section("experiment-toml.md", "Units"), re.MULTILINE
+    )
     units = [unit.strip() for row in rows[1:] for unit in re.split("[,;]| or ", row)]
     assert len(units) > 80
     for unit in units:

@@ -88,7 +88,7 @@ def test_pages_read_as_on_a_code_host(site: Path) -> None:
 
 def test_files_outside_docs_are_in_the_site(site: Path) -> None:
     page = site / "repository" / "examples" / "jumping-robot" / "report.html"
-    assert "repository/examples/jumping-robot/report.html" in (site / "real-data.html").read_text()
+    assert "repository/examples/jumping-robot/report.html" in (site / "real-rigs.html").read_text()
     assert "result.png" in read(page.read_text()).fetched
     assert 'href="../index.html"' in (site / "repository" / "CONTRIBUTING.html").read_text()
 
@@ -106,7 +106,7 @@ def test_broken_links_are_errors(tmp_path: Path) -> None:
     for name in ("mkdocs.yml", "CONTRIBUTING.md", "CHANGELOG.md"):
         shutil.copy(ROOT / name, tmp_path / name)
     index = tmp_path / "docs" / "index.md"
-    faults = ("nowhere.md", "../examples/nowhere.md", "speed.md#nowhere", "#nowhere")
+    faults = ("nowhere.md", "../examples/nowhere.md", "results.md#nowhere", "#nowhere")
     index.write_text(index.read_text() + "".join(f"\n[x]({fault})\n" for fault in faults))
     (tmp_path / "docs" / "stray.md").write_text("# A page without a place\n")
     done = build(tmp_path, tmp_path / "site")

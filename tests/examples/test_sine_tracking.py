@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import sys
 from pathlib import Path
 
@@ -10,6 +9,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
+from tests.documentation.pages import blocks
 from tests.examples.modules import EXAMPLES, example
 
 PLANT = """
@@ -75,9 +75,8 @@ def test_the_page_follows_a_slow_sine(
 ) -> None:
     monkeypatch.chdir(EXAMPLES.parent)
     monkeypatch.setattr(sys, "path", sys.path.copy())
-    page = Path("docs/observer.md").read_text(encoding="utf-8")
     names: dict[str, object] = {}
-    exec(re.findall(r"```python\n(.*?)```", page, re.DOTALL)[1], names)
+    exec(blocks("runs.md#Tracking a sine", "python")[0], names)
     slow, fast = names["tracking"].relative_error  # type: ignore[attr-defined]
     assert slow < 0.1 < fast
     assert f"{slow:.1%}" in capsys.readouterr().out

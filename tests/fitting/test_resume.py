@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -11,10 +10,8 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim import InputError
 from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.measurement import Signal
-from pam_cosim.measurement.start import Start
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import vessel_data
 
@@ -40,25 +37,14 @@ def test_it_ends_as_if_it_had_not_been_interrupted(
     runs = count_runs(monkeypatch)
     with pytest.raises(Stop):
         pam.fit(data, method=method, resume=file, progress=stop_after(4))
-    assert len(json.loads(file.read_text())["answers"]) >= 3
-    before = len(runs)
+    assert len(runs) >= 3
     resumed = pam.fit(data, method=method, resume=file)
-    assert resumed.values == whole.values
-    again_counts = (
-        method == "differential-evolution"
-    )  # it comes to some points twice, which are simulated once now
-    assert (
-        resumed.evaluations < whole.evaluations
-        if again_counts
-        else resumed.evaluations == whole.evaluations
-    )
+    assert resumed.values == whole.values and resumed.evaluations == whole.evaluations
     assert resumed.convergence.chi2_reduced.tolist() == whole.convergence.chi2_reduced.tolist()
-    assert (
-        len(runs) - before <= whole.evaluations + 2
-    )  # those of combinations and the comparison; none twice
+    assert len(runs) <= whole.evaluations + 3  # with those of the comparison; none twice
     runs.clear()
     again = pam.fit(data, method=method, resume=file)
-    assert again.values == whole.values and len(runs) <= 3
+    assert again.values == whole.values and not runs
 
 
 def count_runs(monkeypatch: pytest.MonkeyPatch) -> list[int]:
@@ -74,80 +60,14 @@ def count_runs(monkeypatch: pytest.MonkeyPatch) -> list[int]:
     return runs
 
 
-def test_file_of_another_fit_is_refused(tmp_path: Path) -> None:
+def test_another_fit_of_the_model_may_use_the_file(tmp_path: Path) -> None:
     data, file = vessel_data(), tmp_path / "fit.progress"
     pam.fit(data, resume=file)
-    kept = file.read_bytes()
-    hotter = replace(
-        data, runs=(replace(data.runs[0], measurements={"p": data.runs[0].measurements["p"] + 1}),)
-    )
-    later = replace(
-        data, runs=(replace(data.runs[0], start=Start("measured", before={"u": 1.0}, seconds=5.0)),)
-    )
     wider = replace(data, fit={**data.fit, "tank.n": replace(data.fit["tank.n"], max=1.39)})
-    for call, message in (
-        (lambda: pam.fit(data, "TankFilling", resume=file), "no parameter|another model"),
-        (
-            lambda: pam.fit(hotter, resume=file),
-            "keeps a fit to other data; name another file, or remove this one",
-        ),
-        (lambda: pam.fit(later, resume=file), "keeps a fit to other data"),
-        (lambda: pam.fit(wider, resume=file), "other parameters, bounds or priors"),
-        (lambda: pam.fit(data, method="multi-start", resume=file), "by another method"),
-    ):
-        with pytest.raises(InputError, match=message):
-            call()
-    assert file.read_bytes() == kept
-
-
-@pytest.mark.parametrize(
-    "text", ["", "{}", "[1, 2]", '{"kind": "pam-cosim fit in progress", "version": 1}']
-)
-def test_what_is_no_such_file_is_refused_and_left(text: str, tmp_path: Path) -> None:
-    file = tmp_path / "fit.progress"
-    file.write_text(text)
-    with pytest.raises(InputError):
-        pam.fit(vessel_data(), resume=file)
-    assert file.read_text() == text
-
-
-@pytest.mark.parametrize(
-    ("place", "content"),
-    [
-        (0, 3),
-        (0, "square"),
-        (1, 10**400),
-        (1, [float("inf"), 1.0]),
-        (1, [None, 1.0]),
-        (2, -1),
-        (2, 10**400),
-        (2, 1.5),
-        (3, "x"),
-        (3, [[1.0]]),
-        (3, float("nan")),
-    ],
-    ids=lambda one: str(one)[:20],
-)
-def test_a_damaged_answer_is_refused_and_the_file_left(
-    progress: str, tmp_path: Path, place: int, content: object
-) -> None:
-    document, file = json.loads(progress), tmp_path / "fit.progress"
-    for kind in ("squares", "triangle"):
-        entry = next(one for one in document["answers"] if one[0] == kind)
-        entry[place] = content
-        file.write_text(json.dumps(document))
-        with pytest.raises(InputError, match="damaged"):
-            pam.fit(vessel_data(), resume=file)
-        assert file.read_text() == json.dumps(document)
-        document = json.loads(progress)
-
-
-@pytest.fixture(scope="module")
-def progress(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """What a fit keeps."""
-    file = tmp_path_factory.mktemp("fit") / "fit.progress"
-    pam.fit(vessel_data(), resume=file)
-    return file.read_text()
+    (run,) = data.runs
+    hotter = replace(data, runs=(replace(run, measurements={"p": run.measurements["p"] + 1e3}),))
+    for other in (wider, hotter):
+        assert pam.fit(other, resume=file).values == pam.fit(other).values
 
 
 def test_standing_reads_as_a_person_would_say_it() -> None:

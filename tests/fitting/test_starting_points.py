@@ -14,6 +14,10 @@ class Seen:
     def __init__(self, glances: list[float], costs: list[float]) -> None:
         self.glances, self.costs = glances, costs
 
+    def is_over(self) -> bool:
+        """Nothing limits it."""
+        return False
+
     def start_afresh(self, z: Array) -> None:
         """They have no start values."""
 

@@ -34,7 +34,7 @@ def test_results_are_those_of_linux(system: run.System, folder: Path) -> None:
     if system.missing:
         warnings.warn(f"{system.name} was not run: {system.missing}", stacklevel=1)
         pytest.skip(system.missing)
-    page = (ROOT / "docs" / "other-systems.md").read_text(encoding="utf-8")
+    page = (ROOT / "docs" / "own-fmu.md").read_text(encoding="utf-8")
     for bench in run.pam.benches():
         fmu = run.built(bench, folder)
         here = run.simulate(fmu, run.LINUX, folder)

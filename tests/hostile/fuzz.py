@@ -20,6 +20,7 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
+from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.resources import modelica_root
 from pam_cosim.units import UnitError, base_unit, convert, seconds
@@ -147,6 +148,34 @@ def attack_studies(chance: random.Random, folder: Path) -> int:
     return BATCH * 5
 
 
+def attack_stores(chance: random.Random, folder: Path) -> int:
+    """Sweeps and fits that are stopped, their files damaged in between."""
+    from tests.hostile.test_stores import attack, fitted, swept, whole
+
+    tried = 0
+    for one in (swept, fitted):
+        reference = whole(one, folder)
+        for _ in range(BATCH // 10):
+            attack(one, chance, folder / f"{tried}", reference)
+            tried += 1
+    whole.cache_clear()
+    return tried
+
+
+def attack_systems(chance: random.Random, folder: Path) -> int:
+    """Archives of SSP with other bytes, and with other texts in their description."""
+    from tests.cosimulation.test_ssp import WIRE, archive, component, system
+
+    for number in range(BATCH):
+        text = system(component("a") + component("b"), WIRE)
+        file = archive(folder / f"{number}.ssp", edited(text, chance) if number % 2 else text)
+        if number % 2 == 0:
+            file.write_bytes(mutated_bytes(file.read_bytes(), chance))
+        with contextlib.suppress(InputError):
+            study.read_system(file)
+    return BATCH
+
+
 def attack_units(chance: random.Random, folder: Path) -> int:
     """Texts in the place of units and quantities."""
     for _ in range(BATCH * 25):
@@ -199,6 +228,8 @@ ATTACKS: dict[str, Attack] = {
     "saved studies": attack_studies,
     "saved products": attack_products,
     "data sets": attack_data,
+    "sweeps and fits": attack_stores,
+    "systems": attack_systems,
     "commands of the page": attack_page,
     "the compiler": attack_compiler,
     "the C runtime": attack_runtime,

@@ -58,6 +58,9 @@ NUMBERS = {
         'modelIdentifier="../../../../../x"',
     ),
     "an identifier that is none": (r'modelIdentifier="[^"]*"', 'modelIdentifier="a b"'),
+    "an index of no variable": (r'<Unknown index="[0-9]+"', '<Unknown index="0"'),
+    "an index beyond the variables": (r'<Unknown index="[0-9]+"', '<Unknown index="99999"'),
+    "two variables of one name": (r' name="tank.V"', ' name="p"'),
     "a name that turns letters": (r' name="p"', ' name="p\u202e"'),
     "entities in entities": (
         r"<fmiModelDescription",
@@ -73,6 +76,7 @@ NAMES = (
     "x" * 300,
     "a/" * 600 + "b",
     "a\x1bb",
+    "resources\\x",
 )
 
 
@@ -144,6 +148,9 @@ BINARIES = {
     "writes into all files": "for (int k = 0; k < 64; k++) for (int i = 3; i < 64; i++) write(i, text, sizeof text);",
     "writes to standard output": "for (int k = 0; k < 1000; k++) write(1, text, sizeof text);",
     "kills its parent": "kill(getppid(), 9);",
+    "stops its parent": "kill(getppid(), SIGSTOP); pause();",
+    "turns all files into the terminal": "for (int i = 0; i < 64; i++) if (i != 2) dup2(2, i);",
+    "floods the terminal": 'for (int i = 0; i < 100000; i++) write(2, "\\x1b[31mred\\n", 9); _exit(0);',
     "ends": "_exit(0);",
     "crashes": "*(volatile int *)0 = 1;",
 }
@@ -157,7 +164,9 @@ BINARIES = {
     ],
 )
 @pytest.mark.skipif(not sys.platform.startswith("linux"), reason="signals and limits of Linux")
-def test_binaries_that_take_what_they_find(fmu: Path, tmp_path: Path, name: str) -> None:
+def test_binaries_that_take_what_they_find(
+    fmu: Path, tmp_path: Path, name: str, capfd: pytest.CaptureFixture[str]
+) -> None:
     """The harm is done when the library is loaded; the study goes on and says what happened."""
     code = (
         "#define _GNU_SOURCE\n#include <stdlib.h>\n#include <string.h>\n#include <unistd.h>\n#include <signal.h>\n"
@@ -177,6 +186,7 @@ def test_binaries_that_take_what_they_find(fmu: Path, tmp_path: Path, name: str)
     ):
         simulator.run([0.0, 1.0])
     assert str(caught.value).isprintable() and "evil.fmu" in str(caught.value)
+    assert capfd.readouterr().err.replace("\n", "").isprintable()
     left = (
         subprocess.run(["ps", "-eo", "args"], capture_output=True, text=True).stdout
         if Path("/bin/ps").exists()

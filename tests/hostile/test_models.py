@@ -28,6 +28,8 @@ LONG = (
     "arrays of arrays",
     "elseif 3000",
     "too many unknowns",
+    "a product of four matrices of unknowns",
+    "a dense loop of 100 unknowns",
 )  # a second and more each
 
 
@@ -61,6 +63,13 @@ def test_few_of_them_can_be_compiled_after_all(outcomes: dict[str, dict[str, Any
         name for name in REFUSED if name in outcomes and outcomes[name]["end"] == "compiled"
     }
     assert compiled <= {"annotation 5000 deep", "String of an array", "redeclared by itself"}
+
+
+def test_equations_that_do_not_determine_are_named(outcomes: dict[str, dict[str, Any]]) -> None:
+    told = [outcome["message"] for name, outcome in outcomes.items() if "same" in name]
+    assert len(told) == 3
+    for message in told:
+        assert "no equation determines 'z', 'x'" in message and ".mo:" in message
 
 
 @pytest.mark.parametrize("name", quick_but(TAKEN, LONG))

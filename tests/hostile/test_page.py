@@ -4,10 +4,16 @@ from __future__ import annotations
 
 import asyncio
 import json
+import socket
+import time
 from collections.abc import Iterator
+from contextlib import ExitStack
 from pathlib import Path
+from threading import Thread
 from typing import Any
+from urllib.parse import urlsplit
 
+import httpx
 import pytest
 
 pytest.importorskip("starlette", reason="the extra 'workbench' is not installed")
@@ -96,6 +102,49 @@ def test_a_window_that_never_reads_is_given_up(workbench: Workbench, size: int, 
 
     count, letters = asyncio.run(told())
     assert count <= server.MOST_WAITING and letters <= server.MOST_WAITING_LETTERS
+
+
+def test_cookies_of_others_lock_nobody_out(client: TestClient) -> None:
+    (own,) = client.cookies.items()
+    for odd in ("a b=c", 'x="', "=;;=", "\u00e9=1", "{}", "a=b=c; ,"):
+        cookie = f"{odd}; {own[0]}={own[1]}; {odd}"
+        assert client.get("/", headers={"Cookie": cookie.encode()}).status_code == 200, odd
+
+
+def test_stalled_uploads_and_connections_are_given_up(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """More connections that ask for nothing than a process may have files, and uploads that never end."""
+    monkeypatch.setattr(server, "STALLED", 2.0)
+    told: list[str] = []
+    serving = Thread(
+        target=lambda: server.serve(tmp_path / "rig", browser=False, tell=told.append), daemon=True
+    )
+    serving.start()
+    end = time.monotonic() + PATIENCE
+    while len(told) < 2 and time.monotonic() < end:
+        time.sleep(0.05)
+    address = told[0].split()[-1]
+    place = urlsplit(address)
+    assert place.port
+    with ExitStack() as opened:
+        page = opened.enter_context(httpx.Client(follow_redirects=True, timeout=PATIENCE))
+        assert page.get(address).status_code == 200
+        (cookie,) = [f"{n}={v}" for n, v in page.cookies.items()]
+        head = f"POST /drop?name=a.csv HTTP/1.1\r\nHost: {place.netloc}\r\nOrigin: http://{place.netloc}\r\n"
+        head += f"Cookie: {cookie}\r\nContent-Length: 100\r\n\r\ntime"
+        for text in [head] * 3 + ["", "GET / HT"] * 20:
+            one = opened.enter_context(socket.create_connection(("127.0.0.1", place.port)))
+            one.sendall(text.encode())
+            last = one
+        assert page.get(f"http://{place.netloc}/").status_code == 200
+        sent = page.post(
+            f"http://{place.netloc}/drop?name=b.csv", content=b"time [s],p [kPa]\n0,1\n",
+            headers={"Origin": f"http://{place.netloc}"},
+        )  # fmt: skip
+        assert sent.status_code == 200 and sent.json() == {"files": ["b.csv"]}
+        last.settimeout(PATIENCE)
+        assert last.recv(100) == b""
 
 
 def test_frames_that_are_no_text(client: TestClient) -> None:

@@ -35,7 +35,7 @@ from tests.library.shelf import BENCH, effects, on_bench
 
 ROOT = Path(__file__).parents[2]
 RESULTS = Path(__file__).with_name("family_shares.json")
-PAGE = ROOT / "docs" / "families.md"
+PAGE = ROOT / "benchmarks" / "families" / "README.md"
 BEGIN, END = "<!-- shares: begin -->", "<!-- shares: end -->"
 ENOUGH = 0.02  # share of squared error left
 LEAST_SIZE = 0.1  # standard deviations; less is nothing to take away

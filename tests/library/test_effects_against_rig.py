@@ -37,7 +37,7 @@ SAME = {
     "dead_volume:constant": ("DeadVolume", {"V_d": 1e-5}),
     "gas_energy:film": ("EnergyGas", {"h": 20}),
     "wall_heat:lumped": ("WarmWall", {"C": 0.4, "G": 0.02}),
-    "friction_heat:share": ("FrictionHeat", {"share": 1}),
+    "friction_heat:share": ("FrictionHeat", {"eta": 1}),
     "thermocouple_lag:first_order": ("ThermocoupleLag", {"tau": 0.15}),
     "pressure_offset:constant": ("PressureOffset", {"offset": 5e3}),
     "pressure_offset:gain": ("PressureGain", {"gain": 1.05}),

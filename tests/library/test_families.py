@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.catalogue import effect_classes
+from pam_cosim.catalogue import EffectClass, effect_classes
 from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
@@ -53,32 +53,55 @@ def test_an_effect_of_ones_own_joins_a_family_by_its_member(tmp_path: Path) -> N
     assert (own.family, own.balance, own.parameters) == ("rate_friction", "force", ("c",))
 
 
-TYPICAL = """model Drag "A drag"
-  extends {family}.FamilyMember(final absent="c=0");
+ANNOTATED = """model Drag "A drag"
+  extends PneumaticMuscle.Effects.RateFriction.FamilyMember(final absent="c=0, d=0");
   parameter Real c(min=0, max=10) = 1 "Drag"
-    annotation (Dialog(group="Effect"), __PamCosim(typical={range}));
+    annotation (Dialog(group="Effect"), __PamCosim({entry}));
+  parameter Real d(min=0, max=10) = 1 "Drag";
 equation
   f = c*v;
 end Drag;
 """
 
 
-def test_an_effect_says_what_is_typical_of_its_parameters(tmp_path: Path) -> None:
-    file = tmp_path / "Drag.mo"
-    file.write_text(
-        TYPICAL.replace("{family}", f"{EFFECTS}.RateFriction").replace("{range}", "{-0.5, 2}")
-    )
-    (own,) = (e for e in effect_classes(read_library(files=[file])) if e.name == "Drag")
-    assert own.typical == {"c": (-0.5, 2.0)}
+def annotated(entry: str, folder: Path) -> EffectClass:
+    file = folder / "Drag.mo"
+    file.write_text(ANNOTATED.replace("{entry}", entry))
+    return next(e for e in effect_classes(read_library(files=[file])) if e.name == "Drag")
 
 
-@pytest.mark.parametrize("text", ["{2, 1}", "{1}", "0.5", "{0.5, k}"])
-def test_what_is_no_typical_range_is_named_with_its_place(text: str, tmp_path: Path) -> None:
-    file = tmp_path / "Drag.mo"
-    file.write_text(TYPICAL.replace("{family}", f"{EFFECTS}.RateFriction").replace("{range}", text))
-    with pytest.raises(ModelError, match="typical of c wants two numbers in braces") as caught:
-        effect_classes(read_library(files=[file]))
-    assert (caught.value.file, caught.value.line) == (file, 3)
+@pytest.mark.parametrize(
+    ("entry", "field", "value"),
+    [
+        ("typical={-0.5, 2}", "typical", (-0.5, 2.0)),
+        ('at_min="", at_max="ViscousFriction"', "simpler", ("", "ViscousFriction")),
+        ('at_max="ViscousFriction"', "simpler", (None, "ViscousFriction")),
+        ('above="x"', "limits", ("above", "x")),
+        ('below="p"', "limits", ("below", "p")),
+    ],
+)
+def test_an_effect_says_of_its_parameters_what_is_known_of_them(
+    entry: str, field: str, value: object, tmp_path: Path
+) -> None:
+    assert getattr(annotated(entry, tmp_path), field) == {"c": value}
+
+
+@pytest.mark.parametrize(
+    ("entry", "said"),
+    [
+        *((f"typical={text}", "typical of c wants two numbers in braces")
+          for text in ("{2, 1}", "{1}", "0.5", "{0.5, k}", '"0.5"')),
+        ("at_min={0.5}", "at_min of c wants the name of an effect in quotes"),
+        ("above=x", "above of c wants the name of a signal in quotes"),
+        ('at_max="Nothing"', "at_max of c names Nothing, which is no effect of PneumaticMuscle"),
+    ],
+)  # fmt: skip
+def test_what_is_annotated_wrongly_is_named_with_its_place(
+    entry: str, said: str, tmp_path: Path
+) -> None:
+    with pytest.raises(ModelError, match=said) as caught:
+        annotated(entry, tmp_path)
+    assert (caught.value.file, caught.value.line) == (tmp_path / "Drag.mo", 3)
 
 
 def test_a_class_that_has_moved_is_named_with_its_place(tmp_path: Path) -> None:

@@ -527,7 +527,7 @@ def test_drive_spans(name: str) -> None:
 # Laws of the independent rig: what is left of them in the readings, in standard deviations of the noise.
 
 NEAR = {
-    "falling friction": {"F_0": 8.0, "F_p": 0.1, "d": 3e-4, "share": 0.1, "rise": 0.3},
+    "falling friction": {"F_0": 8.0, "F_p": 0.1, "d": 3e-4, "w_1": 0.1, "rise": 0.3},
     "throttled chamber": {"V": 3e-5, "G": 1e-9},
 }
 """Where a fit begins, if not at the start values: a diagnosis tries ten times more and less of each."""

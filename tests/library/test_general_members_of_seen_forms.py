@@ -19,7 +19,14 @@ LESS_WELL = {"flushed_probe": 0.1}
 """A thermometer in a stream that changes sides: not contained."""
 
 NEAR = {
-    "guard_tube": {"F_0": 0.5, "F_p": 0.5, "growth": 1.2, "bow": 0.2, "d": 4e-4, "at_once": 1.0}
+    "guard_tube": {
+        "F_0": 0.5,
+        "F_p": 0.5,
+        "growth": 1.2,
+        "curvature": 0.2,
+        "d": 4e-4,
+        "n_direct": 1.0,
+    }
 }
 """Where the fit of a friction that is not there below a contraction begins; from elsewhere it ends at 0.1 and more."""
 

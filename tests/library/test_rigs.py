@@ -432,7 +432,7 @@ def test_signals_are_read_in_the_order_asked_for() -> None:
         (("regulator", "spring", None, "p,q"), "no signal 'q'"),
         (("regulator", "spring", None, "x_1"), "no signal 'x_1' to measure; Known: F, x, p, T"),
         (("imposed-pressure", "spring", None, "p"), "'p' is imposed with imposed-pressure"),
-        (("imposed-pressure", "spring", None, " , "), "measures nothing"),
+        (("imposed-pressure", "spring", None, " , "), "no signal is measured"),
     ],
 )
 def test_a_bad_choice_is_said(words: tuple[str, ...], said: str) -> None:

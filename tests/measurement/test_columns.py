@@ -167,7 +167,7 @@ def test_a_column_that_nobody_knows_says_what_to_do(lab):
 def test_the_documents_examples_are_valid(tmp_path):
     page = (Path(__file__).parents[2] / "docs/data-sets.md").read_text(encoding="utf-8")
     blocks = re.findall(r"```toml\n(.*?)```", page, re.DOTALL)
-    assert len(blocks) == 6
+    assert len(blocks) == 8
     for block in blocks:
         file = tmp_path / "experiment.toml"
         file.write_text(
@@ -217,7 +217,7 @@ def test_no_column_is_left(lab, interval: str) -> None:
 
 def test_no_row_is_left(lab) -> None:
     text = "time [s],u_in [A],p [kPa]\n0,-,1\n1,-,2\n"
-    with pytest.raises(InputError, match="no row has all that is needed: time, u_in"):
+    with pytest.raises(InputError, match="no row has values in all required columns: time, u_in"):
         read_data_set(lab(f'{HEAD}[recording]\nmissing = ["-"]\n{RUN}', text), describe)
 
 
@@ -267,7 +267,7 @@ def test_a_formula_that_is_nowhere_a_number(lab) -> None:
     columns = "[columns]\neps = { formula = 'log(-abs(U) / \"1 V\")' }\n"
     folder = lab(HEAD + columns + RUN, LOG)
     with pytest.raises(
-        InputError, match="column 'eps': the formula gives a finite number in no row"
+        InputError, match="column 'eps': the formula has no finite value in any row"
     ) as caught:
         read_data_set(folder, describe)
     assert (caught.value.file, caught.value.line) == (folder / "experiment.toml", 3)

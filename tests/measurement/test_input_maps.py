@@ -137,7 +137,7 @@ TEXT = f'model = "{MODEL}"\n[columns]\n%s\n[[runs]]\nfile = "a.csv"\n%s'
         ('u_in = { gain = "0 A/V", fit = true }', "", "must not be zero"),
         ('u_in = { gain = "2 A/V", offset = "2 V", fit = true }', "", "offset: unit 'V' cannot be converted"),
         ("", "[runs.columns]\nu_in = { fit = true }\n", "state it under .columns."),
-        ('u_in = { gain = "2 A/V", fit = true }', "", "an FMU takes no parameters in its place"),
+        ('u_in = { gain = "2 A/V", fit = true }', "", "an FMU has no parameters for it"),
         ('u_in = { column = "u_in", offset = "2 V" }', "", "column 'u_in': offset"),
         ('u_in = { fit = "slope" }', "", "slope. is not possible; write true, false, 'gain' or 'offset'"),
     ],

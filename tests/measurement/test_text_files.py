@@ -253,7 +253,7 @@ def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) 
             "time [s],p [kPa]",
             1,
             1,
-            "header_line and units_line are both 1; where units stand beside",
+            "header_line and units_line are both 1; where units stand next to",
         ),
     ],
 )

@@ -9,8 +9,10 @@ from pathlib import Path
 
 import pytest
 
+from pam_cosim import study
 from pam_cosim.resources import modelica_root
 from tests.library.shelf import BENCH, benches, composed, effects, tree
+from tests.library.test_effects_in_series import SIX
 from tests.openmodelica.compiler import OMC, WHY_NOT
 
 pytestmark = pytest.mark.skipif(OMC is None, reason=WHY_NOT)
@@ -88,6 +90,15 @@ def test_every_composition(everywhere: bool, tmp_path: Path) -> None:
     (tmp_path / "Composed.mo").write_text("\n".join(texts.values()))
     answers = checked(list(texts), [tmp_path / "Composed.mo"], tmp_path)
     assert len(answers) == len(texts) >= len(effects())
+    assert refused(answers) == {}
+
+
+def test_effects_in_series(tmp_path: Path) -> None:
+    """In a bench, and once more in what came of it."""
+    first, further = tmp_path / "First.mo", tmp_path / "Further.mo"
+    study.add(SIX, "Isotonic", first)
+    study.add(["PositionFloor", "PressureGain"], str(first), further)
+    answers = checked(["First", "Further"], [further], tmp_path)
     assert refused(answers) == {}
 
 

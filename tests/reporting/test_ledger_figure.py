@@ -20,7 +20,7 @@ def _ledger(places: bool = True) -> Ledger:
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
     course = TermSeries("run-01", "fit", t, 200 * x, np.full_like(t, 0.3), against)
     force = BalanceEntry(
-        "force", 100.0, 0.9, 0.75, "N", "Missing force", "f", (course,), {"x": "m", "v": "m/s", "p_gauge": "Pa"}
+        "force", 100.0, 0.9, 0.75, "N", "Missing force", (course,), {"x": "m", "v": "m/s", "p_gauge": "Pa"}
     )  # fmt: skip
     entries = (
         force if places else BalanceEntry("force", 100.0, 0.9, 0.75),

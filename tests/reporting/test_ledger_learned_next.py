@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.diagnosis import LearnedModel, NextExperiment
+from pam_cosim.diagnosis.description.explanation import disagreement
 from pam_cosim.diagnosis.description.learning import LearnedTerm
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
@@ -45,7 +46,7 @@ def make_ledger(
     against = {"x": x, "v": 0.02 * np.cos(t), "p_gauge": 1e5 + 1e4 * np.cos(t)}
     course = TermSeries("run-1", "fit", t, np.full_like(t, -4.0), np.full_like(t, 0.3), against)
     units = {"x": "m", "v": "m/s", "p_gauge": "Pa"}
-    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", "f", (course,), units,
+    force = BalanceEntry("force", 100.0, 0.9, 0.75, "N", "what pulls the load down", (course,), units,
                   note="known but for friction", same_as=("mass",))  # fmt: skip
     entries = (
         force,
@@ -58,7 +59,7 @@ def make_ledger(
 
 def make_learned(data):
     term = LearnedTerm("LearnedForce", "force", "missing force = 5.1 N (exp(x/(40 mm)) - 1)",
-                       "model LearnedForce\nend LearnedForce;\n", "N", (), 0.97, 0.98, {})  # fmt: skip
+                       "model LearnedForce\nend LearnedForce;\n", "N", 0.97, 0.98)  # fmt: skip
     return LearnedModel(term, make_candidate(data, "LearnedForce", "learned", "force", 0.5))
 
 
@@ -101,13 +102,31 @@ def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
 @pytest.mark.usefixtures("without_pictures")
 def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
     diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
-    text = checked(diagnosis_report(diagnosis)).text
     assert (
-        "The effects that were added act in the force balance; a free term in the mass balance explains"
-        in text
+        "The ledger disagrees: a free term in the mass balance explains" in diagnosis.disagreement
     )
-    agreed = checked(diagnosis_report(make_diagnosis("identified", ledger=make_ledger()))).text
-    assert "act in the force balance" not in agreed
+    assert diagnosis.as_dict()["disagreement"] == diagnosis.disagreement
+    for shown in (checked(diagnosis_report(diagnosis)).text, diagnosis_text(diagnosis)):
+        assert diagnosis.disagreement in shown
+    agreed = make_diagnosis("identified", ledger=make_ledger())
+    assert not agreed.disagreement and "disagrees" not in checked(diagnosis_report(agreed)).text
+
+
+@pytest.mark.parametrize(
+    ("balance", "failing", "said"),
+    [
+        ("force", ("force",), ""),
+        ("force", (), ""),
+        ("mass", ("force",), ""),  # in this model a force term does the same
+        ("energy", ("force",), "The ledger disagrees: a free term in the force balance"),
+        ("energy", ("force", "energy"), ""),
+        ("sensor", ("force",), "The ledger has no instruments and no stated values"),
+    ],
+)
+def test_a_verdict_says_where_the_ledger_fails_elsewhere(balance, failing, said):
+    candidate = make_candidate(make_data(), "Own", "own", balance, 1.0)
+    sentence = disagreement((candidate,), make_ledger(failing=failing))
+    assert sentence.startswith(said) and bool(sentence) == bool(said)
 
 
 @pytest.mark.full
@@ -117,7 +136,9 @@ def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
     page = checked(diagnosis_report(diagnosis))  # with its pictures; what follows is about words
     request.getfixturevalue("without_pictures")
     assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
-    assert "explains 97 % of the mean square of the missing term of the force balance" in page.text
+    assert (
+        "This term of the force balance explains 97 % of the model's mean square error" in page.text
+    )
     assert "This is a description, not a cause" in page.text
     assert diagnosis.learned.term.modelica_source in "".join(page.texts)
     before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3

@@ -16,8 +16,8 @@ from pam_cosim.reporting import (
     write_report,
 )
 from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
-from pam_cosim.reporting.figures.course import course
 from pam_cosim.reporting.figures.ladder import draw_ladder
+from pam_cosim.reporting.figures.trajectory import trajectory_figure
 from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, new_figure
 from pam_cosim.simulation import Trajectory
@@ -41,7 +41,7 @@ def trajectory():
 
 
 def test_a_trajectory_has_one_panel_each_in_readable_units(tmp_path):
-    figure = course(trajectory())
+    figure = trajectory_figure(trajectory())
     assert [a.get_ylabel() for a in figure.axes] == ["p [kPa]", "x [mm]", "eps"]
     assert figure.axes[0].lines[0].get_ydata()[-1] == pytest.approx(500)
     plot_trajectory(trajectory(), tmp_path / "a.png")

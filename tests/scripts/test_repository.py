@@ -27,9 +27,9 @@ def git(folder: Path, *words: str) -> str:
 def root(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A checkout, as yet without a repository."""
     made = (tmp_path / "around" / "checkout").resolve()
-    (made / "docs").mkdir(parents=True)
+    (made / "tests").mkdir(parents=True)
     monkeypatch.setattr(repository, "ROOT", made)
-    monkeypatch.setattr(full_tests, "PAGE", made / "docs" / "full-tests.md")
+    monkeypatch.setattr(full_tests, "PAGE", made / "tests" / "full-tests.md")
     monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.resolve()))
     return made
 

@@ -38,7 +38,6 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Make:
             files: list[Path] = []
             if effects:
                 composition = compose(read_library(), model, list(effects), "Tested")
-                assert composition is not None
                 files = [tmp_path_factory.mktemp("models") / "Tested.mo"]
                 files[0].write_text(composition.text)
                 model = str(files[0])

@@ -218,7 +218,6 @@ def test_a_record_that_is_early_begins_where_its_first_samples_are(
 ) -> None:
     """Its first samples are of a time after the start: a pressure that fills quickly was extrapolated to 290 kPa."""
     early = compose(read_library(), "PneumaticMuscle.Benches.Isotonic", ["ClockOffset"])
-    assert early is not None
     (tmp_path / "early.mo").write_text(early.text)
     data_set = data(start="measured")
     with Simulator(build_model(str(tmp_path / "early.mo"))) as simulator:

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from pam_cosim.fitting import Free, fit
+from pam_cosim.fitting import FitOptions, FitProgress, Free, fit
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import Run
@@ -67,15 +67,27 @@ def test_a_fit_from_another_diameter_finds_both_swings(objective: Objective) -> 
     assert found.residuals["fit"].chi2_reduced < 1.2
 
 
+def test_no_first_samples_are_asked_once_a_limit_is_reached(objective: Objective) -> None:
+    before = Simulator.simulations
+    fit(objective.simulator, objective.data, FREE, fixed=TRUE, options=FitOptions(simulations=20))
+    assert Simulator.simulations - before < 100  # start values of two runs, once and for the result
+
+
 def test_a_fit_that_is_resumed_finds_them_too(objective: Objective, tmp_path: Path) -> None:
-    """Points that were asked before other starts were found have other answers than after."""
+    """Wherever it stops, also before other starts were found."""
     plain = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
-    kept = [
-        fit(objective.simulator, objective.data, FREE, fixed=TRUE, resume=tmp_path / "fit.json")
-        for _ in range(2)
-    ]
-    assert [one.values for one in kept] == [plain.values] * 2
-    assert kept[0].residuals["fit"] == plain.residuals["fit"]
+
+    def stop(standing: FitProgress) -> None:
+        if standing.evaluations == after:
+            raise InterruptedError
+
+    for after in (2, 7, 30):
+        file = tmp_path / f"{after}.progress"
+        with pytest.raises(InterruptedError):
+            fit(objective.simulator, objective.data, FREE, fixed=TRUE, resume=file, progress=stop)
+        kept = fit(objective.simulator, objective.data, FREE, fixed=TRUE, resume=file)
+        assert kept.values == plain.values and kept.evaluations == plain.evaluations
+        assert kept.residuals["fit"] == plain.residuals["fit"]
 
 
 def test_horizons_double(objective: Objective) -> None:

@@ -14,7 +14,7 @@ from pam_cosim import Diagnosis, study
 from pam_cosim.reporting.account.printed import diagnosis_text
 from tests.documentation.pages import absent, other_numbers, other_pictures, unsaid
 
-STORY = "stories/dzahir-yamamoto-friction.md"
+STORY = "stories.md#A friction that depends on load and frequency"
 RUN = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto" / "run.py"
 
 

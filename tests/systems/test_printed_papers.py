@@ -12,7 +12,7 @@ from pam_cosim import study
 from tests.documentation.pages import absent, unsaid
 from tests.systems.test_real_data import script
 
-STORY = "stories/doumit-pardoel-temperature.md"
+STORY = "stories.md#The temperature that a paper prints"
 
 
 @pytest.fixture(scope="module")

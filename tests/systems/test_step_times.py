@@ -65,7 +65,6 @@ def test_times_of_steps_come_back(tmp_path: Path) -> None:
     data, switched = _measured(tmp_path / "data", [effect_of("elasticity:linear")], length=6.0)
     subject = subject_of(data, None, (), 0, lambda message: None)
     composed = compose(subject.tree, subject.name, ["LinearBladder"])
-    assert composed is not None
     model = tmp_path / f"{composed.name}.mo"
     model.write_text(composed.text)
     before = study.fit(replace(subject.data, fit=data.fit | _free(composed.parameters)), str(model))

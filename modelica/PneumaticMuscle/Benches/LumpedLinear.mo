@@ -39,7 +39,7 @@ model LumpedLinear "Linear model of three states, pressure, length and its rate,
   parameter Types.Force F_0(min=0, max=1e5) = 0 "Pull at the operating point"
     annotation (Dialog(group="Operating point"));
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.GaugePressure P(start=p_0, fixed=dynamics == Types.Dynamics.FixedInitial) "Pressure";
   Types.Velocity v(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Rate of the length";

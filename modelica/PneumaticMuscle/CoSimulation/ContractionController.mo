@@ -14,7 +14,7 @@ model ContractionController "A proportional controller of the contraction with t
   parameter Types.Time tau(min=1e-4, max=10) = 0.02 "Time constant of the filter of the contraction"
     annotation (Dialog(group="Dynamics"));
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.Length x_filtered(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Contraction without noise";
 protected

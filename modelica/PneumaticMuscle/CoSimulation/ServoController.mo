@@ -21,7 +21,7 @@ model ServoController "A PID controller of the contraction that follows a moving
     annotation (Dialog(group="Dynamics"));
   parameter Types.Current u_max(min=0, max=1) = 0.35 "Largest current" annotation (Dialog(group="Dynamics"));
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.Length x_filtered(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Contraction behind the filter";
   Types.Length w_filtered(start=0, fixed=dynamics == Types.Dynamics.FixedInitial)

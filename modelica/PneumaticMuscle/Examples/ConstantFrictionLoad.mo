@@ -7,6 +7,6 @@ model ConstantFrictionLoad
 <p><a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DY</a>'s existing model, which cannot follow loops at
 several loads and frequencies at once.
 <a href=\"modelica://PneumaticMuscle.Effects.RateFriction.LoadFrequencyFriction\">LoadFrequencyFriction</a>
-makes it theirs, Fig. 6b; <code>docs/stories/dzahir-yamamoto-friction.md</code> finds it from data.</p>
+makes it theirs, Fig. 6b; <code>docs/stories.md</code> finds it from data.</p>
 </html>"));
 end ConstantFrictionLoad;

@@ -6,9 +6,9 @@ function wallForce "What a stiff wall takes of a cylinder's pull"
   input Types.Length L0 "Length at rest";
   input Types.Length D0 "Diameter of the sleeve at rest";
   input Real turns "Turns of a fibre";
-  input Types.GaugePressure p_0 "Gauge pressure from which the muscle pulls at full length";
-  input Types.Pressure p_w "Further pressure that the wall takes once it is bent open";
-  input Real eps_w "Contraction ratio over which it is bent open";
+  input Types.GaugePressure p_0 "Threshold pressure (gauge) at full length";
+  input Types.Pressure p_w "Pressure loss of the wall after it has bent open";
+  input Real eps_w "Contraction ratio over which the wall bends open";
   output Types.Force f "Force that opposes contraction";
 protected
   constant Types.Force F_smooth = 0.1 "Force over which the pull ends";

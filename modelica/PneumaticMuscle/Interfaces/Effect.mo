@@ -14,7 +14,10 @@ model again, exactly or in the limit: zero for a strength, one for a factor, a b
 takes the place of another and never equals it leaves it empty.</p>
 <p>The annotation <code>__PamCosim(typical={0.95, 1.05})</code> of a parameter states the range that holds it in 95 % of
 all rigs, with its source in the documentation of the class. It is a prior: normal, by order of magnitude where the
-bounds are positive and far apart. Other tools pass over it.</p>
+bounds are positive and far apart.</p>
+<p><code>__PamCosim(at_min=\"ViscousFriction\", at_max=\"LinearBladder\")</code> names the effect that is left where
+the parameter ends at its minimum or maximum; an empty text: none is left. <code>__PamCosim(above=\"x\")</code>, or
+<code>below</code>, says that the parameter lies above all that the signal x shows. Other tools pass over these.</p>
 <p><code>general</code> marks a member that bends in every direction its family has. It pays for its many parameters, so
 a law of few that leaves noise is preferred.</p>
 </html>"));

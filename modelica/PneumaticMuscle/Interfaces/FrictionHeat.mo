@@ -5,7 +5,7 @@ partial model FrictionHeat "What becomes of the work that friction dissipates in
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   input Types.Power P_fibre "Power of the friction of fibre on fibre";
   input Types.Power P_bladder "Power of the friction between fibres and bladder";
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>

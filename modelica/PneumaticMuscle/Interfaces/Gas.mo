@@ -16,7 +16,7 @@ partial model Gas "The gas in a volume: how pressure and temperature follow from
   parameter Types.CoefficientOfHeatTransfer h_film "Film coefficient that the owner assumes"
     annotation (Dialog(group="Heat"));
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.AbsolutePressure p(start=p_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Absolute pressure";
   Types.Temperature T "Temperature";

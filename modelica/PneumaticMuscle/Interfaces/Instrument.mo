@@ -1,7 +1,7 @@
 within PneumaticMuscle.Interfaces;
 partial model Instrument "An instrument of a rig: a transducer and its measuring channel"
   extends Icons.Sensor;
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>

@@ -5,7 +5,7 @@ partial model Line "What lies between the valves and the muscle or vessel"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   GasPort port_b "Muscle or vessel end"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>

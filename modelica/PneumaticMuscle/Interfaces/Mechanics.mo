@@ -5,7 +5,7 @@ partial model Mechanics "What holds the load ends of one or several muscles"
     annotation (Dialog(group="Start"));
   parameter Types.Length x_start "Contraction at which the muscle carries that force without pressure"
     annotation (Dialog(group="Start"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>

@@ -3,7 +3,7 @@ partial model Pneumatics "What feeds the gas port of a muscle"
   extends RigPart;
   GasPort port "Gas port of the muscle"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>

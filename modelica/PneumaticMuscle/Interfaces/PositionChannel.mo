@@ -6,7 +6,7 @@ partial model PositionChannel "From what a transducer of position gives to what 
   Interfaces.Signals.LengthOutput y "What is recorded"
     annotation (Placement(transformation(extent={{90,-10},{110,10}})));
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   annotation (Documentation(info="<html>
 <p>The measuring channel behind a transducer: amplifier, filter, converter. Left to the extending class: the equation of

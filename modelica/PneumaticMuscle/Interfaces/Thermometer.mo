@@ -5,7 +5,7 @@ partial model Thermometer "What the instrument makes of the gas temperature"
     annotation (Placement(transformation(extent={{-10,-110},{10,-90}})));
   input Types.MassFlowRate m_flow = 0 "Gas that flows past it";
   parameter Types.Temperature T_start "Reading at the start" annotation (Dialog(group="Start"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   Interfaces.Signals.TemperatureOutput T "Reading"

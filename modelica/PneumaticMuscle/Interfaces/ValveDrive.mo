@@ -3,7 +3,7 @@ partial model ValveDrive "From the commanded currents to the currents that the v
   extends Icons.Drive;
   input Types.Current u[2] "Commanded currents of the inlet and the exhaust valve";
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.Current y[2] "Currents that set the openings";
   annotation (Documentation(info="<html>

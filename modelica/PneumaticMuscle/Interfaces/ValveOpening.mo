@@ -4,7 +4,7 @@ partial model ValveOpening "From the areas that the currents set to those that t
   input Types.Area A_set[2]
     "Areas that the inlet and the exhaust valve have in the end, by their currents and pressures";
   parameter Types.Dynamics dynamics = Types.Dynamics.FixedInitial
-    "How it begins: fixed, at rest, or as nothing else says"
+    "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.Area A[2] "Effective areas at this moment";
   annotation (Documentation(info="<html>

@@ -9,7 +9,7 @@ partial model Wall "What stands between the gas and what is outside"
   input Types.CoefficientOfHeatTransfer h_film "Film coefficient";
   parameter Types.ThermalConductivity k "Thermal conductivity" annotation (Dialog(group="Heat"));
   parameter Types.Length t "Thickness" annotation (Dialog(group="Geometry"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   annotation (Documentation(info="<html>

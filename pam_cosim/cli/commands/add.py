@@ -54,9 +54,7 @@ def add(
     if bool(effects) == bool(origin):
         raise InputError("name effects, or a result with --from FILE; one of the two")
     if learned and (origin is None or origin.suffix != ".npz"):
-        raise InputError(
-            "--learned is of a diagnosis that 'diagnose --save' kept: name it with --from FILE.npz"
-        )
+        raise InputError("--learned needs a saved diagnosis: name it with --from FILE.npz")
     if origin is None and to is None:
         raise InputError("name the model that the effects are added to: --to MODEL")
     check_model_file(output)
@@ -74,9 +72,7 @@ def add(
 
 def _say_left_out(origin: Path) -> None:
     """Says which values are factors on what a data set states, where the file does not say what that was."""
-    left = read_fitted_model(origin).left_out
-    if left:
-        note = (
-            f"{origin}: {listed(left)}: of the data and not of the model, which is written without"
-        )
+    values_left_out = read_fitted_model(origin).left_out
+    if values_left_out:
+        note = f"{origin}: {listed(values_left_out)}: of the data and not of the model, which is written without"
         typer.echo(note, err=True)

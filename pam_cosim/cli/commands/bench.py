@@ -46,18 +46,16 @@ def bench(
     """Write the bench of a rig, put together from parts, as readable Modelica."""
     if listing:
         if static or any(
-            one is not None for one in (pneumatics, mechanics, muscle, measure, output)
+            option is not None for option in (pneumatics, mechanics, muscle, measure, output)
         ):
             raise InputError(
-                "--list says what parts there are and writes no bench: leave out what is beside it"
+                "--list prints the parts and writes no bench: leave out the other options"
             )
         return _list(study.rig_parts(files or []))
     if pneumatics is None or mechanics is None or output is None:
         needed = {"--pneumatics": pneumatics, "--mechanics": mechanics, "-o FILE.mo": output}
         missing = " and ".join(name for name, value in needed.items() if value is None)
-        raise InputError(
-            f"a bench needs {missing}; 'pam-cosim bench --list' says what parts there are"
-        )
+        raise InputError(f"a bench needs {missing}; 'pam-cosim bench --list' lists the parts")
     check_model_file(output)
     check_results(output, sources=files or [])
     typer.echo(

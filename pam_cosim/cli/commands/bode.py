@@ -50,7 +50,7 @@ def bode(
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
-    """Frequency response of a model by sines, beside that of its linear model."""
+    """Frequency response of a model by sines, compared with its linear model."""
     check_results(json=json, tables=[output], pictures=[plot], sources=[model], files=files)
     point = parse_point([at])
     if isinstance(point, list):

@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     from pam_cosim.problems import Problem
 
 PARAMETERS = (".json", ".ssv")  # endings of results
-PROGRESS = (".progress", ".json")
+PROGRESS = (".progress",)
 INTERRUPTED = 130  # as shells have it for a command that Ctrl-C ended
 results: dict[Path, object] = {}  # files that the command is to write, and what was there before
 remarks: list[Callable[[], str]] = []  # what else an interrupted command has to say
@@ -133,7 +133,7 @@ TimeoutOption = Annotated[
 ]
 KeepOption = Annotated[
     list[str] | None,
-    typer.Option("--keep", help="A variable to keep beside the model's outputs; may be repeated."),
+    typer.Option("--keep", help="Also record this variable; may be repeated."),
 ]
 Data = Annotated[
     Path, typer.Argument(help="Folder of a data set, or what 'diagnose --save' wrote.")
@@ -161,9 +161,9 @@ def progress_bar(what: str, *columns: str) -> Iterator[Callable[[float, float], 
         return
     from rich import progress
 
-    further = [getattr(progress, f"{column}Column")() for column in columns]
+    extra_columns = [getattr(progress, f"{column}Column")() for column in columns]
     with progress.Progress(
-        progress.TextColumn(what), progress.BarColumn(), *further, console=console()
+        progress.TextColumn(what), progress.BarColumn(), *extra_columns, console=console()
     ) as bar:
         task = bar.add_task(what, total=None)
         yield lambda done, total: bar.update(task, completed=done, total=total)
@@ -225,7 +225,8 @@ def read_data(
         cuts=parse_cuts(cuts or []),
         starts=parse_pairs(begins),
     )
-    check_spared(results, [data, read.model, *read.files])
+    saved = data.glob("workbench*") if data.is_dir() else ()  # a study, by the workbench
+    check_spared(results, [data, read.model, *read.files, *saved])
     return read
 
 

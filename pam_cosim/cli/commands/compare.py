@@ -97,8 +97,8 @@ def _write(
     comparison: Comparison, tables: Sequence[ConditionTable], json: Path | None, report: Path | None
 ) -> None:
     if json:
-        further = {"tables": [one.as_dict() for one in tables]} if tables else {}
-        write_json(json, comparison.as_dict() | further)
+        extra_content = {"tables": [table.as_dict() for table in tables]} if tables else {}
+        write_json(json, comparison.as_dict() | extra_content)
     if report:
         reporting.write_report(report, reporting.comparison_report(comparison))
     say_written(json, report)

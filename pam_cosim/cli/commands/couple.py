@@ -91,7 +91,7 @@ def couple(
 ) -> None:
     """Several FMUs, coupled."""
     if ssp_version is not None and ssp is None:
-        raise InputError("--ssp-version is of the archive that --ssp FILE writes; name one")
+        raise InputError("--ssp-version needs --ssp FILE")
     files, controllers = files or [], controllers or []
     check_results(
         ssp,
@@ -103,7 +103,7 @@ def couple(
     acting = _by_name("--sample", map(_sample, samples or []))
     read = coupling.read_system(system, made, files=files, timeout=timeout)
     read = read.having(parse_pairs(settings)).sampling(acting)
-    course = read_inputs(inputs, read.interface) if inputs else None
+    input_series = read_inputs(inputs, read.interface) if inputs else None
     options: dict[str, Any] = {"method": method, "extrapolation": extrapolation, "loops": loops}
     if ssp:
         coupling.write_system(read, ssp, ssp=ssp_version or "1.0", connectors=not no_connectors)
@@ -114,7 +114,7 @@ def couple(
                 stop_time,
                 step=step,
                 tolerance=_ADAPTIVE if adaptive and tolerance is None else tolerance,
-                inputs=course,
+                inputs=input_series,
                 outputs=keep or [],
                 progress=progress,
                 **options,

@@ -13,14 +13,14 @@ from pam_cosim.simulation import models
 def describe(
     model: ModelArgument,
     files: FilesOption = None,
-    every: Annotated[
+    show_all: Annotated[
         bool, typer.Option("--all", help="Also every variable inside, which --keep can keep.")
     ] = False,
 ) -> None:
     """Inputs, outputs and parameters of a model, with units, defaults and ranges."""
     interface = models.describe(model, files or [])
     typer.echo(str(interface))
-    if every:
+    if show_all:
         typer.echo("variables inside:")
         for variable in interface.locals.values():
             typer.echo(

@@ -158,9 +158,9 @@ def _say_model(
     changes = diagnosis.changes_of_data
     if changes and save is not None:
         data, changes = save, ()
-    further = "".join(f" --file {quote(str(file))}" for file in files)
+    file_options = "".join(f" --file {quote(str(file))}" for file in files)
     lines = [
-        f"compare it: pam-cosim compare {quote(str(data))} --model {quote(str(output))}{further}",
+        f"compare it: pam-cosim compare {quote(str(data))} --model {quote(str(output))}{file_options}",
         *(f"  the verdict's numbers differ: {change}" for change in changes),
     ]
     if changes:

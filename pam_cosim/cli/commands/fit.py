@@ -68,7 +68,7 @@ def fit(
     resume: Annotated[
         Path | None,
         typer.Option(
-            help="Keep every simulation's outcome here; the same command goes on where it was interrupted."
+            help="Keep every simulation here; the same command goes on where it was interrupted."
         ),
     ] = None,
     settings: SetOption = None,
@@ -87,7 +87,7 @@ def fit(
         check_parameter_file(output)
         check_ending(output, "parameters are written as JSON or SSV", PARAMETERS)
     if resume:
-        check_ending(resume, "the outcomes of simulations are kept as text", PROGRESS)
+        check_ending(resume, "the simulations are kept in a format of their own", PROGRESS)
     check_results(output, resume, json=json, pictures=[plot, profile], sources=[model], files=files)
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, start, params, values)

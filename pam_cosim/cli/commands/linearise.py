@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim import study
-from pam_cosim.analysis import LinearCourse
+from pam_cosim.analysis import LinearModels
 from pam_cosim.cli.arguments import parse_pairs, parse_point
 from pam_cosim.cli.commands.common import (
     FilesOption,
@@ -41,7 +41,7 @@ def linearise(
         ),
     ] = None,
     settings: SetOption = None,
-    course: Annotated[
+    input_file: Annotated[
         Path | None, typer.Option("--input", help="CSV with input columns, for a time of a run.")
     ] = None,
     by: Annotated[
@@ -63,10 +63,14 @@ def linearise(
     timeout: TimeoutOption = None,
 ) -> None:
     """A, B, C and D of a model about a state, a rest or times of a run."""
-    check_results(json=json, tables=[output], pictures=[plot], sources=[model, course], files=files)
+    check_results(
+        json=json, tables=[output], pictures=[plot], sources=[model, input_file], files=files
+    )
     parameters = parse_pairs(settings)
     inputs = (
-        read_inputs(course, dynamics.exchange(model, files or []).interface) if course else None
+        read_inputs(input_file, dynamics.exchange(model, files or []).interface)
+        if input_file
+        else None
     )
     point = parse_point(at or ["rest"])
     if isinstance(point, list) and len(point) > 1:
@@ -77,7 +81,7 @@ def linearise(
         )
         _tell(along, json, plot)
     else:
-        one = dynamics.linearise(
+        linear = dynamics.linearise(
             model,
             parameters,
             at=point[0] if isinstance(point, list) else point,
@@ -87,10 +91,10 @@ def linearise(
             files=files or [],
             timeout=timeout,
         ).select(by, None, states)
-        tell_and_write(one, output, json, plot)
+        tell_and_write(linear, output, json, plot)
 
 
-def _tell(along: LinearCourse, json: Path | None, plot: Path | None) -> None:
+def _tell(along: LinearModels, json: Path | None, plot: Path | None) -> None:
     """Prints the models along a run, and writes them as JSON and as a picture where a file is given."""
     typer.echo(str(along))
     if json:

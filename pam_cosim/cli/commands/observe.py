@@ -93,6 +93,6 @@ def _two(name: str, text: str) -> tuple[str, str]:
     parts = [part.strip() for part in text.split(",")]
     if len(parts) != 2 or not all(parts):
         raise InputError(
-            f"'{name}={text}': write how uncertain it is at first and its change in 1 s: '5 N,20 N'"
+            f"'{name}={text}': write its initial standard deviation and its change in 1 s: '5 N,20 N'"
         )
     return parts[0], parts[1]

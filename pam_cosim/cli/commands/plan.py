@@ -118,13 +118,13 @@ def _diagnosis(
 ) -> Diagnosis:
     """The saved diagnosis, or that of a data set, which takes its time: what is wrong is found before."""
     if source.suffix.lower() == ".npz":
-        found = study.load(source)
-        if not isinstance(found, Diagnosis):
+        loaded = study.load(source)
+        if not isinstance(loaded, Diagnosis):
             raise InputError(
-                f"a {type(found).__name__} leaves no rivals: name what 'diagnose --save' wrote",
+                f"a {type(loaded).__name__} has no competing models: name a file of 'diagnose --save'",
                 source,
             )
-        return found
+        return loaded
     data = read_data(source, model, files)
     check(data)
     with console().status("refitting the base model") as status:

@@ -37,7 +37,7 @@ def predict(
     inputs: InputOption = None,
     settings: SetOption = None,
     run: Annotated[
-        str | None, typer.Option(help="A recorded run instead, with its readings beside the bands.")
+        str | None, typer.Option(help="A recorded run instead, with its readings in the bands.")
     ] = None,
     stop_time: Annotated[
         str | None, typer.Option(help="End of the run, such as 20 or '2 min'; in s.")
@@ -55,7 +55,7 @@ def predict(
     discrepancy: Annotated[
         bool,
         typer.Option(
-            help="Add to the bands of readings what the model is off by beside the noise: sd in the signal's unit, "
+            help="Add to the bands of readings the model error: sd in the signal's unit, "
             "memory in s, estimated from held-out runs, else from fitted ones."
         ),
     ] = True,
@@ -96,9 +96,9 @@ def _fitted(source: Path, model: str | None, files: list[Path] | None) -> Fit | 
         data = read_data(source, model, files)
         with console().status("fitting"):
             return study.fit(data, model, files=files or [])
-    found = study.load(source)
-    if not isinstance(found, Fit | Diagnosis):
+    loaded = study.load(source)
+    if not isinstance(loaded, Fit | Diagnosis):
         raise InputError(
-            f"a {type(found).__name__} has no fitted parameters: name a diagnosis or a fit", source
+            f"a {type(loaded).__name__} has no fitted parameters: name a diagnosis or a fit", source
         )
-    return found
+    return loaded

@@ -2,26 +2,25 @@
 
 from __future__ import annotations
 
-import tempfile
 from collections.abc import Sequence
 from dataclasses import dataclass
-from pathlib import Path
 
-from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, refitted, try_learned
-from pam_cosim.diagnosis.description.learning_direct import (
-    RESIDUALS,
-    learn_directly,
-    with_coefficients,
-)
+from pam_cosim.diagnosis.description.learning import LearnedTerm, learn, try_learned
 from pam_cosim.diagnosis.judgement.candidate import Candidate, FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import rank
+from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.errors import InputError
-from pam_cosim.fitting import Fit
+from pam_cosim.fitting import Fit, FitOptions
 from pam_cosim.ledger import Ledger, keep_ledger
+from pam_cosim.wording import enumeration, words
 
-_FACTORS = (1.0, 0.1)  # on the spline of first order; a model may break down with all of it
+INSTRUMENT = "sensor"
+"""The balance of effects that act in none: on an instrument, or on a value that a data set states."""
+
+_PARTS = (1.0, 0.1)  # on the spline of first order; a model may break down with all of it
+_PART = 0.1  # of the simulations of the search, which a formula may take at most
 
 
 @dataclass(frozen=True)
@@ -34,80 +33,102 @@ class LearnedModel:
     model: Candidate
 
 
-def ledger_of(search: Search, effects: Sequence[str], present: Fit) -> Ledger | None:
-    """The ledger of the model with these effects; None where it has no balances to open."""
+def ledger_of(search: Search, present: Fit) -> Ledger | None:
+    """The ledger of the base model; None where it has no balances to open, or the search's time is over."""
     try:
-        values = present.values_and_starts
         return keep_ledger(
-            search.data, values, search.model, effects=effects, files=search.files, tree=search.tree
+            search.data,
+            present.values_and_starts,
+            search.model,
+            files=search.files,
+            tree=search.tree,
+            deadline=search.effort.deadline,
         )
     except (
         InputError,
         ArithmeticError,
+        TimeoutError,
         ValueError,
     ) as problem:  # numpy reports a singular system as a ValueError
         search.say(Remark(f"no ledger could be kept: {problem}").message)
         return None
 
 
-def learned_term(
-    search: Search, ledger: Ledger | None, effects: Sequence[str], present: Fit
+def described(
+    search: Search, ledger: Ledger | None, base: Fit, effects: Sequence[str], present: Fit
 ) -> LearnedModel | None:
-    """A formula for the missing term, and the model with it refitted; None where there is no term to describe."""
-    if ledger is None:
-        return None
-    try:
-        term = learn(ledger, search.tree)
-        if not term.terms:
-            why = f"nothing explains the {term.balance} term"
-            search.say(Remark(f"no formula could be found for what is missing: {why}").message)
-            return None
-        attempt = _fitted(search, term, effects, present)
-    except (InputError, ArithmeticError, ValueError) as problem:
-        search.say(Remark(f"no formula could be found for what is missing: {problem}").message)
-        return None
-    if isinstance(attempt, FailedTrial):
-        why = (
-            f"the model with the formula for what is missing could not be fitted: {attempt.failure}"
-        )
-        search.say(Remark(why).message)
-        return None
-    entry = ledger.entry(term.balance)
-    assert entry is not None, "the term was learned from it"
-    term = refitted(term, entry, attempt, search.tree)
-    search.say(Remark(f"described, not explained: {term}").message)
-    return LearnedModel(term, rank(present, [attempt])[0])
+    """A formula for what is missing beside effects, or for all of it, and the model with it: the one that leaves less.
+
+    Effects that leave structure may stand in for what is missing, and then hide its course. It is looked for where the
+    ledger fails, if there is one, and takes at most a part of the effort of the search.
+
+    Args:
+        search: whose effort it is a part of.
+        ledger: of the base model.
+        base: the fit of the base model. effects: that were added to it. present: the fit of the model with these.
+    """
+    effort, balances = search.effort.part(_PART), suspected(ledger) if ledger else ()
+    if ledger is not None and ledger.failing and not balances:
+        return None  # an instrument has no term
+    starts = [(effects, present), ((), base)] if effects else [((), base)]
+    found = (_learned(search, balances, *start, effort) for start in starts)
+    return min(filter(None, found), key=lambda one: remaining_chi2(one.model.fit), default=None)
 
 
-def directly_learned(search: Search, effects: Sequence[str], present: Fit) -> LearnedModel | None:
-    """The same from sensitivities of the samples to a term, without a ledger; None where it reduces nothing."""
-    direct = learn_directly(search, effects, present)
-    if direct is None:
+def suspected(ledger: Ledger) -> tuple[str, ...]:
+    """The balances that fail and have a term, and those that the samples do not tell from them."""
+    entries = filter(None, map(ledger.entry, ledger.failing))
+    failing = [entry.balance for entry in entries if entry.courses]
+    notes = {hidden for _, hidden, words in ledger.domain.confused if words in ledger.notes}
+    return (*failing, *(notes - {*failing}))
+
+
+def _learned(
+    search: Search, balances: Sequence[str], effects: Sequence[str], present: Fit, effort: Effort
+) -> LearnedModel | None:
+    """A formula for what a model leaves, and the model with it; None where none reduces it."""
+    description = learn(search, balances, effects, present, effort)
+    if description is None:
         return None
-    for part in _FACTORS:
-        term = with_coefficients(direct, search.tree, part)
-        attempt = _fitted(search, term, effects, present)
+    for part in _PARTS:
+        if effort.spent:
+            break
+        term = description.with_part(part).term(search.tree)
+        with effort.counting():
+            attempt = try_learned(term, search, effects, present, effort.bounded(FitOptions()))
         if isinstance(attempt, FailedTrial):
             continue
         best = rank(present, [attempt])[0]
         if best.delta_bic < 0:
-            term = refitted(term, direct.entry, attempt, search.tree, RESIDUALS)
+            term = description.with_values_of(attempt).term(search.tree)
             search.say(Remark(f"described, not explained: {term}").message)
             return LearnedModel(term, best)
     return None
 
 
-def _fitted(
-    search: Search, term: LearnedTerm, effects: Sequence[str], present: Fit
-) -> Candidate | FailedTrial:
-    """The model with effects and a learned term, fitted from the present values."""
-    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
-        return try_learned(
-            term,
-            search.data,
-            Path(folder),
-            search.model,
-            effects=effects,
-            start=present.values,
-            files=search.files,
-        )
+def remaining_chi2(fit: Fit) -> float:
+    """Reduced chi-square of a model in runs that were held out, if there are any."""
+    return fit.residuals["holdout" if fit.residuals["holdout"].samples else "fit"].chi2_reduced
+
+
+def disagreement(path: Sequence[Candidate], ledger: Ledger | None) -> str:
+    """A sentence where effects act in none of the balances that a ledger says fail; "" where there are none such.
+
+    An instrument and a stated value are in no balance of a ledger.
+    """
+    if ledger is None or not ledger.failing:
+        return ""
+    entries = [entry for entry in ledger.entries if entry.balance in ledger.failing]
+    meant = {*ledger.failing, *(same for entry in entries for same in entry.same_as)}
+    elsewhere = [c for c in path if c.balance not in meant]
+    if not elsewhere:
+        return ""
+    failing = f"the {enumeration(map(words, ledger.failing))} balance{'s' * (len(entries) > 1)}"
+    effects = enumeration(c.effect for c in elsewhere)
+    if all(c.balance == INSTRUMENT for c in elsewhere):
+        return f"The ledger has no instruments and no stated values: it enters what {effects} explains under {failing}."
+    acting = enumeration(words(b) for b in dict.fromkeys(c.balance for c in elsewhere))
+    return (
+        f"The ledger disagrees: a free term in {failing} explains the same samples as {effects}, of the {acting} "
+        "balance, which is a law with fewer numbers."
+    )

@@ -1,57 +1,66 @@
-"""A missing term that no effect of the catalogue explains, as a short formula of the model's own variables.
+"""A missing term that no effect of the catalogue explains, as a formula of the model's own variables.
 
-The formula is a description of one measurement, not a cause: another formula of the same size may describe it as well,
-and beyond the range that was measured it means nothing.
+The term is a sum of forms of the states, ramps that join to a spline among them, each with a coefficient that starts at
+zero. One simulation tells what each coefficient would change in every sample, to first order; the forms are chosen that
+explain most of the residuals of runs left out, beside what the free parameters can do. Points at rest have such
+residuals too. The formula is a description of one measurement, not a cause: another formula of the same size may
+describe it as well, and beyond the range that was measured it means nothing.
 """
 
 from __future__ import annotations
 
-import math
+import tempfile
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from itertools import combinations
 from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.optimize import minimize_scalar
 
 from pam_cosim.arrays import Array
-from pam_cosim.catalogue import compose, effect_classes
-from pam_cosim.compiler import ClassTree, read_library
-from pam_cosim.diagnosis.description.learning_library import Form, forms, quantities
-from pam_cosim.diagnosis.description.learning_text import MISSING, formula_text, modelica_text
+from pam_cosim.catalogue import (
+    Composition,
+    EffectClass,
+    compose_on,
+    effect_classes,
+    origins,
+    unknown_terms,
+)
+from pam_cosim.comparison import simulate_run
+from pam_cosim.compiler import ClassTree, compile_model, read_library
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.description.forms import Form, quantities, ramps
+from pam_cosim.diagnosis.description.learning_text import (
+    Addend,
+    TermPlace,
+    formula_text,
+    modelica_text,
+)
+from pam_cosim.diagnosis.description.selection import (
+    LEAST_GAIN,
+    FeltForms,
+    coefficients_of,
+    cross_validation_error,
+    select_forms,
+)
 from pam_cosim.diagnosis.judgement.candidate import Attempt, Candidate
-from pam_cosim.diagnosis.search.trial import Trial, run_trial
-from pam_cosim.errors import InputError
+from pam_cosim.diagnosis.search.effort import Effort
+from pam_cosim.diagnosis.search.search import Search
+from pam_cosim.diagnosis.search.trial import Trial, every_parameter, run_trial
+from pam_cosim.errors import InputError, ModelError, SimulationFailure
 from pam_cosim.files import write_text
-from pam_cosim.ledger import BalanceEntry, Ledger
-from pam_cosim.measurement import DataSet
-from pam_cosim.measurement.free_parameter import INTERVAL
+from pam_cosim.fitting import Fit, FitOptions, linearised
+from pam_cosim.fitting.linear import rows_of_series
+from pam_cosim.fitting.objective import Objective
+from pam_cosim.fmu import build_source
+from pam_cosim.ledger.augmented import TERM
+from pam_cosim.model.interface import Variable
+from pam_cosim.simulation import Simulator
 
-_MOST_FORMS = 4  # addends; more describe the measurement and no term
-LEAST_GAIN = 0.03  # of the remaining error of left-out runs, that an addend must take away
-_LEAST_GAIN_OF_TERM = 0.005  # the same, of the whole term
-_DESCRIBED_ERROR = 0.3  # variances of the term: mean square that is its own uncertainty
-BLOCKS = 4  # parts of a single run, which replace runs in the cross-validation
-_MOST_WEIGHT = 3.0  # of a sample, times that of the median, so that few samples do not dominate
-_SHAPE_SPAN = 3.0  # factor up and down, within which the shape number of a form is sought
-
-_INTERVAL = 2 * INTERVAL  # standard deviations in the interval of an estimate
-
-
-@dataclass(frozen=True)
-class FittedAddend:
-    """One addend: coefficient [unit of the term] with its standard deviation, times a form.
-
-    Attributes:
-        reach: size of the coefficient by which its bounds are set; 0: its own.
-    """
-
-    coefficient: float
-    deviation: float
-    form: Form
-    reach: float = 0.0
+_REST_SPAN = 1e-15  # [SI unit]: a variable that spans less is at rest
+_BLOCKS = 4  # parts of a single run, which replace runs in the cross-validation
+_WATCHED = "Watched"
+_SCRATCH = "LearnedScratch"
 
 
 @dataclass(frozen=True)
@@ -64,372 +73,266 @@ class LearnedTerm:
         formula: for a person, with numbers and units.
         modelica_source: an effect class that composes and refits like any other; family "learned".
         unit: of the term.
-        terms: the addends.
-        score: part of the missing term's mean square that the formula explains in runs that were not asked for it.
+        score: part of the model's mean square error that the formula explains in runs that were not asked for it.
         fit_score: the same in the runs that were.
-        parameters: by how much the free parameters of the model are off, as far as the term shows it [SI].
     """
 
-    json_keys = "name balance formula unit score fit_score parameters modelica=modelica_source"
+    json_keys = "name balance formula unit score fit_score modelica=modelica_source"
 
     name: str
     balance: str
     formula: str
     modelica_source: str
     unit: str
-    terms: tuple[FittedAddend, ...]
     score: float
     fit_score: float
-    parameters: dict[str, float]
 
     def __str__(self) -> str:
         return f"{self.formula}  (explains {100 * self.score:.0f} % in runs that were not asked)"
 
 
-def learn(ledger: Ledger, tree: ClassTree | None = None) -> LearnedTerm:
-    """Describes the missing term of the balance that fails most by a sparse formula.
-
-    Forms are added one at a time, each time the one that lowers the error most in runs left out; the free
-    parameters of the model may move along by what the term shows of them.
-
-    Raises:
-        InputError: the ledger has no such term: nothing fails, or an instrument does.
-    """
-    failing = map(ledger.entry, ledger.failing)
-    entry = next((e for e in failing if e and e.courses), None)
-    if entry is None:
-        raise InputError("there is no missing term to learn")
-    samples = _samples(entry)
-    known = quantities(samples.variables, entry.units)
-    picked = select_forms(samples, forms(known))
-    fitted = coefficients_of(samples, picked)
-    return described(entry, fitted.terms, samples, fitted, tree or read_library())
-
-
-def described(
-    entry: BalanceEntry,
-    terms: tuple[FittedAddend, ...],
-    samples: TermSamples,
-    fitted: FittedForms,
-    library: ClassTree,
-    *origin: str,
-) -> LearnedTerm:
-    """The term with its formula and its class, named after its balance; ``origin`` as in ``modelica_text``."""
-    name = f"Learned{entry.balance.capitalize()}"
-    return LearnedTerm(
-        name=name,
-        balance=entry.balance,
-        formula=formula_text(entry, terms),
-        modelica_source=modelica_text(library, name, entry, terms, fitted.score, *origin),
-        unit=entry.unit,
-        terms=terms,
-        score=fitted.score,
-        fit_score=fitted.fit_score,
-        parameters=dict(zip(samples.free, fitted.free.tolist(), strict=True)),
-    )
-
-
-def try_learned(
-    term: LearnedTerm,
-    data: DataSet,
-    folder: Path,
-    model: str | None = None,
-    *,
-    effects: Sequence[str] = (),
-    start: Mapping[str, float] | None = None,
-    files: Sequence[Path] = (),
-) -> Attempt:
-    """Writes the class into ``folder``, composes the model with it and refits: a candidate like any other.
-
-    Args:
-        term: what was learned.
-        data: the measurement, with noise levels.
-        folder: where the class goes, as ``<name>.mo``.
-        model: default the bench of the data set.
-        effects: names of effects that the model has already.
-        start: values to start from [SI].
-        files: the user's Modelica files.
-
-    Raises:
-        InputError: the term finds no place in the model.
-    """
-    file = folder / f"{term.name}.mo"
-    write_text(file, term.modelica_source)
-    sources = [*files, file]
-    tree = read_library(files=sources)
-    base = data.model_for(model)
-    composition = compose(tree, base, [*effects, term.name], files=sources)
-    if composition is None:
-        raise InputError(f"{base} has no place for {term.name}", file)
-    effect = next(e for e in effect_classes(tree) if e.file == file)
-    names = (*effects, term.name)
-    return run_trial(Trial(effect, names, composition, data, dict(start or {}), tuple(sources)))
-
-
-def refitted(
-    term: LearnedTerm,
-    entry: BalanceEntry,
-    model: Candidate,
-    tree: ClassTree,
-    explained: str = MISSING,
-) -> LearnedTerm:
-    """The term with the values that ``try_learned`` fitted.
-
-    Args:
-        term: what was learned.
-        entry: of the ledger, that it was learned from.
-        model: the model with it.
-        tree: the Modelica library.
-        explained: what its score is a part of.
-    """
-    values = {name.rpartition(".")[2]: e for name, e in model.parameters.items()}
-    terms = []
-    for i, t in enumerate(term.terms, 1):
-        shape = t.form.shape
-        if shape is not None and (scale := values.get(f"s_{i}")) is not None:
-            shape = replace(shape, value=scale.value)
-        own = values[f"c_{i}"]
-        deviation = (own.high - own.low) / _INTERVAL if own.determined else t.deviation
-        terms.append(FittedAddend(own.value, deviation, replace(t.form, shape=shape), t.reach))
-    return replace(
-        term,
-        terms=tuple(terms),
-        formula=formula_text(entry, terms),
-        modelica_source=modelica_text(tree, term.name, entry, terms, term.score, explained),
-    )
-
-
-# ---- samples ----------------------------------------------------------------------------------------------------
-
-
 @dataclass(frozen=True)
-class TermSamples:
-    """The missing term (n,) in standard deviations, and what it may depend on.
+class Description:
+    """A term as it was learned: its place, its addends, and what these explain by the linearised model.
 
     Attributes:
-        value: the term over its deviation; ``weight`` one over the deviation.
-        variables: (n,) each [SI].
-        group: (n,) number of the run (or part of it) that a sample belongs to.
-        learning_groups: numbers of the groups to learn from.
-        imitated: (n, Q) what the free parameters do, times the weight.
+        score, fit_score: as of ``LearnedTerm``.
+        left: mean square of the residuals of runs left out, in noise variances.
     """
 
-    value: Array
-    weight: Array
-    variables: dict[str, Array]
-    group: NDArray[np.intp]
-    learning_groups: tuple[int, ...]
-    imitated: Array
-    free: tuple[str, ...]
-
-    def column(self, form: Form, shape: float | None = None) -> Array:
-        """What an addend of this form, with the coefficient 1, explains of the values."""
-        return form.values(self.variables, shape) * self.weight
-
-
-def _samples(entry: BalanceEntry) -> TermSamples:
-    courses = entry.courses
-    group, roles, count = [], [], 0
-    single = sum(c.role == "fit" for c in courses) == 1
-    for c in courses:
-        parts = BLOCKS if single and c.role == "fit" else 1
-        group.append(count + np.arange(len(c.time)) * parts // len(c.time))
-        roles += [c.role] * parts
-        count += parts
-    deviation = np.concatenate([c.deviation for c in courses])
-    free = tuple(courses[0].imitated)
-    imitated = np.concatenate(
-        [np.column_stack([np.zeros((len(c.time), 0)), *c.imitated.values()]) for c in courses]
-    )
-    used = np.any(imitated != 0, axis=0)
-    weight = 1 / np.maximum(deviation, np.median(deviation) / _MOST_WEIGHT)
-    return TermSamples(
-        value=np.concatenate([c.value for c in courses]) * weight,
-        weight=weight,
-        variables={n: np.concatenate([c.against[n] for c in courses]) for n in courses[0].against},
-        group=np.concatenate(group),
-        learning_groups=tuple(i for i, r in enumerate(roles) if r == "fit") or tuple(range(count)),
-        imitated=imitated[:, used] * weight[:, None],
-        free=tuple(n for n, u in zip(free, used.tolist(), strict=True) if u),
-    )
-
-
-# ---- selection --------------------------------------------------------------------------------------------------
-
-
-@dataclass(frozen=True)
-class FittedForms:
-    """Forms with coefficients, standard deviations of these, and what the free parameters do beside them.
-
-    Attributes:
-        score: part of the mean square that the forms explain, in groups that they were not learned from, of what the
-            free parameters alone leave; ``fit_score``: in those that they were.
-        left: the mean square that the forms leave in groups that they were not learned from.
-    """
-
-    forms: tuple[Form, ...]
-    coefficients: Array
-    deviations: Array
-    free: Array
+    place: TermPlace
+    addends: tuple[Addend, ...]
     score: float
     fit_score: float
     left: float
 
-    @property
-    def terms(self) -> tuple[FittedAddend, ...]:
-        """The addends."""
-        return tuple(
-            FittedAddend(float(c), float(d), f)
-            for c, d, f in zip(self.coefficients, self.deviations, self.forms, strict=True)
+    def with_part(self, part: float) -> Description:
+        """The same with a part of its coefficients, where a fit may start from; their bounds stay."""
+        return replace(
+            self,
+            addends=tuple(replace(a, coefficient=part * a.coefficient) for a in self.addends),
+        )
+
+    def with_values_of(self, model: Candidate) -> Description:
+        """The same with the coefficients that were fitted."""
+        values = {name.rpartition(".")[2]: e.value for name, e in model.parameters.items()}
+        fitted = (replace(a, coefficient=values[f"c_{i}"]) for i, a in enumerate(self.addends, 1))
+        return replace(self, addends=tuple(fitted))
+
+    def term(self, tree: ClassTree) -> LearnedTerm:
+        """The formula and the class, named after the balance."""
+        place, name = self.place, f"Learned{self.place.balance.capitalize()}"
+        return LearnedTerm(
+            name,
+            place.balance,
+            formula_text(place, self.addends),
+            modelica_text(tree, name, place, self.addends, self.score),
+            place.unit,
+            self.score,
+            self.fit_score,
         )
 
 
-def select_forms(samples: TermSamples, library: Sequence[Form]) -> list[Form]:
-    """At most ``_MOST_FORMS``, in order of selection."""
-    picked: list[Form] = []
-    left = first = _cross_validation_error(samples, [])
-    while len(picked) < _MOST_FORMS and left > _DESCRIBED_ERROR:
-        best, error = _best_next_form(samples, picked, library)
-        if not _is_worthwhile(left, error, first):
-            break
-        picked += best
-        left = error
-    return [f for i, f in enumerate(picked) if _is_needed(samples, picked, i, left)]
+def learn(
+    search: Search, balances: Sequence[str], effects: Sequence[str], present: Fit, effort: Effort
+) -> Description | None:
+    """A term in the balance whose forms explain most of what a fitted model leaves; None where none explains any.
+
+    Args:
+        search: model, data and library.
+        balances: in which a term is looked for; none: in all.
+        effects: names of effects that the model has.
+        present: the fit of the model with them.
+        effort: once it is spent, no further balance is opened; this grows.
+    """
+    found: list[Description] = []
+    for term in unknown_terms(search.tree, origins(search.structure.parts)):
+        if effort.spent or (balances and term.balance not in balances):
+            continue
+        try:
+            with effort.counting():
+                description = _in_balance(search, effects, present, term)
+        except (SimulationFailure, InputError, ArithmeticError, ValueError):
+            continue  # this balance cannot be opened in this model; others may
+        if description is not None:
+            found.append(description)
+    return min(found, key=lambda d: d.left, default=None)
 
 
-def select_forms_jointly(samples: TermSamples, library: Sequence[Form], most: int) -> list[Form]:
-    """As ``select_forms``, for forms that mean little alone: where no further one helps, two are added at once."""
-    picked: list[Form] = []
-    left = first = _cross_validation_error(samples, [])
-    columns = {f.text: samples.column(f) for f in library}
-    while len(picked) < most and left > _DESCRIBED_ERROR:
-        own = [columns[f.text] for f in picked]
-        others = [f for f in library if f not in picked]
-        steps: list[tuple[Form, ...]] = [(f,) for f in others]
-        for further in (steps, list(combinations(others, 2))):
-            errors = [
-                _cross_validation_error(samples, [*own, *(columns[f.text] for f in one)])
-                for one in further
-            ]
-            error = min(errors, default=np.inf)
-            if _is_worthwhile(left, error, first):
-                picked += further[int(np.argmin(errors))]
-                left = error
-                break
-        else:
-            break
-    return [f for i, f in enumerate(picked) if _is_needed(samples, picked, i, left)]
+def try_learned(
+    term: LearnedTerm, search: Search, effects: Sequence[str], present: Fit, options: FitOptions
+) -> Attempt:
+    """The model with effects and a learned term, fitted from the present values: a candidate like any other.
+
+    Raises:
+        InputError: the term finds no place in the model.
+    """
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder) / f"{term.name}.mo"
+        write_text(file, term.modelica_source)
+        sources, names = (*search.files, file), (*effects, term.name)
+        tree = read_library(files=sources)
+        composition = compose_on(tree, search.structure, names)
+        if composition is None:
+            raise InputError(f"{search.model} has no place for {term.name}", file)
+        effect = next(e for e in effect_classes(tree) if e.file == file)
+        trial = Trial(effect, names, composition, search.data, present.values, sources, options)
+        return run_trial(trial)
 
 
-def _is_worthwhile(left: float, error: float, first: float) -> bool:
-    return error < (1 - LEAST_GAIN) * left and left - error > _LEAST_GAIN_OF_TERM * first
-
-
-def _best_next_form(
-    samples: TermSamples, picked: Sequence[Form], library: Sequence[Form]
-) -> tuple[list[Form], float]:
-    """The form that helps most beside others, with its best shape, and what is left; none where all are picked."""
-    columns = [samples.column(f) for f in picked]
-    left = [f for f in library if f not in picked]
-    if not left:
-        return [], math.inf
-    errors = [_cross_validation_error(samples, [*columns, samples.column(f)]) for f in left]
-    best = _with_best_shape(samples, picked, left[int(np.argmin(errors))])
-    return [best], _cross_validation_error(samples, [*columns, samples.column(best)])
-
-
-def _is_needed(samples: TermSamples, picked: Sequence[Form], i: int, left: float) -> bool:
-    others = [samples.column(f) for k, f in enumerate(picked) if k != i]
-    return len(picked) == 1 or _cross_validation_error(samples, others) > (1 + LEAST_GAIN) * left
-
-
-def _with_best_shape(samples: TermSamples, picked: Sequence[Form], form: Form) -> Form:
-    """The form with the best value of its shape."""
-    shape = form.shape
-    if shape is None:
-        return form
-    own = [samples.column(f) for f in picked]
-
-    def error(z: float) -> float:
-        return _cross_validation_error(samples, [*own, samples.column(form, float(np.exp(z)))])
-
-    bounds = (
-        np.log(max(shape.low, shape.value / _SHAPE_SPAN)),
-        np.log(min(shape.high, shape.value * _SHAPE_SPAN)),
+def _in_balance(
+    search: Search, effects: Sequence[str], present: Fit, term: EffectClass
+) -> Description | None:
+    values = present.values_and_starts
+    base = next(c.owner for c in search.tree.components(term.qualified_name) if c.name == TERM)
+    meant = [c.name for c in search.tree.classes[base].components]
+    watched = _variables_beside(search, effects, term, values, meant)
+    if watched is None:
+        return None
+    variables, units, own = watched
+    place = TermPlace(term.balance, base, own.unit, own.description)
+    known = quantities(variables, units)
+    signed = tuple(q.name for q in known if q.signed)
+    try:
+        library = ramps(known, variables)
+        rows = _felt_forms(search, effects, values, place, library)
+    except ModelError:  # a rate that follows the term at once can be in it only as a factor
+        library = ramps(known, variables, signed)
+        rows = _felt_forms(search, effects, values, place, library)
+    # what a term of the size that it is declared for does not move by a standard deviation, it cannot be learned from
+    largest = min(abs(own.min or np.inf), abs(own.max or np.inf))
+    library = [f for f in library if largest * float(np.max(np.abs(rows.felt[f.text]))) > 1]
+    picked = select_forms(rows, library) if library else []
+    if not picked:
+        return None
+    left, before = (cross_validation_error(rows, forms) for forms in (picked, []))
+    if not left < (1 - LEAST_GAIN) * before:
+        return None
+    coefficients, left_fitted = coefficients_of(rows, picked)
+    _, before_fitted = coefficients_of(rows, [])
+    addends = (
+        Addend(c, form, abs(c)) for c, form in zip(coefficients.tolist(), picked, strict=True)
     )
-    optimum = minimize_scalar(
-        error, bounds=bounds, method="bounded", options={"xatol": 0.01, "maxiter": 25}
+    return Description(
+        place, tuple(addends), 1 - left / before, 1 - left_fitted / before_fitted, left
     )
-    return replace(form, shape=replace(shape, value=float(np.exp(optimum.x))))
 
 
-def _cross_validation_error(samples: TermSamples, columns: Sequence[Array]) -> float:
-    """Mean square of the term over its deviation in each asked group, predicted from the others."""
-    rows = np.column_stack([samples.imitated, *columns])
-    total, count = 0.0, 0
-    moments = {}
-    for g in samples.learning_groups:
-        at = samples.group == g
-        moments[g] = (
-            rows[at].T @ rows[at],
-            rows[at].T @ samples.value[at],
-            float(samples.value[at] @ samples.value[at]),
+# ---- what a term could be a function of -----------------------------------------------------------------------------
+
+
+def _variables_beside(
+    search: Search,
+    effects: Sequence[str],
+    term: EffectClass,
+    values: Mapping[str, float],
+    meant: Sequence[str],
+) -> tuple[dict[str, Array], dict[str, str], Variable] | None:
+    """The variables beside a term over all fitted samples, their units, and the parameter that is the term.
+
+    Those that its class means a law to be of come first: of two that say the same the first is taken.
+    """
+    composition = compose_on(search.tree, search.structure, [*effects, term.name])
+    if composition is None:
+        return None
+    parameter = composition.parameters[term.name][0]
+    prefix = parameter.rpartition(".")[0] + "."
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder, "composition.mo")
+        file.write_text(composition.text, encoding="utf-8")
+        interface = compile_model(composition.name, files=[*search.files, file]).interface
+    inside = [n for n in interface.locals if n.startswith(prefix) and "." not in n[len(prefix) :]]
+    inside.sort(key=lambda n: n[len(prefix) :] not in meant)
+    names = {n[len(prefix) :]: n for n in inside if n != prefix + TERM}
+    if not names:
+        return None
+    variables = _simulated(search, composition, names, values)
+    units = {short: interface.locals[full].unit for short, full in names.items()}
+    moving = {short: v for short, v in variables.items() if _is_moving(v)}
+    return moving, units, interface.parameters[parameter]
+
+
+def _is_moving(values: Array) -> bool:
+    return bool(np.all(np.isfinite(values)) and np.ptp(values) > _REST_SPAN)
+
+
+def _simulated(
+    search: Search, composition: Composition, names: Mapping[str, str], values: Mapping[str, float]
+) -> dict[str, Array]:
+    """Variables of a model over all fitted samples, by the names that these have in ``names``."""
+    outputs = {short: f"watched_{i}" for i, short in enumerate(names, 1)}
+    lines = [f"  output Real {outputs[short]} = {full};" for short, full in names.items()]
+    text = "\n".join(
+        [f"model {_WATCHED}", f"  extends {composition.name};", *lines, f"end {_WATCHED};"]
+    )
+    parts: dict[str, list[Array]] = {short: [] for short in names}
+    with Simulator(
+        build_source(_WATCHED, f"{composition.text}\n{text}\n", search.files)
+    ) as simulator:
+        for run in search.data.fit_runs:
+            simulated = simulate_run(simulator, search.data, run, values).model
+            for short, output in outputs.items():
+                parts[short].append(simulated[output])
+    return {short: np.concatenate(arrays) for short, arrays in parts.items()}
+
+
+# ---- what the samples feel of it ------------------------------------------------------------------------------------
+
+
+def _felt_forms(
+    search: Search,
+    effects: Sequence[str],
+    values: Mapping[str, float],
+    place: TermPlace,
+    library: Sequence[Form],
+) -> FeltForms:
+    """The fitted runs linearised about the values by the free parameters and by a coefficient of every form."""
+    with tempfile.TemporaryDirectory(prefix="pam-cosim-") as folder:
+        file = Path(folder, f"{_SCRATCH}.mo")
+        addends = [Addend(0.0, form, 1.0) for form in library]
+        write_text(file, modelica_text(search.tree, _SCRATCH, place, addends, 0.0))
+        sources = (*search.files, file)
+        tree = read_library(files=sources)
+        composition = compose_on(tree, search.structure, [*effects, _SCRATCH])
+        if composition is None:
+            raise InputError(f"the model has no place for a term of {place.balance}")
+        own = [name for names in composition.parameters.values() for name in names]
+        free = tuple(dict.fromkeys([*search.data.differentiated, *own]))
+        fmu = build_source(
+            composition.name, composition.text, sources, sensitivities=free, lean=True
         )
-        count += int(at.sum())
-    everything = sum(m[0] for m in moments.values())
-    target = sum(m[1] for m in moments.values())
-    for g in samples.learning_groups:
-        own, right, square = moments[g]
-        solution = _regularised_solution(everything - own, target - right)
-        total += square - 2 * float(right @ solution) + float(solution @ own @ solution)
-    return total / count
+    with Simulator(fmu) as simulator:
+        simulator.limit = CRITERIA.search.longest_run
+        moved = every_parameter(search.data, composition, simulator.interface)
+        moved = [f.starting_at(values.get(f.name, f.start)) for f in moved]
+        objective = Objective(simulator, search.data, search.data.fit_runs, moved, values)
+        z = np.array([f.to_z(f.start) for f in moved])
+        linear = linearised(objective, z, CRITERIA.search.rows)
+        if linear is None:
+            raise SimulationFailure(objective.first_failure)
+        group = _groups(search, objective, rows_of_series(objective, CRITERIA.search.rows))
+    slopes = dict(zip(linear.names, linear.slopes.T, strict=True))
+    coefficients = composition.parameters[_SCRATCH]
+    at_bound = CRITERIA.fit.at_bound * (linear.high - linear.low)
+    inside = (linear.values > linear.low + at_bound) & (linear.values < linear.high - at_bound)
+    others = [
+        slopes[name]
+        for name, is_free in zip(linear.names, inside, strict=True)
+        if is_free and name not in coefficients and np.any(slopes[name])
+    ]
+    felt = {form.text: slopes[name] for form, name in zip(library, coefficients, strict=True)}
+    imitated = np.column_stack([np.zeros((len(linear.residual), 0)), *others])
+    return FeltForms(linear.residual, felt, imitated, group)
 
 
-def _regularised_solution(matrix: Array, right: Array) -> Array:
-    if not len(right):
-        return right
-    size = np.sqrt(np.maximum(np.diag(matrix), 1e-300))
-    scaled = matrix / np.outer(size, size) + 1e-9 * np.eye(len(right))
-    solution: Array = np.linalg.solve(scaled, right / size) / size
-    return solution
+def _groups(search: Search, objective: Objective, series: NDArray[np.int_]) -> NDArray[np.intp]:
+    """(m,) number of the run that each row is of; parts of it where there is a single one."""
+    names = [run.name for run in search.data.fit_runs]
+    run = np.array([names.index(r.name) for r, _ in objective.series])[series]
+    if len(names) > 1:
+        return run
+    place = np.concatenate([np.arange(n) / n for n in np.bincount(series)])
+    return np.asarray(place * _BLOCKS, dtype=np.intp)
 
 
-def coefficients_of(samples: TermSamples, picked: Sequence[Form]) -> FittedForms:
-    """The forms with least squares of the learning groups, and what they explain beyond the free parameters alone."""
-    columns = [samples.column(f) for f in picked]
-    rows = np.column_stack([np.zeros((len(samples.value), 0)), samples.imitated, *columns])
-    q = samples.imitated.shape[1]
-    fitted = np.isin(samples.group, samples.learning_groups)
-
-    def solve(kept: NDArray[np.bool_], of: Array = rows) -> Array:
-        return _regularised_solution(of[kept].T @ of[kept], of[kept].T @ samples.value[kept])
-
-    solution, without_forms = solve(fitted), solve(fitted, samples.imitated)
-    # left-out groups show how far the coefficients can be trusted (jackknife: Efron and Tibshirani 1993)
-    each = np.array([solve(fitted & (samples.group != g)) for g in samples.learning_groups])
-    n = len(samples.learning_groups)
-    deviation = np.sqrt((n - 1) / n * ((each - each.mean(axis=0)) ** 2).sum(axis=0))
-
-    def mean_squares(kept: NDArray[np.bool_]) -> tuple[float, float]:
-        """With the forms, and with the free parameters alone."""
-        errors = samples.value - rows @ solution, samples.value - samples.imitated @ without_forms
-        return float(np.mean(errors[0][kept] ** 2)), float(np.mean(errors[1][kept] ** 2))
-
-    others = ~fitted
-    if others.any():
-        left, before = mean_squares(others)
-    else:
-        left, before = (_cross_validation_error(samples, of) for of in (columns, []))
-    left_fitted, before_fitted = mean_squares(fitted)
-    return FittedForms(
-        tuple(picked),
-        solution[q:],
-        deviation[q:],
-        solution[:q],
-        1 - left / before,
-        1 - left_fitted / before_fitted,
-        left,
-    )
-
-
-__all__ = ["FittedAddend", "LearnedTerm", "learn", "refitted", "try_learned"]
+__all__ = ["Description", "LearnedTerm", "learn", "try_learned"]

@@ -56,12 +56,19 @@ class Posterior:
 
     @property
     def by_family(self) -> dict[str, float]:
-        """Probability that a family is missing, whatever else is; the most probable first."""
-        sums: dict[str, float] = {}
-        for one in self.explanations:
-            for family in one.families:
-                sums[family] = sums.get(family, 0.0) + one.probability
+        """Probability that a family is missing, whatever else is; the most probable first.
+
+        Of the sets of families that were fitted: that something else is missing besides makes none less probable.
+        """
+        families = dict.fromkeys(f for one in self.explanations for f in one.families)
+        sums = {family: self.probability_of_any((family,)) for family in families}
         return dict(sorted(sums.items(), key=lambda entry: (-entry[1], entry[0])))
+
+    def probability_of_any(self, families: Collection[str]) -> float:
+        """Probability that at least one of some families is missing, whatever else is."""
+        every = sum(one.probability for one in self.explanations)
+        some = (one.probability for one in self.explanations if {*families} & {*one.families})
+        return sum(some) / every if every > 0 else 0.0
 
 
 DOUBTS = ("structure", "form_open", "nothing", "unchecked", "several", "general")

@@ -14,12 +14,14 @@ import numpy as np
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement import verdict_sentences
 from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.detection_limits import DetectionLimit, detection_limits
 from pam_cosim.diagnosis.judgement.evidence import (
     dominant_effect,
     has_structure,
     leaves_structure,
     missed_signals,
 )
+from pam_cosim.diagnosis.judgement.family_table import FamilyTable, family_table
 from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.posterior import Posterior, doubts_of, posterior
@@ -28,6 +30,7 @@ from pam_cosim.fitting import Fit
 from pam_cosim.wording import Printed
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
+Doubt = Literal["", "noise", "limits"]
 Check = Literal["held_out", "weak", "none", "all_runs_searched"]
 
 
@@ -93,9 +96,13 @@ class Verdict(Printed, Plain):
         check: whether held-out runs check the answer; all_runs_searched: all were fitted, for the held-out ones
             contradicted the model that was found without them.
         folds: where the residual has structure: which effects are needed whichever runs are left out.
+        limits: where no effect was added, the smallest errors that would have been found.
+        doubt: why it is unknown although the residual is white: "noise", it is far above the noise level; "limits", no
+            error that matters would have been found.
+        table: the families that may be missing, each whatever else is.
     """
 
-    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior"
+    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior table"
 
     kind: Kind
     families: tuple[str, ...] = ()
@@ -117,11 +124,14 @@ class Verdict(Printed, Plain):
     at_bound: tuple[str, ...] = ()
     check: Check = "held_out"
     folds: Folds | None = None
+    limits: tuple[DetectionLimit, ...] = ()
+    doubt: Doubt = ""
+    table: FamilyTable = FamilyTable()
 
     @property
     def leaves_structure(self) -> bool:
         """Whether the residual has structure that no effect explains."""
-        return self.kind == "unknown" or self.remainder
+        return (self.kind == "unknown" and not self.doubt) or self.remainder
 
     @property
     def off(self) -> tuple[str, ...]:
@@ -170,7 +180,9 @@ def judge(
         dominant = dominant_effect(models.base, models.tried)
         remainder = dominant is not None and dominant.effects == path[-1].effects
     kind: Kind = "identified"
-    if structure and not remainder:
+    limits = () if path else detection_limits(fit)
+    doubt = "" if path or structure else _doubt(fit, limits)
+    if (structure and not remainder) or doubt:
         kind = "unknown"
     elif rivals:
         kind = "ambiguous"
@@ -198,6 +210,8 @@ def judge(
         general=tuple(c.family for c in path if c.general),
         at_bound=tuple(n for n, e in fit.parameters.items() if e.at_bound and e.determined),
         check="all_runs_searched" if all_runs_searched else _check(fit),
+        limits=limits,
+        doubt=doubt,
     )
     if kind == "ambiguous":
         further = [e for part in instead for e in part]
@@ -206,7 +220,14 @@ def judge(
             effects=tuple(dict.fromkeys((*effects, *further))),
             families=tuple(dict.fromkeys((*families, *(models.family[e] for e in further)))),
         )
-    return _with_probability(_with_near_models(verdict, models), models)
+    return verdict if doubt else _with_probability(_with_near_models(verdict, models), models)
+
+
+def _doubt(fit: Fit, limits: Sequence[DetectionLimit]) -> Doubt:
+    """Why white residuals of the base model do not say that nothing is missing."""
+    if fit.residuals["fit"].chi2_reduced > CRITERIA.residuals.far_above:
+        return "noise"
+    return "limits" if limits and not any(one.is_useful for one in limits) else ""
 
 
 def _with_near_models(verdict: Verdict, models: FittedModels) -> Verdict:
@@ -232,7 +253,7 @@ def _with_probability(verdict: Verdict, models: FittedModels) -> Verdict:
     named = sum(one.probability for one in known.explanations if verdict.names(one.families))
     if verdict.kind == "unknown" and not verdict.families:
         named = known.something_else
-    return replace(verdict, posterior=known, probability=named)
+    return replace(verdict, posterior=known, probability=named, table=family_table(models, known))
 
 
 def _unusual(models: FittedModels, others: Iterable[Candidate]) -> tuple[UnusualParameter, ...]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from math import isnan
+from math import isinf, isnan
 from typing import TYPE_CHECKING, NamedTuple
 
 from pam_cosim.comparison import SignalScore
@@ -14,6 +14,7 @@ from pam_cosim.units import format_quantity
 from pam_cosim.wording import enumeration, listed, words
 
 if TYPE_CHECKING:
+    from pam_cosim.diagnosis.judgement.family_table import FamilyRow
     from pam_cosim.diagnosis.judgement.verdict import SignalError, UnusualParameter, Verdict
 
 _MOST_LISTED = 3  # sets of families
@@ -53,6 +54,14 @@ _MEANINGS = {
         "your rig in a form that no listed law has, or a second, smaller effect is missing. Look for the family at the "
         "rig; use the fitted parameters as a description within the tested range."
     ),
+    "noise": (
+        "What the base model leaves has no course in time that could be followed, but it is far larger than noise. "
+        "Look at the noise level of each signal, at the clock of the recorder, and at the order of the samples."
+    ),
+    "limits": (
+        "The noise is as large as what these runs could show of any effect: they speak neither for the model nor "
+        "against it. Faster, larger or longer tests might, and instruments with less noise."
+    ),
 }
 _CHECKS = {
     "held_out": "",
@@ -84,14 +93,61 @@ def summary(verdict: Verdict) -> str:
 
 
 def verdict_lines(verdict: Verdict) -> list[str]:
-    """The summary, the reason, models that nobody expects, and what else may be missing."""
+    """The summary, the families, the reason, models that nobody expects, and what else may be missing."""
     other = otherwise(verdict)
     return [
         summary(verdict),
+        *table_lines(verdict),
         verdict.reason,
         *verdict.implausible,
         *[f"Otherwise: {other}"] * bool(other),
     ]
+
+
+class FamilyCells(NamedTuple):
+    """A row of the table of families, as text."""
+
+    families: str
+    probability: str
+    worth: str
+
+
+def family_cells(verdict: Verdict) -> list[FamilyCells]:
+    """The families that may be missing, and what is unexplained, if there is any."""
+    table = verdict.table
+    rows = [
+        FamilyCells(" or ".join(row.families), _percent(row.probability), _worth(verdict, row))
+        for row in table.rows
+    ]
+    if rows and table.unexplained >= _SMALL_SHARE:
+        rows.append(FamilyCells("unexplained", "", f"{_percent(table.unexplained)} of the error"))
+    return rows
+
+
+def small_effects(verdict: Verdict) -> str:
+    """The effects that are measurable, but small; "" where there are none."""
+    small = [f"{row.effects[0]} ({_worth(verdict, row)})" for row in verdict.table.small]
+    return f"Measurable, but small: {listed(small)}." * bool(small)
+
+
+def table_lines(verdict: Verdict) -> list[str]:
+    """A line for each family that may be missing: its probability, and what it is worth."""
+    rows = family_cells(verdict)
+    width = max((len(row.families) for row in rows), default=0)
+    lines = [f"{r.families.ljust(width)}  {r.probability:>5}  {r.worth}".rstrip() for r in rows]
+    return [*lines, *filter(None, [small_effects(verdict)])]
+
+
+def _worth(verdict: Verdict, row: FamilyRow) -> str:
+    """What families are worth in the units of the signals, and of the error; "" where they are not in the answer."""
+    if not row.effects:
+        return ""
+    parts = [
+        f"{format_quantity(rms, verdict.units[name])} of {name}"
+        for name, rms in row.rms.items()
+        if rms > 0 and name in verdict.units
+    ]
+    return ", ".join([*parts, f"{100 * row.share:.2g} % of the error"])
 
 
 def _percent(share: float) -> str:
@@ -122,10 +178,15 @@ def _reasons(v: Verdict) -> list[str]:
     removed = f"{' + '.join(v.effects)} removes {100 * v.explained:.1f} % of the squared error beyond the noise"
     apart = " and ".join(" + ".join(families) for families in v.alternatives)
     if v.kind == "none_missing":
-        return ["The residual is noise: nothing is missing that these data could show."]
+        return ["The residual is noise: nothing is missing that these data could show.", _limits(v)]
     if v.kind == "ambiguous":
         checked = _CHECKS[v.check] if v.check == "all_runs_searched" else ""
         return [f"These data cannot separate {apart}.", checked]
+    if v.doubt == "noise":
+        cause = "the noise level is wrong, or the samples do not belong to their times"
+        return [f"The residuals are white, but {_noise_factor(v)}: {cause}."]
+    if v.doubt:
+        return ["These data cannot show anything.", _limits(v)]
     if v.kind == "unknown" and not v.effects:
         return ["The residual has structure, and no listed effect explains it."]
     if v.kind == "unknown":
@@ -151,7 +212,25 @@ def _reasons(v: Verdict) -> list[str]:
 def _noise_excess(v: Verdict) -> str:
     if v.noise_variance <= CRITERIA.residuals.loud:
         return ""
-    return f"; it is {v.noise_variance**0.5:.2g} times {_NOISE[v.noise_source]}"
+    return f"; it is {_noise_factor(v)}"
+
+
+def _noise_factor(v: Verdict) -> str:
+    return f"{v.noise_variance**0.5:.2g} times {_NOISE[v.noise_source]}"
+
+
+def _limits(v: Verdict) -> str:
+    """The smallest error that would have been found."""
+    limits = [
+        f"{one.signal} "
+        + (
+            "has no more samples than there are parameters"
+            if isinf(one.rmse)
+            else f"{format_quantity(one.rmse, one.unit)} rms (it moves by {format_quantity(one.movement, one.unit)})"
+        )
+        for one in v.limits
+    ]
+    return f"The smallest error that would have been found: {listed(limits)}." * bool(limits)
 
 
 def _exceptions(v: Verdict) -> list[str]:
@@ -245,6 +324,10 @@ def headline(verdict: Verdict, domain: Domain) -> str:
         return f"{_fault(verdict, domain)} ({' + '.join(verdict.effects)}){form}."
     if verdict.kind == "ambiguous":
         return f"An effect is missing, but these data cannot tell {families} apart."
+    if verdict.doubt == "noise":
+        return f"What the model leaves is white, but {_noise_factor(verdict)}."
+    if verdict.doubt:
+        return "These data cannot show anything."
     if not families:
         return "Something is missing, and no effect of the catalogue explains it."
     if folds is not None and folds.rmse:
@@ -270,7 +353,7 @@ def _fault(verdict: Verdict, domain: Domain) -> str:
 
 def meaning(verdict: Verdict, domain: Domain) -> str:
     """What a verdict says and does not say, in the words of the field."""
-    text = _MEANINGS["remainder" if verdict.remainder else verdict.kind]
+    text = _MEANINGS["remainder" if verdict.remainder else verdict.doubt or verdict.kind]
     faults = _faults(verdict, domain)
     if faults:
         text += (

@@ -6,8 +6,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
 
-from pam_cosim.catalogue.compose import Composition, compose
-from pam_cosim.compiler import read_library
+from pam_cosim.catalogue import Composition, compose_on, qualified
+from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.diagnosis.diagnose import Diagnosis
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.fitted_models import MOST_RIVALS
@@ -87,7 +87,9 @@ def _model_with(
     """
     sources = sources_of(files, diagnosis.model)
     effects = (effect,) if effect else ()
-    composition = compose(read_library(files=sources), diagnosis.model, effects, files=sources)
+    tree = read_library(files=sources)
+    structure = read_structure(qualified(tree, diagnosis.model), files=sources)
+    composition = compose_on(tree, structure, effects)
     if composition is None:
         return None
     fitted = (

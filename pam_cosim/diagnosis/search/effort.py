@@ -6,10 +6,11 @@ import math
 import time
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from typing import TypeVar
 
+from pam_cosim.fitting import FitOptions
 from pam_cosim.processes.workers import run_tasks
 from pam_cosim.simulation import Simulator
 
@@ -40,6 +41,21 @@ class Effort:
     def spent(self) -> bool:
         """Whether a limit is reached."""
         return self.simulations >= self.most_simulations or time.monotonic() >= self.deadline
+
+    def part(self, share: float) -> Effort:
+        """An effort that may take so much of what this one took, and ends with it."""
+        left = min(share * self.simulations, self.most_simulations - self.simulations)
+        return Effort(self.deadline, left)
+
+    def bounded(self, options: FitOptions) -> FitOptions:
+        """Options of a fit that ends where this effort is spent, and looks for no other place to start from."""
+        return replace(
+            options,
+            simulations=self.most_simulations - self.simulations,
+            deadline=self.deadline,
+            screened_starts=0,
+            second_look=False,
+        )
 
     @contextmanager
     def counting(self) -> Iterator[None]:

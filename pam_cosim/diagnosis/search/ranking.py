@@ -18,10 +18,10 @@ from pam_cosim.diagnosis.judgement.evidence import (
     dominant_effect,
     has_structure,
     information_criterion,
-    may_have_structure,
     noise_scale,
     refuted_by_unfitted_signals,
 )
+from pam_cosim.diagnosis.judgement.size import size_of_effect
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.fitting import Fit
 
@@ -58,7 +58,6 @@ class Ranking:
 
     Attributes:
         effort_spent: the search has ended at a limit: models that were fitted in a few steps count as they are.
-        drift_excluded: a small excess is no drift of the instruments, as long as there may be a model that leaves none.
     """
 
     def __init__(
@@ -67,7 +66,6 @@ class Ranking:
         self.search, self.base, self.fitted = search, base, fitted
         self.scale = noise_scale([base])
         self.effort_spent = False
-        self.drift_excluded = False
 
     @property
     def fits(self) -> list[Fit]:
@@ -167,38 +165,27 @@ class Ranking:
     def with_one_less(self) -> dict[tuple[str, ...], Candidate]:
         """The models that lack one of the effects of the best, which has several."""
         best = self.best()
-        names = frozenset(best.effects) if best else frozenset[str]()
-        every = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
-        return {c.effects: c for c in every if names.issuperset(c.effects)}
+        return {c.effects: c for c in self._with_one_less_than(best)} if best else {}
 
     def has_structure(self, c: Candidate) -> bool:
-        """Whether a model leaves structure, in runs that were fitted or in others; or a drift, where that is excluded.
+        """Whether a model leaves structure, in runs that were fitted or in others.
 
         The noise is that of the instruments, whatever the model: where nobody stated it, no larger than beside the
         model that leaves least. What a model leaves may look like red noise by itself.
         """
-        return self._leaves(c.fit, self.drift_excluded)
+        return self._leaves_structure(c.fit)
 
-    def has_drift(self, c: Candidate) -> bool:
-        """Whether what a model leaves may be a drift, or a small effect."""
-        return not self._leaves(c.fit, drift=False) and self._leaves(c.fit, drift=True)
-
-    def _leaves(self, fit: Fit, drift: bool) -> bool:
-        """Whether a model leaves structure, or what may be a drift."""
-        floor, test = self.noise_floor(), may_have_structure if drift else has_structure
+    def _leaves_structure(self, fit: Fit) -> bool:
+        floor = self.noise_floor()
         return any(
-            test(replace(s, noise_floor=min(s.noise_floor, floor)))
+            has_structure(replace(s, noise_floor=min(s.noise_floor, floor)))
             for s in fit.residuals_beyond_uncertainty.values()
         )
 
     def unsolved(self) -> bool:
         """Whether the best model leaves structure; where none beats the base model, whether that does."""
         best = self.best()
-        return (
-            self._leaves(self.base, self.drift_excluded)
-            if best is None
-            else self.has_structure(best)
-        )
+        return self._leaves_structure(self.base if best is None else best.fit)
 
     def leader(self, specific: bool = False) -> Candidate | None:
         """The model that the search goes on from while nothing leaves noise: the best, or else the nearest to it.
@@ -297,8 +284,6 @@ class Ranking:
             own = self.search.families_of(best.effects)
             rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=own)
             return [AcceptanceThreshold(reached, reached), rival]
-        if not self._leaves(best.fit, drift=False):
-            reached -= worth  # a further effect for what may be a drift
         bars = [AcceptanceThreshold(reached, reached, best)]
         if not self.is_specific(best.effects):
             law = self.leader(specific=True)
@@ -307,9 +292,26 @@ class Ranking:
         return bars
 
     def answer(self) -> Candidate | None:
-        """The best model; where it leaves structure, one effect that is beyond doubt all the same goes first."""
+        """The best model without further effects that are too small to matter.
+
+        Where it leaves structure, one effect that is beyond doubt all the same goes first.
+        """
         best = self.best()
-        if best is not None and self.has_structure(best):
+        if best is None:
+            return None
+        if self.has_structure(best):
             dominant = dominant_effect(self.base, list(self.fitted.values()))
-            return self.fitted[dominant.effects] if dominant is not None else best
+            if dominant is not None:
+                return self.fitted[dominant.effects]
+        while less := [c for c in self._with_one_less_than(best) if not self.matters(best, c)]:
+            best = min(less, key=lambda c: (self.information_criterion(c), c.effects))
         return best
+
+    def _with_one_less_than(self, best: Candidate) -> list[Candidate]:
+        names = frozenset(best.effects)
+        every = (c for c in self.fitted.values() if 0 < len(c.effects) == len(names) - 1)
+        return [c for c in every if names.issuperset(c.effects)]
+
+    def matters(self, best: Candidate, without: Candidate, times: float = 1.0) -> bool:
+        """Whether the effect that a model lacks, compared with a better one, is large enough to be called missing."""
+        return size_of_effect(self.base, without.fit, best.fit).matters(times)

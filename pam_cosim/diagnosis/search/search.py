@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import itertools
+import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property
@@ -18,6 +19,8 @@ from pam_cosim.diagnosis.judgement.events import CandidateTried, EffectProbed, R
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.search.effort import Effort
+from pam_cosim.diagnosis.search.elimination import needed_effects
+from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, full_crashed, run_full
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
 from pam_cosim.diagnosis.search.step_times import (
     Retimed,
@@ -32,9 +35,11 @@ from pam_cosim.diagnosis.search.trial import (
     run_probe,
     run_stated,
     run_trial_without_samples,
+    values_where_absent,
 )
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
+from pam_cosim.model.references import is_ratio
 
 Look = TypeVar("Look")
 
@@ -241,6 +246,94 @@ class Search:
         ]
         return next(iter(self._run("to the end", trials)), None)
 
+    def full_models(self, base: Fit, promising: Sequence[str]) -> list[FullModel]:
+        """What the data need of a model with the plainest member of every family, one for each way to compose it.
+
+        Args:
+            base: the base model, fitted.
+            promising: effects with a place, those that promise most first.
+        """
+        misfit = max(base.residuals["fit"].chi2_reduced, 1.0)
+        fulls = [
+            FullTrial(trial, tuple(self.effect(name) for name in trial.effects), misfit, self.price)
+            for effects in self._full_sets(promising)
+            for trial in self._trials([FitRequest(effects, base.values_and_starts)])
+        ]
+        self.say(Remark(f"fitting {len(fulls)} models with a member of every family").message)
+        results = self.effort.run_tasks(run_full, fulls, full_crashed, lambda _: None, self.workers)
+        self.failed.extend(r for r in results if isinstance(r, FailedTrial))
+        return [r for r in results if isinstance(r, FullModel)]
+
+    @property
+    def price(self) -> float:
+        """What the choice of one more effect costs, about."""
+        return 2 * math.log(max(len(self.available_effects), 1))
+
+    def needed(self, c: Candidate, most: int) -> tuple[str, ...]:
+        """The effects of a fitted model that the data need, so many at most, to first order."""
+        composition = compose_on(self.tree, self.structure, c.effects)
+        if c.fit.linear is None or composition is None:
+            return c.effects
+        own = {e: composition.parameters[e] for e in c.effects}
+        absent = {
+            name: value
+            for e in c.effects
+            for name, value in values_where_absent(own[e], self.effect(e).absent).items()
+        }
+        misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
+        return needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
+
+    def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
+        """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""
+        composition, linear = compose_on(self.tree, self.structure, c.effects), c.fit.linear
+        if composition is None or linear is None:
+            return []
+        near = CRITERIA.fit.at_bound * (linear.high - linear.low)
+        at_low, at_high = linear.values <= linear.low + near, linear.values >= linear.high - near
+        ends = dict(zip(linear.names, zip(at_low, at_high, strict=True), strict=True))
+        laws = []
+        for name in c.effects:
+            rest = tuple(e for e in c.effects if e != name)
+            for full in composition.parameters[name]:
+                simpler = self.effect(name).simpler.get(full.rpartition(".")[2], (None, None))
+                for law, is_there in zip(simpler, ends.get(full, (False, False)), strict=True):
+                    family = self.family.get(law or "")
+                    if law and family and is_there and family not in self.families_of(rest):
+                        laws.append((*rest, law))
+        return laws
+
+    def _full_sets(self, promising: Sequence[str]) -> list[tuple[str, ...]]:
+        """Sets of effects, one of each family; a law that replaces the base model's has a set of its own."""
+        plain: dict[str, EffectClass] = {}
+        for e in map(self.effect, promising):
+            best = plain.get(e.family)
+            if e.general or is_ratio(e.name):
+                continue
+            if best is None or (not e.absent, self.cost[e.name]) < (
+                not best.absent,
+                self.cost[best.name],
+            ):
+                plain[e.family] = e
+        nested = [e.name for e in plain.values() if e.absent]
+        replacing = [e.name for e in plain.values() if not e.absent]
+        starts: list[tuple[str, ...]] = [(), *((name,) for name in replacing)]
+        return [self._with_place(start, nested) for start in starts]
+
+    def _with_place(self, first: tuple[str, ...], further: Sequence[str]) -> tuple[str, ...]:
+        """Effects, and of further ones those that find a place beside them."""
+        for name in further:
+            if compose_on(self.tree, self.structure, (*first, name)) is not None:
+                first = (*first, name)
+        return first
+
+    def effect(self, name: str) -> EffectClass:
+        """An effect by its name."""
+        return self._effects[name]
+
+    @cached_property
+    def _effects(self) -> dict[str, EffectClass]:
+        return {e.name: e for e in self.available_effects}
+
     def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models from where they stand to the end, on other samples; no line is printed of them."""
         changes = {"screened_starts": 0, "rules": False, "precision": CRITERIA.search.precision}
@@ -269,7 +362,6 @@ class Search:
 
     def _trials(self, models: Sequence[FitRequest]) -> list[Trial]:
         """Trials of the last effect of each model, of those whose effects find a place."""
-        own = {e.name: e for e in self.available_effects}
         trials = []
         for m in models:
             composition = compose_on(self.tree, self.structure, m.effects)
@@ -277,7 +369,12 @@ class Search:
                 self.displaced.add(frozenset(m.effects))
             else:
                 trial = Trial(
-                    own[m.effects[-1]], m.effects, composition, self.data, m.start, self.files
+                    self.effect(m.effects[-1]),
+                    m.effects,
+                    composition,
+                    self.data,
+                    m.start,
+                    self.files,
                 )
                 idle = {name for e in m.effects for name in self.inactive_parameters.get(e, ())}
                 trials.append(

@@ -1,16 +1,16 @@
-"""Which effects a model needs: the models that promise most are fitted, until none is left that may be better.
+"""Which effects a model needs: forwards from the base model, downwards from a model of every family, and small moves.
 
 One number orders all models (``diagnosis.ranking``): the information criterion, of a model that was fitted as it is, of
-one that was not, or not to the end, as far as linear algebra tells (``diagnosis.predicted_evidence``). Whoever may
-still beat the best is fitted next: single effects first; where the best of them leaves structure, pairs, and then
-triples, for which effects are looked at again beside the best models. What is made of more effects but of fewer
-parameters is asked for as well.
+one that was not, or not to the end, as far as linear algebra predicts it (``diagnosis.predicted_evidence``). Single
+effects are tried first, then pairs. Where the best model leaves structure, models with a member of every family supply
+further sets of effects (``diagnosis.full_model``). From the best of both, single effects are exchanged for others of
+their family, left out and added, until none of it pays.
 """
 
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -58,29 +58,19 @@ def select_effects(
     models = _Models(search, base)
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
-    for count in range(1, CRITERIA.search.most_effects + 1):
-        models.improve(count)
-        if count == 1:
-            models.try_forms()
-            models.improve(count)
-        else:
-            models.try_other_forms()
-        models.set_outliers_aside()
-        models.allow_drift()
-        if models.ranking.unsolved():
-            retimed = models.with_step_times(count) if retime else None
-            if retimed is not None:
-                return models.result(retimed=retimed)
-        else:
-            models.try_simpler()
-            if not (models.exclude_drift() or models.ranking.more_effects_can_pay(count + 1)):
-                break
-        if count < CRITERIA.search.most_effects:
-            models.probe_again()
-    models.ranking.drift_excluded = False
+    models.improve(1)
+    models.try_forms()
+    models.improve(1)
+    if models.ranking.unsolved() or models.ranking.more_effects_can_pay(2):
+        models.probe_again()
+        models.improve(2)
+    if models.ranking.unsolved() or models.has_general_answer():
+        models.try_full_models()
     models.try_earlier(earlier)
-    models.try_other_forms()
-    models.try_exchanging()
+    models.refine()
+    retimed = models.with_step_times() if retime and models.ranking.unsolved() else None
+    if retimed is not None:
+        return models.result(retimed=retimed)
     path = tuple(models.path())
     return models.result(
         path=path,
@@ -88,6 +78,9 @@ def select_effects(
         untried=tuple(models.untried),
         probes=tuple(models.probes),
     )
+
+
+_FEW = 3  # effects of a model that is fitted in no time: all moves are tried
 
 
 class _Models:
@@ -101,7 +94,6 @@ class _Models:
         self.probes: list[EffectProbe] = []
         self.base_as_probed = base.linear
         self.outliers: Counter[str] = Counter()
-        self.drift_excluded_beside = set[tuple[str, ...]]()
 
     @property
     def search(self) -> Search:
@@ -149,19 +141,22 @@ class _Models:
         self.predicted.note_probes(self.probes)
 
     def probe_again(self) -> None:
-        """What further families do beside the models that the search goes on from.
-
-        Beside the base model, which is far off then, the same parameters may do something else. Those that stand for
-        their families are looked at first, then all members of the families that promise most.
-        """
-        family = self.search.family
+        """What further families do beside the models that the search goes on from."""
         self._finish_within_effort([c for c in self.ranking.parents() if c.brief])
         for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
-            taken = {family[name] for name in best.effects}
-            broad = [n for n in self.search.family_representatives if family[n] not in taken]
-            self._probe_beside(best, broad)
-            leading = self.predicted.leading_families(best, CRITERIA.search.leading_families)
-            self._probe_beside(best, [e for f in leading for e in self._members(f)])
+            self._probe_further(best)
+
+    def _probe_further(self, best: Candidate) -> None:
+        """What further families do beside a model: beside the base model the same parameters may do something else.
+
+        Those that stand for their families are looked at first, then all members of the families that promise most.
+        """
+        family = self.search.family
+        taken = {family[name] for name in best.effects}
+        broad = [n for n in self.search.family_representatives if family[n] not in taken]
+        self._probe_beside(best, broad)
+        leading = self.predicted.leading_families(best, CRITERIA.search.leading_families)
+        self._probe_beside(best, [e for f in leading for e in self._members(f)])
 
     def _probe_beside(self, best: Candidate, effects: Sequence[str]) -> None:
         seen = self.predicted.probed_beside(best.effects)
@@ -187,53 +182,32 @@ class _Models:
         self.ranking.effort_spent = True
         return True
 
-    def exclude_drift(self) -> bool:
-        """Whether one more effect is looked for, as if what the best model leaves were no drift: nobody knows yet."""
-        best = self.ranking.best()
-        if best is None or best.effects in self.drift_excluded_beside:
-            return False
-        self.drift_excluded_beside.add(best.effects)
-        self.ranking.drift_excluded = self.ranking.has_drift(best)
-        return self.ranking.drift_excluded
-
-    def allow_drift(self) -> None:
-        """Takes what the best model leaves for a drift, if no model was found that leaves none."""
-        if self.ranking.unsolved():
-            self.ranking.drift_excluded = False
-
-    def with_step_times(self, count: int) -> Retimed | None:
+    def with_step_times(self) -> Retimed | None:
         """The model that leaves noise once each step of a command comes when it serves best within its interval.
 
-        If it has at most so many effects, and no model with one more, each step counted as a parameter, promises more.
+        If no model with steps as they are, each step counted as a parameter, is better.
         """
         if not self.search.steps_between_samples or self._is_effort_spent([]):
             return None
-        own = [(c.effects, c.fit) for c in self.ranking.models(count) if len(c.effects) == count]
-        own = own[: CRITERIA.search.leading_families]
         text = "giving each step of a command its time between two samples"
         self.search.say(Remark(text).message)
-        retimed = self.search.with_step_times([((), self.base)] * (count == 1) + own)
+        leading = self.ranking.models(CRITERIA.search.most_effects)
+        own = [(c.effects, c.fit) for c in leading[: CRITERIA.search.leading_families]]
+        retimed = self.search.with_step_times([((), self.base), *own])
         retimed = [r for r in retimed if not leaves_structure(r.fit)]
         if not retimed:
             return None
-        scale, noise = (
-            noise_scale([*self.ranking.fits, *(r.fit for r in retimed)]),
-            self.ranking.noise_floor(),
-        )
-        hopes = [
+        scale = noise_scale([*self.ranking.fits, *(r.fit for r in retimed)])
+        as_they_are = min(
             self.ranking.information_criterion(c, scale) for c in (None, *self.fitted.values())
-        ]
-        hopes += [
-            self.predicted.predicted_criterion(p, noise, scale)
-            for p in self.predicted.proposals(count + 1)
-        ]
+        )
         costs = {
             r.effects: information_criterion(r.fit, scale, r.effects, self.search.model_space)
             + r.steps * scale.penalty(r.fit)
             for r in retimed
         }
         best = min(retimed, key=lambda r: (len(r.effects), costs[r.effects], r.effects))
-        return best if costs[best.effects] < min(hopes) else None
+        return best if costs[best.effects] < as_they_are else None
 
     def set_outliers_aside(self) -> None:
         """Samples that the best model shows to be outliers, which worse ones hid: none is judged by them any more."""
@@ -254,12 +228,11 @@ class _Models:
 
         Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
         to be known what one family can say by itself. Where a law leaves noise, or no effect is needed, none is tried.
-        Where it leaves what may be a drift, the general members alone; where a general member leaves noise, those of
-        the others: what one bends into, another may.
+        Where a general member leaves noise, the general members of the others: what one bends into, another may.
         """
         answer = self.ranking.best()
         solved = not self.ranking.unsolved()
-        if solved and (answer is None or self._is_law_in_noise(answer)):
+        if solved and (answer is None or self.ranking.is_specific(answer.effects)):
             return
         best: dict[str, tuple[str, ...]] = {}
         for c in self.ranking.models(1):
@@ -280,25 +253,6 @@ class _Models:
         ]
         self._finish_within_effort(general)
 
-    def _is_law_in_noise(self, c: Candidate) -> bool:
-        """Whether a model is made of laws and leaves noise, not even a drift."""
-        return self.ranking.is_specific(c.effects) and not self.ranking.has_drift(c)
-
-    def try_simpler(self) -> None:
-        """In the model that leaves noise, forms with fewer parameters in the place of each effect."""
-        for _ in range(CRITERIA.search.most_effects):
-            best = self.ranking.best()
-            if best is None or self.ranking.has_structure(best):
-                return
-            before = len(self.fitted)
-            for name in best.effects:
-                forms = self._other_forms(best.effects, name)
-                sets = [s for e, s in forms.items() if self.search.cost[e] < self.search.cost[name]]
-                self._try([FitRequest(effects, best.fit.values) for effects in sets])
-            if len(self.fitted) == before:
-                return
-            self.improve(len(best.effects))
-
     def try_earlier(self, earlier: Sequence[Candidate]) -> None:
         """Models of an earlier search, those that left least of all runs."""
         left = {c.effects: sum(s.chi2 for s in c.fit.residuals.values()) for c in earlier}
@@ -308,48 +262,183 @@ class _Models:
             self._try([FitRequest(c.effects, c.fit.values) for c in first])
             self.improve(max(len(c.effects) for c in first))
 
-    def try_other_forms(self) -> None:
-        """While all leave structure, be it a drift, other members of each family in those of the leading models.
+    def has_general_answer(self) -> bool:
+        """Whether a general member leads, which may say what several laws say together."""
+        best = self.ranking.best()
+        return best is not None and not self.ranking.is_specific(best.effects)
 
-        A member that was right beside fewer effects, or beside a wrong one, may be far from the law that is right
-        beside all of them. The best model of each set of families leads; as many are looked at as of single families.
+    def try_full_models(self) -> None:
+        """The effects that models with a member of every family need, fitted without the others."""
+        first = [
+            e.effects[0] for e in self.predicted.most_promising(len(self.search.available_effects))
+        ]
+        if self._is_effort_spent([]):
+            return
+        found = [f for f in self.search.full_models(self.base, first) if f.effects]
+        for full in sorted(found, key=lambda f: f.misfit)[:1]:
+            self._try([FitRequest(full.effects, full.values)])
+            self._reduce(full.effects)
+
+    def _reduce(self, effects: tuple[str, ...]) -> None:
+        """From a model of very many effects to one of as many as an explanation may have.
+
+        Other members are tried in the place of each effect before any is left out: what a wrong member leaves is taken
+        up by others.
         """
-        for _ in range(CRITERIA.search.most_effects):
-            best = self.ranking.leader()
-            if best is None or len(best.effects) < 2:
+        first = self.fitted.get(effects)
+        if first is None or self._is_effort_spent([]):
+            return
+        leading = self.search.needed(first, CRITERIA.search.together)
+        best = self._best_of([effects, *self._exchange_members(first, leading)])
+        while best is not None and len(best.effects) > CRITERIA.search.most_effects:
+            some = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
+            fewer = self.search.needed(best, some)
+            self._try([FitRequest(fewer, best.fit.values)])
+            best = self.fitted.get(fewer)
+        for names in [n for n in self.fitted if len(n) > CRITERIA.search.most_effects]:
+            del self.fitted[names]  # they only led the way
+        self.ranking.update_scale()
+
+    def refine(self) -> None:
+        """Small moves from the leading model, until none of them pays.
+
+        An effect is exchanged for another of its family, left out, exchanged for one that does nearly the same to the
+        samples, or added. What the search predicts of a set is computed from slopes; an effect may have been chosen
+        beside others that need it no more, or that need another one, once they are fitted together.
+        """
+        refined = set[frozenset[str]]()
+        exchanged = False
+        while (best := self._leading()) is not None and frozenset(best.effects) not in refined:
+            if self._is_effort_spent([]):
                 return
-            if not (self.ranking.has_structure(best) or self.ranking.has_drift(best)):
-                return
-            leading = self.ranking.of_each_families(len(best.effects))
-            self._try(
-                [
-                    FitRequest(effects, c.fit.values)
-                    for c in leading[: CRITERIA.search.leading_families]
-                    for name in c.effects
-                    for effects in self._other_forms(c.effects, name).values()
-                ]
-            )
+            refined.add(frozenset(best.effects))
+            self.set_outliers_aside()
+            if len(best.effects) > _FEW:
+                self._refine_many(best, not exchanged)
+                exchanged = True
+                continue
+            self._exchange_members(best)
+            self._try(self._requests(best, self.search.simpler_laws(best)))
+            law = self.ranking.leader(specific=True)
+            if law is not None and law is not best:  # what a general member says, laws may say
+                self._exchange_members(law)
             self.improve(len(best.effects))
-            if self.ranking.leader() is best:
-                return
-
-    def try_exchanging(self) -> None:
-        """What is chosen without one of its effects, and with another in its place, until nothing better is found.
-
-        What the search expects of a set is reckoned from slopes; an effect may have been chosen beside others that
-        need it no more once they are fitted together, or need another one. In its place comes what does nearly the
-        same to the samples, as a valve with a dead time and a late clock: if both leave noise, the answer is open.
-        """
-        exchanged = set[tuple[str, ...]]()
-        while (best := self.ranking.answer()) is not None and best.effects not in exchanged:
-            exchanged.add(best.effects)
-            sets = [left for name in best.effects if (left := _without(best.effects, name))]
-            if not self._fit_again(sets, best):
-                return
-            if self.ranking.answer() is not best:
+            self._leave_out(best)
+            if self._leading() is not best:
                 continue
             self._try_imitations(best)
             self.improve(len(best.effects))
+            if self.ranking.has_structure(best) and self._leading() is best:
+                self._add_one(best)
+        if best is not None and len(best.effects) > _FEW:
+            self._try(self._requests(best, [_without(best.effects, n) for n in best.effects]))
+
+    def _refine_many(self, best: Candidate, exchange: bool) -> None:
+        """The moves from a model of many effects, of which a fit takes long: as few as may do."""
+        if exchange:
+            self._exchange_members(best)
+            self._try(self._requests(best, self.search.simpler_laws(best)))
+            self._finish_best()
+        fewer = self.search.needed(best, len(best.effects) - 1)
+        self._try(self._requests(best, [fewer]))
+        less = self.fitted.get(fewer)
+        if less is not None and less.brief and not self.ranking.matters(best, less, 2.0):
+            self._finish_within_effort([less])
+        self._finish_best()
+        if self._leading() is best and self.ranking.has_structure(best):
+            self._add_one(best)
+
+    def _finish_best(self) -> None:
+        """Fits to the end what is best after a few steps, if it may lead."""
+        best = min(
+            self.fitted.values(),
+            key=lambda c: (self.ranking.information_criterion(c), c.effects),
+            default=None,
+        )
+        if best is not None and best.brief:
+            self._finish_within_effort([best])
+
+    @staticmethod
+    def _requests(best: Candidate, sets: Sequence[tuple[str, ...]]) -> list[FitRequest]:
+        """Sets of effects, to be fitted from where a model stands."""
+        return [FitRequest(effects, best.fit.values) for effects in sets]
+
+    def _leading(self) -> Candidate | None:
+        """The model to go on from: the answer, or what leaves least while nothing beats the base model."""
+        return self.ranking.answer() or self.ranking.leader()
+
+    def _exchange_members(
+        self, best: Candidate, leading: Collection[str] | None = None
+    ) -> list[tuple[str, ...]]:
+        """Tries other members of its family in the place of each effect, and the best of all of them together.
+
+        Where the model leaves noise, only members with fewer parameters; beside many effects, only plain ones.
+
+        Args:
+            best: the model.
+            leading: the effects that are exchanged; None: all.
+
+        Returns:
+            the sets of effects.
+        """
+        cost, structured = self.search.cost, self.ranking.has_structure(best)
+        plain = CRITERIA.search.combined_parameters if len(best.effects) > 2 else max(cost.values())
+        forms = {
+            name: [
+                effects
+                for e, effects in self._other_forms(best.effects, name).items()
+                if e not in self.search.general
+                and cost[e] <= plain
+                and (structured or cost[e] < cost[name])
+            ]
+            for name in (best.effects if leading is None else leading)
+        }
+        every = [effects for sets in forms.values() for effects in sets]
+        self._try([FitRequest(effects, best.fit.values) for effects in every])
+        first = {name: self._best_of([best.effects, *sets]) for name, sets in forms.items()}
+        better = {
+            name: c for name, c in first.items() if c is not None and c.effects != best.effects
+        }
+        if len(better) > 1:
+            member = {name: c.effect for name, c in better.items()}
+            values = {n: v for c in better.values() for n, v in c.fit.values.items()}
+            together = tuple(member.get(name, name) for name in best.effects)
+            self._try([FitRequest(together, values | best.fit.values)])
+            every.append(together)
+        return every
+
+    def _best_of(self, sets: Sequence[tuple[str, ...]]) -> Candidate | None:
+        """The best of some sets of effects that were fitted."""
+        every = [c for effects in sets if (c := self.fitted.get(effects)) is not None]
+        return min(
+            every, key=lambda c: (self.ranking.information_criterion(c), c.effects), default=None
+        )
+
+    def _leave_out(self, best: Candidate) -> None:
+        """The model without each of its effects; to the end where that decides whether the effect matters."""
+        sets = [rest for name in best.effects if (rest := _without(best.effects, name))]
+        if not sets or self._is_effort_spent([]):
+            return
+        self._record(self.search.fit_briefly([FitRequest(s, best.fit.values) for s in sets]))
+        less = [c for s in sets if (c := self.fitted.get(s)) is not None and c.brief]
+        self._finish_within_effort([c for c in less if not self.ranking.matters(best, c, 2.0)])
+        nearest = self._best_of(sets)
+        if nearest is not None:  # another member may say alone what two say together
+            self._exchange_members(nearest)
+        self.improve(len(best.effects) - 1)
+
+    def _add_one(self, best: Candidate) -> None:
+        """One more effect beside the model."""
+        count = len(best.effects) + 1
+        if count > CRITERIA.search.most_effects:
+            return
+        self._probe_further(best)
+        if count <= _FEW:
+            self.improve(count)
+            return
+        proposed = [p.prediction for p in self.predicted.proposals(count)]
+        self._try([self.predicted.fit_request(e) for e in proposed])
+        self._finish_best()
 
     def _try_imitations(self, best: Candidate) -> None:
         """A model with each of its effects exchanged for what does the likest to the samples.
@@ -391,23 +480,10 @@ class _Models:
         more = other.fit.chi2_minimised - best.fit.chi2_minimised
         return more < CRITERIA.search.little * explained
 
-    def _fit_again(self, sets: Sequence[tuple[str, ...]], best: Candidate) -> bool:
-        """Sets of effects from where the best model stands, to the end; whether the effort allowed it.
-
-        A set that was fitted before may have stopped in another valley.
-        """
-        seen = self.ranking.attempted
-        if self._is_effort_spent([names for names in sets if frozenset(names) not in seen]):
-            return False
-        self._record(
-            self.search.fit_briefly([FitRequest(names, best.fit.values) for names in sets])
-        )
-        self._finish_within_effort([c for n in sets if (c := self.fitted.get(n)) and c.brief])
-        return True
-
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
-        """By member of its family, the effects with that member in the place of one of them."""
-        return {e: _exchanged(effects, name, e) for e in self._members(self.search.family[name])}
+        """By member of its family, the effects with that member, the last, in the place of one of them."""
+        rest = _without(effects, name)
+        return {e: (*rest, e) for e in self._members(self.search.family[name]) if e != name}
 
     def _members(self, family: str) -> Iterator[str]:
         """The effects of a family that can show."""
@@ -480,8 +556,8 @@ class _Models:
         for k in range(1, len(best.effects) + 1):
             names = best.effects[:k]
             own = self.fitted.get(names)
-            if own is None or own.brief or (own.general and k == len(best.effects)):
-                finished = self.search.fit_final(names, best.fit.values)
+            if own is None or (k == len(best.effects) and (own.brief or own.general)):
+                finished = self._step_on_path(names, best)
                 if finished is None:
                     continue
                 own = finished
@@ -490,6 +566,13 @@ class _Models:
             before = models[-1].fit if models else self.base
             models.append(rank(before, [own])[0])
         return models
+
+    def _step_on_path(self, names: tuple[str, ...], best: Candidate) -> Candidate | None:
+        """The answer to the end; what leads there in a few steps, which is enough to show how the error falls."""
+        if names == best.effects:
+            return self.search.fit_final(names, best.fit.values)
+        few = self.search.fit_briefly([FitRequest(names, best.fit.values)])
+        return few[0] if few else None
 
     def _record(self, candidates: Sequence[Candidate]) -> None:
         """Keeps the better fit of each model; one to the end began where the brief one stood, and is more exact."""
@@ -504,8 +587,3 @@ class _Models:
 def _without(effects: Sequence[str], name: str) -> tuple[str, ...]:
     """The effects but for one."""
     return tuple(e for e in effects if e != name)
-
-
-def _exchanged(effects: Sequence[str], name: str, other: str) -> tuple[str, ...]:
-    """The effects with another in the place of one of them."""
-    return tuple(other if n == name else n for n in effects)

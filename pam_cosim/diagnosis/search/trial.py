@@ -8,6 +8,8 @@ from dataclasses import dataclass, field, replace
 from pathlib import Path
 from typing import Any, TypeVar
 
+import numpy as np
+
 from pam_cosim.arrays import Array
 from pam_cosim.catalogue import Composition, EffectClass
 from pam_cosim.criteria import CRITERIA
@@ -130,7 +132,7 @@ def crashed(trial: Trial) -> FailedTrial:
 
 def run_trial(trial: Trial) -> Attempt:
     """Builds the model and fits the free base parameters together with those of the effects."""
-    return _attempted(trial, _fitted, brief=trial.brief)
+    return attempted(trial, _fitted, brief=trial.brief)
 
 
 def run_trial_without_samples(trial: Trial) -> Attempt:
@@ -145,15 +147,15 @@ def run_trial_without_samples(trial: Trial) -> Attempt:
 
 def run_probe(trial: Trial) -> EffectProbe | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, for what its effect can add."""
-    return _attempted(trial, _probe, brief=True)
+    return attempted(trial, _probe, brief=True)
 
 
 def run_stated(trial: Trial) -> StatedEffect | FailedTrial:
     """Builds the model and linearises it about the values that it starts from, its effect as strong as it is stated."""
-    return _attempted(trial, _stated_effect, brief=True)
+    return attempted(trial, _stated_effect, brief=True)
 
 
-def _attempted(
+def attempted(
     trial: Trial, work: Callable[[Trial, Simulator], Result], brief: bool
 ) -> Result | FailedTrial:
     """What comes of some work on the model of a trial, which takes few runs or many; a failure is a result too."""
@@ -285,11 +287,27 @@ def every_parameter(data: DataSet, composition: Composition, interface: Interfac
     known = {f.name for f in free}
     own = [name for names in composition.parameters.values() for name in names if name not in known]
     every = [model_parameter(name, interface) for name in own]
-    typical = composition.typical
+    typical, limits = composition.typical, composition.limits
+    every = [_outside_readings(f, *limits[f.name], data) if f.name in limits else f for f in every]
     return [
         *free,
         *(f.with_typical_range(*typical[f.name]) if f.name in typical else f for f in every),
     ]
+
+
+def _outside_readings(free: Free, side: str, signal: str, data: DataSet) -> Free:
+    """The limit of a reading, bounded by what was read: a reading is never beyond its limit by more than its noise."""
+    readings = [run.measurements[signal] for run in data.runs if run.sample_count(signal)]
+    if not readings:
+        return free
+    every = np.concatenate(readings)
+    noise = CRITERIA.noise.outlier_far * data.signals[signal].sigma
+    low, high = free.low, free.high
+    if side == "above":
+        low = min(max(low, float(np.nanmax(every)) - noise), high)
+    else:
+        high = max(min(high, float(np.nanmin(every)) + noise), low)
+    return replace(free, low=low, high=high).starting_at(free.start)
 
 
 def _start_points(spread: Sequence[Sequence[tuple[str, float]]]) -> list[dict[str, float]]:

@@ -12,7 +12,6 @@ from pam_cosim.diagnosis.judgement.verdict_sentences import (
     probability_sentence,
 )
 from pam_cosim.reporting.account.diagnosis_rows import (
-    acting_balances,
     balance_shares,
     candidate_row,
     missing_rows,
@@ -33,7 +32,6 @@ from pam_cosim.reporting.account.wording import (
 from pam_cosim.wording import words
 
 __all__ = [
-    "acting_balances",
     "against_of",
     "balance_shares",
     "candidate_row",

@@ -82,11 +82,6 @@ def place_text(place: str) -> str:
     return words(place) if place == STATED else f"{words(place)} balance"
 
 
-def acting_balances(path: Sequence[Candidate]) -> list[str]:
-    """The balances in which effects were added; a stated value is in none."""
-    return [place_of(c) for c in path if place_of(c) != STATED]
-
-
 def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
     """Share of each balance; a stated value stands for itself where it explains most among what acts in a balance."""
     single = [c for c in diagnosis.candidates if len(c.effects) == 1]
@@ -99,8 +94,8 @@ def balance_shares(diagnosis: Diagnosis) -> dict[str, float]:
 
 
 def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[str, Any]:
-    """A line of the ranking, beside the base model; ``path``: what was added."""
-    own = [
+    """A line of the ranking, compared with the base model; ``path``: what was added."""
+    effect_parameters = [
         " ".join(filter(None, [name, "=", row["value"], row["unit"]]))
         + f" ({row['remark'] or row['interval']})"
         for name, row in estimate_rows(c.parameters).items()
@@ -114,7 +109,7 @@ def candidate_row(base: Fit, c: Candidate, path: Sequence[Candidate]) -> dict[st
         "explained": percent(explained(base, c.fit)),
         "chi2": number(c.fit.comparison.chi2_reduced("fit")),
         "holdout": number(c.fit.comparison.chi2_reduced("holdout")),
-        "own": own,
+        "own": effect_parameters,
         "added": was_added(path, c),
     }
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from typing import Any
 
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading
@@ -13,14 +12,14 @@ from pam_cosim.wording import enumeration, words
 _SHOWN = 0.005  # share that is worth a word
 
 
-def ledger_words(ledger: Ledger, added: Sequence[str]) -> dict[str, Any]:
-    """What is said of a ledger beside its picture; ``added``: the balances of the effects that were added."""
+def ledger_words(ledger: Ledger) -> dict[str, Any]:
+    """Sentences about a ledger next to its picture."""
     return {
         "sentence": ledger_sentence(ledger),
         "rows": [_row(e) for e in ledger.entries],
         "meanings": [_sign(e) for e in ledger.entries if e.meaning],
         "readings": [_reading(r) for r in ledger.readings],
-        "notes": [*_disagreement(added, ledger), *ledger.notes],
+        "notes": [*ledger.notes],
     }
 
 
@@ -32,13 +31,13 @@ def ledger_sentence(ledger: Ledger) -> str:
             "likelihood enough."
         )
     names = [_name(b, ledger) for b in ledger.failing]
-    course = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
+    errors = f"mean square error {number(ledger.before)} → {number(ledger.after)} noise variances"
     rest = (
         "With what is missing there the model meets the samples to the noise"
         if ledger.closed
         else "What is missing there does not bring the model to the noise: something is missing elsewhere too"
     )
-    return f"The base model fails in {enumeration(names)}. {rest} ({course})."
+    return f"The base model fails in {enumeration(names)}. {rest} ({errors})."
 
 
 def ledger_line(ledger: Ledger) -> str:
@@ -46,7 +45,7 @@ def ledger_line(ledger: Ledger) -> str:
     if not ledger.failing:
         return "no balance is significantly violated"
     large = [entry for entry in ledger.entries if entry.share >= _SHOWN]
-    shares = ", ".join(f"{_name(one.balance, ledger)} {percent(one.share)}" for one in large)
+    shares = ", ".join(f"{_name(part.balance, ledger)} {percent(part.share)}" for part in large)
     rest = "" if ledger.closed else "; something is missing elsewhere too"
     return f"share of the error in {shares}{rest}"
 
@@ -88,22 +87,8 @@ def _reading(r: SensorReading) -> dict[str, str]:
     }
 
 
-def _disagreement(balances: Sequence[str], ledger: Ledger) -> list[str]:
-    """Where the effects that were added act elsewhere than the ledger says: both explain the samples."""
-    added = [b for b in dict.fromkeys(balances) if b not in ledger.failing]
-    if not added or not ledger.failing:
-        return []
-    acting = enumeration([words(balance) for balance in added])
-    failing = enumeration([words(balance) for balance in ledger.failing])
-    return [
-        f"The effects that were added act in the {acting} balance; a free term in the "
-        f"{failing} balance explains the same samples. The effects do it with a law "
-        "of physics and fewer numbers, the ledger without any law."
-    ]
-
-
 def telling_entries(ledger: Ledger) -> list[BalanceEntry]:
-    """Entries that have a course and a part in the error; all that have a course where none has a part."""
+    """Entries with a term over time and a share of the error; all with a term if none has a share."""
     drawn = [e for e in ledger.entries if e.courses]
     return [e for e in drawn if e.balance in ledger.failing or e.share >= _SHOWN] or drawn
 

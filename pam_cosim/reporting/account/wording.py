@@ -69,7 +69,9 @@ def estimate_texts(estimate: Estimate) -> tuple[str, str]:
     if not estimate.determined or not math.isfinite(high - low):
         return number(value), NOTHING
     digits = _digits(value, (high - low) / 2)
-    return number(value, digits), f"{_beside(low, value, digits)} to {_beside(high, value, digits)}"
+    return number(
+        value, digits
+    ), f"{_bound_text(low, value, digits)} to {_bound_text(high, value, digits)}"
 
 
 def _digits(value: float, reach: float) -> int:
@@ -83,7 +85,7 @@ def _digits(value: float, reach: float) -> int:
     return min(max(digits, 2), _MOST_DIGITS)
 
 
-def _beside(bound: float, value: float, digits: int) -> str:
+def _bound_text(bound: float, value: float, digits: int) -> str:
     """``bound`` with as many decimals as ``value`` has."""
     if not (_SMALLEST <= abs(value) < _LARGEST):
         return number(bound, digits)

@@ -14,7 +14,7 @@ from pam_cosim.units import readable_factor
 
 
 def bands_figure(prediction: PredictiveBands) -> Figure:
-    """A row for each signal: its course with bands and readings, and the same less the course of the fitted values."""
+    """A row for each signal: its values with bands and readings, and the same minus the fitted values."""
     figure = new_figure(11.0, 0.9 + 1.9 * len(prediction.bands))
     grid = figure.subplots(len(prediction.bands), 2, sharex=True, squeeze=False)
     for row, (name, band) in zip(grid, prediction.bands.items(), strict=True):
@@ -24,7 +24,7 @@ def bands_figure(prediction: PredictiveBands) -> Figure:
         row[0].set_ylabel(f"{name} [{unit}]" if unit else name)
     grid[0, 0].legend(loc="best", labelcolor=SOFT)
     grid[0, 0].set_title(f"{prediction.model}, {prediction.run}")
-    grid[0, 1].set_title("less the course with the fitted parameters")
+    grid[0, 1].set_title("minus the values with the fitted parameters")
     for axes in grid[-1]:
         axes.set_xlabel("time [s]")
     figure.align_ylabels(grid[:, 0])

@@ -48,7 +48,7 @@ class CandidateBar:
 
 
 def where_picture(rules: Sequence[Rule]) -> Picture:
-    """Share of the error beside share of the time, rule by rule."""
+    """Share of the error and share of the time, rule by rule."""
     shown = list(rules[:_MOST_RULES])
     labels = [textwrap.fill(f"{r.signal}: {r.rule}", 46) for r in shown]
     with drawing():
@@ -136,21 +136,21 @@ def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) ->
     with drawing():
         figure = new_figure(0.8 * WIDTH, 0.95)
         axes = figure.subplots()
-        left = 0.0
+        position = 0.0
         for name, share in balance.items():
             axes.barh(
-                0, share, 0.6, left=left, color=palette[name], edgecolor="white", linewidth=1.2
+                0, share, 0.6, left=position, color=palette[name], edgecolor="white", linewidth=1.2
             )
             if share > _WIDE_ENOUGH:
                 axes.text(
-                    left + share / 2,
+                    position + share / 2,
                     0,
                     percent(share),
                     ha="center",
                     va="center",
                     color=_on(palette[name]),
                 )
-            left += share
+            position += share
         axes.set_xlim(0, 1)
         axes.axis("off")
         handles = [
@@ -166,19 +166,27 @@ def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) ->
 
 def probability_picture(rows: Sequence[ProbabilityRow]) -> Picture:
     """One bar, divided by what may be missing; the last row is what no effect describes."""
-    named, others = itertools.cycle((BLUE, SKY)), itertools.cycle((ORANGE, GREEN, PINK))
-    colours = [*(next(named if row.named else others) for row in rows[:-1]), SOFT]
+    named_colours, other_colours = (
+        itertools.cycle((BLUE, SKY)),
+        itertools.cycle((ORANGE, GREEN, PINK)),
+    )
+    colours = [*(next(named_colours if row.named else other_colours) for row in rows[:-1]), SOFT]
     with drawing():
         figure = new_figure(0.8 * WIDTH, 0.75 + 0.22 * len(rows))
         axes = figure.subplots()
-        left = 0.0
+        position = 0.0
         for (_, share, _), colour in zip(rows, colours, strict=True):
-            axes.barh(0, share, 0.6, left=left, color=colour, edgecolor="white", linewidth=1.2)
+            axes.barh(0, share, 0.6, left=position, color=colour, edgecolor="white", linewidth=1.2)
             if share > _WIDE_ENOUGH:
                 axes.text(
-                    left + share / 2, 0, percent(share), ha="center", va="center", color=_on(colour)
+                    position + share / 2,
+                    0,
+                    percent(share),
+                    ha="center",
+                    va="center",
+                    color=_on(colour),
                 )
-            left += share
+            position += share
         axes.set_xlim(0, 1)
         axes.axis("off")
         labels = [f"{percent(share)}  {shortened(what, 90)}" for what, share, _ in rows]

@@ -9,7 +9,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from pam_cosim.analysis.frequency_response import phase
 from pam_cosim.analysis.linear import LinearModel
-from pam_cosim.analysis.linear_course import LinearCourse
+from pam_cosim.analysis.linear_models import LinearModels
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.reporting.account.wording import unit_text
@@ -71,11 +71,11 @@ def bode(model: LinearModel) -> Figure:
     return figure
 
 
-def poles_along(course: LinearCourse) -> Figure:
+def poles_along(linear_models: LinearModels) -> Figure:
     """The poles over the time of a run: how fast, and how damped."""
     figure = new_figure(8.0, 3.4)
     left, right = figure.subplots(1, 2)
-    times, poles = course.times, course.poles
+    times, poles = linear_models.times, linear_models.poles
     for j in range(poles.shape[1]):
         colour = BALANCES[j % len(BALANCES)]
         left.semilogy(times, np.abs(poles[:, j]), "o", color=colour, ms=4)

@@ -17,9 +17,9 @@ _DARK = 0.55  # of the colours, above which ink is readable on them
 
 def condition_maps(tables: Sequence[ConditionTable]) -> Figure:
     """A column for each signal, a map for each statistic; yellow is good in all of them."""
-    first = tables[0]
-    width = 1.4 + 0.72 * (len(first.columns.values) + 1.4)
-    height = 1.0 + 0.36 * (len(first.rows.values) + 1)
+    example = tables[0]
+    width = 1.4 + 0.72 * (len(example.columns.values) + 1.4)
+    height = 1.0 + 0.36 * (len(example.rows.values) + 1)
     figure = new_figure(max(5.0, width * len(tables)), height * len(STATISTICS))
     grid = figure.subplots(len(STATISTICS), len(tables), squeeze=False)
     for row, statistic in zip(grid, STATISTICS, strict=True):

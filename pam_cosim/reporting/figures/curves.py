@@ -38,11 +38,11 @@ def draw_curves(
         rasterized=not few,
     )
     for i, layer in enumerate(layers):
-        own = layer.run(run.run.name)
-        if own is not None and signal.name in own.model:
+        simulated = layer.run(run.run.name)
+        if simulated is not None and signal.name in simulated.model:
             (line,) = axes.plot(
-                places(own),
-                own.model[signal.name] * factor,
+                places(simulated),
+                simulated.model[signal.name] * factor,
                 color=layer.colour,
                 lw=1.6 if few else 1.1,
                 zorder=3 + i,

@@ -35,15 +35,15 @@ def fit_figure(fit: Fit) -> Figure:
 
 
 def _convergence(axes: Axes, fit: Fit) -> None:
-    course = fit.convergence
+    descent = fit.convergence
     axes.set(xlabel="simulations of the fitted runs", ylabel="lowest reduced chi-square")
-    if not len(course.evaluations):
+    if not len(descent.evaluations):
         message(axes, "not recorded")
         return
-    end = max(fit.evaluations, int(course.evaluations[-1]))
+    end = max(fit.evaluations, int(descent.evaluations[-1]))
     x, y = (
-        np.append(course.evaluations, end),
-        np.append(course.chi2_reduced, course.chi2_reduced[-1]),
+        np.append(descent.evaluations, end),
+        np.append(descent.chi2_reduced, descent.chi2_reduced[-1]),
     )
     axes.step(x, y, where="post", color=BLUE)
     searched = getattr(fit.search, "evaluations", None)

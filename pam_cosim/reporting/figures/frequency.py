@@ -29,15 +29,15 @@ def frequency_figure(response: FrequencyResponse) -> Figure:
             response.units[response.input]
         )
         gain, turn = grid[0, i], grid[1, i]
-        own = phase(response.gain[:, i])
+        angles = phase(response.gain[:, i])
         if smooth is not None:
             gain.loglog(
                 fine, np.abs(smooth[:, i]) * factor, color=SOFT, lw=1.2, label="linear model"
             )
             line = phase(smooth[:, i])
             turn.semilogx(fine, line, color=SOFT, lw=1.2)
-            own = own + 360.0 * np.round(
-                (np.interp(response.frequencies[0], fine, line) - own[0]) / 360.0
+            angles = angles + 360.0 * np.round(
+                (np.interp(response.frequencies[0], fine, line) - angles[0]) / 360.0
             )
         for which, fill in ((settled, AFTER), (~settled, "none")):
             label = "sines" if fill != "none" else "sines, not settled"
@@ -49,7 +49,7 @@ def frequency_figure(response: FrequencyResponse) -> Figure:
                     label=label,
                     **style,
                 )
-                turn.semilogx(response.frequencies[which], own[which], **style)
+                turn.semilogx(response.frequencies[which], angles[which], **style)
         grid[2, i].semilogx(
             response.frequencies,
             100 * response.distortion[:, i],

@@ -26,7 +26,7 @@ from pam_cosim.reporting.style import (
 )
 from pam_cosim.units import readable_factor
 
-_WIDEST = 3  # panels beside each other
+_WIDEST = 3  # panels side by side
 
 
 @dataclass(frozen=True)

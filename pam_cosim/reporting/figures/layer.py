@@ -9,7 +9,7 @@ from pam_cosim.comparison import Comparison, RunComparison
 from pam_cosim.reporting.account.labels import short_model
 from pam_cosim.reporting.style import AFTER, BEFORE
 
-COLUMNS = 6  # runs beside each other; more go to a further figure
+COLUMNS = 6  # runs side by side; more go to another figure
 SPARSE = 60  # samples of a run up to which each is drawn large
 
 
@@ -41,12 +41,12 @@ def before_and_after(base: Comparison, final: Comparison | None, label: str) -> 
 
 
 def alone(comparison: Comparison) -> Layer:
-    """A model with no other beside it."""
+    """A single model."""
     return Layer(short_model(comparison.model), comparison, AFTER)
 
 
 def pages(runs: Sequence[RunComparison]) -> list[Sequence[RunComparison]]:
-    """Runs in groups of nearly equal size that fit beside each other."""
+    """Runs in groups of nearly equal size that fit side by side."""
     count = -(-len(runs) // COLUMNS)
     size = -(-len(runs) // count) if count else 0
     return [runs[i * size : (i + 1) * size] for i in range(count)]

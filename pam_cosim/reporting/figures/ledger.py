@@ -24,7 +24,7 @@ def ledger_figure(ledger: Ledger) -> Figure:
     draw_shares(figure.add_subplot(grid[0, :]), ledger)
     for i, entry in enumerate(rows):
         colour = colours[entry.balance]
-        draw_courses(figure.add_subplot(grid[i + 1, 0]), entry, colour)
+        draw_terms(figure.add_subplot(grid[i + 1, 0]), entry, colour)
         names = against_of(entry, domain)[:2]
         for k in range(2):
             axes = figure.add_subplot(grid[i + 1, 1 + k])
@@ -40,14 +40,14 @@ def ledger_figure(ledger: Ledger) -> Figure:
 
 def draw_shares(axes: Axes, ledger: Ledger) -> None:
     """What is lost without each balance in the best explanation, as one bar."""
-    left, colours = 0.0, _colours(ledger)
+    position, colours = 0.0, _colours(ledger)
     for entry in ledger.entries:
         if entry.share > 0:
-            axes.barh(0, entry.share, left=left, color=colours[entry.balance], height=0.6)
+            axes.barh(0, entry.share, left=position, color=colours[entry.balance], height=0.6)
             if entry.share > 0.08:
                 text = f"{entry.balance} {100 * entry.share:.0f} %"
                 axes.text(
-                    left + entry.share / 2,
+                    position + entry.share / 2,
                     0,
                     text,
                     ha="center",
@@ -55,8 +55,8 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
                     color="white",
                     fontweight="bold",
                 )
-            left += entry.share
-    if not left:
+            position += entry.share
+    if not position:
         message(axes, "no balance fails: the model meets the samples to the noise")
     what = " and ".join(ledger.failing) or "nothing"
     axes.set_title(
@@ -68,13 +68,13 @@ def draw_shares(axes: Axes, ledger: Ledger) -> None:
     axes.set_axis_off()
 
 
-def draw_courses(axes: Axes, entry: BalanceEntry, colour: str = INK) -> None:
+def draw_terms(axes: Axes, entry: BalanceEntry, colour: str = INK) -> None:
     """The missing term over time, every run, with two standard deviations."""
     factor, unit = _scale(entry)
-    for course in entry.courses:
-        low, high = ((course.value + s * 2 * course.deviation) * factor for s in (-1, 1))
-        axes.fill_between(course.time, low, high, color=colour, alpha=0.12, lw=0)
-        axes.plot(course.time, course.value * factor, color=colour, lw=0.8)
+    for term in entry.courses:
+        low, high = ((term.value + s * 2 * term.deviation) * factor for s in (-1, 1))
+        axes.fill_between(term.time, low, high, color=colour, alpha=0.12, lw=0)
+        axes.plot(term.time, term.value * factor, color=colour, lw=0.8)
     axes.axhline(0, color=SOFT, lw=0.8)
     _bound(axes, entry, factor)
     axes.set_xlabel("time [s]")
@@ -85,10 +85,10 @@ def draw_against(axes: Axes, entry: BalanceEntry, name: str, colour: str = INK) 
     """The missing term against one of its variables: every instant, and the means of bands."""
     factor, unit = _scale(entry)
     across = readable_factor(entry.units.get(name, ""))
-    for course in entry.courses:
+    for term_of_run in entry.courses:
         axes.plot(
-            course.against[name] * across,
-            course.value * factor,
+            term_of_run.against[name] * across,
+            term_of_run.value * factor,
             ".",
             color=SOFT,
             ms=1.2,

@@ -68,11 +68,11 @@ def _signal(axes: Axes, plan: RunPlan, run: PlannedRun, name: str) -> None:
 
 def _differences(axes: Axes, plan: RunPlan, run: PlannedRun) -> None:
     """Each rival minus the first one, a line style for each signal."""
-    first, *others = plan.rivals
+    reference, *competitors = plan.rivals
     axes.axhspan(-2, 2, color=BAND, lw=0)
-    for k, rival in enumerate(others, 1):
+    for k, rival in enumerate(competitors, 1):
         for style, (name, sigma) in zip(cycle(_STYLES), plan.sigma.items()):
-            apart = (run.predicted[rival][name] - run.predicted[first][name]) / sigma
+            apart = (run.predicted[rival][name] - run.predicted[reference][name]) / sigma
             axes.plot(run.time, apart, color=_colour(k), lw=1.2, ls=style, label=f"{name}, {rival}")
     axes.grid(True)
 

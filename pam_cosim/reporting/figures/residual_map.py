@@ -54,7 +54,7 @@ def binned_residual(
     runs = [r for r in layer.comparison.runs if r.run.sample_count(signal.name)]
     noise = [signal.sigma_at(r.run.measurements[signal.name]) for r in runs]
     error = np.concatenate(
-        [r.residual(signal.name) / own for r, own in zip(runs, noise, strict=True)]
+        [r.residual(signal.name) / sd for r, sd in zip(runs, noise, strict=True)]
     )
     x, y = (np.concatenate([r.model[s.name] for r in runs]) for s in (across, up))
     kept = np.isfinite(error)

@@ -33,13 +33,13 @@ def draw_residuals(axes: Axes, run: RunComparison, signal: Signal, layers: Seque
     axes.axhline(0, color=SOFT, lw=0.8, zorder=2)
     few = run.run.sample_count(signal.name) <= SPARSE
     for i, layer in enumerate(layers):
-        own = layer.run(run.run.name)
-        if own is None or signal.name not in own.model:
+        simulated = layer.run(run.run.name)
+        if simulated is None or signal.name not in simulated.model:
             continue
-        residual = own.residual(signal.name) * factor
+        residual = simulated.residual(signal.name) * factor
         kept = np.isfinite(residual)
         axes.plot(
-            places(own)[kept],
+            places(simulated)[kept],
             residual[kept],
             color=layer.colour,
             zorder=3 + i,

@@ -1,4 +1,4 @@
-"""One picture that tells the whole story: a course before and after, and the error coming down."""
+"""One picture that tells the whole story: a run before and after, and the falling error."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ _DOTS = SPARSE  # more would hide under the line
 def showcase(
     layers: Sequence[Layer], rungs: Sequence[Rung], run: RunComparison, signal: Signal
 ) -> Figure:
-    """Left: measured and modelled course of one run. Right: the ladder of that signal."""
+    """Left: measured and modelled signal of one run. Right: the ladder of that signal."""
     figure = new_figure(9.0, 3.9)
     left, right = figure.subplots(1, 2, width_ratios=[1.75, 1.0] if len(rungs) < 3 else [1.35, 1.0])
     left.grid(True)

@@ -18,14 +18,14 @@ from pam_cosim.units import readable_factor
 
 _MAP = "cividis"  # alike for every kind of colour vision, and ordered in grey
 _LINES = 20  # values of one axis up to which each is a line of its own
-_RUNS = 60  # courses that are drawn at most, evenly chosen
+_RUNS = 60  # maximum number of runs that are drawn, evenly chosen
 _WIDE, _HIGH = 4.6, 3.4  # of a panel [in]
 
 
 def sweep_figure(sweep: Sweep) -> Figure:
     """A panel for each scalar: lines over one axis, a map or a family of lines over two, points over each of more."""
     if not sweep.scalars:
-        return _courses(sweep)
+        return _trajectories(sweep)
     names = sweep.design.names
     across = len(names) if len(names) > 2 else 1
     count = len(sweep.scalars)
@@ -90,10 +90,10 @@ def _over_two(figure: Figure, axes: Axes, sweep: Sweep, values: Array, label: st
         _named(axes, _name(sweep, 0), _name(sweep, 1))
         figure.colorbar(points, ax=axes, label=label)
         return
-    first, second = (len(values) for values in sweep.design.axes.values())
-    table = values.reshape(first, second)
-    if min(first, second) <= _LINES:
-        _family(figure, axes, sweep, table, label, fewer=0 if first < second else 1)
+    row_count, column_count = (len(values) for values in sweep.design.axes.values())
+    table = values.reshape(row_count, column_count)
+    if min(row_count, column_count) <= _LINES:
+        _family(figure, axes, sweep, table, label, fewer=0 if row_count < column_count else 1)
         return
     mesh = axes.pcolormesh(
         x.reshape(table.shape)[:, 0],
@@ -128,7 +128,7 @@ def _colours(values: Array) -> ScalarMappable:
     return ScalarMappable(Normalize(float(values.min()), float(values.max())), _MAP)
 
 
-def _courses(sweep: Sweep) -> Figure:
+def _trajectories(sweep: Sweep) -> Figure:
     """The kept variables over time, coloured by what is varied first."""
     good = [i for i in range(len(sweep)) if not sweep.table.failure(i)]
     figure = new_figure(8.0, 0.7 + 1.9 * max(1, len(sweep.outputs)))
@@ -138,13 +138,15 @@ def _courses(sweep: Sweep) -> Figure:
         if good
         else []
     )
-    first = _shown(sweep, 0)
-    colours = _colours(first)
+    shown_values = _shown(sweep, 0)
+    colours = _colours(shown_values)
     for axes, name in zip(panels, sweep.outputs, strict=False):
         unit = sweep.units[name]
         for run in shown:
             values = sweep.table.values(run)[sweep.outputs.index(name)] * readable_factor(unit)
-            axes.plot(sweep.time, values, color=colours.to_rgba(np.asarray(first[run])), lw=0.9)
+            axes.plot(
+                sweep.time, values, color=colours.to_rgba(np.asarray(shown_values[run])), lw=0.9
+            )
         if not shown:
             message(axes, "no run reached its end")
         axes.set_ylabel(_label(name, unit))

@@ -7,7 +7,7 @@ from dataclasses import replace
 
 from pam_cosim.catalogue import qualified
 from pam_cosim.errors import InputError
-from pam_cosim.files import write_text
+from pam_cosim.files import identity, write_text
 from pam_cosim.model.references import is_file
 from pam_cosim.problems import corrections_of
 from pam_cosim.study.fitted_model import FittedModel
@@ -108,8 +108,15 @@ def _written(study: StudyWithJobs, name: str, text: str) -> Json:
 def save(study: StudyWithJobs) -> Json:
     """Writes what was done, and its results, into the study's folder."""
     study.check_free()
+    file = study.folder / FILE
+    if identity(file) != study.saved_file:
+        raise InputError(
+            "another workbench has saved this study since it was opened: 'Load what was saved' under Study takes "
+            "that; move the file away to save this one",
+            file,
+        )
     saved = {"file": save_state(study.state, study.folder)}
-    study.saved = study.state.steps
+    study.saved, study.saved_file = study.state.steps, identity(file)
     study.windows.tell(event("saved", **saved))
     study.tell_steps()
     return saved
@@ -118,6 +125,7 @@ def save(study: StudyWithJobs) -> Json:
 def load(study: StudyWithJobs) -> None:
     """Makes the saved study the standing one."""
     study.make_room()
+    saved_file = identity(study.folder / FILE)
     first, state = study.first, load_state(study.folder, study.first)
     chosen = is_file(state.model) or any(step.do == "choose" for step in state.steps)
     if not chosen and not _is_first(study, state.model):
@@ -131,7 +139,7 @@ def load(study: StudyWithJobs) -> None:
     before = study.state
     study.back(state)
     study.remember(before)
-    study.saved = state.steps
+    study.saved, study.saved_file = state.steps, saved_file
     study.tell_steps()
     study.tell_diagnosis()
 
@@ -143,6 +151,7 @@ def load_at_first(study: StudyWithJobs, named: bool) -> None:
         InputError: the saved study is damaged, or of another model.
         SimulationFailure: it cannot be simulated.
     """
+    study.saved_file = identity(study.folder / FILE)
     if not (study.folder / FILE).is_file():
         return
     model = load_state(study.folder, study.first).model if named else ""

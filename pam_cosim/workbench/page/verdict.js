@@ -15,7 +15,7 @@ export function verdictParts(v, take, addLearned) {
     said(v.error),
     said(v.probability),
     probabilities(v.probabilities),
-    said([v.reason, v.compared].filter(Boolean).join(" ")),
+    said([v.reason, v.compared, v.disagreement].filter(Boolean).join(" ")),
     ...(v.doubts ?? []).map((doubt) => said(`LOOK FIRST: ${doubt}`, "p", { class: "caution" })),
     said(v.not_tried, "p", { class: "soft" }),
     v.complete ? make("p", { class: "steps-on" }, takeButton(v, take), reportLink()) : "",
@@ -157,8 +157,8 @@ function learned(term, add) {
     make(
       "p",
       {},
-      `${beside}It explains ${term.score} of the missing term of the ${term.balance} balance in runs that were not ` +
-        `asked for it, ${term.fit_score} in those that were.`,
+      `${beside}It acts in the ${term.balance} balance and explains ${term.score} of the mean square error in runs that ` +
+        `were not asked for it, ${term.fit_score} in those that were.`,
     ),
     make("p", { class: "caution" }, term.caution),
     table(["signal", "runs", "#before", "#with the formula", "#noise"], rows),

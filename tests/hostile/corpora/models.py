@@ -163,6 +163,22 @@ REFUSED: dict[str, str] = {
     "a vector product of nothing": _output("{i for i in 1:0}*{{1}}"),
     "a matrix product that does not fit": _output("sum({{1, 2}, {3}}*{{1}, {2}})"),
     "String of an array": model("parameter String s = String({1, 2}, significantDigits=1); Real y = 1;"),
+    "16 nested derivatives": model(
+        "Real x[16]; output Real y = x[16];",
+        "x[1] = sin(time)*exp(time)*cos(time*time); for i in 2:16 loop x[i] = der(x[i-1]); end for;",
+    ),
+    "a product of four matrices of unknowns": model(
+        "input Real u; Real A[60, 60]; output Real y = sum(A*A*A*A);",
+        "for i in 1:60, j in 1:60 loop A[i,j] = u*i*j; end for;",
+    ),
+    "equations that say the same": model("Real x, z; output Real y = x;", "x + z = 1; 2*x + 2*z = 2;"),
+    "parameters that say the same": model(
+        "parameter Real R = 3; Real x, z; output Real y = x;", "R*x + R*z = 1; 2*R*x + 2*R*z = 2;"
+    ),
+    "decimals that say the same": model("Real x, z; output Real y = x;", "0.1*x + 0.2*z = 0.3; 0.3*x + 0.6*z = 0.9;"),
+    "a loop that is singular at the start": model(
+        "parameter Real a = 1; Real x, z; output Real y = x;", "x + z = 1; a*x + z = 2;"
+    ),
     "too many unknowns": model("Real x[5000];", "for i in 1:5000 loop x[i] = i; end for;"),
 }  # fmt: skip
 """Refused with a sentence that names the file and the line, within seconds and little memory."""
@@ -175,6 +191,10 @@ TAKEN: dict[str, str] = {
         "input Real u; output Real y = if " + " and ".join(f"u > {i}" for i in range(2000)) + " then 1 else 2;"
     ),
     "50 parentheses": _inputs("(" * 50 + "u" + ")" * 50),
+    "a dense loop of 100 unknowns": model(
+        "Real x[100]; output Real y = x[1]; input Real u;",
+        "for i in 1:100 loop sum(sin(i*j + 0.3*i*i)*x[j] for j in 1:100) + x[i] = u*i; end for;",
+    ),
     "1000 components": model("parameter Real z[1000] = fill(1.0, 1000); output Real y = sum(z);"),
     "a chain of 100 states": model(
         "Real z[100](each start=1, each fixed=true); output Real y = z[100];",

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ClockOffset;
 model ClockOffset "All readings are recorded late or early"
   extends Interfaces.Recorder;
   extends FamilyMember(final absent="shift=0");
-  parameter Types.RecordDelay shift(min=-2, max=2) = 0.02 "By how much readings are recorded late; negative: early"
+  parameter Types.RecordDelay shift(min=-2, max=2) = 0.02 "Delay of the recorded readings; negative: early"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.5, 0.5}));
 equation
   t = time + shift;

@@ -1,18 +1,18 @@
 within PneumaticMuscle.Effects.Creep;
 model FlexibleCreep "The bladder relaxes over two and a half decades of time"
   extends FamilyMember(final absent="k_1=0, k_2=0, k_3=0");
-  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness of the fastest element"
     annotation (Dialog(group="Effect"));
   parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150
-    "Stiffness that relaxes seven times later"
+    "Stiffness of the element with seven times the time constant"
     annotation (Dialog(group="Effect"));
   parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150
-    "Stiffness that relaxes once more seven times later"
+    "Stiffness of the element with 49 times the time constant"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=0.1, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes"
+  parameter Types.Time tau(min=0.1, max=20, nominal=0.5) = 0.3 "Time constant of the fastest element"
     annotation (Dialog(group="Effect"));
   parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03
-    "How much faster they relax at a load of the reference contraction"
+    "Relative increase of the rates with load, at the reference contraction"
     annotation (Dialog(group="Effect"));
   Types.Length q[3] "Parts of the contraction that have relaxed";
 protected

@@ -2,36 +2,36 @@ within PneumaticMuscle.Effects.Creep;
 model GeneralCreep
   "The bladder's spring, of any law, relaxes over decades of time, recovers in another, and faster when warm"
   extends FamilyMember(final general=true, final absent="k_1=0, k_2=0, k_3=0");
-  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes first"
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 150 "Stiffness of the fastest element"
     annotation (Dialog(group="Effect"));
-  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes later"
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 150 "Stiffness of the middle element"
     annotation (Dialog(group="Effect"));
-  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness that relaxes last"
+  parameter Types.TranslationalStiffness k_3(min=0, max=2e4, nominal=300) = 150 "Stiffness of the slowest element"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=0.02, max=20, nominal=0.5) = 0.3 "Time in which the first relaxes"
+  parameter Types.Time tau(min=0.02, max=20, nominal=0.5) = 0.3 "Time constant of the fastest element"
     annotation (Dialog(group="Effect"));
-  parameter Real spread(unit="1", min=2, max=12, nominal=5) = 7 "How many times later each next one relaxes"
+  parameter Real spread(unit="1", min=2, max=12, nominal=5) = 7 "Ratio of successive time constants"
     annotation (Dialog(group="Effect"));
   parameter Real thinning(unit="1", min=0, max=10, nominal=0.3) = 0.03
-    "How much faster they relax at a load of the reference contraction"
+    "Relative increase of the rates with load, at the reference contraction"
     annotation (Dialog(group="Effect"));
   parameter Real stiffening(unit="1", min=0, max=10, nominal=0.3) = 0
-    "How much stiffer they are at a load of the reference contraction"
+    "Relative increase of the stiffnesses with load, at the reference contraction"
     annotation (Dialog(group="Effect"));
   parameter Real hardening(unit="1", min=-4, max=8, nominal=1) = 0
-    "Exponent by which the rates fall with what has relaxed"
+    "Exponent of the decrease of the rates with relaxation"
     annotation (Dialog(group="Effect"));
   parameter Real recovery(unit="1", min=0.1, max=10, nominal=1) = 1 "Times of recovery by those of relaxation"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2.5, nominal=0.3) = 0
     "Relative growth of all stiffnesses per eighth of the length"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="1", min=-0.3, max=0.5, nominal=0.1) = 0 "Half of the change of that growth"
+  parameter Real b(unit="1", min=-0.3, max=0.5, nominal=0.1) = 0 "Quadratic coefficient of the growth"
     annotation (Dialog(group="Effect"));
   parameter Real h(unit="1", min=-1, max=2, nominal=0.3) = 0 "Exponent of the pressure in all stiffnesses"
     annotation (Dialog(group="Effect"));
   parameter Real warm(unit="1", min=-1, max=1, nominal=0.2) = 0
-    "What the logarithm of all rates gains per 10 K of the gas above ambient temperature"
+    "Increase of the logarithm of the rates per 10 K above ambient temperature"
     annotation (Dialog(group="Effect"));
   Types.Length q[3] "Parts of the spring's load that have relaxed, as contractions";
 protected

@@ -1,10 +1,10 @@
 within PneumaticMuscle.Effects.Creep;
 model MaxwellCreep "The bladder has a part whose stress relaxes"
   extends FamilyMember(final absent="k=0");
-  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=300) = 300 "Stiffness that relaxes"
+  parameter Types.TranslationalStiffness k(min=0, max=2e4, nominal=300) = 300 "Stiffness of the Maxwell element"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=0.1, max=1e4, nominal=2) = 2 "Time in which it relaxes"
-    annotation (Dialog(group="Effect"));
+  parameter Types.Time tau(min=0.1, max=1e4, nominal=2) = 2 "Time constant of relaxation"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="ViscousFriction", at_max="LinearBladder"));
   Types.Length q "Part of the contraction that has relaxed";
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then

@@ -1,12 +1,13 @@
 within PneumaticMuscle.Effects.Creep;
 model PronyCreep "The bladder relaxes with two time constants, a decade apart"
   extends FamilyMember(final absent="k_1=0, k_2=0");
-  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes first"
-    annotation (Dialog(group="Effect"));
-  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 200 "Stiffness that relaxes ten times later"
-    annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=0.1, max=1e3, nominal=2) = 1 "Time in which the first relaxes"
-    annotation (Dialog(group="Effect"));
+  parameter Types.TranslationalStiffness k_1(min=0, max=2e4, nominal=300) = 200 "Stiffness of the fastest element"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="MaxwellCreep"));
+  parameter Types.TranslationalStiffness k_2(min=0, max=2e4, nominal=300) = 200
+    "Stiffness of the element with ten times the time constant"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="MaxwellCreep"));
+  parameter Types.Time tau(min=0.1, max=1e3, nominal=2) = 1 "Time constant of the fastest element"
+    annotation (Dialog(group="Effect"), __PamCosim(at_max="LinearBladder"));
   Types.Length q[2] "Parts of the contraction that have relaxed";
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then

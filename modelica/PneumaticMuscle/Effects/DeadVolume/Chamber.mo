@@ -1,12 +1,13 @@
 within PneumaticMuscle.Effects.DeadVolume;
 partial model Chamber "A rigid space behind an opening that takes the heat of its gas"
   extends FamilyMember;
-  parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume" annotation (Dialog(group="Effect"));
+  parameter Types.Volume V(min=1e-7, max=1e-3, nominal=1e-5) = 1e-5 "Volume"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min=""));
   parameter Real G(unit="kg/(s.Pa)", min=1e-11, max=1e-7, nominal=1e-9) = 2e-9
     "Conductance of the opening at ambient pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance UA(min=0, max=50, nominal=0.02) = 0.02
-    "Conductance from its gas to what stays at ambient temperature"
+    "Thermal conductance from the gas to ambient"
     annotation (Dialog(group="Effect"));
   Types.AbsolutePressure p_s(start=ambient.p) "Pressure in it";
   Types.Temperature T_s(start=ambient.T) "Temperature in it";

@@ -3,8 +3,8 @@ model FlexibleVolume "Gas that takes no part in contraction, in a space that gro
   extends FamilyMember(final absent="V_0=0, V_p=0");
   parameter Types.Volume V_0(min=0, max=1e-3, nominal=1e-5) = 1e-5 "Volume at ambient pressure"
     annotation (Dialog(group="Effect"));
-  parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "What 100 kPa add to it"
-    annotation (Dialog(group="Effect"));
+  parameter Types.Volume V_p(min=0, max=1e-3, nominal=1e-5) = 2e-6 "Increase per 100 kPa"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="DeadVolume"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which V_p is added";
   Types.Volume V = V_0 + V_p*(port.p - ambient.p)/p_reference "Volume";

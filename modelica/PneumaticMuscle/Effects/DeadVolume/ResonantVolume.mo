@@ -3,7 +3,7 @@ model ResonantVolume "Gas that takes no part in contraction, behind a neck whose
   extends Chamber(final absent="V=1e-7, G=1e-7, I=1e3",
     G(min=1e-10, nominal=1e-8)=1e-8, UA=0.01);
   parameter Real I(unit="1/m", min=1e3, max=1e7, nominal=1e5) = 3e4 "Inertance: length of the neck by its section"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="SideVolume"));
   Types.MassFlowRate m_neck(start=0, nominal=1e-4) "Flow in the neck";
 protected
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow over which the sides upstream blend";

@@ -3,7 +3,7 @@ model CoulombFriction "Dry friction of constant size"
   extends FamilyMember(final absent="F_c=0");
   parameter Types.Force F_c(min=0, max=500, nominal=5) = 5 "Friction force" annotation (Dialog(group="Effect"));
   parameter Types.Velocity v_s(min=1e-6, max=5e-3, nominal=5e-4) = 1e-3
-    "Speed at which it reaches three quarters of its size"
+    "Speed at which the friction reaches three quarters of its size"
     annotation (Dialog(group="Effect"));
 equation
   f = F_c*tanh(v_slip/v_s);

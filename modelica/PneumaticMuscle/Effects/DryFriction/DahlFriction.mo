@@ -4,7 +4,7 @@ model DahlFriction "Dry friction with a small elastic travel before it slips"
   parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when slipping"
     annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=1e-5, max=4e-3, nominal=2e-4) = 5e-4 "Elastic travel"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="CoulombFriction"));
   Real r(start=0, fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, unit="1", nominal=1)
     "Share of the friction force";
 protected

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.DryFriction;
 partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.ForceEffect(final family="dry_friction");
   extends Icons.DryFriction;
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   annotation (Documentation(info="<html>
 <p>Left to the extending class: the equation of f, and its parameters.</p>

@@ -4,7 +4,7 @@ model MaxwellSlipFriction "Dry friction of four elements in parallel that slip o
   parameter Types.Force F_c(min=0.01, max=500, nominal=5) = 5 "Friction force when all slip"
     annotation (Dialog(group="Effect"));
   parameter Types.Length d(min=4e-5, max=8e-3, nominal=1e-3) = 2e-3 "Travel until the last one slips"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="CoulombFriction"));
   Real r[4](each start=0, each fixed=dynamics <> Types.Dynamics.DynamicFreeInitial, each unit="1", each nominal=1)
     "Share of its friction force in each element";
 protected

@@ -6,7 +6,7 @@ model FlexibleBladder "The bladder is a spring of any smooth law"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-0.8, max=2, nominal=0.3) = 0 "Its relative growth per reference contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="1", min=-0.15, max=0.5, nominal=0.1) = 0 "Half of the change of that growth"
+  parameter Real b(unit="1", min=-0.15, max=0.5, nominal=0.1) = 0 "Quadratic coefficient of the growth"
     annotation (Dialog(group="Effect"));
 protected
   Real s(unit="1") = 8*x/L0 - 1 "Contraction beyond the reference, an eighth of the length, by the reference";

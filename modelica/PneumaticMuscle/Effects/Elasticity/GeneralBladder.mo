@@ -14,16 +14,16 @@ model GeneralBladder
     annotation (Dialog(group="Effect"));
   parameter Real d(unit="1", min=-1, max=1, nominal=0.1) = 0 "Coefficient of the fourth power"
     annotation (Dialog(group="Effect"));
-  parameter Real h(unit="1", min=-2, max=2, nominal=0.3) = 0 "Exponent of the pressure in it"
+  parameter Real h(unit="1", min=-2, max=2, nominal=0.3) = 0 "Exponent of the pressure"
     annotation (Dialog(group="Effect"));
   parameter Types.GaugePressure p_0(min=0, max=2e5, nominal=3e4) = 0
-    "Gauge pressure from which the muscle pulls at full length"
+    "Threshold pressure (gauge) at full length"
     annotation (Dialog(group="Effect"));
   parameter Types.Pressure p_w(min=0, max=5e5, nominal=1e5) = 0
-    "Further pressure that a wall takes once it is bent open"
+    "Pressure loss of the wall after it has bent open"
     annotation (Dialog(group="Effect"));
   parameter Real eps_w(unit="1", min=0.005, max=0.06, nominal=0.01) = 0.03
-    "Contraction ratio over which it is bent open"
+    "Contraction ratio over which the wall bends open"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Gauge pressure at which what it adds doubles its base";

@@ -2,13 +2,13 @@ within PneumaticMuscle.Effects.Elasticity;
 model StiffWall "A stiff wall takes a part of the pull that comes at once, and the muscle does not push"
   extends FamilyMember(final absent="p_0=0, p_w=0");
   parameter Types.GaugePressure p_0(min=0, max=5e5, nominal=3e4) = 0.3e5
-    "Gauge pressure from which the muscle pulls at full length"
+    "Threshold pressure (gauge) at full length"
     annotation (Dialog(group="Effect"));
   parameter Types.Pressure p_w(min=0, max=1e6, nominal=1e5) = 1e5
-    "Further pressure that the wall takes once it is bent open"
+    "Pressure loss of the wall after it has bent open"
     annotation (Dialog(group="Effect"));
   parameter Real eps_w(unit="1", min=0.005, max=0.06, nominal=0.01) = 0.03
-    "Contraction ratio over which it is bent open"
+    "Contraction ratio over which the wall bends open"
     annotation (Dialog(group="Effect"));
 equation
   f = Functions.wallForce(p_gauge, x, L0, D0, turns, p_0, p_w, eps_w);

@@ -4,13 +4,13 @@ model FlexibleEnds "The pull differs from the cylinder's by any smooth law of co
   extends FamilyMember(final absent="a_0=0, a_1=0, a_2=0");
   parameter Real a_0(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Excess of the pull at full length"
     annotation (Dialog(group="Effect"));
-  parameter Real a_1(unit="1", min=-2, max=0.3, nominal=0.1) = -0.05 "What it gains in proportion to contraction"
+  parameter Real a_1(unit="1", min=-2, max=0.3, nominal=0.1) = -0.05 "Linear coefficient of the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real a_2(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "What it gains with the square of contraction"
+  parameter Real a_2(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "Quadratic coefficient of the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real s(unit="1", min=-0.1, max=3, nominal=0.3) = 0.5 "Rate at which the excess fades, per 100 kPa"
+  parameter Real s(unit="1", min=-0.1, max=3, nominal=0.3) = 0.5 "Decay rate of the excess, per 100 kPa"
     annotation (Dialog(group="Effect"));
-  parameter Real r(unit="1", min=-0.03, max=0.3, nominal=0.1) = 0 "Half of what that rate gains per 100 kPa"
+  parameter Real r(unit="1", min=-0.03, max=0.3, nominal=0.1) = 0 "Quadratic coefficient of the decay rate, per 100 kPa"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which s and r refer";

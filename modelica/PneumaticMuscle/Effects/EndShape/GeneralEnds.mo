@@ -4,24 +4,24 @@ model GeneralEnds
   extends Interfaces.Cylinder;
   extends FamilyMember(final general=true,
     final absent="a_0=0, a_1=0, a_2=0, c_0=0, c_1=0, c_2=0, c_3=0");
-  parameter Real a_0(unit="1", min=-0.7, max=0.5, nominal=0.1) = 0 "Excess that fades, at full length"
+  parameter Real a_0(unit="1", min=-0.7, max=0.5, nominal=0.1) = 0 "Decaying excess at full length"
     annotation (Dialog(group="Effect"));
-  parameter Real a_1(unit="1", min=-2, max=0.5, nominal=0.1) = -0.05 "What it gains in proportion to contraction"
+  parameter Real a_1(unit="1", min=-2, max=0.5, nominal=0.1) = -0.05 "Linear coefficient of the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real a_2(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "What it gains with the square of contraction"
+  parameter Real a_2(unit="1", min=-1, max=0.5, nominal=0.1) = 0 "Quadratic coefficient of the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real s(unit="1", min=0, max=5, nominal=0.5) = 0.5 "Rate at which it fades, per 100 kPa"
+  parameter Real s(unit="1", min=0, max=5, nominal=0.5) = 0.5 "Decay rate, per 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real w(unit="1", min=0.02, max=2, nominal=0.3) = 0.1
-    "Inverse of the power by which it fades in the end; 0.02 is an exponential"
+    "Inverse of the final decay exponent; 0.02 is exponential"
     annotation (Dialog(group="Effect"));
-  parameter Real c_0(unit="1", min=-0.5, max=0.3, nominal=0.1) = 0 "Excess that stays, at full length"
+  parameter Real c_0(unit="1", min=-0.5, max=0.3, nominal=0.1) = 0 "Constant excess at full length"
     annotation (Dialog(group="Effect"));
-  parameter Real c_1(unit="1", min=-1, max=0.3, nominal=0.1) = 0 "What it gains in proportion to contraction"
+  parameter Real c_1(unit="1", min=-1, max=0.3, nominal=0.1) = 0 "Linear coefficient of the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real c_2(unit="1", min=-1, max=0.4, nominal=0.1) = 0 "What it gains with the square of contraction"
+  parameter Real c_2(unit="1", min=-1, max=0.4, nominal=0.1) = 0 "Quadratic coefficient of the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real c_3(unit="1", min=-0.5, max=0.2, nominal=0.1) = 0 "What it gains with the third power"
+  parameter Real c_3(unit="1", min=-0.5, max=0.2, nominal=0.1) = 0 "Cubic coefficient of the contraction"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which s refers";

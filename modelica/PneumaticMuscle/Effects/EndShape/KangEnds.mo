@@ -4,7 +4,7 @@ model KangEnds "The ends contract less than the middle, the more so the lower th
   extends FamilyMember(final absent="c_1=0");
   parameter Real c_1(unit="1", min=0, max=5, nominal=0.1) = 0.2 "Excess of the factor on the strain at no pressure"
     annotation (Dialog(group="Effect"));
-  parameter Types.GaugePressure p_0(min=2e4, max=1e6, nominal=1e5) = 1e5 "Gauge pressure over which it falls to 1/e"
+  parameter Types.GaugePressure p_0(min=2e4, max=1e6, nominal=1e5) = 1e5 "Gauge pressure of decay to 1/e"
     annotation (Dialog(group="Effect"));
 protected
   Types.GaugePressure p_gauge = port.p - ambient.p "Gauge pressure";

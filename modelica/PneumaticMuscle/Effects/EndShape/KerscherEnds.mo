@@ -4,7 +4,7 @@ model KerscherEnds "The slenderness of the muscle changes the force, the more so
   extends FamilyMember(final absent="c_3=0");
   parameter Real c_3(unit="1", min=-0.5, max=1, nominal=0.1) = 0.1 "Excess of the force at full length"
     annotation (Dialog(group="Effect"));
-  parameter Real eps_0(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Strain over which it falls to 1/e"
+  parameter Real eps_0(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Strain of decay to 1/e"
     annotation (Dialog(group="Effect"));
 equation
   F = (1 + c_3*exp(-(L0 - L)/L0/eps_0))*(port.p - ambient.p)*(3*L^2 - b^2)/(4*Constants.pi*turns^2);

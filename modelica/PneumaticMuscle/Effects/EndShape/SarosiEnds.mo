@@ -5,15 +5,15 @@ model SarosiEnds
   extends FamilyMember;
   parameter Real a_5(unit="1", min=0.2, max=3, nominal=1) = 1 "Pull at full length, by the cylinder's"
     annotation (Dialog(group="Effect"));
-  parameter Real a_4(unit="1", min=1, max=10, nominal=3) = 3.3 "What it loses in proportion to contraction"
+  parameter Real a_4(unit="1", min=1, max=10, nominal=3) = 3.3 "Linear loss with contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real a_1(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "What it loses at once"
+  parameter Real a_1(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Initial loss"
     annotation (Dialog(group="Effect"));
-  parameter Types.GaugePressure p_0(min=-1e5, max=5e5, nominal=3e4) = 0.3e5 "Pressure that is lost at full length"
+  parameter Types.GaugePressure p_0(min=-1e5, max=5e5, nominal=3e4) = 0.3e5 "Pressure loss at full length"
     annotation (Dialog(group="Effect"));
-  parameter Types.Pressure p_w(min=0, max=1e6, nominal=1e5) = 1e5 "Further pressure that is lost at once"
+  parameter Types.Pressure p_w(min=0, max=1e6, nominal=1e5) = 1e5 "Further initial pressure loss"
     annotation (Dialog(group="Effect"));
-  parameter Real eps_w(unit="1", min=0.005, max=0.06, nominal=0.01) = 0.03 "Contraction ratio that at once means"
+  parameter Real eps_w(unit="1", min=0.005, max=0.06, nominal=0.01) = 0.03 "Contraction ratio of the initial loss"
     annotation (Dialog(group="Effect"));
 protected
   constant Real eps_end(unit="1") = 0.425 "Contraction beyond all that a muscle reaches, where the pull ends";

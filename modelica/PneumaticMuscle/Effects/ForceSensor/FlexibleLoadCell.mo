@@ -2,11 +2,12 @@ within PneumaticMuscle.Effects.ForceSensor;
 model FlexibleLoadCell "The force reading has errors of zero, span and linearity"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
-  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "What the reading has too much"
+  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-10, 10}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
-  parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01 "Half of what 100 N adds to the slope"
+  parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01
+    "Quadratic coefficient of the reading, per 100 N"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
 protected
   constant Types.Force reference = 100 "What bend refers to";

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ForceSensor;
 model ForceOffset "The force reading is off by a constant"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="offset=0");
-  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "What the reading has too much"
+  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-10, 10}));
 equation
   y = u + offset;

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ForceSensor;
 model GeneralLoadCell "The force reading is any smooth function of the force, late by two time constants"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final general=true, final absent="offset=0, gain=1, bend=0, c=0, tau=1e-6, r=1e-3");
-  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "What the reading has too much"
+  parameter Real offset(unit="N", min=-500, max=500, nominal=2) = 2 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-10, 10}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));

@@ -4,16 +4,16 @@ model FlexibleFrictionHeat
   extends Interfaces.FrictionHeat;
   extends FamilyMember(final absent="share_f=0, share_b=0");
   parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7
-    "Share of the work of fibre on fibre that reaches the gas"
+    "Fraction of the work of fibre friction that heats the gas"
     annotation (Dialog(group="Effect"));
   parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder"
     annotation (Dialog(group="Effect"));
   parameter Real back_f(unit="1", min=0, max=1, nominal=1) = 1
-    "Share in extension by that in contraction, fibre on fibre"
+    "Ratio of the fraction in extension to that in contraction, fibre friction"
     annotation (Dialog(group="Effect"));
   parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=1e-6, max=20, nominal=0.1) = 0.03 "Time constant of what stores it first"
+  parameter Types.Time tau(min=1e-6, max=20, nominal=0.1) = 0.03 "Time constant of the heat store"
     annotation (Dialog(group="Effect"));
   Types.Power Q(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=0.1) "Heat to the gas";
 protected

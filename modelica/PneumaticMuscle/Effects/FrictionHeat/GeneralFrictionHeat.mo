@@ -4,20 +4,21 @@ model GeneralFrictionHeat "Shares of the work of friction heat the gas, some at 
   extends FamilyMember(final general=true,
     final absent="share_f=0, share_b=0");
   parameter Real share_f(unit="1", min=0, max=1, nominal=1) = 0.7
-    "Share of the work of fibre on fibre that reaches the gas"
+    "Fraction of the work of fibre friction that heats the gas"
     annotation (Dialog(group="Effect"));
   parameter Real share_b(unit="1", min=0, max=1, nominal=1) = 0.5 "Share of the work between fibres and bladder"
     annotation (Dialog(group="Effect"));
   parameter Real back_f(unit="1", min=0, max=1, nominal=1) = 1
-    "Share in extension by that in contraction, fibre on fibre"
+    "Ratio of the fraction in extension to that in contraction, fibre friction"
     annotation (Dialog(group="Effect"));
   parameter Real back_b(unit="1", min=-1, max=1, nominal=1) = 0 "The same between fibres and bladder; -1 takes heat"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=1e-6, max=20, nominal=0.1) = 0.03 "Time constant of the store that is reached first"
+  parameter Types.Time tau(min=1e-6, max=20, nominal=0.1) = 0.03 "Time constant of the first heat store"
     annotation (Dialog(group="Effect"));
-  parameter Real r(unit="1", min=0.01, max=1, nominal=0.1) = 0.1 "Time constant of the other one by that"
+  parameter Real r(unit="1", min=0.01, max=1, nominal=0.1) = 0.1
+    "Ratio of the time constant of the second store to the first"
     annotation (Dialog(group="Effect"));
-  parameter Real direct(unit="1", min=0, max=1, nominal=0.3) = 0 "Share that needs neither"
+  parameter Real direct(unit="1", min=0, max=1, nominal=0.3) = 0 "Fraction without a store"
     annotation (Dialog(group="Effect"));
   Types.Power Q(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=0.1)
     "Heat from the first store to the other one";

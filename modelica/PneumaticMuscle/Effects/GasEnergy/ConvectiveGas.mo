@@ -4,13 +4,13 @@ model ConvectiveGas "Mass and energy balance, with heat exchange that grows with
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
-  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 10 "What the reference flow adds"
-    annotation (Dialog(group="Effect"));
+  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 10 "Increase at the reference flow"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="EnergyGas"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   Types.MassFlowRate m_jet(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Flow that the gas still feels";
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which h_1 is added";
-  constant Types.Time tau_jet = 0.05 "Time in which a jet dies away";
+  constant Types.Time tau_jet = 0.05 "Time constant of the decay of a jet";
   constant Types.MassFlowRate m_smooth = 1e-7 "Flow below which its size is rounded";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then

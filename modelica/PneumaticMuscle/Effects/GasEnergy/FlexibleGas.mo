@@ -4,13 +4,13 @@ model FlexibleGas "Mass and energy balance, with heat exchange that grows with d
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
-  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "What the reference flow adds"
+  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "Increase at the reference flow"
     annotation (Dialog(group="Effect"));
   parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure at rest"
     annotation (Dialog(group="Effect"));
   parameter Real n_T(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference at rest"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away"
+  parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time constant of the decay of a jet"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   outer Ambient ambient "Surroundings";

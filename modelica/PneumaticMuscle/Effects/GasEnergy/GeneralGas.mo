@@ -4,7 +4,7 @@ model GeneralGas "Mass and energy balance of any gas, with any smooth law of its
   extends FamilyMember(final general=true);
   parameter Types.CoefficientOfHeatTransfer h_0(min=0.01, max=500, nominal=10) = 5 "Film coefficient of gas at rest"
     annotation (Dialog(group="Effect"));
-  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "What the reference flow adds"
+  parameter Types.CoefficientOfHeatTransfer h_1(min=0, max=2e3, nominal=10) = 5 "Increase at the reference flow"
     annotation (Dialog(group="Effect"));
   parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure at rest"
     annotation (Dialog(group="Effect"));
@@ -16,14 +16,14 @@ model GeneralGas "Mass and energy balance of any gas, with any smooth law of its
     annotation (Dialog(group="Effect"));
   parameter Real n_m(unit="1", min=0.3, max=1.2, nominal=0.8) = 0.8 "Exponent of the flow"
     annotation (Dialog(group="Effect"));
-  parameter Real out(unit="1", min=0, max=2, nominal=0.5) = 1 "How much the flow out stirs, by the flow in"
+  parameter Real out(unit="1", min=0, max=2, nominal=0.5) = 1 "Ratio of the stirring by outflow to that by inflow"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time in which a jet dies away"
+  parameter Types.Time tau_jet(min=2e-3, max=5, nominal=0.05) = 0.05 "Time constant of the decay of a jet"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = 0
-    "Volume that the gas itself takes, less what its attraction saves"
+    "Covolume of the gas minus the effect of attraction"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-3e-3, 7e-3}));
-  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
+  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Fraction of the attraction in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   outer Ambient ambient "Surroundings";

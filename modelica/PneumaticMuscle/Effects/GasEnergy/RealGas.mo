@@ -4,12 +4,12 @@ model RealGas "Mass and energy balance of a gas that is not ideal"
   extends FamilyMember;
   parameter Types.CoefficientOfHeatTransfer h(min=0.01, max=500, nominal=10) = 10 "Film coefficient at ambient pressure"
     annotation (Dialog(group="Effect"));
-  parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure in it"
+  parameter Real n_p(unit="1", min=-0.5, max=1.5, nominal=0.5) = 0.2 "Exponent of the pressure"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="m3/kg", min=-0.05, max=0.05, nominal=1e-3) = -4e-4
-    "Volume that the gas itself takes, less what its attraction saves"
+    "Covolume of the gas minus the effect of attraction"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-3e-3, 7e-3}));
-  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Share of it that counts in the internal energy"
+  parameter Real e(unit="1", min=0, max=1, nominal=1) = 0.6 "Fraction of the attraction in the internal energy"
     annotation (Dialog(group="Effect"));
   Types.Mass m(nominal=1e-3) "Mass of the gas";
   outer Ambient ambient "Surroundings";

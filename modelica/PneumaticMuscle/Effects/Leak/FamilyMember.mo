@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.Leak;
 partial model FamilyMember "What every member of the family says of itself"
   extends Interfaces.GasPortEffect(final family="leak");
   extends Icons.Leak;
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   annotation (Documentation(info="<html>
 <p>Left to the extending class: the equations of port.m_flow and port.H_flow, positive into the effect, and its

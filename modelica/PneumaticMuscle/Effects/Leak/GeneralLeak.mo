@@ -4,11 +4,11 @@ model GeneralLeak
   extends Interfaces.MuscleTerminals;
   extends ThresholdLeak(final general=true);
   parameter Real growth(unit="1", min=-2, max=3, nominal=0.3) = 0.1
-    "What it gains with the contraction, per eighth of the length"
+    "Increase with contraction, per eighth of the length"
     annotation (Dialog(group="Effect"));
-  parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Half of what that gains there"
+  parameter Real bend(unit="1", min=-0.5, max=0.5, nominal=0.1) = 0 "Quadratic coefficient of the increase"
     annotation (Dialog(group="Effect"));
-  parameter Real n_v(unit="1", min=-1, max=2, nominal=0.3) = 0 "Exponent of the speed where that is large"
+  parameter Real n_v(unit="1", min=-1, max=2, nominal=0.3) = 0 "Exponent of large speeds"
     annotation (Dialog(group="Effect"));
 protected
   Real s(unit="1") = 8*(1 - (flange_b.s - flange_a.s)/L0) "Contraction by an eighth of the length";

@@ -6,12 +6,12 @@ model GeneralSealLeak
     "Coefficient of the square of the temperature's logarithm"
     annotation (Dialog(group="Effect"));
   parameter Real n_p(unit="1", min=-2, max=3, nominal=0.5) = 0.2
-    "Exponent by which the conductance falls with the absolute pressure that the seal has followed"
+    "Exponent of the decrease of the conductance with the delayed absolute pressure of the seal"
     annotation (Dialog(group="Effect"));
   parameter Real back(unit="1", min=0, max=1, nominal=0.3) = 0
-    "Share of the pressure that it has followed which drives gas back"
+    "Fraction of the delayed pressure that drives gas back"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=0.01, max=60, nominal=1) = 0.5 "Time in which it follows the pressure"
+  parameter Types.Time tau(min=0.01, max=60, nominal=1) = 0.5 "Time constant of the seal"
     annotation (Dialog(group="Effect"));
   Types.AbsolutePressure p_seal "Pressure that the seal has followed";
 initial equation

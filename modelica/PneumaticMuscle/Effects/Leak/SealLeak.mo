@@ -7,9 +7,9 @@ model SealLeak "Gas escapes past a soft seal, which shrinks in the cold and is p
   parameter Real n_T(unit="1", min=-40, max=10, nominal=3) = -5 "Exponent of the temperature of the gas"
     annotation (Dialog(group="Effect"));
   parameter Real n_p(unit="1", min=-2, max=3, nominal=0.5) = 0.2
-    "Exponent by which the conductance falls with the absolute pressure that the seal has followed"
+    "Exponent of the decrease of the conductance with the delayed absolute pressure of the seal"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=0.01, max=60, nominal=1) = 0.5 "Time in which it follows the pressure"
+  parameter Types.Time tau(min=0.01, max=60, nominal=1) = 0.5 "Time constant of the seal"
     annotation (Dialog(group="Effect"));
   Types.AbsolutePressure p_seal "Pressure that the seal has followed";
 initial equation

@@ -6,10 +6,10 @@ partial model SmoothLeak "Gas escapes by a smooth law of the gauge pressure, tim
   parameter Real a(unit="1", min=-1, max=2.5, nominal=0.5) = 0 "Exponent of the conductance at 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0
-    "Half of what the exponent gains where the pressure grows by e"
+    "Quadratic coefficient of the exponent, by the logarithm of the pressure"
     annotation (Dialog(group="Effect"));
   parameter Real g(unit="1", min=-4, max=2, nominal=0.3) = 0
-    "What the logarithm of the conductance gains per 100 kPa beyond 100 kPa"
+    "Increase of the logarithm of the conductance per 100 kPa beyond 100 kPa"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure at which the law equals G p";

@@ -1,7 +1,7 @@
 within PneumaticMuscle.Effects.Leak;
 partial model ThresholdLeak "Gas escapes by a smooth law of what the gauge pressure has beyond a threshold"
   extends SmoothLeak;
-  parameter Types.GaugePressure p_open(min=0, max=2e5, nominal=5e4) = 5e3 "Gauge pressure above which it opens"
+  parameter Types.GaugePressure p_open(min=0, max=2e5, nominal=5e4) = 5e3 "Opening gauge pressure"
     annotation (Dialog(group="Effect"));
   parameter Real n_T(unit="1", min=-40, max=40, nominal=3) = 0 "Exponent of the temperature of the gas"
     annotation (Dialog(group="Effect"));

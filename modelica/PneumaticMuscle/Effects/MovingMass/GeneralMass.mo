@@ -1,31 +1,31 @@
 within PneumaticMuscle.Effects.MovingMass;
 model GeneralMass "Moving parts of any inertia and weight, and a part that is dragged along with slip, both ways or one"
   extends FamilyMember(final general=true, final absent="m=0, m_weight=0, m_slip=0");
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   parameter Types.Mass m(min=0, max=100, nominal=1) = 1 "Inertia at full length, referred to the load end"
     annotation (Dialog(group="Effect"));
   parameter Real a(unit="1", min=-1, max=2, nominal=0.3) = 0 "Relative growth of the inertia per reference contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real b(unit="1", min=-0.4, max=0.6, nominal=0.1) = 0 "Half of the change of that growth"
+  parameter Real b(unit="1", min=-0.4, max=0.6, nominal=0.1) = 0 "Quadratic coefficient of the growth"
     annotation (Dialog(group="Effect"));
-  parameter Types.Mass m_weight(min=0, max=100, nominal=0.5) = 0.3 "Mass that hangs on the muscle at full length"
+  parameter Types.Mass m_weight(min=0, max=100, nominal=0.5) = 0.3 "Hanging mass at full length"
     annotation (Dialog(group="Effect"));
   parameter Real c(unit="1", min=-1, max=1.5, nominal=0.3) = 0 "Relative growth of the weight per reference contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Half of the change of that growth"
+  parameter Real d(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Quadratic coefficient of the growth"
     annotation (Dialog(group="Effect"));
-  parameter Types.Mass m_slip(min=0, max=100, nominal=1) = 0.3 "Inertia that is dragged along"
+  parameter Types.Mass m_slip(min=0, max=100, nominal=1) = 0.3 "Inertia of the dragged part"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=2e-3, max=10, nominal=0.1) = 0.1 "Time in which it takes up the speed"
+  parameter Types.Time tau(min=2e-3, max=10, nominal=0.1) = 0.1 "Time constant of acceleration of the dragged part"
     annotation (Dialog(group="Effect"));
   parameter Real one_way(unit="1", min=0, max=1, nominal=0.3) = 0.1
-    "Share of the slip's force that is lost where it would be braked: a cord or a freewheel only pulls"
+    "Fraction of the slip force lost in braking (1: cord or freewheel)"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time coast(min=0.05, max=1e3, nominal=10) = 100 "Time in which it comes to rest by itself"
+  parameter Types.Time coast(min=0.05, max=1e3, nominal=10) = 100 "Time constant of free deceleration"
     annotation (Dialog(group="Effect"));
   parameter Types.Acceleration a_slide(min=0.05, max=1e4, nominal=10) = 1e3
-    "Acceleration at which its coupling slides"
+    "Acceleration at which the coupling slides"
     annotation (Dialog(group="Effect"));
   Types.Velocity w(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Speed of what is dragged along";
 protected

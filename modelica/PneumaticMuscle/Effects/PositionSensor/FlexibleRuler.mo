@@ -2,11 +2,12 @@ within PneumaticMuscle.Effects.PositionSensor;
 model FlexibleRuler "The position reading has errors of zero, span and linearity"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
-  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "What the reading has too much"
+  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-5e-3, 5e-3}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
-  parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01 "Half of what 50 mm adds to the slope"
+  parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01
+    "Quadratic coefficient of the reading, per 50 mm"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
 protected
   constant Types.Length reference = 0.05 "What bend refers to";

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.PositionSensor;
 model GeneralRuler "The position reading is any smooth function of the position, late by two time constants"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final general=true, final absent="offset=0, gain=1, bend=0, c=0, tau=1e-6, r=1e-3");
-  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "What the reading has too much"
+  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-5e-3, 5e-3}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.03 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));

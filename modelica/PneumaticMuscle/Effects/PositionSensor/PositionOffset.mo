@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.PositionSensor;
 model PositionOffset "The position reading is off by a constant"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final absent="offset=0");
-  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "What the reading has too much"
+  parameter Real offset(unit="m", min=-0.1, max=0.1, nominal=1e-3) = 1e-3 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-5e-3, 5e-3}));
 equation
   y = u + offset;

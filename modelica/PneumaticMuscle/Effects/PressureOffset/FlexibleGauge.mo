@@ -3,11 +3,12 @@ model FlexibleGauge "The pressure reading has errors of zero, span and linearity
   extends Interfaces.Manometer;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
   parameter Types.GaugePressure offset(min=-1.5e5, max=1.5e5, nominal=1e3) = 1e3
-    "What the reading has too much at ambient pressure"
+    "Offset of the reading at ambient pressure"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2e4, 2e4}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
-  parameter Real bend(unit="1", min=-0.1, max=0.1, nominal=0.03) = 0.01 "Half of what 100 kPa add to the slope"
+  parameter Real bend(unit="1", min=-0.1, max=0.1, nominal=0.03) = 0.01
+    "Quadratic coefficient of the reading, per 100 kPa"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.016, 0.016}));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which bend refers";

@@ -4,7 +4,7 @@ model GeneralGauge "The pressure reading is any smooth function of the pressure,
   extends FamilyMember(final general=true,
     final absent="offset=0, gain=1, bend=0, c=0, d=0, knee=0, jump=0");
   parameter Types.GaugePressure offset(min=-1.5e5, max=1.5e5, nominal=1e3) = 1e3
-    "What the reading has too much at ambient pressure"
+    "Offset of the reading at ambient pressure"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2e4, 2e4}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.01 "Slope of the reading at ambient pressure"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
@@ -14,13 +14,13 @@ model GeneralGauge "The pressure reading is any smooth function of the pressure,
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.0042, 0.0042}));
   parameter Real d(unit="1", min=-0.1, max=0.1, nominal=0.01) = 0 "Coefficient of the fourth power, per 100 kPa cubed"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.00135, 0.00135}));
-  parameter Real knee(unit="1", min=-1, max=1, nominal=0.03) = 0 "What the slope gains at the knee"
+  parameter Real knee(unit="1", min=-1, max=1, nominal=0.03) = 0 "Change of slope at the knee"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.2, 0.2}));
-  parameter Types.Pressure jump(min=-2e4, max=2e4, nominal=1e3) = 0 "What the reading gains at once at the knee"
+  parameter Types.Pressure jump(min=-2e4, max=2e4, nominal=1e3) = 0 "Jump of the reading at the knee"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-5e3, 5e3}));
   parameter Types.GaugePressure p_knee(min=0, max=1e6, nominal=1e5) = 8e4 "Pressure of the knee"
     annotation (Dialog(group="Effect"));
-  parameter Types.Pressure width(min=1e3, max=2e5, nominal=1e4) = 1e4 "Half of the pressures over which it is rounded"
+  parameter Types.Pressure width(min=1e3, max=2e5, nominal=1e4) = 1e4 "Half width of the rounding"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Pressure p_reference = 1e5 "Pressure to which the coefficients refer";

@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.PressureOffset;
 model PressureOffset "The pressure reading is off by a constant"
   extends Interfaces.Manometer;
   extends FamilyMember(final absent="offset=0");
-  parameter Types.GaugePressure offset(min=-1.5e5, max=1.5e5, nominal=1e3) = 3e3 "What the reading has too much"
+  parameter Types.GaugePressure offset(min=-1.5e5, max=1.5e5, nominal=1e3) = 3e3 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2e4, 2e4}));
 equation
   p = port.p - ambient.p + offset;

@@ -4,7 +4,8 @@ model GeneralPressureLag "The pressure reading comes late by two lags, a dead ti
   extends FamilyMember(final general=true, final absent="tau=1e-6, ratio=1, r=1e-3, dead_time=1e-6");
   parameter Types.Time tau(min=1e-6, max=5, nominal=0.05) = 0.03 "Greater time constant"
     annotation (Dialog(group="Effect"));
-  parameter Real ratio(unit="1", min=0.2, max=5, nominal=1) = 1 "Time constant of falling by that of rising"
+  parameter Real ratio(unit="1", min=0.2, max=5, nominal=1) = 1
+    "Ratio of the time constants of falling and rising readings"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=1e-3, max=1, nominal=0.3) = 0.1 "Second time constant by the first"
     annotation (Dialog(group="Effect"));

@@ -3,9 +3,9 @@ model PressureTwoLags "The pressure reading lags twice"
   extends Interfaces.PressureChannel;
   extends FamilyMember(final absent="tau=1e-6, r=1e-3");
   parameter Types.Time tau(min=1e-6, max=5, nominal=0.05) = 0.05 "Greater time constant"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min=""));
   parameter Real r(unit="1", min=1e-3, max=1, nominal=0.3) = 0.3 "Second time constant by the first"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="PressureLag"));
   Types.GaugePressure z "Pressure behind the first lag";
 initial equation
   if dynamics == Types.Dynamics.FixedInitial then

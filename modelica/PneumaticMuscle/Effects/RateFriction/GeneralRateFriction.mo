@@ -7,17 +7,18 @@ model GeneralRateFriction "Friction that grows with any smooth function of speed
   parameter Real a(unit="1", min=-0.7, max=2, nominal=0.5) = 0 "Exponent of the damping at 0.1 m/s"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0
-    "Half of what the exponent gains where the speed grows by e"
+    "Quadratic coefficient of the exponent, by the logarithm of the speed"
     annotation (Dialog(group="Effect"));
-  parameter Real d(unit="1", min=-0.05, max=0.05, nominal=0.03) = 0 "A third of what that gain itself changes there"
+  parameter Real d(unit="1", min=-0.05, max=0.05, nominal=0.03) = 0 "Cubic coefficient of the exponent"
     annotation (Dialog(group="Effect"));
-  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it that grows with the gauge pressure"
+  parameter Real pressure_share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Fraction that grows with the gauge pressure"
     annotation (Dialog(group="Effect"));
-  parameter Real n(unit="1", min=0.2, max=3, nominal=1) = 1 "Exponent of the pressure in that share"
+  parameter Real n(unit="1", min=0.2, max=3, nominal=1) = 1 "Exponent of the pressure in this fraction"
     annotation (Dialog(group="Effect"));
   parameter Real growth(unit="1", min=-2, max=3, nominal=0.5) = 0 "Exponent of the growth with the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What contraction gains and extension loses, by it"
+  parameter Real asymmetry(unit="1", min=-1, max=1, nominal=0.3) = 0
+    "Relative asymmetry between contraction and extension"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Velocity v_reference = 0.1 "Speed at which the law equals c v";
@@ -30,9 +31,11 @@ protected
   Real s(unit="1") = Functions.smoothMax(x/(e_reference*L0), 0.02)
     "Contraction by the reference, zero beyond full length";
 equation
-  f = c*v*exp(l*(a + l*(b + d*l)) + growth*log(1 + s))*(1 + side*v/v_size)*(1 - share + share*exp(n*log(q)));
+  f = c*v*exp(l*(a + l*(b + d*l)) + growth*log(1 + s))*(1 + asymmetry*v/v_size)
+    *(1 - pressure_share + pressure_share*exp(n*log(q)));
   annotation (defaultComponentName="damper", Documentation(info="<html>
-<p>f = c v exp(a l + b l^2 + d l^3) (1 - share + share q^n) (1 + 8 x/L0)^growth (1 + side sgn v), l = ln(|v|/0.1 m/s), q
+<p>f = c v exp(a l + b l^2 + d l^3) (1 - pressure_share + pressure_share q^n) (1 + 8 x/L0)^growth (1 + asymmetry sgn
+v), l = ln(|v|/0.1 m/s), q
 = p_gauge/100 kPa: it dissipates, whatever the coefficients are. Source:
 <a href=\"modelica://PneumaticMuscle.Effects.RateFriction.FlexibleRateFriction\">FlexibleRateFriction</a> and
 <a href=\"modelica://PneumaticMuscle.Effects.RateFriction.UnevenFriction\">UnevenFriction</a>, see there, in one law,

@@ -8,10 +8,10 @@ model UnevenFriction "Friction that grows with a power of speed, and differs by 
     annotation (Dialog(group="Effect"));
   parameter Real growth(unit="1", min=-2, max=3, nominal=0.5) = 0.1 "Exponent of its growth with the contraction"
     annotation (Dialog(group="Effect"));
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0.1
-    "What contraction gains and extension loses in it, by it"
+  parameter Real asymmetry(unit="1", min=-1, max=1, nominal=0.3) = 0.1
+    "Relative asymmetry between contraction and extension"
     annotation (Dialog(group="Effect"));
-  parameter Real share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Share of it in proportion to the gauge pressure"
+  parameter Real pressure_share(unit="1", min=0, max=1, nominal=0.5) = 0.1 "Fraction proportional to the gauge pressure"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Velocity v_reference = 0.1 "Speed at which the law equals c v";
@@ -22,16 +22,17 @@ protected
   Real s(unit="1") = Functions.smoothMax(x/(e_reference*L0), 0.02)
     "Contraction by the reference, zero beyond full length";
 equation
-  f = c*v*exp(a*log(v_size/v_reference) + growth*log(1 + s))*(1 + side*v/v_size)
-    *(1 - share + share*Functions.smoothMax(p_gauge/p_reference, 1e-3));
+  f = c*v*exp(a*log(v_size/v_reference) + growth*log(1 + s))*(1 + asymmetry*v/v_size)
+    *(1 - pressure_share + pressure_share*Functions.smoothMax(p_gauge/p_reference, 1e-3));
   annotation (defaultComponentName="damper", Documentation(info="<html>
-<p>f = c v |v/(0.1 m/s)|^a (1 + 8 x/L0)^growth (1 + side sgn v) (1 - share + share p_gauge/100 kPa): it dissipates,
+<p>f = c v |v/(0.1 m/s)|^a (1 + 8 x/L0)^growth (1 + asymmetry sgn v) (1 - pressure_share + pressure_share p_gauge/100
+kPa): it dissipates,
 whatever the coefficients are. Source: the viscous term of
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">DP</a> (5) by the power law of Ostwald and de Waele, the
 pressure as in DP (68); fibres touch more of the bladder and cross at another angle as the muscle contracts, DP
 (46)-(48), and a damper with a valve works one way. What doubles within 20 mm of contraction or works 3 times as much
 one way is met within 1 % of what it changes in the readings. Typical c 20 to 1000 N.s/m, a -0.7 to 1, growth 0 to 1.5,
-side -0.5 to 0.5.</p>
+asymmetry -0.5 to 0.5.</p>
 <p>Fingerprint: as <a href=\"modelica://PneumaticMuscle.Effects.RateFriction.ViscousFriction\">ViscousFriction</a>, with
 another weight of rising against falling, or of long against short.</p>
 </html>"));

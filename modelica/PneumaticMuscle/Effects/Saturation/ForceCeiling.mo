@@ -3,7 +3,7 @@ model ForceCeiling "The force reading ends at an upper limit"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="high=1e5");
   parameter Types.Force high(min=-1e4, max=1e5, nominal=100) = 20 "Upper limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(above="F"));
 protected
   constant Types.Force width = 0.1 "Force over which the corner is rounded";
 equation

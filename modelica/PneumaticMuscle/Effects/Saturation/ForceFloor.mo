@@ -3,7 +3,7 @@ model ForceFloor "The force reading ends at a lower limit"
   extends Interfaces.ForceChannel;
   extends FamilyMember(final absent="low=-1e4");
   parameter Types.Force low(min=-1e4, max=1e5, nominal=100) = 20 "Lower limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(below="F"));
 protected
   constant Types.Force width = 0.1 "Force over which the corner is rounded";
 equation

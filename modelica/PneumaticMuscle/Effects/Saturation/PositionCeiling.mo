@@ -3,7 +3,7 @@ model PositionCeiling "The position reading ends at an upper limit"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final absent="high=1");
   parameter Types.Length high(min=-1, max=1, nominal=0.05) = 5e-3 "Upper limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(above="x"));
 protected
   constant Types.Length width = 2e-5 "Position over which the corner is rounded";
 equation

@@ -3,7 +3,7 @@ model PositionFloor "The position reading ends at a lower limit"
   extends Interfaces.PositionChannel;
   extends FamilyMember(final absent="low=-1");
   parameter Types.Length low(min=-1, max=1, nominal=0.05) = 5e-3 "Lower limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(below="x"));
 protected
   constant Types.Length width = 2e-5 "Position over which the corner is rounded";
 equation

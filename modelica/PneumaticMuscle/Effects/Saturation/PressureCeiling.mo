@@ -3,7 +3,7 @@ model PressureCeiling "The pressure reading ends at an upper limit"
   extends Interfaces.PressureChannel;
   extends FamilyMember(final absent="high=1e7");
   parameter Types.GaugePressure high(min=-1.01e5, max=1e7, nominal=1e5) = 2e4 "Upper limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(above="p"));
 protected
   constant Types.GaugePressure width = 100 "Pressure over which the corner is rounded";
 equation

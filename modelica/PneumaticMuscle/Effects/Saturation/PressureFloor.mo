@@ -3,7 +3,7 @@ model PressureFloor "The pressure reading ends at a lower limit"
   extends Interfaces.PressureChannel;
   extends FamilyMember(final absent="low=-1.01e5");
   parameter Types.GaugePressure low(min=-1.01e5, max=1e7, nominal=1e5) = 5e3 "Lower limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(below="p"));
 protected
   constant Types.GaugePressure width = 100 "Pressure over which the corner is rounded";
 equation

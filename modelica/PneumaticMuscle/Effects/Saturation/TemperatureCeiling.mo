@@ -3,7 +3,7 @@ model TemperatureCeiling "The temperature reading ends at an upper limit"
   extends Interfaces.TemperatureChannel;
   extends FamilyMember(final absent="high=1500");
   parameter Types.Temperature high(min=100, max=1500, nominal=300) = 295 "Upper limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(above="T"));
 protected
   constant Real width = 0.05 "Temperature over which the corner is rounded";
 equation

@@ -3,7 +3,7 @@ model TemperatureFloor "The temperature reading ends at a lower limit"
   extends Interfaces.TemperatureChannel;
   extends FamilyMember(final absent="low=100");
   parameter Types.Temperature low(min=100, max=1500, nominal=300) = 294 "Lower limit of the reading"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(below="T"));
 protected
   constant Real width = 0.05 "Temperature over which the corner is rounded";
 equation

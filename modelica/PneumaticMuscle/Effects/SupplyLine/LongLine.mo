@@ -3,9 +3,9 @@ model LongLine "A tube of its own volume and resistance between valves and muscl
   extends Interfaces.Line;
   extends FamilyMember(final absent="A=5e-6, V=2e-7");
   parameter Types.Area A(min=2e-8, max=5e-6, nominal=3e-7) = 3e-7 "Effective area of the tube"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_max="HoseLine"));
   parameter Types.Volume V(min=2e-7, max=5e-4, nominal=1e-5) = 1e-5 "Volume of the tube, at the valve end"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="OrificeLine"));
 protected
   Laws.Lines.LineGas gas(V=V, p(start=ambient.p), T(start=ambient.T)) "Gas in the line, at the valve end"
     annotation (Placement(transformation(extent={{-40,30},{0,70}})));

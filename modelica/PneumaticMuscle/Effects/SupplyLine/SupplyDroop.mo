@@ -3,13 +3,13 @@ model SupplyDroop "A hose or a regulator before the inlet valve, behind which th
   extends Interfaces.Feed;
   extends FamilyMember(final absent="D=0");
   parameter Types.Pressure D(min=0, max=3e5, nominal=1e4) = 1e4
-    "Pressure that is lost at the reference flow from ambient pressure"
+    "Pressure loss at the reference flow and ambient pressure"
     annotation (Dialog(group="Effect"));
-  parameter Real n(unit="1", min=0.3, max=2.5, nominal=1) = 1 "Exponent of the flow in it"
+  parameter Real n(unit="1", min=0.3, max=2.5, nominal=1) = 1 "Exponent of the flow"
     annotation (Dialog(group="Effect"));
-  parameter Real k(unit="1", min=-1.5, max=2, nominal=0.5) = 0 "Exponent of the supply's absolute pressure in it"
+  parameter Real k(unit="1", min=-1.5, max=2, nominal=0.5) = 0 "Exponent of the absolute supply pressure"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau(min=1e-6, max=2, nominal=0.02) = 0.01 "Time in which the pressure follows the flow"
+  parameter Types.Time tau(min=1e-6, max=2, nominal=0.02) = 0.01 "Time constant of the pressure"
     annotation (Dialog(group="Effect"));
   Types.MassFlowRate m(start=0, fixed=dynamics == Types.Dynamics.FixedInitial, nominal=1e-4)
     "Flow that the pressure follows";

@@ -2,11 +2,11 @@ within PneumaticMuscle.Effects.TemperatureSensor;
 model FlexibleTemperature "The temperature reading has errors of zero, span and linearity"
   extends Interfaces.TemperatureChannel;
   extends FamilyMember(final absent="offset=0, gain=1, bend=0");
-  parameter Real offset(unit="K", min=-50, max=50, nominal=1) = 1 "What the reading has too much"
+  parameter Real offset(unit="K", min=-50, max=50, nominal=1) = 1 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2.5, 2.5}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.05 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));
-  parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01 "Half of what 20 K adds to the slope"
+  parameter Real bend(unit="1", min=-0.3, max=0.3, nominal=0.03) = 0.01 "Quadratic coefficient of the reading, per 20 K"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-0.02, 0.02}));
 protected
   constant Real reference = 20 "What bend refers to";

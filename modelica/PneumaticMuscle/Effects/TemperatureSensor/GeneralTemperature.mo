@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.TemperatureSensor;
 model GeneralTemperature "The temperature reading is any smooth function of the temperature"
   extends Interfaces.TemperatureChannel;
   extends FamilyMember(final general=true, final absent="offset=0, gain=1, bend=0, c=0, d=0");
-  parameter Real offset(unit="K", min=-50, max=50, nominal=1) = 1 "What the reading has too much"
+  parameter Real offset(unit="K", min=-50, max=50, nominal=1) = 1 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2.5, 2.5}));
   parameter Real gain(unit="1", min=0.5, max=2, nominal=1) = 1.05 "Factor on the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={0.95, 1.05}));

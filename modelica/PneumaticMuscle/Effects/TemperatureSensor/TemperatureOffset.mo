@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.TemperatureSensor;
 model TemperatureOffset "The temperature reading is off by a constant"
   extends Interfaces.TemperatureChannel;
   extends FamilyMember(final absent="offset=0");
-  parameter Real offset(unit="K", min=-50, max=50, nominal=1) = 1 "What the reading has too much"
+  parameter Real offset(unit="K", min=-50, max=50, nominal=1) = 1 "Offset of the reading"
     annotation (Dialog(group="Effect"), __PamCosim(typical={-2.5, 2.5}));
 equation
   y = u + offset;

@@ -9,12 +9,12 @@ model FlexibleThermocouple
     "Exponent of the pressure in the heat exchange of the bead"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="1", min=0, max=50, nominal=1) = 0.3
-    "What the reference flow adds to the heat exchange, by that at rest"
+    "Relative increase of the heat exchange at the reference flow"
     annotation (Dialog(group="Effect"));
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What filling gains and venting loses in it, by that"
+  parameter Real asymmetry(unit="1", min=-1, max=1, nominal=0.3) = 0 "Relative asymmetry between filling and venting"
     annotation (Dialog(group="Effect"));
   parameter Real loss(unit="1", min=0, max=2, nominal=0.03) = 0.02
-    "Conductance to the surroundings by that to gas at rest"
+    "Ratio of the conductance to ambient to that to gas at rest"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.MassFlowRate m_reference = 1e-4 "Flow at which b is added";
@@ -26,13 +26,15 @@ initial equation
     der(T) = 0;
   end if;
 equation
-  tau*der(T) = (port.T - T)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*sqrt(flow_size)*(1 + side*r/flow_size))
+  tau*der(T) = (port.T - T)*(exp(n*log(max(port.p, 1.0)/ambient.p)) + b*sqrt(flow_size)*(1 + asymmetry*r/flow_size))
     - loss*(T - ambient.T);
   annotation (Documentation(info="<html>
-<p>tau T_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^0.5) (T_gas - T) - loss (T - T_atm). Source:
+<p>tau T_dot = ((p/p_atm)^n + b (1 + asymmetry sgn m_flow) (|m_flow|/0.1 g/s)^0.5) (T_gas - T) - loss (T - T_atm).
+Source:
 heat balance of a small bead; the law of a wire in a stream, Nu = A + B Re^0.5,
 <a href=\"modelica://PneumaticMuscle.UsersGuide.References\">King 1914</a>, where a jet that fills may hit the bead and
-one that vents need not (side); in A the density, by an exponent of 0.25 to 0.5 in free convection and 0 in gas at rest;
+one that vents need not (asymmetry); in A the density, by an exponent of 0.25 to 0.5 in free convection and 0 in gas at
+rest;
 radiation and stem conduction as a conductance to what stays at ambient temperature
 (<a href=\"modelica://PneumaticMuscle.UsersGuide.References\">Scadron and Warshawsky 1952</a>). Beads that follow
 another power of the flow (0.6), that the pressure multiplies, or that only filling blows at, are met within 3 % of what

@@ -11,20 +11,21 @@ model GeneralThermocouple
     "Exponent of the pressure in the heat exchange of the bead"
     annotation (Dialog(group="Effect"));
   parameter Real b(unit="1", min=0, max=50, nominal=1) = 0.3
-    "What the reference flow adds to the heat exchange, by that at rest"
+    "Relative increase of the heat exchange at the reference flow"
     annotation (Dialog(group="Effect"));
-  parameter Real n_m(unit="1", min=0.2, max=1.2, nominal=0.5) = 0.5 "Exponent of the flow in that"
+  parameter Real n_m(unit="1", min=0.2, max=1.2, nominal=0.5) = 0.5 "Exponent of the flow"
     annotation (Dialog(group="Effect"));
-  parameter Real side(unit="1", min=-1, max=1, nominal=0.3) = 0 "What filling gains and venting loses in it, by that"
+  parameter Real asymmetry(unit="1", min=-1, max=1, nominal=0.3) = 0 "Relative asymmetry between filling and venting"
     annotation (Dialog(group="Effect"));
   parameter Real loss(unit="1", min=0, max=2, nominal=0.03) = 0.02
-    "Conductance to the surroundings by that to gas at rest"
+    "Ratio of the conductance to ambient to that to gas at rest"
     annotation (Dialog(group="Effect"));
-  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.03 "Conductance to the stem by that to gas at rest"
+  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.03
+    "Ratio of the conductance to the stem to that to gas at rest"
     annotation (Dialog(group="Effect"));
   parameter Types.Time tau_stem(min=0.01, max=1e3, nominal=1) = 5 "Time constant of the stem"
     annotation (Dialog(group="Effect"));
-  parameter Real r(unit="1", min=1e-3, max=1, nominal=0.1) = 0.03 "Time constant of the junction by that of its sheath"
+  parameter Real r(unit="1", min=1e-3, max=1, nominal=0.1) = 0.03 "Ratio of the time constants of junction and sheath"
     annotation (Dialog(group="Effect"));
   Types.Temperature T_s(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the sheath";
   Types.Temperature T_stem(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the stem";
@@ -41,12 +42,13 @@ initial equation
   end if;
 equation
   tau*der(T_s) = (port.T - T_s)*(exp(n*log(max(port.p, 1.0)/ambient.p))
-    + b*exp(n_m*log(flow_size))*(1 + side*m/flow_size))
+    + b*exp(n_m*log(flow_size))*(1 + asymmetry*m/flow_size))
     - loss*(T_s - ambient.T) - stem*(T_s - T_stem);
   r*tau*der(T) = T_s - T;
   tau_stem*der(T_stem) = port.T - T_stem;
   annotation (Documentation(info="<html>
-<p>tau T_s_dot = ((p/p_atm)^n + b (1 + side sgn m_flow) (|m_flow|/0.1 g/s)^n_m) (T_gas - T_s) - loss (T_s - T_atm) -
+<p>tau T_s_dot = ((p/p_atm)^n + b (1 + asymmetry sgn m_flow) (|m_flow|/0.1 g/s)^n_m) (T_gas - T_s) - loss (T_s - T_atm)
+-
 stem (T_s - T_stem), tau_stem T_stem_dot = T_gas - T_stem, r tau T_dot = T_s - T. Source:
 <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.FlexibleThermocouple\">FlexibleThermocouple</a>,
 <a href=\"modelica://PneumaticMuscle.Effects.ThermocoupleLag.ThermocoupleStem\">ThermocoupleStem</a> and

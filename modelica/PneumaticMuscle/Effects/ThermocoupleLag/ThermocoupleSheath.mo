@@ -4,8 +4,8 @@ model ThermocoupleSheath "The temperature reading lags behind a sheath that lags
   extends FamilyMember(final absent="tau=1e-3");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant of the sheath"
     annotation (Dialog(group="Effect"));
-  parameter Real r(unit="1", min=0.02, max=1, nominal=1) = 0.3 "Time constant of the junction by that of the sheath"
-    annotation (Dialog(group="Effect"));
+  parameter Real r(unit="1", min=0.02, max=1, nominal=1) = 0.3 "Ratio of the time constants of junction and sheath"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="ThermocoupleLag"));
   Types.Temperature T_s(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the sheath";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then

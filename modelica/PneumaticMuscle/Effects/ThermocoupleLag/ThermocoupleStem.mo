@@ -4,10 +4,11 @@ model ThermocoupleStem "The temperature reading lags and is drawn to the tempera
   extends FamilyMember(final absent="tau=1e-3, stem=0");
   parameter Types.Time tau(min=1e-3, max=100, nominal=1) = 1 "Time constant without the stem"
     annotation (Dialog(group="Effect"));
-  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1 "Conductance to the stem by that to the gas"
-    annotation (Dialog(group="Effect"));
+  parameter Real stem(unit="1", min=0, max=10, nominal=0.1) = 0.1
+    "Ratio of the conductance to the stem to that to the gas"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="ThermocoupleLag"));
   parameter Types.Time tau_stem(min=0.01, max=1e3, nominal=1) = 5 "Time constant of the stem"
-    annotation (Dialog(group="Effect"));
+    annotation (Dialog(group="Effect"), __PamCosim(at_min="ThermocoupleLag"));
   Types.Temperature T_stem(start=T_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Temperature of the stem";
 initial equation
   if dynamics == Types.Dynamics.SteadyStateInitial then

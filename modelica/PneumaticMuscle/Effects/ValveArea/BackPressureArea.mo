@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ValveArea;
 model BackPressureArea "Back pressure closes the valves a little"
   extends Interfaces.ValveArea;
   extends FamilyMember(final absent="beta=0");
-  parameter Real beta(unit="1", min=0, max=0.9, nominal=0.1) = 0.15 "Share of the area that is lost at equal pressures"
+  parameter Real beta(unit="1", min=0, max=0.9, nominal=0.1) = 0.15 "Relative loss of area at equal pressures"
     annotation (Dialog(group="Effect"));
 protected
   constant Real z_smooth = 3e-4 "Relative pressure drop over which the sides change roles";

@@ -3,7 +3,7 @@ model CurrentOffsetArea "The valves open at another current than calibrated"
   extends Interfaces.ValveArea;
   extends FamilyMember(final absent="u_0=0");
   parameter Types.Current u_0(min=-0.14, max=0.14, nominal=0.01) = 0.01
-    "Current that is felt on top of the one that is sent"
+    "Offset of the current"
     annotation (Dialog(group="Effect"));
 equation
   for i in 1:2 loop

@@ -3,18 +3,18 @@ model FlexibleArea "The effective area depends on both pressures and on the curr
   extends Interfaces.ValveArea;
   extends FamilyMember(final absent="b_r=0, b_p=0, b_s=0, b_u=0, u_p=0");
   parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1
-    "What the logarithm of the area loses with the pressure ratio"
+    "Decrease of the logarithm of the area with the pressure ratio"
     annotation (Dialog(group="Effect"));
-  parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it loses with the pressure drop, per 100 kPa"
+  parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Decrease with the pressure drop, per 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real b_s(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0
-    "What it gains with the upstream pressure, per 100 kPa beyond 200 kPa"
+    "Increase with the upstream pressure, per 100 kPa beyond 200 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0
-    "What it gains with the current, per 0.35 A beyond 0.35 A"
+    "Increase with the current, per 0.35 A beyond 0.35 A"
     annotation (Dialog(group="Effect"));
   parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0
-    "Current that a pressure drop of 100 kPa takes to hold the plunger"
+    "Holding current of the plunger per 100 kPa of pressure drop"
     annotation (Dialog(group="Effect"));
 protected
   constant Real z_smooth = 3e-4 "Relative pressure drop over which the sides change roles";

@@ -4,37 +4,37 @@ model GeneralArea "The effective area is any smooth function of pressure ratio, 
   extends FamilyMember(final general=true,
     final absent="b_r=0, b_2=0, b_4=0, b_6=0, b_8=0, b_p=0, b_s=0, b_u=0, b_v=0, b_e=0, b_f=0, b_d=0, u_p=0");
   parameter Real b_r(unit="1", min=-1, max=2, nominal=0.1) = 0.1
-    "What the logarithm of the area loses with the pressure ratio"
+    "Decrease of the logarithm of the area with the pressure ratio"
     annotation (Dialog(group="Effect"));
-  parameter Real b_2(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.2"
+  parameter Real b_2(unit="1", min=-2, max=2, nominal=0.2) = 0 "Change of this slope beyond a ratio of 0.2"
     annotation (Dialog(group="Effect"));
-  parameter Real b_4(unit="1", min=-2, max=2, nominal=0.2) = 0 "What that gains beyond a ratio of 0.4"
+  parameter Real b_4(unit="1", min=-2, max=2, nominal=0.2) = 0 "Change of this slope beyond a ratio of 0.4"
     annotation (Dialog(group="Effect"));
-  parameter Real b_6(unit="1", min=-3, max=3, nominal=0.2) = 0 "What that gains beyond a ratio of 0.6"
+  parameter Real b_6(unit="1", min=-3, max=3, nominal=0.2) = 0 "Change of this slope beyond a ratio of 0.6"
     annotation (Dialog(group="Effect"));
-  parameter Real b_8(unit="1", min=-4, max=4, nominal=0.2) = 0 "What that gains beyond a ratio of 0.8"
+  parameter Real b_8(unit="1", min=-4, max=4, nominal=0.2) = 0 "Change of this slope beyond a ratio of 0.8"
     annotation (Dialog(group="Effect"));
-  parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "What it loses with the pressure drop, per 100 kPa"
+  parameter Real b_p(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0 "Decrease with the pressure drop, per 100 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real b_s(unit="1", min=-0.3, max=0.3, nominal=0.1) = 0
-    "What it gains with the upstream pressure, per 100 kPa beyond 200 kPa"
+    "Increase with the upstream pressure, per 100 kPa beyond 200 kPa"
     annotation (Dialog(group="Effect"));
   parameter Real b_u(unit="1", min=-1.5, max=1.5, nominal=0.1) = 0
-    "What it gains with the current, per 0.35 A beyond 0.35 A"
+    "Increase with the current, per 0.35 A beyond 0.35 A"
     annotation (Dialog(group="Effect"));
-  parameter Real b_v(unit="1", min=-2, max=2, nominal=0.1) = 0 "What it gains with the square of that"
+  parameter Real b_v(unit="1", min=-2, max=2, nominal=0.1) = 0 "Quadratic coefficient of the current"
     annotation (Dialog(group="Effect"));
-  parameter Real b_e(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "What the exhaust gains and the inlet loses"
+  parameter Real b_e(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0 "Asymmetry between exhaust and inlet"
     annotation (Dialog(group="Effect"));
   parameter Real b_f(unit="1", min=-0.7, max=0.7, nominal=0.1) = 0
-    "What the exhaust gains and the inlet loses with the current, per 0.35 A beyond 0.35 A"
+    "Asymmetry between exhaust and inlet with the current, per 0.35 A beyond 0.35 A"
     annotation (Dialog(group="Effect"));
-  parameter Real b_d(unit="1", min=-0.5, max=2, nominal=0.3) = 0.05 "Exponent of the pressure drop where it is small"
+  parameter Real b_d(unit="1", min=-0.5, max=2, nominal=0.3) = 0.05 "Exponent of small pressure drops"
     annotation (Dialog(group="Effect"));
-  parameter Types.Pressure p_d(min=200, max=1e5, nominal=1e4) = 1e4 "Pressure drop that is small in this sense"
+  parameter Types.Pressure p_d(min=200, max=1e5, nominal=1e4) = 1e4 "Scale of small pressure drops"
     annotation (Dialog(group="Effect"));
   parameter Types.Current u_p(min=-0.02, max=0.1, nominal=0.01) = 0
-    "Current that a pressure drop of 100 kPa takes to hold the plunger"
+    "Holding current of the plunger per 100 kPa of pressure drop"
     annotation (Dialog(group="Effect"));
 protected
   constant Real z_smooth = 3e-4 "Relative pressure drop over which the sides change roles";

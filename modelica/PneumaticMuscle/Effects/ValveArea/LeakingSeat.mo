@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ValveArea;
 model LeakingSeat "The inlet valve does not shut fully"
   extends Interfaces.ValveArea;
   extends FamilyMember(final absent="A_seat=0");
-  parameter Types.Area A_seat(min=0, max=2.5e-7, nominal=5e-9) = 5e-9 "Effective area that stays open"
+  parameter Types.Area A_seat(min=0, max=2.5e-7, nominal=5e-9) = 5e-9 "Effective area of the leaking seat"
     annotation (Dialog(group="Effect"));
 equation
   A[1] = C_A*Functions.openingArea(u[1]) + A_seat;

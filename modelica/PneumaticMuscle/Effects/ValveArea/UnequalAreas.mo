@@ -2,7 +2,7 @@ within PneumaticMuscle.Effects.ValveArea;
 model UnequalAreas "The exhaust valve is larger or smaller than the inlet valve"
   extends Interfaces.ValveArea;
   extends FamilyMember(final absent="r=1");
-  parameter Real r(unit="1", min=0.2, max=5, nominal=1) = 0.85 "Area of the exhaust valve by that of the inlet valve"
+  parameter Real r(unit="1", min=0.2, max=5, nominal=1) = 0.85 "Ratio of the areas of exhaust and inlet valve"
     annotation (Dialog(group="Effect"));
 equation
   A[1] = C_A*Functions.openingArea(u[1]);

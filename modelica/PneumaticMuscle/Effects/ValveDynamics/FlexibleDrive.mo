@@ -5,11 +5,11 @@ model FlexibleDrive "The valves follow late, by a dead time, by lags and at a li
   parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
   parameter Types.Time slew(min=1e-6, max=2, nominal=0.05) = 0.01
-    "Time that 0.35 A take at the greatest rate of opening"
+    "Time for 0.35 A at the maximum rate"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau_coil(min=1e-6, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it"
+  parameter Types.Time tau_coil(min=1e-6, max=2, nominal=0.05) = 0.01 "Time constant of the coil"
     annotation (Dialog(group="Effect"));
   parameter Types.Time dead_time(min=1e-6, max=2, nominal=0.05) = 0.02 "Dead time" annotation (Dialog(group="Effect"));
   Types.Current c[2](each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial) "Currents of the coils";

@@ -6,7 +6,7 @@ model FlexibleOpening "The openings follow late, by a dead time, a lag and at a 
   parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
   parameter Types.Time travel(min=1e-6, max=2, nominal=0.05) = 0.01
-    "Time that opening from shut to 3.69e-7 m2 takes at the greatest rate"
+    "Time for opening from shut to 3.69e-7 m2 at the maximum rate"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
     annotation (Dialog(group="Effect"));

@@ -7,24 +7,24 @@ model GeneralDrive
   parameter Types.Time tau(min=1e-6, max=2, nominal=0.05) = 0.03 "Time constant of opening"
     annotation (Dialog(group="Effect"));
   parameter Types.Time slew(min=1e-6, max=2, nominal=0.05) = 0.01
-    "Time that 0.35 A take at the greatest rate of opening"
+    "Time for 0.35 A at the maximum rate"
     annotation (Dialog(group="Effect"));
   parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Both times of closing, by those of opening"
     annotation (Dialog(group="Effect"));
   parameter Real bend(unit="1", min=-2, max=2, nominal=0.3) = 0
-    "What the logarithm of tau loses with the current that follows, per 0.35 A beyond 0.35 A"
+    "Decrease of the logarithm of tau with the current, per 0.35 A beyond 0.35 A"
     annotation (Dialog(group="Effect"));
-  parameter Real direct(unit="1", min=0, max=0.9, nominal=0.3) = 0.1 "Share that does not wait for them"
+  parameter Real direct(unit="1", min=0, max=0.9, nominal=0.3) = 0.1 "Fraction without delay"
     annotation (Dialog(group="Effect"));
-  parameter Types.Time tau_coil(min=1e-6, max=2, nominal=0.05) = 0.01 "Time constant of the coil before it"
+  parameter Types.Time tau_coil(min=1e-6, max=2, nominal=0.05) = 0.01 "Time constant of the coil"
     annotation (Dialog(group="Effect"));
   parameter Types.Time dead_time(min=1e-6, max=2, nominal=0.05) = 0.01 "Dead time" annotation (Dialog(group="Effect"));
   parameter Real omega(unit="rad/s", min=5, max=1e3, nominal=50) = 200
-    "Undamped angular frequency of what moves at last"
+    "Undamped angular frequency of the moving part"
     annotation (Dialog(group="Effect"));
   parameter Real zeta(unit="1", min=0.3, max=2, nominal=1) = 1 "Its damping ratio" annotation (Dialog(group="Effect"));
   parameter Types.Current seat(min=0, max=0.145, nominal=0.05) = 0.02
-    "Current up to which the plunger stays on its seat"
+    "Current at which the plunger leaves its seat"
     annotation (Dialog(group="Effect"));
   parameter Real pair(unit="1", min=0.05, max=20, nominal=1) = 1
     "All times of the exhaust valve, by those of the inlet valve"

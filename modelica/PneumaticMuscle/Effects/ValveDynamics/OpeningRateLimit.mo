@@ -4,9 +4,9 @@ model OpeningRateLimit "The openings of the valves change at a limited rate, ano
     A(each start=0, each fixed=dynamics == Types.Dynamics.FixedInitial, each nominal=1e-7));
   extends FamilyMember(final absent="travel=1e-6, ratio=1");
   parameter Types.Time travel(min=1e-6, max=4, nominal=0.1) = 0.1
-    "Time that opening takes, from shut to 3.69e-7 m2"
-    annotation (Dialog(group="Effect"));
-  parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Time of closing by that of opening"
+    "Time of opening from shut to 3.69e-7 m2"
+    annotation (Dialog(group="Effect"), __PamCosim(at_min=""));
+  parameter Real ratio(unit="1", min=0.05, max=20, nominal=1) = 1 "Ratio of the times of closing and opening"
     annotation (Dialog(group="Effect"));
 protected
   constant Types.Area A_reference = 3.69e-7 "Area of DP (62) at 0.35 A, before the factor C_A";

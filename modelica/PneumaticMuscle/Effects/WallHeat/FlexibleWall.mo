@@ -7,10 +7,10 @@ model FlexibleWall "The wall warms up in two layers and gives its heat to the ai
   parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02
     "Conductance to the surroundings at the reference difference"
     annotation (Dialog(group="Effect"));
-  parameter Real n(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference in it"
+  parameter Real n(unit="1", min=0, max=0.5, nominal=0.3) = 0.1 "Exponent of the temperature difference"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=100, nominal=1) = 0.3
-    "Heat capacity of the outer layer by that of the inner one"
+    "Ratio of the heat capacities of outer and inner layer"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3 "Conductance between the layers"
     annotation (Dialog(group="Effect"));

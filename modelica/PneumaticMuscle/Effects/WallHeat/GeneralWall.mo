@@ -9,18 +9,18 @@ model GeneralWall
   parameter Types.ThermalConductance G(min=1e-5, max=50, nominal=0.02) = 0.02
     "Conductance to the outside at the reference difference"
     annotation (Dialog(group="Effect"));
-  parameter Real n(unit="1", min=0, max=1, nominal=0.3) = 0.1 "Exponent of the temperature difference in it"
+  parameter Real n(unit="1", min=0, max=1, nominal=0.3) = 0.1 "Exponent of the temperature difference"
     annotation (Dialog(group="Effect"));
   parameter Real r(unit="1", min=0.01, max=100, nominal=1) = 0.3
-    "Heat capacity of the outer layer by that of the inner one"
+    "Ratio of the heat capacities of outer and inner layer"
     annotation (Dialog(group="Effect"));
   parameter Types.ThermalConductance K(min=1e-4, max=100, nominal=0.1) = 0.3
     "Conductance between the layers at the reference area"
     annotation (Dialog(group="Effect"));
-  parameter Real grip(unit="1", min=-10, max=10, nominal=2) = 0 "Exponent of the area in it"
+  parameter Real grip(unit="1", min=-10, max=10, nominal=2) = 0 "Exponent of the area"
     annotation (Dialog(group="Effect"));
   parameter Real s(unit="1", min=0, max=1, nominal=0.3) = 0.5
-    "Share of the wall's conduction and outer film that stands before the inner layer"
+    "Fraction of the resistance of wall and outer film before the inner layer"
     annotation (Dialog(group="Effect"));
   Types.Temperature T_w(start=ambient.T) "Temperature of the inner layer";
   Types.Temperature T_o(start=ambient.T) "Temperature of the outer layer";

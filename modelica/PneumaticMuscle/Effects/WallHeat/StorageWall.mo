@@ -4,7 +4,7 @@ model StorageWall "A wall that stores heat between a film inside and a film outs
   extends FamilyMember(final absent="C=1e-4, r=1");
   parameter Types.HeatCapacity C(min=1e-4, max=1e5, nominal=1) = 1 "Heat capacity of the wall"
     annotation (Dialog(group="Effect"));
-  parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Film coefficient outside by that inside"
+  parameter Real r(unit="1", min=0.01, max=50, nominal=1) = 1 "Ratio of the film coefficients outside and inside"
     annotation (Dialog(group="Effect"));
   Types.Temperature T_w(start=ambient.T) "Temperature of the wall";
 initial equation

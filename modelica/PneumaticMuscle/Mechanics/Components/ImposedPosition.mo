@@ -7,7 +7,7 @@ model ImposedPosition "Moves a flange to where the input says, through a fast cr
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Time tau(min=1e-4, max=1) = 5e-3 "Time constant of the filter" annotation (Dialog(group="Dynamics"));
   parameter Types.Length s_start = 0 "Position at the start" annotation (Dialog(group="Start"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   Types.Length s(start=s_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Position";

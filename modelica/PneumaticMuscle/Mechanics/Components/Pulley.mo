@@ -11,7 +11,7 @@ model Pulley "A wheel that two muscles pull against each other"
   parameter Real d(unit="N.m.s/rad", min=0, max=100) = 0.02 "Bearing friction" annotation (Dialog(group="Mechanics"));
   parameter Types.Length x_0(min=0, max=1) = 0.03 "Contraction of both muscles in the middle position"
     annotation (Dialog(group="Geometry"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   Real phi(unit="rad", displayUnit="deg", start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Angle";

@@ -5,7 +5,7 @@ partial model SlidingMass "A mass that moves with the load end of a muscle"
     annotation (Placement(transformation(extent={{-10,90},{10,110}})));
   parameter Types.Mass m(min=0.001, max=1000) "Mass that moves" annotation (Dialog(group="Load"));
   parameter Types.Length s_start "Position at the start" annotation (Dialog(group="Start"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   Types.Length s(start=s_start, fixed=dynamics == Types.Dynamics.FixedInitial) "Position, positive in contraction";

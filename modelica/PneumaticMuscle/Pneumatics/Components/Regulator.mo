@@ -5,7 +5,7 @@ model Regulator "A pressure regulator: the pressure follows the input with a sho
   Interfaces.Signals.GaugePressureInput p_wanted "Gauge pressure wanted"
     annotation (Placement(transformation(extent={{-110,-10},{-90,10}})));
   parameter Types.Time tau(min=1e-4, max=10) = 2e-3 "Time constant" annotation (Dialog(group="Dynamics"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   Types.GaugePressure p(start=0, fixed=dynamics == Types.Dynamics.FixedInitial) "Gauge pressure";
 initial equation

@@ -13,7 +13,7 @@ model ValvePair "An inlet and an exhaust valve, current-driven, of one make, DP 
     annotation (Placement(transformation(extent={{30,90},{50,110}})));
   parameter Real C_A(unit="1", min=0.1, max=3) = 0.699 "Calibration of the effective area, both valves"
     annotation (Dialog(group="Flow"));
-  parameter Types.Dynamics dynamics = ambient.dynamics "How it begins: fixed, at rest, or as nothing else says"
+  parameter Types.Dynamics dynamics = ambient.dynamics "Initial condition"
     annotation (Evaluate=true, Dialog(tab="Initialisation", group="Start"));
   outer Ambient ambient "Surroundings";
   replaceable model Drive = Laws.Valves.ImmediateDrive constrainedby Interfaces.ValveDrive "Dynamics of the valves"

@@ -1,0 +1,129 @@
+"""The families that may be missing, each with its probability and what it is worth, whatever else is missing.
+
+A laboratory asks of each family whether it is missing, not of an exact set. The probability of a family is summed over
+the models that were fitted; families of which one stands for another are a row together.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.judgement.candidate import Candidate
+from pam_cosim.diagnosis.judgement.fitted_models import FittedModels
+from pam_cosim.diagnosis.judgement.posterior import Posterior
+from pam_cosim.diagnosis.judgement.size import EffectSize, size_of_effect
+from pam_cosim.files import Plain
+
+_LISTED = 0.05  # probability of a row at least
+_SURE = 0.95  # of one family, which then needs no other one in its row
+_EXCLUSIVE = 0.9  # of its probability, that a family has without the others of its row
+
+
+@dataclass(frozen=True)
+class FamilyRow(Plain):
+    """One family, or several of which one is missing.
+
+    Attributes:
+        families: their names.
+        probability: that one of them is missing, whatever else is.
+        effects: of the answer, or else of the best model that has one of them.
+        share: of the base model's error beyond the noise that they remove, the others fitted again.
+        rms: root of the mean square that they remove, by fitted signal [SI].
+    """
+
+    families: tuple[str, ...]
+    probability: float
+    effects: tuple[str, ...] = ()
+    share: float = 0.0
+    rms: dict[str, float] = field(default_factory=dict)
+
+
+@dataclass(frozen=True)
+class FamilyTable(Plain):
+    """The families that may be missing.
+
+    Attributes:
+        rows: the most probable first.
+        small: effects that are measurable, but too small to be called missing.
+        unexplained: share of the base model's error beyond the noise that the answer leaves.
+    """
+
+    rows: tuple[FamilyRow, ...] = ()
+    small: tuple[FamilyRow, ...] = ()
+    unexplained: float = 0.0
+
+
+def family_table(models: FittedModels, known: Posterior) -> FamilyTable:
+    """The table of a search's models and their probabilities."""
+    named = [*models.path[-1].effects] if models.path else []
+    groups = _exchanged(known)
+    rows = []
+    for families, probability in groups:
+        effects = tuple(e for e in named if models.family[e] in families)
+        size = _size(models, named, effects)
+        rows.append(_row(models, families, probability, effects, size))
+    base, last = models.base.residuals["fit"], models.last.residuals["fit"]
+    left = last.excess / base.excess if base.excess > 0 else 0.0
+    rows.sort(key=lambda row: (-row.probability, -row.share, row.families))
+    return FamilyTable(tuple(rows), tuple(_small(models)), min(left, 1.0))
+
+
+def _row(
+    models: FittedModels,
+    families: tuple[str, ...],
+    probability: float,
+    effects: tuple[str, ...],
+    size: EffectSize,
+) -> FamilyRow:
+    scores = models.base.comparison.scores["all"]
+    rms = {name: number * scores[name].noise_rmse for name, number in size.rms.items()}
+    return FamilyRow(families, probability, effects, size.share, rms)
+
+
+def _exchanged(known: Posterior) -> list[tuple[tuple[str, ...], float]]:
+    """Families with their probabilities, those together that exclude each other where one of them is missing."""
+    left = {f: p for f, p in known.by_family.items() if p >= _LISTED}
+    groups = []
+    while left:
+        first = next(iter(left))
+        group = [first]
+        for other in [f for f in left if f != first]:
+            if left[first] < _SURE and known.probability_of_any([*group, other]) >= (
+                known.probability_of_any(group) + _EXCLUSIVE * left[other]
+            ):
+                group.append(other)
+        groups.append((tuple(group), known.probability_of_any(group)))
+        left = {f: p for f, p in left.items() if f not in group}
+    return groups
+
+
+def _size(models: FittedModels, named: Sequence[str], effects: Sequence[str]) -> EffectSize:
+    """What effects of the answer are worth: the answer compared with the best model without them."""
+    rest = frozenset(named) - frozenset(effects)
+    if not effects:
+        return EffectSize({}, 0.0)
+    without = models.base if not rest else None
+    if without is None:
+        fits = [c.fit for c in models.tried if frozenset(c.effects) == rest]
+        without = min(fits, key=lambda fit: fit.chi2_minimised, default=None)
+    return size_of_effect(models.base, without, models.last) if without else EffectSize({}, 0.0)
+
+
+def _small(models: FittedModels) -> Iterable[FamilyRow]:
+    """Effects that would be worth adding by the evidence, and are too small."""
+    if not models.path:
+        return
+    answer = models.path[-1]
+    limit = models.criterion(answer) - CRITERIA.evidence.very_strong
+    further = [c for c in models.tried if frozenset(c.effects) > frozenset(answer.effects)]
+    best: dict[str, Candidate] = {}
+    for c in sorted(further, key=lambda c: (models.criterion(c), c.effects)):
+        if len(c.effects) == len(answer.effects) + 1 and models.criterion(c) < limit:
+            (added,) = frozenset(c.effects) - frozenset(answer.effects)
+            best.setdefault(added, c)
+    for effect, c in best.items():
+        size = size_of_effect(models.base, answer.fit, c.fit)
+        if not size.matters():
+            yield _row(models, (models.family[effect],), 0.0, (effect,), size)

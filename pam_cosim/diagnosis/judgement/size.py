@@ -1,0 +1,50 @@
+"""How much an effect is worth beside the others of a model, and whether that is enough to call it missing.
+
+The evidence of many samples tells apart what nobody cares about: what such an effect takes away is what the form of
+another one does not say. So a further effect is called missing only if it is large enough; else it is measurable, but
+small.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from math import sqrt
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.fitting import Fit
+
+
+@dataclass(frozen=True)
+class EffectSize:
+    """What an effect takes away that the others cannot, after they were fitted again.
+
+    Attributes:
+        rms: by signal, root of the mean square that it takes away [standard deviations of the noise].
+        share: of the error beyond the noise that the base model leaves.
+    """
+
+    rms: Mapping[str, float]
+    share: float
+
+    def matters(self, times: float = 1.0) -> bool:
+        """Whether it is as large as a missing effect must be, or so many times that."""
+        numbers = CRITERIA.evidence
+        largest = max(self.rms.values(), default=0.0)
+        return largest >= times * numbers.least_rms or self.share >= times * numbers.least_share
+
+
+def size_of_effect(base: Fit, without: Fit, with_it: Fit) -> EffectSize:
+    """The size of the effect by which two models differ, of all runs.
+
+    Args:
+        base: the model without effects. without: the model without this effect. with_it: the model with it.
+    """
+    after, before = with_it.comparison.scores["all"], without.comparison.scores["all"]
+    signals = with_it.comparison.data.fitted_signals
+    fewer = {n: before[n].chi2_reduced - after[n].chi2_reduced for n in signals if n in after}
+    noise = max(with_it.residuals["fit"].noise_floor, 1.0)
+    rms = {n: sqrt(max(square, 0.0) / noise) for n, square in fewer.items()}
+    squares = [sum(s.chi2 for s in fit.residuals.values()) for fit in (base, without, with_it)]
+    excess = squares[0] - squares[2]
+    return EffectSize(rms, (squares[1] - squares[2]) / excess if excess > 0 else 0.0)

@@ -1,0 +1,86 @@
+"""Which effects of a fitted model the data need: backward elimination on the linearised model, without a simulation."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from math import log
+
+import numpy as np
+
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.fitting import Linear, bounded_least_squares, prior_rows
+
+
+def needed_effects(
+    linear: Linear,
+    parameters: Mapping[str, Sequence[str]],
+    absent: Mapping[str, float],
+    misfit: float,
+    price: float,
+    most: int | None = None,
+) -> tuple[str, ...]:
+    """The effects whose absence costs more than they do, each left out with all others fitted again, to first order.
+
+    Args:
+        linear: the model about its optimum.
+        parameters: full names of the parameters of each effect.
+        absent: values at which the effects vanish, by full name; an effect without one stays.
+        misfit: mean square of what the model leaves, at least one [noise variances].
+        price: of an effect in the criterion, without its parameters.
+        most: number of effects that are kept at most, those that are needed most; None: any.
+    """
+    together = _samples_of_one(linear)
+    of_parameter = log(max(len(linear.residual) / together, CRITERIA.evidence.least_samples))
+    cost = {e: price + of_parameter * len(own) for e, own in parameters.items()}
+    values = dict(zip(linear.names, linear.values.tolist(), strict=True))
+
+    def remaining(effects: Sequence[str]) -> float:
+        fixed = {
+            n: absent.get(n, values[n])
+            for e, own in parameters.items()
+            for n in own
+            if e not in effects and n in values
+        }
+        return _remaining_squares(linear, fixed) / (misfit * together)
+
+    kept = [*parameters]
+    now = remaining(kept)
+    while removable := [e for e in kept if any(n in absent for n in parameters[e])]:
+        without = {e: remaining([n for n in kept if n != e]) for e in removable}
+        first = min(removable, key=lambda e: (without[e] - cost[e], e))
+        if without[first] - now > cost[first] and (most is None or len(kept) <= most):
+            break
+        kept.remove(first)
+        now = without[first]
+    return tuple(kept)
+
+
+def _remaining_squares(linear: Linear, fixed: Mapping[str, float]) -> float:
+    """The least sum of squares, priors among it, with some parameters at fixed values, to first order."""
+    moved = np.array([name not in fixed for name in linear.names])
+    change = np.array(
+        [fixed.get(n, v) - v for n, v in zip(linear.names, linear.values, strict=True)]
+    )
+    known, pull = prior_rows(linear.names, linear.values, linear.priors)
+    rows = np.vstack([linear.slopes, np.diag(known)])
+    wanted = np.append(linear.residual, pull) - rows @ change
+    step = bounded_least_squares(
+        rows[:, moved],
+        wanted,
+        np.minimum(linear.low - linear.values, 0.0)[moved],
+        np.maximum(linear.high - linear.values, 0.0)[moved],
+    )
+    left = (wanted - rows[:, moved] @ step)[: len(linear.residual)]
+    return float(left @ left)
+
+
+def _samples_of_one(linear: Linear) -> float:
+    """How many rows count for one independent row, by the correlation of neighbours in each series."""
+    ends = np.cumsum([rows for _, rows in linear.series])
+    series = [
+        linear.residual[end - n : end] for (_, n), end in zip(linear.series, ends, strict=True)
+    ]
+    together = sum(float(one[1:] @ one[:-1]) for one in series)
+    squares = max(float(linear.residual @ linear.residual), 1e-300)
+    share = min(max(together / squares, 0.0), CRITERIA.residuals.reddest)
+    return (1 + share) / (1 - share)
