@@ -50,8 +50,8 @@ def vocabulary_of(tree: ClassTree, model: str | None = None) -> Vocabulary:
     name = (_class_in(tree, model) if is_modelica(model) else model) if model else ""
     own = list(_records(tree, _origins(tree, name), Vocabulary))
     together = own[:1] or list(_records(tree, libraries(tree)[::-1], Vocabulary))
-    joined = {
-        field.name: sum((getattr(one, field.name) for one in together), type(field.default)())
+    joined: dict[str, Any] = {
+        field.name: tuple(row for one in together for row in getattr(one, field.name))
         for field in fields(Vocabulary)
         if field.name != "unloaded"
     }

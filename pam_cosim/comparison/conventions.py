@@ -184,8 +184,8 @@ def _in_time(
             f"{chi2_before:.3g}; name the file once more with the readings alone under [[runs.loggers]], "
             f'offset = "{-1e3 * late * _step(tried.runs[0]):.4g} ms"'
         )
-        moved = replace(data, runs=tuple(_advanced(run, late) for run in _refined(data).runs))
-        return Convention("late", text, moved, chi2, chi2_before)
+        earlier = replace(data, runs=tuple(_advanced(run, late) for run in _refined(data).runs))
+        return Convention("late", text, earlier, chi2, chi2_before)
     return None
 
 

@@ -343,7 +343,7 @@ class Headings:
         is_valve = kind in ("command", "current")
         return Meaning(kind, frozenset(roles & _VALVES if is_valve else roles - _VALVES))
 
-    def _kind_without_unit(self, named: Sequence[str], roles: Collection[str]) -> str | None:
+    def _kind_without_unit(self, named: Sequence[str], roles: set[str]) -> str | None:
         """What the words say first; a commanded current or contraction is a command, an ambient T no time."""
         if "ambient" in roles and "temperature" in named:
             return "temperature"

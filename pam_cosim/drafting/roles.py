@@ -148,7 +148,7 @@ def _outside(scaled: Array, left: Sequence[int], one: int) -> Array:
     """(traits,) how far a recording lies outside what the others span."""
     others = scaled[[i for i in left if i != one]]
     low, high = others.min(axis=0), others.max(axis=0)
-    return np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0)
+    return np.asarray(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))
 
 
 def _apart(scaled: Array, left: Sequence[int], one: int) -> float:

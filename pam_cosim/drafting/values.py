@@ -218,7 +218,8 @@ def _of_column(
 
 def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedValue]:
     """What lines above the rows state, of a parameter or of an input that no column feeds."""
-    told, interface, headings = {}, bench.interface, evidence.headings
+    told: dict[str, StatedValue] = {}
+    interface, headings = bench.interface, evidence.headings
     unfed = {n: interface.inputs[n] for n in bench.choice.unfed}
     for remark in evidence.remarks[i]:
         unit = headings.units[remark.meaning.kind]
