@@ -39,10 +39,15 @@ DECIDE_NOTHING = {
         "describes where the error sits",
         "_FEWEST_SAMPLES _LEAST_VALUE _MOST_RULES",
     ),
+    "comparison/conventions": (
+        "advice to look at the data first; physical constants",
+        "_MOST_RUNS _LATEST _PRICE_OF_DELAY _GAIN _NEAR_NOISE _LARGE_ERROR _REMAINING_ERROR _SAME_FACTOR "
+        "_LEAST_VARIANCE _ZEROS ATMOSPHERES STANDARD_ATMOSPHERE",
+    ),
     "comparison/plausibility": (
         "advice to look at the data first; physical constants",
-        "_LARGE_ERROR _NOISE_LIMIT _QUIET _REMAINING_ERROR _SAME_FACTOR BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
-        "_MOST_SAMPLES _ZEROS _LEAST FEWEST_SAMPLES ATMOSPHERES STANDARD_ATMOSPHERE",
+        "_LARGE_ERROR _NOISE_LIMIT _QUIET _STUCK BEYOND_LIMIT _OPPOSITE_CHANGE _SAME_INPUTS "
+        "_MOST_SAMPLES _LEAST FEWEST_SAMPLES STANDARD_ATMOSPHERE",
     ),
     "comparison/rounding": ("accuracy of a table", "_FINE _CENTRE _TAIL _NODES"),
     "comparison/sample_conditions": (

@@ -1,12 +1,12 @@
-"""The words of a field, read from the record ``Domain`` of its library."""
+"""The words of a field, read from the records ``Domain`` and ``Vocabulary`` of its library."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import asdict, fields
 from pathlib import Path
-from typing import Any
+from typing import Any, TypeVar
 
 from pam_cosim.cache import cached, digest
 from pam_cosim.catalogue.place import libraries, library_of, qualified
@@ -16,8 +16,9 @@ from pam_cosim.errors import ModelError
 from pam_cosim.model import domain as words
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import is_modelica
+from pam_cosim.model.vocabulary import Vocabulary
 
-RECORD = "Domain"
+_Record = TypeVar("_Record", Domain, Vocabulary)
 
 
 def domain_of(tree: ClassTree, model: str) -> Domain:
@@ -33,9 +34,34 @@ def domain_of(tree: ClassTree, model: str) -> Domain:
         ModelError: the record of the library is not what it must be.
     """
     name = _class_in(tree, model) if is_modelica(model) else qualified(tree, model)
-    packages = dict.fromkeys([*_origins(tree, name), *libraries(tree)])
-    records = (f"{package}.{RECORD}" for package in packages)
-    return next((_read(tree, record) for record in records if record in tree.classes), Domain())
+    return next(_records(tree, [*_origins(tree, name), *libraries(tree)], Domain), Domain())
+
+
+def vocabulary_of(tree: ClassTree, model: str | None = None) -> Vocabulary:
+    """The words of the library that a model is made from; without a model, those of all libraries together.
+
+    Args:
+        tree: the library and the user's files.
+        model: as in ``domain_of``, or None.
+
+    Raises:
+        ModelError: as ``domain_of``.
+    """
+    name = (_class_in(tree, model) if is_modelica(model) else model) if model else ""
+    own = list(_records(tree, _origins(tree, name), Vocabulary))
+    together = own[:1] or list(_records(tree, libraries(tree)[::-1], Vocabulary))
+    joined: dict[str, Any] = {
+        field.name: tuple(row for one in together for row in getattr(one, field.name))
+        for field in fields(Vocabulary)
+        if field.name != "unloaded"
+    }
+    return Vocabulary(**joined, unloaded=" ".join(one.unloaded for one in together))
+
+
+def _records(tree: ClassTree, packages: Iterable[str], kind: type[_Record]) -> Iterator[_Record]:
+    """The record of a kind of each library that has one."""
+    records = (f"{package}.{kind.__name__}" for package in dict.fromkeys(packages))
+    return (_read(tree, record, kind) for record in records if record in tree.classes)
 
 
 def known_domain(model: str, sources: Sequence[Path] = ()) -> Domain:
@@ -74,10 +100,10 @@ def _origins(tree: ClassTree, name: str) -> list[str]:
     return [library_of(c) for c in classes]
 
 
-def _read(tree: ClassTree, record: str) -> Domain:
+def _read(tree: ClassTree, record: str, kind: type[_Record]) -> _Record:
     """Every field is a constant of the record, an array of as many dimensions and columns."""
     values: dict[str, Any] = {}
-    for field in fields(Domain):
+    for field in fields(kind):
         value = tree.constant(record, field.name)
         if value is None:
             continue
@@ -87,7 +113,7 @@ def _read(tree: ClassTree, record: str) -> Domain:
                 f"{record}: {field.name} must be {_FORMS[_ROWS[field.name]]}", info.file, info.line
             )
         values[field.name] = value
-    return Domain(**values)
+    return kind(**values)
 
 
 _ROWS = {
@@ -99,6 +125,16 @@ _ROWS = {
     "instruments": 2,
     "confused": 3,
     "phases": 4,
+    "kinds": 4,
+    "roles": 3,
+    "units": 2,
+    "sure": 2,
+    "directions": 2,
+    "unloaded": -1,
+    "calibrated": 0,
+    "uncertain": 0,
+    "chosen": 0,
+    "neutral": 2,
 }
 _FORMS = {
     -1: "a text",

@@ -13,6 +13,7 @@ from pam_cosim.comparison.condition_table import (
     check_conditions,
     write_tables,
 )
+from pam_cosim.comparison.conventions import Convention, likely_convention
 from pam_cosim.comparison.error_regions import Rule, samples_in, where
 from pam_cosim.comparison.outliers import outliers, without_outliers
 from pam_cosim.comparison.plausibility import Doubt, place_in
@@ -38,6 +39,7 @@ __all__ = [
     "Comparison",
     "Condition",
     "ConditionTable",
+    "Convention",
     "Doubt",
     "ResidualStatistics",
     "Rule",
@@ -52,6 +54,7 @@ __all__ = [
     "compare",
     "expected_squares",
     "lag_one",
+    "likely_convention",
     "outliers",
     "place_in",
     "autocorrelation",

@@ -33,6 +33,7 @@ class Comparison(Printed, Tabular):
         scores: per role ("fit", "holdout", "all") and signal.
         where: rules that hold most of the error, over all runs.
         units: SI units of the parameters and inputs of the runs, by name.
+        convention: what fits much better than what the data are read with, in words; "": nothing, or nobody looked.
     """
 
     json_keys = "model parameters signals=scores.all roles=_roles runs=_runs where doubts"
@@ -44,12 +45,13 @@ class Comparison(Printed, Tabular):
     scores: dict[str, dict[str, SignalScore]]
     where: tuple[Rule, ...]
     units: dict[str, str] = field(default_factory=dict)
+    convention: str = ""
 
     @cached_property
     def doubts(self) -> tuple[Doubt, ...]:
         """What a person should look at before an effect is said to be missing."""
         fitted = set(self.data.fit) <= set(self.parameters)
-        return doubts(self.runs, self.data.signals, self.units, fitted)
+        return doubts(self.runs, self.data.signals, self.units, fitted, self.convention)
 
     def chi2_reduced(self, role: str = "all") -> float:
         """Mean square error in noise standard deviations over the fitted signals of the runs with ``role``."""

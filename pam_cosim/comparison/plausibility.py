@@ -16,39 +16,24 @@ from numpy.typing import NDArray
 from scipy.spatial import KDTree
 
 from pam_cosim.arrays import Array
+from pam_cosim.comparison.conventions import has_usual_units, mistake_in_reading
 from pam_cosim.comparison.residuals import RunComparison, warnings_of
 from pam_cosim.measurement import Run, Signal
 from pam_cosim.measurement.markers import FEWEST_SAMPLES, input_marker_of, marker_of
-from pam_cosim.units import convert, format_quantity
-from pam_cosim.units.grammar import ATMOSPHERES, STANDARD_ATMOSPHERE
+from pam_cosim.units import format_quantity
+from pam_cosim.units.grammar import STANDARD_ATMOSPHERE
 from pam_cosim.wording import listed
 
 _LARGE_ERROR = 0.5  # of what a signal moves: rms error of a model that explains little
+_STUCK = 0.25  # of the samples of a run, that one number is repeated in at least by a sensor that is stuck
 _NOISE_LIMIT = 5.0  # sd of the noise, that a doubtful error exceeds
 _QUIET = 0.1  # sd of the noise, within which samples never lie
-_REMAINING_ERROR = 0.3  # of an error, that remains at most where a simple mistake explains it
-_SAME_FACTOR = 0.02  # of a factor or an offset, by which it may differ from a usual mistake
 # of a signal's span, beyond zero or a limit of the model, that counts as passed
 BEYOND_LIMIT = 0.03
 _OPPOSITE_CHANGE = 0.02  # of a signal's span, by which runs differ in the data and in the model
 _SAME_INPUTS = 0.02  # of the spans of the inputs, between samples at the same inputs
 _MOST_SAMPLES = 2000  # of a run that are compared with another
 
-_UNITS = {
-    "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
-    "m": ("mm", "cm", "m", "inch"),
-    "N": ("N", "kN", "kgf", "lbf", "mN"),
-    "rad": ("rad", "deg"),
-}
-"""Units that loggers write, the usual ones first, by the base unit of what is measured."""
-_ZEROS = {
-    "Pa": (STANDARD_ATMOSPHERE, "absolute and gauge pressure mixed up"),
-    "K": (273.15, "degrees Celsius and kelvin mixed up"),
-}
-_CAUSES = (
-    "a size of the muscle or a load that is not the rig's does this, "
-    "and so does a wrong unit or factor of the instrument"
-)
 _LEAST = {"Pa": (-STANDARD_ATMOSPHERE, "a vacuum, gauge"), "K": (0.0, "absolute zero")}
 """What no reading of an instrument is below, by its unit."""
 
@@ -58,11 +43,12 @@ class Doubt:
     """One thing that a person should look at first.
 
     Attributes:
-        kind: "warning": the model itself warns; "undriven": an input has the model's default; "copy": two runs have the
-            same samples; "marker": a value that is no reading, as for missing samples; "still": a signal never moves,
-            where the model does; "too_quiet": the samples differ by less than their noise; "impossible": no such
-            reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes zero
-            where the model does; "contradiction": runs differ the other way than in the model.
+        kind: "warning": the model itself warns; "undriven": an input has the model's default; "convention": what was
+            recorded fits much better if it is meant otherwise; "copy": two runs have the same samples; "marker": a
+            value that is no reading, as for missing samples; "still": a signal never moves, where the model does;
+            "stuck": for a part of a run; "too_quiet": the samples differ by less than their noise; "impossible": no
+            such reading exists; "far_off": the model explains little of it; "one_sided": the measurement never passes
+            zero where the model does; "contradiction": runs differ the other way than in the model.
         signal: which it is seen in; "": none.
         text: a sentence.
     """
@@ -77,6 +63,7 @@ def doubts(
     signals: Mapping[str, Signal],
     units: Mapping[str, str],
     fitted: bool = True,
+    convention: str = "",
 ) -> tuple[Doubt, ...]:
     """What a person should look at before effects are added.
 
@@ -94,6 +81,7 @@ def doubts(
             found_doubts += [
                 *_markers(runs, signal, measured),
                 *_still(signal, measured, modelled),
+                *_stuck(runs, signal),
                 *_too_quiet(signal, measured),
                 *_impossible(runs, signal, measured, modelled),
                 *_far_off(signal, measured, modelled, fitted, lambda: _reach(runs, units)),
@@ -101,9 +89,11 @@ def doubts(
             ]
             found_doubts += _contradictions(runs, signal, float(np.ptp(measured)), units)
     warnings = (Doubt("warning", "", text) for text in warnings_of(runs))
+    meant = [Doubt("convention", "", convention)] if convention else []
     return (
         *warnings,
         *_undriven(runs),
+        *meant,
         *_copies(runs),
         *_markers_of_inputs(runs, units),
         *found_doubts,
@@ -211,6 +201,31 @@ def _still(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:
     )
 
 
+def _stuck(runs: Sequence[RunComparison], signal: Signal) -> Iterator[Doubt]:
+    """A signal that repeats one number for much of a run, and shows noise before or after it, where the model moves."""
+    for r in runs:
+        kept, _, measured = (
+            r.at_samples(signal.name) if r.run.sample_count(signal.name) else ((), (), ())
+        )
+        if len(measured) < FEWEST_SAMPLES or r.run.is_static:
+            continue
+        changes = np.flatnonzero(np.diff(measured) != 0.0)
+        edges = np.concatenate([[-1], changes, [len(measured) - 1]])
+        longest = int(np.argmax(np.diff(edges)))
+        first, last = int(edges[longest]) + 1, int(edges[longest + 1])
+        moves = float(np.ptp(r.model[signal.name][kept][first : last + 1]))
+        stays = last - first + 1 > _STUCK * len(measured) and moves > _NOISE_LIMIT * signal.sigma
+        if stays and 2 * len(changes) > len(measured) - (last - first + 1):
+            times = r.run.time[kept]
+            yield Doubt(
+                "stuck",
+                signal.name,
+                f"{signal.name}: {format_quantity(float(measured[first]), signal.unit)} in every sample from "
+                f"{times[first]:.4g} to {times[last]:.4g} s of {r.run.name}, where the model moves by "
+                f"{format_quantity(moves, signal.unit)}: is the sensor stuck? Leave it out, by from or to of the run",
+            )
+
+
 def _too_quiet(signal: Signal, measured: Array) -> Iterator[Doubt]:
     """Samples that differ by far less than their noise: their unit is another one, or the noise level is."""
     span = float(np.ptp(measured))
@@ -272,7 +287,7 @@ def _far_off(
         f"{signal.name}: the model explains little; it is off by {format_quantity(error, signal.unit)} where the whole "
         f"measurement spans {span}. "
     )
-    mended = _mended(signal, measured, modelled, error, inputs)
+    mended = mistake_in_reading(signal, measured, modelled, inputs)
     usual = (
         "A wrong unit, zero or column, or a size, a load or a type that is not as stated, "
         "come before a missing effect"
@@ -281,78 +296,15 @@ def _far_off(
         yield Doubt("far_off", signal.name, text + (mended or usual))
 
 
-def _mended(
-    signal: Signal, measured: Array, modelled: Array, error: float, inputs: Callable[[], str]
-) -> str:
-    """The simple mistake that explains most of an error, in words; "" where none does."""
-    enough = _REMAINING_ERROR * error
-    offset = float(np.mean(measured - modelled))
-    zero, why = _ZEROS.get(signal.unit, (math.inf, ""))
-    if signal.unit == "Pa" and _from_atmosphere(measured, modelled):
-        lowest, highest = (
-            format_quantity(float(v), "Pa") for v in (measured.min(), measured.max())
-        )
-        return f"It goes from {lowest} to {highest}, one atmosphere above the model: {why}"
-    if _rms(measured - modelled - offset) < enough:
-        mixed = abs(abs(offset) - zero) < _SAME_FACTOR * zero
-        likely = why if mixed else "its zero is wrong, or a start value"
-        return f"It would fit if {format_quantity(offset, signal.unit)} were taken off: {likely}"
-    if _rms(measured + modelled) < enough:
-        return "It would fit with its sign turned"
-    return _of_another_size(signal, measured, modelled, enough, inputs)
-
-
-def _of_another_size(
-    signal: Signal, measured: Array, modelled: Array, enough: float, inputs: Callable[[], str]
-) -> str:
-    """A factor that explains most of an error, in words; "" where none does.
-
-    A measurement much larger than the model comes near it when it is divided, one much smaller when the model is
-    multiplied: of the two errors that are left the smaller one counts, so that both are told alike.
-    """
-    product = float(measured @ modelled)
-    if product <= 0.0:
-        return ""
-    gain, inverse = product / float(modelled @ modelled), product / float(measured @ measured)
-    if min(_rms(measured - gain * modelled), _rms(inverse * measured - modelled)) >= enough:
-        return ""
-    units = _as_units(signal.unit, gain)
-    if units:
-        return f"It would fit if it were divided by {gain:.4g}{units}"
-    return f"Relative to the model it is {gain:.3g} times as large: {_CAUSES}{inputs()}"
-
-
 def _reach(runs: Sequence[RunComparison], units: Mapping[str, str]) -> str:
     """How far the recorded inputs go, as a wrong unit of one is seen by; "" without such an input."""
-    names = dict.fromkeys(name for r in runs for name in r.run.inputs if units.get(name) in _UNITS)
-    input_values = {
-        n: np.concatenate([r.run.inputs[n] for r in runs if n in r.run.inputs]) for n in names
-    }
-    ends = {n: float(values[np.argmax(np.abs(values))]) for n, values in input_values.items()}
+    names = dict.fromkeys(
+        name for r in runs for name in r.run.inputs if has_usual_units(units.get(name, ""))
+    )
+    every = {n: np.concatenate([r.run.inputs[n] for r in runs if n in r.run.inputs]) for n in names}
+    ends = {n: float(values[np.argmax(np.abs(values))]) for n, values in every.items()}
     words = listed(f"{n} goes to {format_quantity(end, units[n], 6)}" for n, end in ends.items())
     return f", or of an input: {words}" if ends else ""
-
-
-def _from_atmosphere(measured: Array, modelled: Array) -> bool:
-    """Whether a pressure begins at one atmosphere and ends that much above the model.
-
-    Where the start of the model was estimated from the same reading, no constant is what the two differ by.
-    """
-    low, high = ATMOSPHERES
-    above = float(measured.max() - modelled.max())
-    return bool(
-        low <= measured.min() <= high
-        and abs(above - STANDARD_ATMOSPHERE) < _SAME_FACTOR * STANDARD_ATMOSPHERE
-    )
-
-
-def _as_units(unit: str, gain: float) -> str:
-    """Two units whose ratio a factor is, in words; "" where it is none."""
-    for written, read in itertools.permutations(_UNITS.get(unit, ()), 2):
-        ratio = float(convert(1.0, read, written))
-        if abs(gain / ratio - 1) < _SAME_FACTOR:
-            return f", as if what was written in {written} were read as {read}"
-    return ""
 
 
 def _one_sided(signal: Signal, measured: Array, modelled: Array) -> Iterator[Doubt]:

@@ -1,95 +1,148 @@
-"""The columns of all recordings, and what each is: by its words, its unit, and what its numbers look like."""
+"""The columns of all recordings, and the evidence of what each is: its words, its unit, what its numbers look like."""
 
 from __future__ import annotations
 
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, field, replace
+from functools import cached_property
 
 import numpy as np
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.column_statistics import span
-from pam_cosim.drafting.logged_on_change import with_values_kept
-from pam_cosim.drafting.recorded_column import RecordedColumn, with_usual_unit
-from pam_cosim.drafting.sources import RecordingSource
-from pam_cosim.drafting.time_column import with_time
-from pam_cosim.drafting.vocabulary import (
+from pam_cosim.drafting.headings import (
+    AT_REST,
     Heading,
+    Headings,
     Meaning,
-    contradiction,
-    fits,
     is_count,
     known_unit,
-    read_heading,
-    scaled_unit,
+    meant,
 )
+from pam_cosim.drafting.recordings import Source
+from pam_cosim.drafting.shapes import correlation, is_constant, is_held, is_switch, span
+from pam_cosim.drafting.texts import common_quantities
 from pam_cosim.errors import InputError
+from pam_cosim.measurement.curves import levels
+from pam_cosim.measurement.recording import EMPTY_SHARE, filled_forward
 from pam_cosim.measurement.table import Column
 from pam_cosim.wording import shown
 
+# of the range of all runs: a column that moves less within a run is constant there
+IMPOSED_RANGE = 0.2
+NO_UNIT = "no unit is written"
+UNNAMED = re.compile(r"column \d+|unnamed:.*", re.IGNORECASE)
 _SUPPLY_RANGE = 0.3  # of its mean, by which a supply pressure varies at most
-
-
-_SHARES = ("command", "ratio")  # need no unit: what is written there, such as on/off, is none
-_SCALES = {
-    "contraction": ("x", "0.02 mm"),
-    "force": ("F", "0.1 N"),
-    "pressure": ("p", "0.1 kPa"),
-}
-"""By kind, how a column in counts may be scaled: a name and the size of a count."""
+_LARGEST_COMMAND = 120.0  # [%]; more is in steps of a converter
+_LEAST_SIGNED = 0.3  # correlation of a command of two valves with the change of the pressure
 _MOST = 400  # columns; each is held against each
+_REFERABLE = re.compile(r"[^'\\\n]+")
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
+_SCALES = {"force": ("F", "0.1 N"), "pressure": ("p", "0.1 kPa")}
+"""By kind, how a column in counts may be scaled: a name and the size of a count."""
 
 
-def find_columns(
-    sources: Sequence[RecordingSource], asked: Mapping[str, str]
-) -> list[RecordedColumn]:
-    """Every column of numbers and what it is; ``asked`` are columns by the names that the user gave them.
+@dataclass(frozen=True)
+class RecordedColumn:
+    """A column of that name in every recording that has it.
 
-    Raises:
-        InputError: a column that is asked for is in no file; there are too many.
+    Attributes:
+        unit: as the registry of units has it; stated in the file, or guessed.
+        stated: the file states it so that it can be read.
+        unknown: the unit that the file states, where nobody knows it; else "".
+        meaning: None: nobody knows.
+        why: what ``meaning`` and ``unit`` were guessed from, in sentences without a subject.
+        known: share of its words that are known.
+        values: numbers in its unit by the number of the recording.
+        points: the recordings are points at rest, whose rows have no pace.
+        in_names: it stands in the names of the files, one value for each.
+        words: of a direction that is told in words: what its numbers are places of.
+        senses: of a direction: 1 up, -1 down, 0 neither, by its numbers.
+        logged_on_change: its cells are empty in the files while it keeps its value.
+        formula: of a column of the files that this one is made from; "": it is one itself.
     """
-    names = dict.fromkeys(name for source in sources for name in source.table.columns)
-    if len(names) > _MOST:
-        raise InputError(
-            f"{len(names)} columns are too many to recognise; leave out those that are not needed, down to {_MOST}",
-            sources[-1].file,
-        )
-    columns = [_found(name, sources) for name in names]
-    columns = with_time(_valves(_supply(columns)), asked.get("time"), sources)
-    columns = with_values_kept(columns)
-    _check_alike(columns, sources)
-    return columns
 
+    name: str
+    unit: str
+    stated: bool
+    meaning: Meaning | None
+    values: dict[int, Array]
+    why: tuple[str, ...] = ()
+    unknown: str = ""
+    absolute: bool = False
+    known: float = 0.0
+    places: dict[int, Column] = field(default_factory=dict)
+    points: bool = False
+    in_names: bool = False
+    words: tuple[str, ...] = ()
+    senses: dict[float, int] = field(default_factory=dict)
+    logged_on_change: bool = False
+    formula: str = ""
 
-def with_known_units(
-    columns: Sequence[RecordedColumn],
-    formulas: Iterable[str],
-    sources: Sequence[RecordingSource],
-    asked: Iterable[str] = (),
-) -> list[RecordedColumn]:
-    """The columns, of which those whose unit nobody knows, or is of another quantity, serve formulas alone.
+    @property
+    def kind(self) -> str:
+        """Of its meaning; "" where nobody knows."""
+        return self.meaning.kind if self.meaning else ""
 
-    Raises:
-        InputError: a unit is written that nobody knows, or that is of another quantity than the name says, and neither
-            a formula holds the column nor is it ``asked`` for: no other one is guessed.
-    """
-    in_formulas = {name for formula in formulas for name in names_in(formula)}
-    said = {*in_formulas, *asked}
-    for one in columns:
-        wrong = _unknown(one) if _lacks_unit(one) and one.name not in in_formulas else ""
-        if not wrong and one.name not in said:
-            wrong = _contradicts(one)
-        if wrong:
-            source = sources[min(one.places)]
-            raise InputError(wrong, source.file, source.table.header_line, one.name)
-    wrong_in_formulas = {c.name for c in columns if c.name in in_formulas and _contradicts(c)}
-    return [
-        replace(c, meaning=None) if _lacks_unit(c) or c.name in wrong_in_formulas else c
-        for c in columns
-    ]
+    @property
+    def readable(self) -> bool:
+        """Whether a formula can hold it: by its name, and by the unit beside it in the files, if there is one."""
+        written = any(column.unit.strip() for column in self.places.values())
+        return bool(_REFERABLE.fullmatch(self.name)) and (self.stated or not written)
+
+    @property
+    def since(self) -> str:
+        """The first of its dates with times of day, from which its numbers count; "" where it holds none."""
+        return next((column.since for column in self.places.values()), "")
+
+    @cached_property
+    def every(self) -> Array:
+        """All its numbers."""
+        return np.concatenate([*self.values.values(), np.empty(0)])
+
+    @cached_property
+    def largest(self) -> float:
+        """Largest magnitude of its numbers."""
+        return float(np.nanmax(np.abs(self.every))) if np.isfinite(self.every).any() else 0.0
+
+    @cached_property
+    def held(self) -> bool:
+        """It hardly moves within runs beside what it does between them, or steps from one value to another.
+
+        Of points at rest, it takes few values.
+        """
+        if self.points:
+            return all(levels(one[np.isfinite(one)]) is not None for one in self.values.values())
+        whole = span(self.every)
+        own = max(span(one) for one in self.values.values())
+        if whole == 0.0 or own <= IMPOSED_RANGE * whole:
+            return True
+        return all(is_held(one) or is_constant(one) for one in self.values.values())
+
+    @cached_property
+    def moves(self) -> bool:
+        """It is more than noise about one value."""
+        if self.points:
+            return span(self.every) > 0.0
+        return not all(is_constant(one) for one in self.values.values())
+
+    @cached_property
+    def whole(self) -> bool:
+        """It lacks so few samples that it may be meant as an input."""
+        return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= EMPTY_SHARE
+
+    def text_of(self, value: float) -> str:
+        """One of its numbers, or the word that it stands for."""
+        return shown(self.words[int(value)]) if self.words else f"{value:g}"
+
+    def of(self, kind: str, *roles: str) -> bool:
+        """Whether it is of a kind, with just these roles."""
+        return self.meaning == meant(kind, *roles)
+
+    def because(self, why: str, **changes: object) -> RecordedColumn:
+        """The column with changes, and why."""
+        return replace(self, why=(*self.why, why), **changes)  # type: ignore[arg-type]
 
 
 def names_in(formula: str) -> set[str]:
@@ -97,71 +150,76 @@ def names_in(formula: str) -> set[str]:
     return {quoted or bare for quoted, bare in _NAME.findall(re.sub(r'"[^"]*"', "", formula))}
 
 
-def _lacks_unit(one: RecordedColumn) -> bool:
-    """Whether the unit that is written is none, and its numbers need one: a command that is on or off needs none."""
-    if not one.unknown or one.unit or one.meaning is None:
-        return False
-    kind = one.meaning.kind
-    shares = is_count(one.unknown) if kind in _SHARES else True
-    return shares and kind not in ("count", "direction")
+def find_columns(
+    sources: Sequence[Source], stated: Iterable[str], formulas: Iterable[str], headings: Headings
+) -> list[RecordedColumn]:
+    """Every column of numbers and what it is; what the names of the files tell is one too.
 
+    Args:
+        sources: recordings.
+        stated: names of columns that are what the user says, whatever their words are.
+        formulas: texts that the user states; columns in them may have any unit.
+        headings: by which they are read.
 
-def _unknown(one: RecordedColumn) -> str:
-    assert one.meaning is not None
-    left_out = f"or leave it out: --recording 'ignore={one.name}'"
-    signal, step = _SCALES.get(one.meaning.kind, _SCALES["contraction"])
-    scaled = f"scale it, as in --column {_scaling(signal, one.name, step)}"
-    if is_count(one.unknown):
-        return f"how large its {one.unknown} are is not said; {scaled}, {left_out}"
-    correct = "correct it in the file"
-    if scaled_unit(one.name) != one.unknown:
-        return f"unit {shown(one.unknown)} is unknown; {correct}, {left_out}"
-    more = "" if one.meaning.kind == "time" else f"{scaled}, "
-    return f"its unit {shown(one.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
-
-
-def _scaling(signal: str, name: str, step: str, less: str = "") -> str:
-    """A formula that scales a column, as a word of a command."""
-    term = name if name.isidentifier() else f"'{name}'"
-    formula = f'{signal}={f"({term}{less})" if less else term} * "{step}"'
-    if term == name:
-        return f"'{formula}'"
-    return '"' + formula.replace('"', '\\"') + '"'
-
-
-def _contradicts(one: RecordedColumn) -> str:
-    """What to say of a column whose unit is of another quantity than its name says; "" where they agree."""
-    written = next((column.unit for column in one.places.values()), "")
-    unit = known_unit(written)
-    said = contradiction(one.name, unit) if unit and one.values else ""
-    if not said:
-        return ""
-    scaled = _scaling("p", one.name, "0.5 bar/mA", ' - "4 mA"')
-    scale = f"scale the signal, as in --column {scaled}, " if fits(unit, "current") else ""
-    hint = f"--recording 'ignore={one.name}', or say what it is: --column NAME={shown(one.name)}"
-    return f"{said}; correct the heading, {scale}leave it out: {hint}"
-
-
-def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[RecordingSource]) -> None:
-    """Raises InputError where recordings call the same quantity by different names: one would be lost."""
+    Raises:
+        InputError: a unit that nobody knows, or that is of another quantity than the name says; too many columns.
+    """
+    names = dict.fromkeys(name for source in sources for name in source.table.columns)
+    if len(names) > _MOST:
+        message = (
+            f"{len(names)} columns are too many to recognise; leave out those that are not needed"
+        )
+        raise InputError(f"{message}, down to {_MOST}", sources[-1].file)
+    columns = [_found(name, sources, headings) for name in names]
+    columns = _valves(_supply(columns))
+    if any(c.of("time") for c in columns):
+        columns = [_kept(c) if _is_logged_on_change(c) else c for c in columns]
+    stated, in_formulas = {*stated}, {name for formula in formulas for name in names_in(formula)}
+    _check_alike([c for c in columns if c.name not in stated], sources)
     for one in columns:
-        for other in columns:
-            if (
-                one.meaning is not None
-                and one.meaning == other.meaning
-                and not one.values.keys() & other.values.keys()
-            ):
-                there, here = sources[min(one.values)].file.name, sources[min(other.values)].file
-                message = f"{there} calls the {one.meaning} {shown(one.name)}; files of one kind are drafted together"
-                raise InputError(message, here, None, other.name)
+        lacking = _lacks_unit(one) and one.name not in in_formulas
+        wrong = _unknown(one, headings) if lacking else ""
+        if not wrong and one.name not in {*stated, *in_formulas}:
+            wrong = _contradicts(one, headings)
+        if wrong:
+            source = sources[min(one.places)]
+            raise InputError(wrong, source.file, source.table.header_line, one.name)
+    columns = [
+        replace(c, meaning=None)
+        if _lacks_unit(c) or (c.name in in_formulas and _contradicts(c, headings))
+        else c
+        for c in columns
+    ]
+    return columns + _in_names(sources, columns, headings)
 
 
-def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
+def _in_names(
+    sources: Sequence[Source], columns: Sequence[RecordedColumn], headings: Headings
+) -> list[RecordedColumn]:
+    """What the name of every file says, as columns that do not change within a file."""
+    stems = [one.file.stem for one in sources]
+    recorded = {c.kind for c in columns if c.meaning is not None and not c.meaning.roles}
+    counts = [len(next(iter(one.table.columns.values())).values) for one in sources]
+    made = []
+    for own in common_quantities(stems, recorded, headings):
+        values = {i: np.full(counts[i], one.value) for i, one in enumerate(own)}
+        texts = ", ".join(dict.fromkeys(one.text for one in own))
+        why = (f"the names of the files say so: {texts}",)
+        meaning = Meaning(own[0].kind)
+        made.append(
+            RecordedColumn(
+                texts, own[0].unit, False, meaning, values, why, known=1.0, in_names=True
+            )
+        )
+    return made
+
+
+def _found(name: str, sources: Sequence[Source], headings: Headings) -> RecordedColumn:
     places = {i: s.table.columns[name] for i, s in enumerate(sources) if name in s.table.columns}
     first = next(iter(places.values()))
     if any(column.unit != first.unit for column in places.values()):
         raise _two_units(name, places, sources)
-    reading = _reading(name, first.unit, [column.values for column in places.values()])
+    reading = _reading(name, first.unit, [column.values for column in places.values()], headings)
     one = RecordedColumn(
         name,
         reading.unit,
@@ -175,69 +233,137 @@ def _found(name: str, sources: Sequence[RecordingSource]) -> RecordedColumn:
     )
     if not one.values:
         rows = sum(len(column.values) for column in places.values())
-        return replace(one, meaning=None, why=(f"it has no value in any of {rows} rows",))
-    words = _words_in(sources, name, first.heading)
+        return one.because(f"it has no value in any of {rows} rows", meaning=None)
+    if UNNAMED.fullmatch(name):
+        return one.because("it has no name, as an index of rows", meaning=None)
+    words = next((w for s in sources if (w := s.words.get(name) or s.words.get(first.heading))), ())
     if words:
         return replace(one, meaning=Meaning("direction"), words=words, unit="", stated=True)
-    meaning = one.meaning
-    if meaning is None:
+    if one.meaning is None:
         return one
     if reading.known == 0.0:
-        one = replace(one, why=(f"its unit is {reading.unit}",))
-    if one.unknown and meaning.kind not in _SHARES:
+        one = one.because(f"its unit is {reading.unit}")
+    if one.unknown and one.kind not in ("command", "ratio"):
         return one
     if not reading.unit:
-        return with_usual_unit(one)
-    if not one.stated:
-        one = replace(one, why=(*one.why, f"unit {reading.unit} by its name"))
-    return one
+        return with_usual_unit(one, headings)
+    return one if one.stated else one.because(f"unit {reading.unit} by its name")
 
 
-def _reading(name: str, unit: str, recorded: Sequence[Array]) -> Heading:
+def _reading(name: str, unit: str, recorded: Sequence[Array], headings: Headings) -> Heading:
     """What a heading says; a pressure that moves is none of the atmosphere: ``p_atm`` is one in that unit."""
     bare = re.sub(r"[\W_]+atm$", "", name, flags=re.IGNORECASE)
     if bare != name and not all(map(_varies_little, recorded)):
-        in_atmospheres = read_heading(bare, unit or "atm")
-        if in_atmospheres.meaning is not None and in_atmospheres.meaning.kind == "pressure":
-            return replace(in_atmospheres, written=in_atmospheres.written and bool(unit.strip()))
-    return read_heading(name, unit)
+        reading = headings.read(bare, unit or "atm")
+        if reading.meaning is not None and reading.meaning.kind == "pressure":
+            return replace(reading, written=reading.written and bool(unit.strip()))
+    return headings.read(name, unit)
 
 
-def _words_in(sources: Sequence[RecordingSource], name: str, heading: str) -> tuple[str, ...]:
-    """The words that stand in a column for directions; none where it holds numbers."""
-    for source in sources:
-        words = source.words.get(name) or source.words.get(heading)
-        if words:
-            return words
-    return ()
+def with_usual_unit(one: RecordedColumn, headings: Headings) -> RecordedColumn:
+    """A column without a unit, which its numbers suggest."""
+    assert one.meaning is not None
+    if one.kind == "current" and is_switch(one.every) and one.largest <= _LARGEST_COMMAND:
+        one = one.because("it has two values", meaning=Meaning("command", one.meaning.roles))
+    if one.kind == "time":
+        return one
+    if one.kind in ("voltage", "angle"):
+        return replace(one, meaning=None)
+    if one.of("pressure") and is_switch(one.every):
+        return one.because("it has two values, as a switch has", meaning=None)
+    unit = headings.usual_unit(str(one.meaning), one.largest)
+    if unit is None:
+        is_command = one.kind == "command" and one.largest > _LARGEST_COMMAND
+        return replace(one, unknown="counts") if is_command else one
+    if not unit and is_switch(one.every) and one.largest == 1.0:
+        return one  # nothing to guess
+    taken = unit or "shares of one"
+    return one.because(
+        f"{NO_UNIT}; numbers up to {one.largest:.4g} are taken as {taken}", unit=unit
+    )
 
 
-def _two_units(
-    name: str, places: Mapping[int, Column], sources: Sequence[RecordingSource]
-) -> InputError:
+def _two_units(name: str, places: Mapping[int, Column], sources: Sequence[Source]) -> InputError:
     first = min(places)
     other = next(i for i, column in places.items() if column.unit != places[first].unit)
     there, here = (shown(places[i].unit) for i in (first, other))
-    message = f"its unit is {there} in {sources[first].file.name} and {here} here; draft data sets of their own"
-    return InputError(message, sources[other].file, None, name)
+    message = f"its unit is {there} in {sources[first].file.name} and {here} here"
+    return InputError(f"{message}; draft data sets of their own", sources[other].file, None, name)
+
+
+def _lacks_unit(one: RecordedColumn) -> bool:
+    """Whether the unit that is written is none, and its numbers need one: a command that is on or off needs none."""
+    if not one.unknown or one.unit or one.meaning is None:
+        return False
+    shares = is_count(one.unknown) if one.kind in ("command", "ratio") else True
+    return shares and one.kind not in ("count", "direction")
+
+
+def _unknown(one: RecordedColumn, headings: Headings) -> str:
+    left_out = f"or leave it out: --recording 'ignore={one.name}'"
+    signal, step = _SCALES.get(one.kind, ("x", "0.02 mm"))
+    scaled = f"scale it, as in --column {_scaling(signal, one.name, step)}"
+    if is_count(one.unknown):
+        return f"how large its {one.unknown} are is not said; {scaled}, {left_out}"
+    correct = "correct it in the file"
+    if headings.scaled_unit(one.name) != one.unknown:
+        return f"unit {shown(one.unknown)} is unknown; {correct}, {left_out}"
+    more = "" if one.kind == "time" else f"{scaled}, "
+    return f"its unit {shown(one.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
+
+
+def _scaling(signal: str, name: str, step: str, less: str = "") -> str:
+    """A formula that scales a column, as a word of a command."""
+    term = name if name.isidentifier() else f"'{name}'"
+    formula = f'{signal}={f"({term}{less})" if less else term} * "{step}"'
+    return f"'{formula}'" if term == name else '"' + formula.replace('"', '\\"') + '"'
+
+
+def _contradicts(one: RecordedColumn, headings: Headings) -> str:
+    """What to say of a column whose unit is of another quantity than its name says; "" where they agree."""
+    written = next((column.unit for column in one.places.values()), "")
+    unit = known_unit(written)
+    said = headings.contradiction(one.name, unit) if unit and one.values else ""
+    if not said:
+        return ""
+    scaled = _scaling("p", one.name, "0.5 bar/mA", ' - "4 mA"')
+    scale = f"scale the signal, as in --column {scaled}, " if headings.fits(unit, "current") else ""
+    hint = f"--recording 'ignore={one.name}', or say what it is: --column NAME={shown(one.name)}"
+    return f"{said}; correct the heading, {scale}leave it out: {hint}"
+
+
+def _check_alike(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -> None:
+    """Raises InputError where recordings call the same quantity by different names: one would be lost."""
+    for one in columns:
+        for other in columns:
+            alike = one.kind not in ("", "time") and one.meaning == other.meaning
+            if alike and not one.values.keys() & other.values.keys():
+                there, here = sources[min(one.values)].file.name, sources[min(other.values)].file
+                message = f"{there} calls the {one.meaning} {shown(one.name)}"
+                message = f"{message}; files of one kind are drafted together"
+                raise InputError(message, here, None, other.name)
 
 
 def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
-    """Of two pressures of which none is called so, the one that stays above the other is the supply's."""
-    plain = [c for c in columns if c.of("pressure") and c.unit]
-    if (
-        len(plain) != 2
-        or any(c.of("pressure", "supply") for c in columns)
-        or plain[0].values.keys() != plain[1].values.keys()
-    ):
+    """Which pressure is the supply's, where words leave it open.
+
+    Of two that are called so and no other, as of a tank and a source, the one that moves more is what is filled; one
+    alone is, where it is not steady. Of two of which none is called so, the one that stays above the other supplies it.
+    """
+    supplies = [c for c in columns if c.of("pressure", "supply")]
+    plain = [c for c in columns if c.of("pressure")]
+    if supplies and not plain and not any(c.of("pressure", "set") for c in columns):
+        own = max(supplies, key=lambda c: span(c.every))
+        if len(supplies) > 1 or not _varies_little(own.every):
+            why = "no other pressure was recorded that moves so"
+            return [c.because(why, meaning=meant("pressure")) if c is own else c for c in columns]
+    if len(plain) != 2 or supplies or plain[0].values.keys() != plain[1].values.keys():
         return columns
     for one, other in (plain, plain[::-1]):
-        if one.unit == other.unit and _feeds(one.every, other.every):
-            meaning = Meaning("pressure", frozenset({"supply"}))
-            made = replace(
-                one,
-                meaning=meaning,
-                why=(*one.why, f"it stays above '{other.name}' and varies little"),
+        if one.unit and one.unit == other.unit and _feeds(one.every, other.every):
+            made = one.because(
+                f"it stays above '{other.name}' and varies little",
+                meaning=meant("pressure", "supply"),
             )
             return [made if c is one else c for c in columns]
     return columns
@@ -246,11 +372,8 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
 def _feeds(one: Array, other: Array) -> bool:
     """Whether one pressure stays above another and varies little."""
     steady = float(np.nanmin(one)) > 0.0 and _varies_little(one)
-    return (
-        steady
-        and float(np.mean(one >= other)) > CRITERIA.noise.stepwise
-        and span(other) > span(one)
-    )
+    mostly_above = float(np.mean(one >= other)) > CRITERIA.noise.stepwise
+    return steady and mostly_above and span(other) > span(one)
 
 
 def _varies_little(values: Array) -> bool:
@@ -261,31 +384,111 @@ def _varies_little(values: Array) -> bool:
 
 def _valves(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """Of two signals of valves that do not say which, the first is the inlet's; one alone is too."""
+    columns = _signed(columns)
     for kind in ("current", "command"):
-        of_kind = {
-            c.name: c.meaning for c in columns if c.meaning is not None and c.meaning.kind == kind
-        }
+        of_kind = [c for c in columns if c.kind == kind and c.meaning is not None]
         if len(of_kind) > 2:
             continue
-        taken = {role for meaning in of_kind.values() for role in meaning.roles}
+        taken = {role for c in of_kind if c.meaning for role in c.meaning.roles}
         left = [role for role in ("inlet", "exhaust") if role not in taken]
-        plain = [name for name, meaning in of_kind.items() if not meaning.roles]
-        roles = dict(zip(plain, left, strict=False))
-        alone = len(of_kind) == 1
+        plain = [c.name for c in of_kind if c.meaning and not c.meaning.roles]
+        roles, alone = dict(zip(plain, left, strict=False)), len(of_kind) == 1
         columns = [
-            _with_role(c, kind, roles[c.name], alone) if c.name in roles else c for c in columns
+            c.because(_why_valve(roles[c.name], alone), meaning=meant(kind, roles[c.name]))
+            if c.name in roles and c.kind == kind
+            else c
+            for c in columns
         ]
     return columns
-
-
-def _with_role(column: RecordedColumn, kind: str, role: str, alone: bool) -> RecordedColumn:
-    why = (*column.why, _why_valve(role, alone))
-    return replace(column, meaning=Meaning(kind, frozenset({role})), why=why)
 
 
 def _why_valve(role: str, alone: bool) -> str:
     if alone:
         return "the only one: the inlet valve's"
-    return f"the {role} valve's, " + (
-        "as the first of two" if role == "inlet" else "as the other one is not"
+    return (
+        f"the {role} valve's, as the first of two"
+        if role == "inlet"
+        else f"the {role} valve's, as the other one is not"
     )
+
+
+def _signed(columns: list[RecordedColumn]) -> list[RecordedColumn]:
+    """The columns, of which one that is above and below zero as the pressure rises and falls commands two valves."""
+    pressure = next((c for c in columns if c.of("pressure")), None)
+    driving = [c for c in columns if c.kind in ("current", "command")]
+    rivals = driving or [
+        c for c in columns if c.meaning is None and not c.unit and not UNNAMED.fullmatch(c.name)
+    ]
+    if (
+        pressure is None
+        or len(driving) > 1
+        or any("set" in c.meaning.roles for c in columns if c.meaning)
+    ):
+        return columns
+    change = {i: np.gradient(values) for i, values in pressure.values.items() if len(values) > 2}
+    for one in rivals:
+        low, high = np.nanmin(one.every, initial=0.0), np.nanmax(one.every, initial=0.0)
+        both = -low > IMPOSED_RANGE * high > 0.0 and high > IMPOSED_RANGE * -low
+        if both and correlation(one.values, change) > _LEAST_SIGNED:
+            halves = [_half(one, role, sign) for role, sign in (("inlet", 1), ("exhaust", -1))]
+            return [half for c in columns for half in (halves if c is one else [c])]
+    return columns
+
+
+def _half(one: RecordedColumn, role: str, sign: int) -> RecordedColumn:
+    """The part of a signed command that is one valve's."""
+    values = {i: np.clip(sign * v, 0.0, None) for i, v in one.values.items()}
+    formula = f"(abs('{one.name}') {'+' if sign > 0 else '-'} '{one.name}') / 2"
+    why = f"the pressure {'rises' if sign > 0 else 'falls'} where it is {'above' if sign > 0 else 'below'} zero"
+    kind = one.kind or "command"
+    return one.because(
+        f"one command drives both valves: {why}",
+        meaning=meant(kind, role),
+        values=values,
+        formula=formula,
+    )
+
+
+def _is_logged_on_change(column: RecordedColumn) -> bool:
+    """Whether somebody sets it, and most likely no slip left the cells empty."""
+    if column.meaning is None or column.whole:
+        return False
+    return column.kind in ("command", "current") or "set" in column.meaning.roles
+
+
+def _kept(column: RecordedColumn) -> RecordedColumn:
+    """A set point or a command that a logger writes only when it changes, with its value in every row."""
+    empty = int(np.isnan(column.every).sum())
+    why = f"{empty} of {len(column.every)} cells are empty: it keeps the value above"
+    values = {i: filled_forward(one) for i, one in column.values.items()}
+    return column.because(why, values=values, logged_on_change=True)
+
+
+# ---- tables of points at rest ----------------------------------------------------------------------------------------
+
+
+def as_points(columns: Sequence[RecordedColumn]) -> list[RecordedColumn]:
+    """The columns of points at rest: a pressure was reached, a mass was hung on, a length that stays is at rest."""
+    made = [replace(c, points=True) for c in columns]
+    varying = next((c for c in made if c.kind in ("contraction", "ratio")), None)
+    if varying is not None:
+        why = f"it does not change, and '{varying.name}' does"
+        made = [
+            c.because(why, meaning=AT_REST)
+            if c.of("length") and all(span(values) == 0.0 for values in c.values.values())
+            else c
+            for c in made
+        ]
+    made = _instead(
+        made, meant("pressure", "set"), meant("pressure"), "a set point, taken as reached"
+    )
+    return _instead(made, meant("mass"), meant("force"), "the load of each row")
+
+
+def _instead(
+    columns: list[RecordedColumn], other: Meaning, wanted: Meaning, why: str
+) -> list[RecordedColumn]:
+    """The columns, of which one that means another thing serves where none means what is wanted."""
+    if any(c.meaning == wanted for c in columns):
+        return columns
+    return [c.because(why, meaning=wanted) if c.meaning == other and c.unit else c for c in columns]

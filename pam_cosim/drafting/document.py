@@ -3,18 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from textwrap import wrap
 
+from pam_cosim.drafting.benches import Bench
 from pam_cosim.drafting.columns import names_in
-from pam_cosim.drafting.further_clocks import FurtherClock, clock_of
-from pam_cosim.drafting.mapped import ColumnEntry
-from pam_cosim.drafting.noise import Sigma
-from pam_cosim.drafting.points import PointsDraft
-from pam_cosim.drafting.roles import Role
-from pam_cosim.drafting.sources import Part
-from pam_cosim.drafting.stated_value import StatedValue, text_of
-from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.drafting.entries import ColumnEntry, Mapped
+from pam_cosim.drafting.evidence import Evidence
+from pam_cosim.drafting.roles import PointsDraft, Role, Sigma
+from pam_cosim.drafting.time_axis import FurtherClock, clock_of
+from pam_cosim.drafting.values import OpenParameters, StatedValue, text_of
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.toml_text import toml_key, toml_string
 
@@ -27,55 +25,60 @@ class Draft:
     """Everything that the file says.
 
     Attributes:
-        entries: of ``[columns]``.
+        evidence, bench, mapped: what was recorded, the bench, and the recordings under its names.
+        files: names of the copies, one for each recording.
         ignored: names of columns that are not read, and why.
         sigmas: by signals that count; ``shown`` are compared only.
-        stated: parameters that the user states.
+        follows: parameters that no file and no user states, with their value and why.
         told: by recording, what it tells of itself.
-        interpolation: of each recording's inputs.
+        open: which parameters a fit may tell.
+        interpolation: of the inputs of all recordings.
         resample: proposed for long recordings.
-        usual_muscle: nobody says what muscle it is.
-        points: of tables of points at rest, what each file says of its direction, and values that are held out.
-        follows: of what is stated, what is zero because it follows from the rest.
-        having: which recordings have the column of a signal, if only empty.
-        parts: of each recording, which part of its file it is; None: all of it.
-        clocks: further ones in the files.
-        columns: names of all columns, but for these clocks.
+        points: of tables of points at rest.
     """
 
     title: str
-    model: str
-    why_model: str
-    interface: Interface
-    recording: RecordingTable
-    entries: Mapping[str, ColumnEntry]
+    evidence: Evidence
+    bench: Bench
+    mapped: Mapped
+    files: Sequence[str]
     ignored: Mapping[str, str]
     sigmas: Mapping[str, Sigma]
     shown: Sequence[str]
-    stated: Mapping[str, str]
-    unfed: Sequence[str]
-    free: Mapping[str, Variable]
-    perhaps: Mapping[str, Variable]
-    to_state: Mapping[str, Variable]
-    files: Sequence[str]
-    roles: Sequence[Role]
+    follows: Mapping[str, tuple[str, str]]
     told: Sequence[Mapping[str, StatedValue]]
-    interpolation: Sequence[str]
+    open: OpenParameters
+    roles: Sequence[Role]
+    interpolation: str = "linear"
     resample: str = ""
-    having: Mapping[str, Sequence[int]] = field(default_factory=dict)
-    usual_muscle: bool = False
     points: PointsDraft | None = None
-    follows: Sequence[str] = ()
-    parts: Sequence[Part | None] = ()
-    clocks: Sequence[FurtherClock] = ()
-    columns: Sequence[str] = ()
+
+    @property
+    def interface(self) -> Interface:
+        """Of the bench."""
+        return self.bench.interface
 
     @property
     def recordings(self) -> list[str]:
         """Each recording by its file, and the part that it is of that."""
-        parts = self.parts or [None] * len(self.files)
-        named = zip(self.files, parts, strict=True)
-        return [file if part is None else f"{file}, part {part.number}" for file, part in named]
+        named = zip(self.files, self.evidence.sources, strict=True)
+        return [f if s.part is None else f"{f}, part {s.part.number}" for f, s in named]
+
+    @property
+    def unfed(self) -> list[str]:
+        """Inputs of which nothing tells a value in every recording."""
+        return [n for n in self.bench.choice.unfed if not self.is_known(n)]
+
+    def is_known(self, name: str) -> bool:
+        """Whether a parameter or an input has a value in every recording."""
+        known = name in self.evidence.stated or name in self.follows
+        return known or all(name in run for run in self.told)
+
+    def having(self, name: str) -> list[int]:
+        """The recordings that have the column of a signal, if only empty."""
+        column = self.bench.choice.fed.get(name)
+        every = range(len(self.files))
+        return sorted(column.places) if column is not None and not column.in_names else [*every]
 
 
 def document(draft: Draft) -> str:
@@ -107,8 +110,8 @@ def _head(draft: Draft) -> Iterator[str]:
         "Drafted by pam-cosim new. Whatever was guessed is marked; check it and take the mark away."
     )
     yield f"title = {toml_string(draft.title)}"
-    yield from remark(draft.why_model)
-    yield f"model = {toml_string(draft.model)}"
+    yield from remark(draft.bench.why)
+    yield f"model = {toml_string(draft.bench.name)}"
     if draft.points is not None:
         yield from _guessed(
             "", "these are points at rest, for no column is a time: each row is an equilibrium"
@@ -119,7 +122,7 @@ def _head(draft: Draft) -> Iterator[str]:
 def _recording(draft: Draft) -> Iterator[str]:
     stated = _stated_of_files(draft)
     ignored = dict(draft.ignored)
-    for clock in draft.clocks:
+    for clock in draft.evidence.clocks:
         why = f"of the clock {clock.name}, by which the file stands once more below each run"
         ignored |= dict.fromkeys((clock.name, *clock.columns), why)
     if not stated and not ignored and not draft.resample:
@@ -140,7 +143,7 @@ def _recording(draft: Draft) -> Iterator[str]:
 
 def _stated_of_files(draft: Draft) -> dict[str, object]:
     """What is said of how the files are written, but for columns that are not read."""
-    stated = draft.recording.model_dump(exclude_none=True, exclude_unset=True)
+    stated = draft.evidence.recording.model_dump(exclude_none=True, exclude_unset=True)
     stated.pop("ignore", None)
     return stated
 
@@ -167,8 +170,8 @@ def _columns(draft: Draft) -> Iterator[str]:
 
 def _entries_of(draft: Draft, clock: FurtherClock | None) -> list[ColumnEntry]:
     """The entries of columns by one of the clocks, None: the first."""
-    every = draft.entries.values()
-    return [e for e in every if clock_of(_columns_of(e), draft.clocks) is clock]
+    clocks = draft.evidence.clocks
+    return [e for e in draft.mapped.entries.values() if clock_of(_columns_of(e), clocks) is clock]
 
 
 def _columns_of(entry: ColumnEntry) -> set[str]:
@@ -177,13 +180,9 @@ def _columns_of(entry: ColumnEntry) -> set[str]:
 
 def _own(draft: Draft, entry: ColumnEntry) -> bool:
     """Whether the entry differs between recordings, or is of some only."""
-    having = draft.having.get(entry.name, range(len(draft.files)))
-    zeros = set(entry.zero.values())
-    return (
-        len(having) < len(draft.files)
-        or len(zeros) > 1
-        or (bool(zeros) and len(entry.zero) < len(having))
-    )
+    having, zeros = draft.having(entry.name), set(entry.zero.values())
+    differs = len(zeros) > 1 or (bool(zeros) and len(entry.zero) < len(having))
+    return len(having) < len(draft.files) or differs
 
 
 def _told(entry: ColumnEntry) -> bool:
@@ -212,11 +211,12 @@ def _entry(entry: ColumnEntry, zero: tuple[float, float] | None) -> Iterator[str
         )
         cells.append(f"words = {{ {words} }}")
     if zero is not None:
-        cells.append(f'zero = {{ from = "{seconds(zero[0])}", to = "{seconds(zero[1])}" }}')
+        start, stop = map(_seconds, zero)
+        cells.append(f'zero = {{ from = "{start}", to = "{stop}" }}')
     yield f"{toml_key(entry.name)} = {{ {', '.join(cells)} }}"
 
 
-def seconds(time: float) -> str:
+def _seconds(time: float) -> str:
     """A time without needless digits."""
     return f"{time:.6f}".rstrip("0").rstrip(".") + " s"
 
@@ -236,22 +236,20 @@ def _signals(draft: Draft) -> Iterator[str]:
 
 
 def _parameters(draft: Draft) -> Iterator[str]:
-    lines = [line for name, value in draft.stated.items() for line in _stated(draft, name, value)]
-    inputs = [
-        (name, v)
-        for name, v in draft.interface.inputs.items()
-        if name in draft.unfed and name not in draft.stated
-    ]
-    rest = {
-        n: v
-        for n, v in draft.to_state.items()
-        if n not in draft.stated and not all(n in told for told in draft.told)
-    }
-    if not lines and not inputs and not rest:
+    inputs = {n: draft.interface.inputs[n] for n in draft.unfed}
+    rest = {n: v for n, v in draft.open.to_state.items() if not draft.is_known(n)}
+    if not (draft.evidence.stated or draft.follows or inputs or rest):
         return
     yield "[parameters]"
-    yield from lines
-    for name, variable in inputs:
+    for name, value in draft.evidence.stated.items():
+        yield f"{toml_string(name)} = {_value(value)}"
+    reason = ""
+    for name, (value, why) in draft.follows.items():
+        if why != reason:
+            yield from remark(why)
+        reason = why
+        yield f"{toml_string(name)} = {_value(value)}"
+    for name, variable in inputs.items():
         yield from remark(
             "no column was recognised as this input: the bench's default is used until you state yours"
         )
@@ -264,27 +262,24 @@ def _parameters(draft: Draft) -> Iterator[str]:
         yield _commented(name, variable)
 
 
-def _stated(draft: Draft, name: str, value: str) -> Iterator[str]:
-    if name in draft.follows:
-        yield from remark("zero, for it follows from the measures that are stated:")
-    yield f"{toml_string(name)} = {_value(value)}"
-
-
 def _commented(name: str, variable: Variable) -> str:
     said = " ".join(remark(variable.description)).removeprefix("# ")
-    return f"# {toml_string(name)} = {_quantity(variable.start or 0.0, variable.unit, 6)}   # {said}: state yours"
+    value = _quantity(variable.start or 0.0, variable.unit, 6)
+    return f"# {toml_string(name)} = {value}   # {said}: state yours"
 
 
 def _fit(draft: Draft) -> Iterator[str]:
-    known = set(draft.stated) | {name for told in draft.told for name in told}
-    free = {name: v for name, v in draft.free.items() if name not in known}
-    more = {name: v for name, v in draft.perhaps.items() if name not in known}
+    known = {*draft.evidence.stated, *draft.follows, *(n for told in draft.told for n in told)}
+    free, more = (
+        {n: v for n, v in some.items() if n not in known}
+        for some in (draft.open.free, draft.open.perhaps)
+    )
     if not free and not more:
         return
     yield "[fit]"
     if free:
         what = (
-            "what lies in the wall of the muscle" if draft.points else "calibrations, lag and droop"
+            "what lies in the wall of the muscle" if draft.points else "what nobody has calibrated"
         )
         yield from _guessed(
             "", f"free is {what}, which only a fit tells; bounds are the model's or near its values"
@@ -305,15 +300,13 @@ def _bounds(name: str, variable: Variable) -> str:
 def _run(draft: Draft, i: int) -> Iterator[str]:
     yield "[[runs]]"
     yield f"file = {toml_string(draft.files[i])}"
-    role = draft.roles[i]
+    role, part = draft.roles[i], draft.evidence.sources[i].part
     if role.why:
         yield from _guessed("held out", role.why)
     yield f'role = "{role.role}"'
-    over_time = draft.points is None
-    if over_time and draft.interpolation[i] != "linear":
+    if draft.points is None and draft.interpolation != "linear":
         yield from _guessed("inputs keep their value until the next sample", "they step and stay")
-        yield f'interpolation = "{draft.interpolation[i]}"'
-    part = draft.parts[i] if draft.parts else None
+        yield f'interpolation = "{draft.interpolation}"'
     if part is not None:
         yield from _guessed(
             f"this is experiment {part.number} of the file", "the time goes back to its beginning"
@@ -321,7 +314,7 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         yield 'gaps = "split"'
         for key, at in (("from", part.begin), ("to", part.end)):
             if at is not None:
-                yield f'{key} = "{seconds(at)}"'
+                yield f'{key} = "{_seconds(at)}"'
     if draft.points is not None:
         yield from _points(draft.points, i)
     told = draft.told[i]
@@ -331,24 +324,24 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         if one.why:
             yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
-    having = [e for e in _entries_of(draft, None) if i in draft.having.get(e.name, ())]
+    having = [e for e in _entries_of(draft, None) if i in draft.having(e.name)]
     own = [entry for entry in having if _own(draft, entry) and _told(entry)]
     if own:
         yield "[runs.columns]"
     for entry in own:
         yield from _entry(entry, entry.zero.get(i))
-    for clock in draft.clocks:
+    for clock in draft.evidence.clocks:
         yield from _logger(draft, i, clock)
 
 
 def _logger(draft: Draft, i: int, clock: FurtherClock) -> Iterator[str]:
     """The file once more, with what belongs to a further clock in it."""
-    entries = [e for e in _entries_of(draft, clock) if i in draft.having.get(e.name, ())]
+    entries = [e for e in _entries_of(draft, clock) if i in draft.having(e.name)]
     if not entries:
         return
+    time, clocks = draft.mapped.entries["time"].column, draft.evidence.clocks
     yield from _guessed(
-        f"{clock.name} is the clock of the columns behind it",
-        f"it runs otherwise than {draft.entries['time'].column}",
+        f"{clock.name} is the clock of the columns behind it", f"it runs otherwise than {time}"
     )
     yield "[[runs.loggers]]"
     yield f"file = {toml_string(draft.files[i])}"
@@ -356,7 +349,8 @@ def _logger(draft: Draft, i: int, clock: FurtherClock) -> Iterator[str]:
     yield "[runs.loggers.recording]"
     for name, value in _stated_of_files(draft).items():
         yield f"{name} = {_setting(name, value)}"
-    every = dict.fromkeys((*draft.columns, *draft.ignored, *(c.name for c in draft.clocks)))
+    columns = (c.name for c in draft.evidence.columns if not c.in_names)
+    every = dict.fromkeys((*columns, *draft.ignored, *(c.name for c in clocks)))
     read = {clock.name}.union(*map(_columns_of, entries))
     yield f"ignore = {_texts(name for name in every if name not in read)}"
     yield "[runs.loggers.columns]"
@@ -393,10 +387,7 @@ def _value(value: object) -> str:
         return str(value)
     text = str(value)
     try:
-        return (
-            f"{float(text):.12g}"
-            if text.strip()[:1].isdigit() or text.strip()[:1] in "-.+"
-            else toml_string(text)
-        )
+        is_number = text.strip()[:1].isdigit() or text.strip()[:1] in "-.+"
+        return f"{float(text):.12g}" if is_number else toml_string(text)
     except ValueError:
         return toml_string(text)

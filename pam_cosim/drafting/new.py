@@ -2,49 +2,63 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import os
+import shutil
+import tempfile
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 
+from pam_cosim.catalogue import vocabulary_of
 from pam_cosim.compiler import ClassTree
-from pam_cosim.drafting import open_parameters, values
-from pam_cosim.drafting.bench import Bench, class_name, take_bench
-from pam_cosim.drafting.column_statistics import is_held, is_repeated, is_switch, span
-from pam_cosim.drafting.columns import names_in
-from pam_cosim.drafting.contraction import length_parameter
+from pam_cosim.drafting.benches import Bench, class_name, stated_interface, take_bench
+from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.document import Draft, document
-from pam_cosim.drafting.feeding import MECHANICAL, meaning_of
-from pam_cosim.drafting.folder import (
-    check_place,
-    copy_files,
-    put,
-    read_draft,
-    temporary_sibling,
-    without_detour,
+from pam_cosim.drafting.entries import Mapped, map_columns, with_directions
+from pam_cosim.drafting.evidence import DraftRequests, Evidence, gather, used_in
+from pam_cosim.drafting.headings import MECHANICAL, Headings
+from pam_cosim.drafting.questions import (
+    NewDataSet,
+    below_zero,
+    guesses,
+    losses,
+    next_commands,
+    questions,
 )
-from pam_cosim.drafting.mapped import Mapped, MappedRecording
-from pam_cosim.drafting.mapping import longest_of, map_columns
-from pam_cosim.drafting.noise import Sigma, sigma_of
-from pam_cosim.drafting.points import check_imposed, drafted
-from pam_cosim.drafting.recorded_column import RecordedColumn
-from pam_cosim.drafting.requests import DraftRequests, ReadRecordings, known, recording_table
-from pam_cosim.drafting.roles import Role, roles, stated_roles
-from pam_cosim.drafting.sleeve import following_measures
-from pam_cosim.drafting.stated_value import StatedValue, check_stated, stated_values, text_of
-from pam_cosim.drafting.summary import NewDataSet, guesses, losses, next_commands
-from pam_cosim.drafting.to_check import to_check
-from pam_cosim.drafting.vocabulary import AT_REST, Meaning
-from pam_cosim.drafting.wide import tidied
-from pam_cosim.drafting.words import MEASURED_IN_COUNTS
-from pam_cosim.errors import InputError
+from pam_cosim.drafting.recordings import recording_table, tidied
+from pam_cosim.drafting.roles import (
+    Role,
+    Sigma,
+    check_imposed,
+    interpolation_of,
+    points_draft,
+    roles,
+    sigma_of,
+    stated_roles,
+)
+from pam_cosim.drafting.values import (
+    OpenParameters,
+    StatedValue,
+    check_stated,
+    following,
+    neutral,
+    open_parameters,
+    values_told,
+    with_length,
+)
+from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.measurement.data_set import FILE_NAME
-from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.units import UnitError, convert, parse_quantity
+from pam_cosim.model.interface import Interface
+from pam_cosim.model.references import is_file
+from pam_cosim.units import format_quantity
+from pam_cosim.wording import listed, shown
 
 _MOST_ROWS = 20000  # rows of a run, above which means over several rows are proposed
-_NOMINAL_TOLERANCE = 0.05  # of the nominal length: a longest length as near to it is that at rest
+_NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 
 
 def draft(
@@ -53,9 +67,10 @@ def draft(
     wishes: DraftRequests,
     tree: ClassTree,
     describe: Callable[[str], Interface],
+    simulate: Callable[[DataSet], object],
     extra: Sequence[Path] = (),
 ) -> NewDataSet:
-    """Drafts the data set and puts it in place.
+    """Drafts the data set, simulates its first run, and puts it in place.
 
     Args:
         folder: missing or empty.
@@ -63,273 +78,297 @@ def draft(
         wishes: what the user says.
         tree: the library and the user's files.
         describe: gives the interface of a model.
+        simulate: simulates the runs of a data set.
         extra: further Modelica files that the model needs; only named in what to type next.
 
     Raises:
-        InputError: whatever cannot be used, with file, line and column; nothing is written then.
+        InputError: whatever cannot be used, with file, line and column; a model that cannot be simulated with what was
+            recorded. Nothing is written then.
     """
-    folder = without_detour(folder)
-    check_place(folder)
-    with temporary_sibling(folder) as place:
-        files = _tidied(files, place, wishes)
-        recorded = known(files, wishes)
-        bench = take_bench(place, class_name(folder), wishes, recorded, tree, describe)
-        recorded = _with_length(recorded, bench)
-        copy_of = dict(zip(files, copy_files(files, place), strict=True))
-        try:
-            for stated in (recorded.stated, *recorded.own):
-                check_stated(stated, bench.interface)
-        except UnitError as error:
-            raise InputError(f"--parameter {error}") from None
-        follows = following_measures(recorded.stated, bench.interface)
-        recorded = replace(recorded, stated={**recorded.stated, **follows})
-        if recorded.points:
-            known_of = [{**recorded.stated, **own} for own in recorded.own]
-            check_imposed(bench.choice.unfed, known_of, bench.interface)
-        mapped = map_columns(bench.choice, bench.interface, recorded)
-        made = _content(
-            wishes.title or folder.resolve().name,
-            bench,
-            recorded,
-            mapped,
-            [copy_of[file] for file in recorded.files],
-            wishes.roles or {},
-        )
-        made = replace(made, follows=tuple(follows))
+    folder = _without_detour(folder)
+    _check_place(folder)
+    if not files:
+        raise InputError("name the recordings, as data/*.csv")
+    twice = next(
+        (f for i, f in enumerate(files) if f.resolve() in {o.resolve() for o in files[:i]}), None
+    )
+    if twice is not None:  # its samples would count twice
+        raise InputError("the file is named twice", twice)
+    with _temporary_sibling(folder) as place:
+        model = wishes.model
+        if model is not None and is_file(model):
+            model = str(place / _copies([Path(model)], place)[0])
+        interface = stated_interface(model, tree, describe)
+        headings = Headings(vocabulary_of(tree, model if interface else None))
+        names = {*interface.inputs, *interface.outputs} if interface else set[str]()
+        table = recording_table(wishes.recording or {})
+        files = [
+            tidied(file, _made(place.parent / f"tidied-{i}"), table, headings)
+            for i, file in enumerate(files)
+        ]
+        evidence = gather(files, wishes, headings, names)
+        if evidence.points:
+            evidence = replace(evidence, columns=tuple(with_directions(evidence.columns, headings)))
+        wishes = replace(wishes, model=model)
+        bench = take_bench(place, class_name(folder), wishes, interface, evidence, tree, describe)
+        evidence = with_length(evidence, bench)
+        copy_of = dict(zip(files, _copies(files, place), strict=True))
+        for stated in (evidence.stated, *evidence.own):
+            check_stated(stated, bench.interface)
+        made = _draft(wishes, folder, bench, evidence, [copy_of[file] for file in evidence.files])
         (place / FILE_NAME).write_text(document(made), encoding="utf-8", newline="\n")
-        data = read_draft(place, {copy: file for file, copy in copy_of.items()}, describe)
-        put(place, folder)
-    check = (*losses(data), *to_check(made, mapped, bench.choice))
-    told = guesses(made, bench.choice, recorded.time), check
+        data = _read(place, {copy: file for file, copy in copy_of.items()}, describe)
+        _simulated(data, made, simulate)
+        _put(place, folder)
+    told = guesses(made), (*losses(data), *questions(made))
     return NewDataSet(folder, data, bench.name, *told, next_commands(folder, extra))
 
 
-def _tidied(files: Sequence[Path], place: Path, wishes: DraftRequests) -> list[Path]:
-    """The files, of which tables with a quantity along the top have a row for each point."""
-    stated = recording_table(wishes.recording or {})
-    apart = [place.parent / f"tidied-{i}" for i in range(len(files))]
-    for folder in apart:
-        folder.mkdir()
-    return [tidied(file, folder, stated) for file, folder in zip(files, apart, strict=True)]
-
-
-def _with_length(recorded: ReadRecordings, bench: Bench) -> ReadRecordings:
-    """With the length of the muscle that a column or the names of the files tell."""
-    name = length_parameter(bench.interface)
-    if name is None or name in recorded.stated:
-        return recorded
-    column = next((c for c in recorded.columns if c.meaning == AT_REST), None)
-    if column is not None and span(column.every) == 0.0:
-        length = text_of(float(convert(column.every[0], column.unit, "m")), "m")
-        return replace(recorded, stated={**recorded.stated, name: length})
-    if bench.muscle is None or not bench.muscle.length:
-        return recorded
-    length = bench.muscle.length
-    nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
-    if longest is not None and abs(longest - nominal) <= _NOMINAL_TOLERANCE * nominal:
-        length = text_of(longest, "m")  # As it was measured.
-    return replace(recorded, stated={**recorded.stated, name: length})
-
-
-def _content(
-    title: str,
-    bench: Bench,
-    recorded: ReadRecordings,
-    mapped: Mapped,
-    copies: Sequence[str],
-    stated: Mapping[str, str],
+def _draft(
+    wishes: DraftRequests, folder: Path, bench: Bench, evidence: Evidence, copies: Sequence[str]
 ) -> Draft:
     """What the file says."""
-    interface, choice = bench.interface, bench.choice
-    told = _recorded_values(bench, recorded, mapped)
-    guessed = _guessed_roles(bench, recorded, mapped, told)
-    by_run = any(role.role == "holdout" for role in guessed) or bool(stated)
-    measured = {*choice.outputs, *recorded.formulas}
+    interface, choice, headings = bench.interface, bench.choice, evidence.headings
+    zero = "zero, for it follows from the measures that are stated"
+    follows = {n: (v, zero) for n, v in following(evidence.stated, interface).items()}
+    plain = "nobody names the muscle: its fibres have no friction and cover nothing, and an effect may say otherwise"
+    follows |= {n: (v, plain) for n, v in neutral(evidence, bench).items() if n not in follows}
+    if evidence.points:
+        check_imposed(choice.unfed, [{*evidence.stated, *own} for own in evidence.own], interface)
+    mapped = map_columns(choice, interface, evidence)
+    told = values_told(evidence, bench, mapped)
+    guessed = _guessed_roles(bench, evidence, mapped, told)
+    by_run = any(role.role == "holdout" for role in guessed) or bool(wishes.roles)
+    measured = {*choice.outputs, *evidence.formulas}
     outputs = [name for name in interface.outputs if name in measured]
-    shown = _only_shown(outputs, interface)
-    fitted = [name for name in outputs if name not in shown]
-    columns = {name: column for name, column in choice.fed.items() if not column.in_names}
+    kinds = {
+        n: one.kind if (one := headings.variable(interface.outputs[n])) else "" for n in outputs
+    }
+    # A thermometer lags behind the gas of a muscle: it is compared, and nothing is fitted to it.
+    moves = bool({*kinds.values()} & {*MECHANICAL}) or any(
+        c.kind in MECHANICAL for c in choice.inputs.values()
+    )
+    only_shown = [name for name in outputs if kinds[name] == "temperature" and moves]
+    fitted = [name for name in outputs if name not in only_shown]
+    is_warm = "temperature" in kinds.values()
     return Draft(
-        title=title,
-        model=bench.name,
-        why_model=bench.why,
-        interface=interface,
-        recording=recorded.recording,
-        entries=mapped.entries,
-        ignored=_ignored(bench, recorded, mapped),
-        sigmas={name: _sigma(name, bench, recorded, mapped) for name in fitted},
-        shown=shown,
-        stated=recorded.stated,
-        unfed=[n for n in choice.unfed if not all(n in run for run in told)],
-        free=open_parameters.free(interface, recorded.points),
-        perhaps=open_parameters.perhaps(interface, recorded.points),
-        to_state=open_parameters.to_state(interface, recorded.points),
+        title=wishes.title or folder.resolve().name,
+        evidence=evidence,
+        bench=bench,
+        mapped=mapped,
         files=copies,
-        roles=stated_roles(guessed, recorded.sources, stated),
+        ignored=_ignored(bench, evidence, mapped),
+        sigmas={name: _sigma(name, bench, evidence, mapped) for name in fitted},
+        shown=only_shown if fitted else [],
+        follows=follows,
         told=told,
-        interpolation=[
-            _interpolation(_set_columns(bench, recorded, i), i) for i in range(len(mapped.courses))
-        ],
-        resample=_means(mapped.courses),
-        clocks=recorded.clocks,
-        columns=tuple(dict.fromkeys(c.name for c in recorded.columns if not c.in_names)),
-        having={name: sorted(column.places) for name, column in columns.items()},
-        usual_muscle=bench.usual and _no_size(recorded, interface),
-        parts=[source.part for source in recorded.sources],
-        points=drafted(mapped.courses, interface, recorded.files, by_run)
-        if recorded.points
+        open=_determined(open_parameters(interface, headings, evidence.points), is_warm),
+        roles=stated_roles(guessed, evidence.sources, wishes.roles or {}),
+        interpolation=interpolation_of(_set_columns(bench, evidence), headings),
+        resample=_means(mapped),
+        points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
+        if evidence.points
         else None,
     )
 
 
-def _only_shown(outputs: Sequence[str], interface: Interface) -> list[str]:
-    """The outputs that nothing is fitted to, where there are others."""
-    temperatures = [name for name in outputs if _is_temperature(interface.outputs[name])]
-    return temperatures if len(outputs) > 1 else []
+def _determined(parameters: OpenParameters, is_warm: bool) -> OpenParameters:
+    """The parameters, of which those that act through a temperature are free only where one was recorded."""
+    free = {
+        n: v for n, v in parameters.free.items() if is_warm or "K" not in v.unit.replace("kg", "")
+    }
+    more = {n: v for n, v in parameters.free.items() if n not in free}
+    return replace(parameters, free=free, perhaps={**parameters.perhaps, **more})
 
 
 def _guessed_roles(
-    bench: Bench,
-    recorded: ReadRecordings,
-    mapped: Mapped,
-    told: Sequence[Mapping[str, StatedValue]],
+    bench: Bench, evidence: Evidence, mapped: Mapped, told: Sequence[Mapping[str, StatedValue]]
 ) -> list[Role]:
-    """Which recordings are held out; none, where nobody knows yet what differs between them."""
-    if _unknown_mechanics(bench, recorded):
-        return [Role("fit") for _ in mapped.courses]
+    """Which recordings are held out; none, where nobody knows at which lengths or loads they were taken."""
+    mechanical = [
+        name
+        for name in bench.choice.unfed
+        if (one := evidence.headings.variable(bench.interface.inputs[name]))
+        and one.kind in MECHANICAL
+    ]
+    unknown = [
+        n
+        for n in mechanical
+        if n not in evidence.stated and not all(n in own for own in evidence.own)
+    ]
+    if unknown:
+        return [Role("fit") for _ in mapped.runs]
     traits = [{n: one.number for n, one in run.items() if not one.is_start} for run in told]
-    return roles(mapped.courses, bench.interface, traits, paced=not recorded.points)
+    return roles(mapped.runs, bench.interface, traits)
 
 
-def _recorded_values(
-    bench: Bench, recorded: ReadRecordings, mapped: Mapped
-) -> list[dict[str, StatedValue]]:
-    """What each recording tells of itself, as far as the user does not state it."""
-    interface = bench.interface
-    left = [column for column in recorded.columns if column not in bench.choice.fed.values()]
-    of_names = values.in_names(recorded.files, interface)
-    of_columns = values.recorded(left, interface, len(recorded.sources))
-    of_names = [
-        {**names, **values.constant_values(mapped, i, interface)}
-        for i, names in enumerate(of_names)
-    ]
-    own = [stated_values(one, interface) for one in recorded.own]
-    told = [
-        {
-            **({} if recorded.points else values.starts(course, interface)),
-            **names,
-            **columns,
-            **said,
-        }
-        for course, names, columns, said in zip(
-            mapped.courses, of_names, of_columns, own, strict=True
-        )
-    ]
-    return [{name: one for name, one in run.items() if name not in recorded.stated} for run in told]
-
-
-def _no_size(recorded: ReadRecordings, interface: Interface) -> bool:
-    """Whether the bench has a muscle of which no length is stated."""
-    name = length_parameter(interface)
-    return name is not None and not any(name in own for own in (recorded.stated, *recorded.own))
-
-
-def _unknown_mechanics(bench: Bench, recorded: ReadRecordings) -> bool:
-    """Whether several recordings were taken at lengths or loads that nobody says, and that may differ."""
-    if len(recorded.sources) < 2:
-        return False
-    by_name = {name: meaning_of(bench.interface.inputs[name]) for name in bench.choice.unfed}
-    mechanical = [name for name, one in by_name.items() if one and one.kind in MECHANICAL]
-    unstated = [name for name in mechanical if name not in recorded.stated]
-    return any(name not in own for name in unstated for own in recorded.own)
-
-
-def _is_temperature(variable: Variable) -> bool:
-    """A thermometer lags behind the gas: it is compared, and nothing is fitted to it."""
-    meaning = meaning_of(variable)
-    return meaning is not None and meaning.kind == "temperature"
-
-
-def _sigma(name: str, bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> Sigma:
-    if name in recorded.formulas:
+def _sigma(name: str, bench: Bench, evidence: Evidence, mapped: Mapped) -> Sigma:
+    if name in evidence.formulas:
         return Sigma(
             None, "it is of a formula of yours: the software estimates it from the samples"
         )
-    if recorded.points:
+    if evidence.points:
         return Sigma(
             None, "the rows are points at rest: the software estimates it from neighbouring ones"
         )
-    return sigma_of(name, bench.interface.outputs[name].unit, mapped.courses, recorded.files)
+    return sigma_of(name, bench.interface.outputs[name].unit, mapped.runs, evidence.files)
 
 
-def _set_columns(bench: Bench, recorded: ReadRecordings, run: int) -> list[RecordedColumn]:
-    """The columns of a recording that feed inputs, as they are or by a formula."""
-    inputs = bench.interface.inputs
-    formulas = [text for name, text in recorded.formulas.items() if name in inputs]
-    names = {name for text in formulas for name in names_in(text)}
-    read = [c for c in recorded.columns if c.name in names]
+def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
+    """The columns that feed inputs, as they are or by a formula."""
+    inputs = {n: text for n, text in evidence.formulas.items() if n in bench.interface.inputs}
+    names = used_in(replace(evidence, formulas=inputs))
     fed = [c for c in bench.choice.inputs.values() if not c.in_names]
-    return [c for c in (*fed, *read) if run in c.values]
+    return [*fed, *(c for c in evidence.columns if c.name in names)]
 
 
-def _interpolation(columns: Sequence[RecordedColumn], run: int) -> str:
-    """``previous`` where what is imposed keeps its value between steps."""
-    for column in columns:
-        values = column.values[run]
-        keeps = is_held(values) and (is_repeated(values) or not _is_read(column))
-        if column.logged_on_change or keeps or is_switch(values):
-            return "previous"
-    return "linear"
-
-
-def _is_read(column: RecordedColumn) -> bool:
-    """Whether a column is what an instrument read, and no command or set point: between samples it goes on."""
-    return column.meaning is not None and column.meaning in map(Meaning, MEASURED_IN_COUNTS)
-
-
-def _means(courses: Sequence[MappedRecording]) -> str:
+def _means(mapped: Mapped) -> str:
     """An interval that leaves as many rows as a fit needs; "" where there are no more."""
-    longest = max(courses, key=lambda one: len(one.time))
+    longest = max(mapped.runs, key=lambda one: len(one.time))
     if len(longest.time) <= _MOST_ROWS:
         return ""
     interval = float(np.ptp(longest.time)) / _MOST_ROWS
     return f"{float(f'{1e3 * interval:.1g}'):g} ms"
 
 
-def _ignored(bench: Bench, recorded: ReadRecordings, mapped: Mapped) -> dict[str, str]:
-    """Columns that are not read, and why."""
-    used = {entry.column for entry in mapped.entries.values()} | {
-        c.name for c in bench.choice.fed.values()
-    }
-    for entry in mapped.entries.values():
-        used |= names_in(entry.formula or "")
-    by_meaning = {column.meaning: name for name, column in bench.choice.fed.items()}
-    texts = {name: "a column of text" for source in recorded.sources for name in source.texts}
-    left = [
-        column for column in recorded.columns if column.name not in used and not column.in_names
-    ]
-    said = {name: "as you say" for name in recorded.recording.ignore or ()}
-    return said | texts | {column.name: _why_ignored(column, by_meaning) for column in left}
-
-
 _IGNORED_KINDS = {
     "count": "a count of rows or cycles",
     "direction": "a direction, which the course in time tells by itself",
-    "voltage": "a voltage; a formula under [columns] can scale it",
+    "voltage": "a voltage; a formula can scale it",
+    "angle": "an angle; a formula can scale it",
 }
 
 
-def _why_ignored(column: RecordedColumn, by_meaning: Mapping[Meaning | None, str]) -> str:
-    """Why a column is not read."""
-    meaning = column.meaning
-    if meaning is None:
-        return "; ".join(column.why) or "nobody knows what it is"
-    if meaning.kind in _IGNORED_KINDS:
-        return _IGNORED_KINDS[meaning.kind]
-    if meaning in by_meaning:
-        name = by_meaning[meaning]
-        return f"it could be {name} too; --column {name}='{column.name}' would take it"
-    parameter = meaning.kind == "mass" or meaning.roles & {"ambient", "rest"}
-    return f"{meaning}, " + (
-        "a parameter" if parameter else "which this bench neither takes nor shows"
-    )
+def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]:
+    """Columns that are not read, and why."""
+    used = {entry.column for entry in mapped.entries.values()} | used_in(evidence)
+    used |= {c.name for c in bench.choice.fed.values()}
+    names = {column.meaning: name for name, column in bench.choice.fed.items()}
+    left = [c for c in evidence.columns if c.name not in used and not c.in_names]
+    said = dict.fromkeys(evidence.recording.ignore or (), "as you say")
+    said |= {name: "a column of text" for source in evidence.sources for name in source.texts}
+    for column in left:
+        meaning = column.meaning
+        around = meaning is not None and (
+            meaning.kind == "mass" or bool(meaning.roles & {"ambient", "rest"})
+        )
+        what = "a parameter" if around else "which this bench neither takes nor shows"
+        why = f"{meaning}, {what}"
+        if meaning is None:
+            why = "; ".join(column.why) or "nobody knows what it is"
+        elif meaning.kind in _IGNORED_KINDS:
+            why = _IGNORED_KINDS[meaning.kind]
+        elif meaning in names:
+            why = f"it could be {names[meaning]} too; --column {names[meaning]}='{column.name}' would take it"
+        said[column.name] = why
+    return said
+
+
+def _simulated(data: DataSet, made: Draft, simulate: Callable[[DataSet], object]) -> None:
+    """Simulates the first run.
+
+    Raises:
+        InputError: it cannot be simulated, with what is likely wrong and what to type.
+    """
+    try:
+        simulate(replace(data, runs=data.runs[:1]))
+    except SimulationFailure as failure:
+        for name, least, say in below_zero(made):
+            begins = f"{name} begins at {format_quantity(least, 'm')}, outside the muscle: which reading is zero?"
+            raise InputError(f"{begins} Say it, as in {say}") from None
+        unknown = [*made.unfed, *(n for n in made.open.to_state if not made.is_known(n))]
+        hint = (
+            f"state what the rig has, --parameter NAME=VALUE, of {listed(unknown)}; or --model NAME"
+        )
+        fed = listed(f"{n} = {column.name}" for n, column in made.bench.choice.fed.items())
+        said = f"{made.bench.choice.ports.name} ({fed}) cannot be simulated with what was recorded"
+        raise InputError(f"{said}: {failure}; {hint}") from None
+
+
+# ---- the place of a new data set: drafted beside it, and put there as a whole or not at all --------------------------
+
+
+def _made(folder: Path) -> Path:
+    folder.mkdir()
+    return folder
+
+
+def _without_detour(folder: Path) -> Path:
+    """The same place, not named by way of folders that are not there: they would have to be made for it."""
+    if ".." in folder.parts and not folder.parent.exists():
+        return Path(os.path.realpath(folder))
+    return folder
+
+
+def _check_place(folder: Path) -> None:
+    """Raises InputError where there is something already, or nothing can be made."""
+    try:
+        if folder.is_symlink() or (folder.exists() and not folder.is_dir()):
+            raise InputError("this is no folder; name a new one for the data set", folder)
+        if folder.is_dir() and any(folder.iterdir()):
+            raise InputError(
+                "the folder is not empty, and nothing is overwritten; name a new one", folder
+            )
+    except OSError as error:
+        raise InputError(f"the folder cannot be used: {error.strerror}", shown(folder)) from None
+
+
+@contextmanager
+def _temporary_sibling(folder: Path) -> Iterator[Path]:
+    """A new folder on the disk of the data set's place, gone at the end.
+
+    Raises:
+        InputError: nothing can be written there.
+    """
+    parent = folder.absolute().parent
+    while not parent.exists() and parent != parent.parent:
+        parent = parent.parent
+    try:
+        made = tempfile.TemporaryDirectory(dir=parent, prefix=".new-", ignore_cleanup_errors=True)
+    except OSError as error:
+        raise InputError(f"the data set cannot be written: {error.strerror}", folder) from None
+    with made as name:
+        yield _made(Path(name) / "set")
+
+
+def _copies(files: Sequence[Path], place: Path) -> list[str]:
+    """Copies under their own names; where two are called alike, with a number."""
+    made, taken = [], {Path(FILE_NAME).stem}
+    for file in files:
+        letters = [c if c.isprintable() and c not in _NOT_IN_NAMES else "_" for c in file.stem]
+        stem = "".join(letters) or "run"
+        name, number = stem, 2
+        while name.casefold() in taken or (place / f"{name}{file.suffix}").exists():
+            name, number = f"{stem}-{number}", number + 1
+        taken.add(name.casefold())
+        try:
+            shutil.copyfile(file, place / f"{name}{file.suffix}")
+        except OSError as error:
+            raise InputError(f"the file cannot be copied: {error.strerror}", file) from None
+        made.append(f"{name}{file.suffix}")
+    return made
+
+
+def _read(place: Path, origin: Mapping[str, Path], describe: Callable[[str], Interface]) -> DataSet:
+    """The data set as it reads; an error names the file that the user gave."""
+    try:
+        return read_data_set(place, describe)
+    except InputError as error:
+        file = Path(str(error.file)) if error.file is not None else None
+        if file is not None and file.name in origin:
+            raise type(error)(error.message, origin[file.name], error.line, error.column) from None
+        raise type(error)(
+            error.message
+        ) from None  # Of what the user says, or of a draft that is gone.
+
+
+def _put(place: Path, folder: Path) -> None:
+    """Moves the draft to its place."""
+    _check_place(folder)
+    try:
+        folder.absolute().parent.mkdir(parents=True, exist_ok=True)
+        if folder.is_dir():
+            folder.rmdir()
+        os.replace(place, folder)
+    except OSError as error:
+        raise InputError(f"the data set cannot be written: {error.strerror}", folder) from None

@@ -1,27 +1,43 @@
-"""Which recordings are held out: they differ from those that are fitted, and lie within what those span."""
+"""Which recordings, or rows of tables, are held out; directions of tables; interpolation and noise of the signals."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.drafting.column_statistics import is_constant, span
-from pam_cosim.drafting.mapped import MappedRecording
-from pam_cosim.drafting.recorded_column import IMPOSED_RANGE
-from pam_cosim.drafting.sources import RecordingSource, places_of
+from pam_cosim.drafting.columns import IMPOSED_RANGE, RecordedColumn
+from pam_cosim.drafting.entries import SENSES, MappedRun
+from pam_cosim.drafting.headings import Headings, split_words
+from pam_cosim.drafting.recordings import Source, places_of
+from pam_cosim.drafting.shapes import (
+    is_constant,
+    is_held,
+    is_repeated,
+    is_switch,
+    noise_at_rest,
+    span,
+)
+from pam_cosim.drafting.values import text_of
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import ROLES
+from pam_cosim.measurement.curves import ROWS_PER_CURVE, ROWS_PER_LEVEL, curves, directions, levels
+from pam_cosim.measurement.markers import marker_of
+from pam_cosim.measurement.points import CONTRACTS, VALUE_TOLERANCE
 from pam_cosim.measurement.run_names import patterns_first
 from pam_cosim.model.interface import Interface
-from pam_cosim.units import format_quantity
+from pam_cosim.model.references import BRANCH
+from pam_cosim.units import format_quantity, readable_unit
 from pam_cosim.wording import shown
 
 _SAME_TRAIT = 0.02  # of the largest value: smaller differences do not distinguish runs
-HELD_OUT_SHARE = 0.25  # share of the runs, or of the values of a table, that are held out
+_HELD_OUT_SHARE = 0.25  # share of the runs, or of the values of a table, that are held out
 _RUNS_TO_HOLD_OUT = 3  # at least; fewer runs are all needed for the fit
+_LEVELS_TO_HOLD_OUT = 4  # values of an imposed quantity, at least, of which some are held out
+_POINTS_TO_HOLD_OUT = 8  # the same along a single curve, which needs most of its points
 
 
 @dataclass(frozen=True)
@@ -33,112 +49,106 @@ class Role:
 
 
 @dataclass(frozen=True)
-class _Trait:
-    """One number of each recording, such as the mean of an input; NaN where it has none.
+class Sigma:
+    """Standard deviation [SI], None where it is not told; and from where."""
 
-    ``imposed``: it is of an input, which the experimenter chose.
+    value: float | None
+    why: str
+
+
+@dataclass(frozen=True)
+class PointsDraft:
+    """Keys of ``experiment.toml`` for tables of points at rest.
+
+    Attributes:
+        branch: direction by recording, "" where a column has it or it is unknown.
+        hold_out: by recording, values that are held out, by input.
     """
 
-    name: str
-    unit: str
-    values: Array
-    imposed: bool = False
+    branch: tuple[str, ...]
+    hold_out: tuple[dict[str, list[str]], ...]
 
 
 def roles(
-    courses: Sequence[MappedRecording],
-    interface: Interface,
-    own: Sequence[dict[str, float]] = (),
-    *,
-    paced: bool = True,
+    runs: Sequence[MappedRun], interface: Interface, own: Sequence[Mapping[str, float]] = ()
 ) -> list[Role]:
-    """One for each recording; those of points at rest have no pace.
+    """One for each recording.
 
     A quarter is held out, each the one that differs most from its nearest neighbour among those that are fitted while
-    every trait of it (level, span and pace of each signal, and what is known of the run) lies between theirs; where
-    there is none, the one that lies least outside.
+    every trait of it (level and span of each signal, and what is known of the run) lies between theirs; where there is
+    none, the one that lies least outside.
     """
-    count = len(courses)
-    made = [Role("fit") for _ in courses]
-    if count < _RUNS_TO_HOLD_OUT:
+    made = [Role("fit") for _ in runs]
+    if len(runs) < _RUNS_TO_HOLD_OUT:
         return made
-    traits = [
-        t
-        for t in _traits(courses, interface, own, paced)
-        if np.isfinite(t.values).all()
-        and span(t.values) > _SAME_TRAIT * float(np.max(np.abs(t.values)))
-    ]
+    traits = {
+        name: (unit, values)
+        for name, (unit, values) in _traits(runs, interface, own).items()
+        if np.isfinite(values).all() and span(values) > _SAME_TRAIT * float(np.max(np.abs(values)))
+    }
     if not traits:
         made[-1] = Role("holdout", "the last: as far as is seen, all are alike")
         return made
-    scaled = np.array([(t.values - t.values.min()) / span(t.values) for t in traits]).T
-    left = list(range(count))
-    for _ in range(max(1, round(HELD_OUT_SHARE * count))):
-        order = sorted((_outside(scaled, left, i), -_apart(scaled, left, i), i) for i in left)
+    scaled = np.array([(v - v.min()) / span(v) for _, v in traits.values()]).T
+    left = list(range(len(runs)))
+    for _ in range(max(1, round(_HELD_OUT_SHARE * len(runs)))):
+        order = sorted(
+            (_outside(scaled, left, i).sum().round(9), -_apart(scaled, left, i), i) for i in left
+        )
         outside, _, chosen = order[0]
         left.remove(chosen)
-        made[chosen] = Role("holdout", _why(traits, scaled, left, chosen, outside))
+        near = min(left, key=lambda i: float(np.sum((scaled[i] - scaled[chosen]) ** 2)))
+        by = (
+            _outside(scaled, [*left, chosen], chosen)
+            if outside
+            else np.abs(scaled[near] - scaled[chosen])
+        )
+        name = list(traits)[int(np.argmax(by))]
+        unit, values = traits[name]
+        low, high = float(np.min(values[left])), float(np.max(values[left]))
+        said, *ends = (format_quantity(v, unit) for v in (float(values[chosen]), low, high))
+        how = "none lies within what the others span, and this one goes least beyond it"
+        if not outside:
+            how = "it lies within what the fitted runs span and differs from each"
+        made[chosen] = Role("holdout", f"{how}: {name} {said}, theirs {' to '.join(ends)}")
     return made
 
 
 def _traits(
-    courses: Sequence[MappedRecording],
-    interface: Interface,
-    own: Sequence[dict[str, float]],
-    paced: bool,
-) -> list[_Trait]:
+    runs: Sequence[MappedRun], interface: Interface, own: Sequence[Mapping[str, float]]
+) -> dict[str, tuple[str, Array]]:
+    """Numbers of each recording with their units: mean and span of each signal that moves, what is known; NaN: none."""
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
-    traits = []
-    for name in dict.fromkeys(name for course in courses for name in course.every):
-        unit, imposed = variables[name].unit, name in interface.inputs
-        values = [course.every.get(name) for course in courses]
-        traits.append(
-            _Trait(f"mean of {name}", unit, _each(values, lambda v: float(np.nanmean(v))), imposed)
-        )
-        if _all_held(values):
-            continue
-        traits.append(_Trait(f"span of {name}", unit, _each(values, span), imposed))
-        if paced:
-            paces = [
-                np.nan if v is None else _pace(c.time, v)
-                for c, v in zip(courses, values, strict=True)
-            ]
-            traits.append(_Trait(f"pace of {name}", f"{unit}/s", np.array(paces), imposed))
+    traits = {}
+    for name in dict.fromkeys(name for run in runs for name in run.every):
+        unit, read = variables[name].unit, [run.every.get(name, np.full(1, np.nan)) for run in runs]
+        there = [values if np.isfinite(values).any() else np.zeros(1) for values in read]
+        gone = np.array([0.0 if np.isfinite(values).any() else np.nan for values in read])
+        traits[f"mean of {name}"] = (unit, gone + [float(np.nanmean(values)) for values in there])
+        whole = span(np.concatenate(read))
+        if not all(span(v) <= IMPOSED_RANGE * whole or is_constant(v) for v in read):
+            traits[f"span of {name}"] = (unit, gone + [span(values) for values in there])
+            lasting = [float(np.ptp(run.time)) or np.inf for run in runs]
+            paces = [_travel(values) / last for values, last in zip(there, lasting, strict=True)]
+            traits[f"pace of {name}"] = (f"{unit}/s", gone + paces)
     for name in dict.fromkeys(name for values in own for name in values):
-        traits.append(
-            _Trait(
-                name, variables[name].unit, np.array([values.get(name, np.nan) for values in own])
-            )
+        traits[name] = (
+            variables[name].unit,
+            np.array([values.get(name, np.nan) for values in own]),
         )
     return traits
 
 
-def _all_held(values: Sequence[Array | None]) -> bool:
-    """Whether a signal moves in no recording by more than a small part of what it differs by between them."""
-    recorded = [v for v in values if v is not None]
-    whole = span(np.concatenate(recorded))
-    return all(span(v) <= IMPOSED_RANGE * whole or is_constant(v) for v in recorded)
+def _travel(values: Array) -> float:
+    """How far a signal goes up and down, in some two hundred steps."""
+    return float(np.nansum(np.abs(np.diff(values[:: max(1, len(values) // 200)]))))
 
 
-def _pace(time: Array, values: Array) -> float:
-    """How far a signal goes in a second, up and down, in some two hundred steps."""
-    steps = np.diff(values[:: max(1, len(values) // 200)])
-    return float(np.nansum(np.abs(steps))) / (float(np.ptp(time)) or np.inf)
-
-
-def _each(values: Sequence[Array | None], number: Callable[[Array], float]) -> Array:
-    return np.array(
-        [np.nan if v is None or not np.isfinite(v).any() else number(v) for v in values]
-    )
-
-
-def _outside(scaled: Array, left: Sequence[int], one: int) -> float:
-    """How far a recording lies outside what the others span, summed over the traits."""
+def _outside(scaled: Array, left: Sequence[int], one: int) -> Array:
+    """(traits,) how far a recording lies outside what the others span."""
     others = scaled[[i for i in left if i != one]]
     low, high = others.min(axis=0), others.max(axis=0)
-    return round(
-        float(np.sum(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))), 9
-    )
+    return np.asarray(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))
 
 
 def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
@@ -148,7 +158,7 @@ def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
 
 
 def stated_roles(
-    guessed: Sequence[Role], sources: Sequence[RecordingSource], stated: Mapping[str, str]
+    guessed: Sequence[Role], sources: Sequence[Source], stated: Mapping[str, str]
 ) -> list[Role]:
     """The roles, those by name or pattern that the user states instead of guesses.
 
@@ -157,36 +167,181 @@ def stated_roles(
     """
     made = list(guessed)
     for name, role in patterns_first(stated):
-        called = places_of(name, sources)
         if role not in ROLES:
             raise InputError(
                 f"{shown(role)} is no role of a recording; it is one of {', '.join(ROLES)}"
             )
-        for i in called:
+        for i in places_of(name, sources):
             made[i] = Role(role)
     if not any(one.role == "fit" for one in made):
         raise InputError("no recording would be left to fit")
     return made
 
 
-def _why(
-    traits: Sequence[_Trait], scaled: Array, left: Sequence[int], one: int, outside: float
-) -> str:
-    """The trait in which it differs most from its nearest neighbour; where none lies within, by which it is beyond."""
-    if outside > 0.0:
-        most = int(np.argmax([_outside(scaled[:, [k]], left, one) for k in range(len(traits))]))
-        said = _said(traits[most], left, one)
-        return f"none lies within what the others span, and this one goes least beyond it: {said}"
-    near = min(left, key=lambda i: float(np.sum((scaled[i] - scaled[one]) ** 2)))
-    differs = np.abs(scaled[near] - scaled[one])
-    imposed = [k for k, trait in enumerate(traits) if trait.imposed and differs[k] > 0.0]
-    most = max(imposed or range(len(traits)), key=lambda k: float(differs[k]))
-    said = _said(traits[most], left, one)
-    return f"it lies within what the fitted runs span and differs from each: {said}"
+# ---- conventions of a logger: between samples, and noise -------------------------------------------------------------
 
 
-def _said(trait: _Trait, left: Sequence[int], one: int) -> str:
-    """A trait of a run, and what the others span."""
-    low, high = float(np.min(trait.values[left])), float(np.max(trait.values[left]))
-    own, *ends = (format_quantity(v, trait.unit) for v in (float(trait.values[one]), low, high))
-    return f"{trait.name} {own}, theirs {' to '.join(ends)}"
+def interpolation_of(columns: Sequence[RecordedColumn], headings: Headings) -> str:
+    """``previous`` where what is imposed keeps its value between steps, in any file: a logger has one way for all."""
+    read = headings.with_trait("counted")
+    for column in columns:
+        is_read = column.kind in read and not (column.meaning and "set" in column.meaning.roles)
+        for values in column.values.values():
+            keeps = is_held(values) and (is_repeated(values) or not is_read)
+            if column.logged_on_change or keeps or is_switch(values):
+                return "previous"
+    return "linear"
+
+
+def sigma_of(name: str, unit: str, runs: Sequence[MappedRun], files: Sequence[Path]) -> Sigma:
+    """The median over the recordings, each of its longest rest."""
+    told = []
+    for run, file in zip(runs, files, strict=True):
+        values = run.outputs.get(name)
+        if values is None or not run.rest:
+            continue
+        rest = max(run.rest, key=lambda one: one.count)
+        sigma, step = noise_at_rest(run.time, values, rest)
+        if sigma > 0.0:
+            told.append((sigma, step, rest, run, file))
+    if not told:
+        return Sigma(None, f"{_why_none(name, runs)}: the software estimates it from the samples")
+    value = float(np.median([one[0] for one in told]))
+    _, step, rest, run, file = max(told, key=lambda one: one[2].count)
+    first, last = (round(float(run.time[i]), 3) for i in (rest.start, rest.stop - 1))
+    where = f"from {first:.15g} s to {last:.15g} s of {file.name}, where nothing moves"
+    steps = f"; recorded in steps of {format_quantity(step, unit)}" if step > value else ""
+    more = f" (median of {len(told)} recordings)" if len(told) > 1 else ""
+    return Sigma(value, f"the scatter of neighbouring samples {where}{more}{steps}")
+
+
+def _why_none(name: str, runs: Sequence[MappedRun]) -> str:
+    """Why the recordings tell no noise."""
+    if not any(run.rest for run in runs):
+        return "nothing is at rest long enough"
+    values = [run.outputs[name] for run in runs if name in run.outputs]
+    if values and marker_of(np.concatenate(values)) is not None:
+        return "one number is far from all others, as where a sample is missing"
+    return "it shows no noise at rest"
+
+
+# ---- points at rest: which way the muscle went, and rows that are held out -------------------------------------------
+
+
+def check_imposed(
+    unfed: Sequence[str], known: Sequence[Collection[str]], interface: Interface
+) -> None:
+    """Checks that every imposed input has a value in each row.
+
+    Args:
+        unfed: inputs without a column, and without a value in the names of the files.
+        known: by recording, names of the values that the user states.
+        interface: of the bench.
+
+    Raises:
+        InputError: an imposed input has no value; the message names the option that states it.
+    """
+    missing = [name for name in unfed if not all(name in own for own in known)]
+    if missing:
+        one = interface.inputs[missing[0]]
+        unit = {"Pa": "kPa", "m": "mm"}.get(one.unit, readable_unit(one.unit))
+        what = one.description[:1].lower() + one.description[1:]
+        say = f"--parameter '{one.name}=0 {unit}' for all rows, or --parameter '{one.name}@FILE=0 {unit}' for each file"
+        raise InputError(
+            f"no column and no file's name tells the {what} ({one.name}); say it: {say}"
+        )
+
+
+def points_draft(
+    runs: Sequence[MappedRun],
+    interface: Interface,
+    files: Sequence[Path],
+    by_run: bool,
+    headings: Headings,
+) -> PointsDraft:
+    """Directions by the names of the files or the order of the rows where no column has them, and rows to hold out.
+
+    Args:
+        runs: tables.
+        interface: of the bench.
+        files: of the runs.
+        by_run: whole recordings are held out.
+        headings: with the words for directions.
+    """
+    units = {name: variable.unit for name, variable in interface.inputs.items()}
+    rows = [_imposed(run) for run in runs]
+    branch = [""] * len(runs)
+    if not any(BRANCH in run.inputs for run in runs):
+        branch = _in_names(files, headings) or _by_order([_ways(own, units) for own in rows])
+    hold_out: list[dict[str, list[str]]] = [
+        {} if by_run else _held_out(own, run.outputs, interface)
+        for own, run in zip(rows, runs, strict=True)
+    ]
+    return PointsDraft(tuple(branch), tuple(hold_out))
+
+
+def _in_names(files: Sequence[Path], headings: Headings) -> list[str]:
+    """up or down for each file, where every name says one of them, and both are said; none where they do not."""
+    words = [[word for word in split_words(file.stem) if len(word) > 1] for file in files]
+    said = [{way for way in map(headings.direction_word, own) if way} for own in words]
+    if not all(len(own) == 1 for own in said) or len(set[int]().union(*said)) != 2:
+        return []
+    return [SENSES[own.pop()] for own in said]
+
+
+def _ways(inputs: Mapping[str, Array], units: Mapping[str, str]) -> Array:
+    """(n,) 1 or -1 by the order of the rows, 0 where that tells nothing."""
+    first = [name for unit in CONTRACTS for name in inputs if units[name] == unit]
+    return directions(inputs, first)[0] if first else np.zeros(1)
+
+
+def _by_order(ways: Sequence[Array]) -> list[str]:
+    """ "order" where rows go up and come back, in a file or from one to another; "" for all where they do not."""
+    common = {int(np.sign(own[0])) for own in ways if len(own) and bool((own == own[0]).all())}
+    returns = any(min(np.sum(own > 0), np.sum(own < 0)) >= ROWS_PER_CURVE for own in ways)
+    if not (common >= {1, -1} or returns):
+        return [""] * len(ways)
+    return ["order" if own.any() else "none" for own in ways]
+
+
+def _imposed(run: MappedRun) -> dict[str, Array]:
+    """The imposed inputs, in the rows that have a value of each."""
+    inputs = {name: values for name, values in run.inputs.items() if name != BRANCH}
+    whole = np.all([np.isfinite(values) for values in inputs.values()], axis=0)
+    return {name: values[whole] for name, values in inputs.items()}
+
+
+def _held_out(
+    inputs: Mapping[str, Array], outputs: Mapping[str, Array], interface: Interface
+) -> dict[str, list[str]]:
+    """Values of the input with the most levels, within the span of the others; none where there are few levels."""
+    count = len(next(iter(inputs.values())))
+    found = curves(inputs, {n: v for n, v in outputs.items() if len(v) == count})
+    along = found[0].along
+    least = dict.fromkeys(found[0].at, _LEVELS_TO_HOLD_OUT) | {along: _POINTS_TO_HOLD_OUT}
+    if len(found) > 1:
+        least[along] = _LEVELS_TO_HOLD_OUT
+    every = {name: _levels(inputs[name]) for name in least}
+    able = {name: values for name, values in every.items() if len(values) >= least[name]}
+    if not able:
+        return {}
+    name, values = max(able.items(), key=lambda one: len(one[1]))
+    count = max(1, round(_HELD_OUT_SHARE * len(values)))
+    places = np.round(np.linspace(0, len(values) - 1, count + 2)[1:-1]).astype(int)
+    return {name: [text_of(values[i], interface.inputs[name].unit) for i in places]}
+
+
+def _levels(values: Array) -> list[float]:
+    """The levels that readings repeat, each as it was read; none where the readings do not cluster."""
+    exact = np.unique(values)
+    near = VALUE_TOLERANCE * span(values)
+    is_apart = float(np.diff(exact).min(initial=np.inf)) > near
+    if is_apart and ROWS_PER_LEVEL * len(exact) <= len(values):
+        return [float(value) for value in exact]
+    number = levels(values)
+    if number is None:
+        return []
+    groups = [values[number == k] for k in range(int(number.max(initial=0)) + 1)]
+    middle = [float(np.median(group)) for group in groups]
+    clear = all(float(np.max(np.abs(g - m))) <= near for g, m in zip(groups, middle, strict=True))
+    return middle if clear else []

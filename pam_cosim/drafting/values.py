@@ -1,124 +1,265 @@
-"""Values of parameters that the files tell of a run: start values, loads, ambient conditions."""
+"""Values of parameters: what the user and the files tell of each run, what follows, and what only a fit tells."""
 
 from __future__ import annotations
 
-import re
-from collections.abc import Sequence
-from pathlib import Path
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
 
 import numpy as np
 
-from pam_cosim.drafting.column_statistics import REST_BAND, is_constant, noise_of, span
-from pam_cosim.drafting.feeding import meaning_of
-from pam_cosim.drafting.mapped import Mapped, MappedRecording
-from pam_cosim.drafting.recorded_column import RecordedColumn
-from pam_cosim.drafting.scaling import GRAVITY
-from pam_cosim.drafting.stated_value import StatedValue, text_of
-from pam_cosim.drafting.vocabulary import Meaning, read_variable
-from pam_cosim.drafting.words import UNITS
-from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.units import convert, parse_quantity
-
-NONZERO_READING = 5.0  # sd of the noise: a larger reading at rest is not zero
-
-_NUMBER = r"\d+(?:[.,]\d+)?"
-_LOAD = re.compile(
-    rf"(?<![A-Za-z0-9])(?:(?P<number>{_NUMBER})[ _-]?(?P<unit>[A-Za-z]+)|(?P<first>kg|lbs?)[ _-]?(?P<behind>{_NUMBER}))"
-    r"(?![A-Za-z0-9])"
+from pam_cosim.drafting.benches import Bench
+from pam_cosim.drafting.columns import RecordedColumn
+from pam_cosim.drafting.entries import (
+    NONZERO_READING,
+    Mapped,
+    MappedRun,
+    length_parameter,
+    longest_of,
 )
-_MASSES, _WEIGHTS = ("kg", "g", "lb", "lbs"), ("N", "kN", "lbf")
+from pam_cosim.drafting.evidence import Evidence
+from pam_cosim.drafting.headings import AT_REST, Headings, Meaning
+from pam_cosim.drafting.shapes import REST_BAND, begins_still, is_constant, noise_of, span
+from pam_cosim.drafting.texts import load_in
+from pam_cosim.errors import InputError
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
+from pam_cosim.wording import listed
+
+_NOMINAL_TOLERANCE = 0.05  # of the nominal length: a longest length as near to it is that at rest
+_DATA_SHEET_TOLERANCE = 0.3  # of its value: bounds of a parameter of the fibres in a fit
+# What a rule, scales, a thermometer or a gauge tells, or the maker's drawing: it is stated, not fitted.
+_MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
+_GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
+# What lies in the rubber of a muscle, where no rule reaches: of the fibres, and of the wall.
+_OF_FIBRES = ("fibres lie", "fibres and axis")
+_OF_WALLS = ("wall takes", "bent open", "the muscle pulls")
+_MEASURES, _AROUND = ("L0", "D0", "turns", "b", "alpha_0"), ("D0", "turns")
+_ENOUGH = 3  # measures of a sleeve, one of them around, determine it
 
 
-def starts(course: MappedRecording, interface: Interface) -> dict[str, StatedValue]:
-    """Start values that a recording tells: what is called ``NAME_start`` and is of its kind begins as NAME begins."""
+@dataclass(frozen=True)
+class StatedValue:
+    """A value that is known of one recording: as text for the file, and why.
+
+    ``is_start``: the recording itself happens to begin so; nobody chose it.
+    """
+
+    value: str
+    number: float
+    why: str
+    is_start: bool = False
+
+
+def text_of(value: float, unit: str) -> str:
+    """A value [SI] as ``experiment.toml`` has it, in a unit that is easy to read."""
+    number = f"{value * readable_factor(unit):.6g}"
+    shown = readable_unit(unit)
+    shown = {"mm²": "mm2", "L": "l"}.get(shown, shown)
+    return f"{number} {shown}".strip()
+
+
+def check_stated(stated: Mapping[str, str], interface: Interface) -> None:
+    """Raises InputError where a stated value has a unit that does not fit; names are checked when all is read."""
+    variables = {**interface.parameters, **interface.inputs}
+    for name, value in stated.items():
+        try:
+            parse_quantity(value, variables[name].unit if name in variables else "1")
+        except UnitError as error:
+            if name in variables:
+                raise InputError(f"--parameter {name}: {error}") from None
+
+
+def with_length(evidence: Evidence, bench: Bench) -> Evidence:
+    """With the length of the muscle that a column, the user or the names of the files tell."""
+    name = length_parameter(bench.interface)
+    if name is None or name in evidence.stated:
+        return evidence
+    column = next((c for c in evidence.columns if c.meaning == AT_REST), None)
+    length = bench.length
+    if column is not None and span(column.every) == 0.0:
+        length = text_of(float(convert(column.every[0], column.unit, "m")), "m")
+    elif length:
+        nominal, longest = parse_quantity(length, "m"), longest_of(bench.choice)
+        if longest is not None and abs(longest - nominal) <= _NOMINAL_TOLERANCE * nominal:
+            length = text_of(longest, "m")  # As it was measured.
+    return replace(evidence, stated={**evidence.stated, name: length}) if length else evidence
+
+
+def following(stated: Mapping[str, str], interface: Interface) -> dict[str, str]:
+    """Zero for each measure of a sleeve that follows from those that are stated, and would contradict them.
+
+    Raises:
+        InputError: a default contradicts what is stated, and nothing says which one; says what to state.
+    """
+    owners = dict.fromkeys(name.rpartition(".")[0] for name in stated)
+    return {name: "0" for owner in owners for name in _following(f"{owner}.", stated, interface)}
+
+
+def _following(owner: str, stated: Mapping[str, str], interface: Interface) -> list[str]:
+    names = [owner + one for one in _MEASURES]
+    if not all(name in interface.parameters for name in names):
+        return []
+    said = [
+        n for n in names if n in stated and parse_quantity(stated[n], interface.parameters[n].unit)
+    ]
+    left = [name for name in names if name not in stated and interface.parameters[name].start]
+    if len(said) + len(left) <= _ENOUGH or not left:
+        return []
+    if len(said) >= _ENOUGH and {*said} & {owner + one for one in _AROUND}:
+        return left
+    hint = " or ".join(f"--parameter {name}=0" for name in left)
+    raise InputError(
+        f"the sleeve is determined by three of {listed(names)}: {listed(said)} is stated, and the default of "
+        f"{listed(left)} holds too; state three, or say what shall follow from the others: {hint}"
+    )
+
+
+def neutral(evidence: Evidence, bench: Bench) -> dict[str, str]:
+    """Values of what only one laboratory's muscle has, where nobody names a muscle: they let an effect say it."""
+    if bench.muscle or evidence.points:
+        return {}
+    values = dict(evidence.headings.vocabulary.neutral)
+    own = {n: n.rpartition(".")[2] for n in bench.interface.parameters if n not in evidence.stated}
+    owners = {n.rpartition(".")[0] for n in evidence.stated if n.rpartition(".")[2] in values}
+    return {
+        n: values[short]
+        for n, short in own.items()
+        if short in values and n.rpartition(".")[0] not in owners
+    }
+
+
+# ---- what the recordings tell of themselves --------------------------------------------------------------------------
+
+
+def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[str, StatedValue]]:
+    """What each recording tells of itself, as far as the user does not state it: the last of these that does counts.
+
+    Where it begins, loads in its name, what its columns hold besides, remarks above its rows, what the user states.
+    """
+    interface, headings = bench.interface, evidence.headings
+    left = [
+        c for c in evidence.columns if c not in bench.choice.fed.values() and c.meaning and c.unit
+    ]
+    loads = _loads(evidence, interface)
+    told = []
+    for i, run in enumerate(mapped.runs):
+        own = {} if evidence.points else _starts(run, interface, headings)
+        own |= loads[i]
+        for name, entry in mapped.entries.items():
+            if i in entry.held:
+                text = text_of(entry.held[i], interface.inputs[name].unit)
+                own[name] = StatedValue(text, entry.held[i], "; ".join(entry.why))
+        for column in left:
+            own |= _of_column(column, i, interface, headings)
+        own |= _of_remarks(i, evidence, bench)
+        variables = {**interface.parameters, **interface.inputs}
+        for name, value in evidence.own[i].items():
+            number = parse_quantity(value, variables[name].unit) if name in variables else 0.0
+            own[name] = StatedValue(value, number, "")
+        told.append({name: one for name, one in own.items() if name not in evidence.stated})
+    return told
+
+
+def _starts(run: MappedRun, interface: Interface, headings: Headings) -> dict[str, StatedValue]:
+    """Start values that a recording tells where it begins at rest: what is called ``NAME_start`` begins as NAME."""
+    if run.first_rest is None and not begins_still(run.time, list(run.every.values())):
+        return {}
     told = {}
+    variables = {**interface.inputs, **interface.outputs}
     for name, parameter in interface.parameters.items():
         short = name.rpartition(".")[2]
-        meaning = read_variable(short, parameter.description, parameter.unit)
-        signal = _signal(short.removesuffix("_start"), meaning, course, interface)
-        if not short.endswith("_start") or signal is None:
+        bare = short.removesuffix("_start")
+        meaning = headings.meaning_of(short, parameter.description, parameter.unit)
+        signal = next(
+            (
+                one
+                for one in run.every
+                if bare in (one, one.partition("_")[0])
+                and meaning == headings.variable(variables[one])
+                and np.isfinite(run.every[one]).any()
+            ),
+            None,
+        )
+        if bare == short or signal is None or meaning is None:
             continue
-        values, unit = course.every[signal], parameter.unit
-        rest = course.first_rest
+        values = run.every[signal]
+        rest = run.first_rest
         part = values[rest.start : rest.stop] if rest else values[np.isfinite(values)][:1]
         first, usual = float(np.nanmean(part)), parameter.start or 0.0
-        low = -np.inf if parameter.min is None else parameter.min
-        least = max(REST_BAND * span(values), NONZERO_READING * noise_of(course.time, values))
-        if abs(first - usual) > least and first >= low:
-            told[name] = StatedValue(text_of(first, unit), first, f"{signal} begins so", True)
+        least = max(REST_BAND * span(values), NONZERO_READING * noise_of(run.time, values))
+        if abs(first - usual) > least and first >= (
+            parameter.min if parameter.min is not None else -np.inf
+        ):
+            told[name] = StatedValue(
+                text_of(first, parameter.unit), first, f"{signal} begins so", True
+            )
     return told
 
 
-def _signal(
-    name: str, meaning: Meaning | None, course: MappedRecording, interface: Interface
-) -> str | None:
-    """The recorded signal of that name and meaning: a force is a force, imposed as ``F_load`` or not."""
-    if meaning is None:
-        return None
-    variables = {**interface.inputs, **interface.outputs}
-    named = [one for one in course.every if name in (one, one.partition("_")[0])]
-    alike = [one for one in named if meaning == meaning_of(variables[one])]
-    return next((one for one in alike if np.isfinite(course.every[one]).any()), None)
+def _of_column(
+    column: RecordedColumn, i: int, interface: Interface, headings: Headings
+) -> dict[str, StatedValue]:
+    """A load or an ambient condition that a column holds, where one parameter only can be meant."""
+    meaning = column.meaning
+    is_ambient = meaning is not None and "ambient" in meaning.roles
+    if meaning is None or i not in column.values or not (meaning.kind == "mass" or is_ambient):
+        return {}
+    values = column.values[i]
+    if not (is_ambient or span(values) == 0.0 or is_constant(values)):
+        return {}
+    unit = headings.units[meaning.kind]
+    mean = float(np.nanmean(convert(values, column.unit, unit)))
+    why = f"{column.name} was recorded, and this is its mean"
+    return {
+        n: StatedValue(text_of(mean, unit), mean, why)
+        for n in _meant(meaning, unit, mean, interface, headings)
+    }
 
 
-def recorded(
-    columns: Sequence[RecordedColumn], interface: Interface, count: int
-) -> list[dict[str, StatedValue]]:
-    """Loads and ambient conditions that columns hold, by recording, where one parameter only can be meant."""
-    told: list[dict[str, StatedValue]] = [{} for _ in range(count)]
-    for column in columns:
-        meaning = column.meaning
-        if meaning is None or not column.unit:
-            continue
-        is_ambient = "ambient" in meaning.roles
-        if meaning.kind != "mass" and not is_ambient:
-            continue
-        unit = UNITS[meaning.kind]
-        alike = _parameters_that_mean(meaning, unit, interface)
-        if len(alike) != 1:
-            continue
-        why = f"{column.name} was recorded, and this is its mean"
-        for i, values in column.values.items():
-            steady = is_ambient or span(values) == 0.0 or is_constant(values)
-            if not steady or not np.isfinite(values).any():
-                continue
-            mean = float(np.nanmean(convert(values, column.unit, unit)))
-            if _is_possible(mean, interface.parameters[alike[0]]):
-                told[i][alike[0]] = StatedValue(text_of(mean, unit), mean, why)
+def _of_remarks(i: int, evidence: Evidence, bench: Bench) -> dict[str, StatedValue]:
+    """What lines above the rows state, of a parameter or of an input that no column feeds."""
+    told: dict[str, StatedValue] = {}
+    interface, headings = bench.interface, evidence.headings
+    unfed = {n: interface.inputs[n] for n in bench.choice.unfed}
+    for remark in evidence.remarks[i]:
+        unit = headings.units[remark.meaning.kind]
+        number = parse_quantity(remark.value, unit)
+        names = [n for n, v in unfed.items() if headings.variable(v) == remark.meaning]
+        if remark.meaning.kind == "mass" or "ambient" in remark.meaning.roles:
+            names = _meant(remark.meaning, unit, number, interface, headings)
+        why = f"a line above the rows says so: {remark.text}"
+        told |= {name: StatedValue(remark.value, number, why) for name in names}
     return told
+
+
+def _meant(
+    meaning: Meaning, unit: str, value: float, interface: Interface, headings: Headings
+) -> list[str]:
+    """The parameter of a kind, where there is one and it may have the value.
+
+    What is around a rig is recorded as it is, and not against itself: a gauge pressure of the room is none.
+    """
+    alike = [
+        name
+        for name, v in interface.parameters.items()
+        if v.unit == unit
+        and "gauge" not in v.description.casefold()
+        and headings.meaning_of(name.rpartition(".")[2], v.description, v.unit) == meaning
+    ]
+    return [
+        name
+        for name in alike
+        if len(alike) == 1 and _is_possible(value, interface.parameters[name])
+    ]
 
 
 def _is_possible(value: float, parameter: Variable) -> bool:
-    """Whether a parameter may have a value: a gauge pressure of the room is none of the atmosphere."""
     low = -np.inf if parameter.min is None else parameter.min
     high = np.inf if parameter.max is None else parameter.max
     return bool(low <= value <= high)
 
 
-def _parameters_that_mean(meaning: Meaning, unit: str, interface: Interface) -> list[str]:
-    """Parameters of a kind; what is around a rig is recorded as it is, and not against itself."""
-    same_unit = {name: v for name, v in interface.parameters.items() if v.unit == unit}
-    parameters = {n: v for n, v in same_unit.items() if "gauge" not in v.description.casefold()}
-    return [
-        name
-        for name, v in parameters.items()
-        if read_variable(name.rpartition(".")[2], v.description, v.unit) == meaning
-    ]
-
-
-def constant_values(mapped: Mapped, recording: int, interface: Interface) -> dict[str, StatedValue]:
-    """Inputs that the name of a recording's file tells."""
-    told = {}
-    for name, entry in mapped.entries.items():
-        if recording in entry.held:
-            value = entry.held[recording]
-            told[name] = StatedValue(
-                text_of(value, interface.inputs[name].unit), value, "; ".join(entry.why)
-            )
-    return told
-
-
-def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, StatedValue]]:
+def _loads(evidence: Evidence, interface: Interface) -> list[dict[str, StatedValue]]:
     """Loads that the names of the files tell, where one parameter only can be meant.
 
     Where a force is imposed, a weight is that force and no mass.
@@ -126,24 +267,109 @@ def in_names(files: Sequence[Path], interface: Interface) -> list[dict[str, Stat
     in_kg = {name: v for name, v in interface.parameters.items() if v.unit == "kg"}
     masses = [name for name, v in in_kg.items() if "mass" in v.description.casefold()]
     weights = all(v.unit != "N" for v in interface.inputs.values())
-    loads = [_load(file.stem, weights) for file in files]
-    stated = [load for load in loads if load is not None]
-    if len(masses) != 1 or len(stated) < len(files):
-        return [{} for _ in files]
-    possible = all(_is_possible(load.number, interface.parameters[masses[0]]) for load in stated)
-    return [{masses[0]: load} if possible else {} for load in stated]
-
-
-def _load(stem: str, weights: bool) -> StatedValue | None:
-    """The mass that a name tells, or the ``weights``, as a mass."""
+    loads = [load_in(file.stem, weights) for file in evidence.files]
+    if len(masses) != 1 or None in loads:
+        return [{} for _ in loads]
+    stated = [(text, mass) for text, mass in filter(None, loads)]
+    if not all(_is_possible(mass, interface.parameters[masses[0]]) for _, mass in stated):
+        return [{} for _ in loads]
     why = "the file's name says so"
-    for match in _LOAD.finditer(stem):
-        number = (match["number"] or match["behind"]).replace(",", ".")
-        unit = match["unit"] or match["first"]
-        said = f"{number} {unit}"
-        if unit in _MASSES:
-            return StatedValue(said, parse_quantity(said, "kg"), why)
-        if unit in _WEIGHTS and weights:
-            mass = parse_quantity(said, "N") / parse_quantity(GRAVITY, "m/s2")
-            return StatedValue(text_of(mass, "kg"), mass, f"{why}, as a weight of {said}")
-    return None
+    return [
+        {
+            masses[0]: StatedValue(
+                text_of(mass, "kg") if text.split()[-1] not in ("kg", "g", "lb", "lbs") else text,
+                mass,
+                why,
+            )
+        }
+        for text, mass in stated
+    ]
+
+
+# ---- which parameters somebody can state, and which only a fit tells -------------------------------------------------
+
+
+@dataclass(frozen=True)
+class OpenParameters:
+    """Parameters of a bench: free in a fit, that may be free besides, and that somebody with a rule can state."""
+
+    free: dict[str, Variable]
+    perhaps: dict[str, Variable]
+    to_state: dict[str, Variable]
+
+
+def open_parameters(interface: Interface, headings: Headings, points: bool) -> OpenParameters:
+    """Which parameters are free, by what is said of them.
+
+    Args:
+        interface: of the bench.
+        headings: with the words for what is calibrated.
+        points: points at rest were recorded, which tell what lies in the rubber of a muscle, nothing that takes time.
+    """
+    words = headings.vocabulary
+    hidden = _hidden(interface)
+    free = hidden if points else _told_by_fit(interface, words.calibrated, words.chosen)
+    perhaps = _told_by_fit(interface, words.uncertain, words.chosen)
+    rubbing = {name: v for name, v in perhaps.items() if _says(v, ["friction"])}
+    perhaps = rubbing if points else {**perhaps, **hidden}
+    own = {
+        n: v
+        for n, v in interface.parameters.items()
+        if n.count(".") <= 1 and n not in {*free, *perhaps}
+    }
+    known = {
+        n: v
+        for n, v in own.items()
+        if _is_measure(n, v, words.chosen) and (is_geometry(v) or not points)
+    }
+    return OpenParameters(free, perhaps, known)
+
+
+def is_geometry(variable: Variable) -> bool:
+    """Whether it is of a size, a count or a mass."""
+    return variable.unit in _GEOMETRY
+
+
+def _is_measure(name: str, variable: Variable, chosen: Sequence[str]) -> bool:
+    """Whether it has a value and a least one, and is neither where a run begins nor a choice."""
+    has_value = variable.start is not None and variable.min is not None
+    return has_value and not name.endswith("_start") and not _says(variable, chosen)
+
+
+def _says(variable: Variable, words: Sequence[str]) -> bool:
+    description = variable.description.casefold()
+    return any(word in description for word in words)
+
+
+def _told_by_fit(
+    interface: Interface, words: Sequence[str], chosen: Sequence[str]
+) -> dict[str, Variable]:
+    own = {name: v for name, v in interface.parameters.items() if name.count(".") == 1}
+    bounded = {n: v for n, v in own.items() if _is_bounded(v) and v.unit not in _MEASURED}
+    return {n: v for n, v in bounded.items() if _says(v, words) and not _says(v, chosen)}
+
+
+def _is_bounded(variable: Variable) -> bool:
+    return variable.min is not None and variable.max is not None
+
+
+def _hidden(interface: Interface) -> dict[str, Variable]:
+    """Measures within the wall of a muscle that has one: where its fibres lie, and what the wall takes of its pull."""
+    deep = {n: v for n, v in interface.parameters.items() if n.count(".") == 2 and _is_bounded(v)}
+    walls, fibres = (
+        {n: v for n, v in deep.items() if any(word in v.description for word in words)}
+        for words in (_OF_WALLS, _OF_FIBRES)
+    )
+    owners = {name.rsplit(".", 2)[0] for name in walls}
+    near = {n: _nearby(v) for n, v in fibres.items() if n.rsplit(".", 2)[0] in owners and v.start}
+    return {**near, **walls}
+
+
+def _nearby(variable: Variable) -> Variable:
+    """The variable with bounds about its value: those of a measure that may be zero, not stated, are no help."""
+    start = variable.start or 0.0
+    return replace(
+        variable,
+        min=start * (1.0 - _DATA_SHEET_TOLERANCE),
+        max=start * (1.0 + _DATA_SHEET_TOLERANCE),
+    )

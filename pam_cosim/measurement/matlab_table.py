@@ -45,6 +45,17 @@ def read_matlab(file: Path, stated: Layout) -> Table:
     return table_of(vectors, stated, file)
 
 
+def scalars_of(file: Path) -> dict[str, float]:
+    """The single numbers of a file of MATLAB before version 7.3, by name, also within structures."""
+    import scipy.io
+
+    if is_hdf5(file):
+        return {}
+    content = scipy.io.loadmat(str(file), squeeze_me=True, chars_as_strings=True)
+    found = [(p.rpartition("/")[2], v) for p, v in _places(content) if not p.startswith("__")]
+    return {name: float(v) for name, v in found if np.ndim(v) == 0 and isinstance(v, int | float)}
+
+
 def _declared(file: Path) -> int:
     """How many values the variables have."""
     import scipy.io
@@ -146,8 +157,10 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
         and chosen.dtype.kind in "fiu"
         and stated.names
     ):
-        check_names(stated.names, chosen.shape[1], file)
-        return list(zip(stated.names, chosen.T, strict=True))
+        wide = chosen.shape[0] == len(stated.names) != chosen.shape[1]  # a signal in each row
+        columns = chosen if wide else chosen.T
+        check_names(stated.names, len(columns), file)
+        return list(zip(stated.names, columns, strict=True))
     if isinstance(chosen, np.ndarray) and chosen.ndim == 2:
         raise InputError(
             'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file

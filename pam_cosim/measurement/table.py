@@ -25,7 +25,7 @@ _BYTES = 8  # of a number
 LONGEST_HEADING = 500  # letters; what is longer is no name
 _BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 _ROUND = re.compile(r"(.+?)\s*\(((?:[^()]|\([^()]*\))+)\)")
-_OVER = re.compile(r"(.+?)\s+(?:/|in)\s+([^\s(]\S*(?:\s+\S+)?)")
+_OVER = re.compile(r"(.+?)(?:\s*/\s*|\s+in\s+)([^\s(]\S*(?:\s+\S+)?)")
 
 
 Words = Mapping[str, Mapping[str, float]]
@@ -135,7 +135,7 @@ class Layout:
 
 
 def split_heading(text: str) -> tuple[str, str] | None:
-    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p / bar (a)`` or ``p in kPa``.
+    """Name and unit ("" where none is written) of ``p [kPa]``, ``p (kPa)``, ``p/kPa(g)`` or ``p in kPa``.
 
     Only square brackets always hold a unit: "sensor (left)" is a name. None: the text is no heading.
     """

@@ -89,7 +89,8 @@ def _header_in_comment(separator: str, comments: list[Line], count: int) -> _Hea
     if not comments:
         return None
     number, text = comments[-1]
-    cells = _names(separator, COMMENT.sub("", text, count=1), count)
+    bare = re.sub(r"^\s*\w+:\s+", "", COMMENT.sub("", text, count=1))  # "columns: t/s  p/kPa"
+    cells = _names(separator, bare, count)
     return _Header(number, cells) if len(cells) == count else None
 
 

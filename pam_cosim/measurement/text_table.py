@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import csv
 import re
+from collections import Counter
 from collections.abc import Container, Iterator, Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -224,9 +225,18 @@ def _joined(lines: list[str]) -> Iterator[Line]:
 def _names(layout: TextLayout, file: Path) -> list[tuple[str, str]]:
     """Name and unit of each column."""
     line, seen = layout.header_line or None, set[str]()
+    every = [split_heading(heading) for heading, _ in layout.headings]
+    units = Counter({(parts[0], parts[1]) for parts in every if parts})
+    several = Counter(name for name, _ in units)
     named = []
     for number, (heading, below) in enumerate(layout.headings, start=1):
-        parts = split_heading(heading)
+        parts = every[number - 1]
+        if not heading and any(every):  # as of an index of rows
+            parts = (f"column {number}", "")
+        if (
+            parts is not None and several[parts[0]] > 1
+        ):  # in two units: each is called as its heading is
+            parts = (heading, parts[1])
         if parts is None:
             message = f"the heading {shown(heading)} of column {number} must be 'name [unit]'"
             raise InputError(

@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
+from dataclasses import replace
 
-from pam_cosim.comparison import Comparison
+from pam_cosim.comparison import Comparison, RunComparison, likely_convention, simulate_run
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.fitting import estimated_starts, runs_without_start
 from pam_cosim.measurement import DataSet
@@ -36,11 +37,23 @@ def compare(
         InputError: as ``problem``.
         SimulationFailure: a run did not reach its end.
     """
-    problem = as_problem(data, model, files, values=parameters)
+    return compared(as_problem(data, model, files, values=parameters), timeout)
+
+
+def compared(problem: Problem, timeout: float | None = None, *, whole: bool = True) -> Comparison:
+    """The comparison of a problem; ``whole``: other conventions of its recordings are tried too."""
     started = data_with_starts(problem, timeout)
     starts, brief = [START_VALUES] * started.estimates_starts, few_rows(started)
     with opened(problem.model, problem.files, starts, timeout, brief=brief) as simulator:
         open_runs = runs_without_start(started, problem.settings, problem.interface)
         estimated = estimated_starts(simulator, started, open_runs, problem.settings)
         values = problem.settings | {name: e.value for name, e in estimated.items()}
-        return _compare(simulator, started, values)
+        result = _compare(simulator, started, values)
+        if not whole:
+            return result
+
+        def evaluate(other: DataSet) -> tuple[RunComparison, ...]:
+            return tuple(simulate_run(simulator, other, run, values) for run in other.runs)
+
+        found = likely_convention(started, result.units, evaluate, result.runs)
+        return replace(result, convention=found.text if found else "")

@@ -18,11 +18,14 @@ from pam_cosim.model.interface import Interface
 from pam_cosim.model.references import is_fmu, sources_of
 from pam_cosim.model.settings import Setting
 from pam_cosim.simulation.models import Paths, as_paths, describe
+from pam_cosim.study.comparisons import compared
 from pam_cosim.study.fitted_model import judged_data
 from pam_cosim.study.library import benches
 from pam_cosim.study.mapped_model import mapped_model
 from pam_cosim.study.problems import data_with_starts, problem
 from pam_cosim.study.read_limits import check_inputs, inputs_beyond
+
+_LONGEST = 60.0  # [s] that the first run of a draft may take
 
 
 def described_with(files: Paths) -> Callable[[str], Interface]:
@@ -164,9 +167,19 @@ def new(
         wishes,
         read_library(files=as_paths(files)),
         described,
+        lambda data: _simulated(data, as_paths(files)),
         as_paths(files),
     )
     written = _read(made.folder, described, files, Overrides())
     beyond = inputs_beyond(written, described(written.model))
     begun = data_with_starts(problem(written, files=files))
     return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))
+
+
+def _simulated(data: DataSet, files: Sequence[Path]) -> None:
+    """Simulates the runs of a draft with what it states.
+
+    Raises:
+        SimulationFailure: a run does not reach its end.
+    """
+    compared(problem(data, files=files), _LONGEST, whole=False)

@@ -87,22 +87,21 @@ def lift(folder: Path, name: str, hertz: float, missing: range = range(0)) -> Pa
     pull = 30.0 + 2.0 * np.sin(2 * np.pi * hertz * t) + 0 * np.asarray(force(p, x))
     noise = np.random.default_rng(int(10 * hertz)).normal(0.0, 1.0, (3, 800))
     rows: list[list[object]] = [
-        [f"{a:.4f}", f"{b / 6894.757:.3f}", f"{c / 6894.757 + 0.05 * k:.3f}",
-         "NaN" if i in missing else f"{1e3 * (LENGTH - d) + 0.05 * m:.3f}", f"{e / 9.81 + 0.01 * n:.4f}"]
+        [f"{a:.4f}", "NaN" if i in missing else f"{b / 6894.757:.3f}", f"{c / 6894.757 + 0.05 * k:.3f}",
+         f"{1e3 * (LENGTH - d) + 0.05 * m:.3f}", f"{e / 9.81 + 0.01 * n:.4f}"]
         for i, (a, b, c, d, e, k, m, n) in enumerate(zip(t, p, p, x, pull, *noise, strict=True))
     ]  # fmt: skip
     heading = "X_Value\tp_set (psi)\tp (psi)\tLength (mm)\tLoad cell (kg)"
     return write(folder / name, heading, rows, "\t")
 
 
-def test_a_length_that_may_be_imposed_or_not(tmp_path: Path) -> None:
+def test_a_length_that_follows_the_pressure_is_not_imposed(tmp_path: Path) -> None:
     made = pam.new(tmp_path / "rig", [lift(tmp_path, "a.lvm", 1.0)])
     assert written(made)["columns"]["time"] == {"column": "X_Value", "unit": "s"}
-    (line,) = said(made, "taken for imposed")
-    assert "--model 'regulator and hanging-load'" in line
-    assert said(made, "Others would do: regulator and hanging-load")
+    assert set(made.data.runs[0].measurements) == {"p", "x", "F"}
+    assert said(made, "put together from regulator and hanging-load")
     (line,) = said(made, "in no row is the muscle without pressure")
-    assert line.startswith("s is counted from the longest length")
+    assert line.startswith("x is counted from the longest length")
     assert not said(made, "left out")
 
 
@@ -212,10 +211,10 @@ def test_two_rows(tmp_path: Path) -> None:
     assert said(made, "two rows determine neither noise nor parameters")
 
 
-def test_a_column_that_there_is_is_suggested(tmp_path: Path) -> None:
+def test_what_drives_a_rig_is_asked_and_no_column_suggested_that_is_none(tmp_path: Path) -> None:
     rows: list[list[object]] = [[0.1 * k, 500, k, k + 1] for k in range(50)]
     heads = "t [s],source [kPa],knee_p [kPa],hip_p [kPa]"
-    with pytest.raises(InputError, match="as --column p='(knee|hip)_p'"):
+    with pytest.raises(InputError, match="lacks the inputs u; say what columns are, or the bench"):
         pam.new(tmp_path / "rig", [write(tmp_path / "a.csv", heads, rows)])
 
 

@@ -11,9 +11,9 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.drafting.vocabulary import read_heading
 from pam_cosim.errors import InputError
 from pam_cosim.units import convert
+from tests.drafting.headings import read_heading
 
 COUNT = 500
 TIME = 0.01 * np.arange(COUNT)

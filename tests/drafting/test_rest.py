@@ -5,8 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pam_cosim.drafting.column_statistics import is_constant, is_held, is_switch
-from pam_cosim.drafting.rest import moving, noise_at_rest, rests
+from pam_cosim.drafting.shapes import is_constant, is_held, is_switch, moving, noise_at_rest, rests
 
 RNG = np.random.default_rng(4)
 TIME = 0.01 * np.arange(1000)

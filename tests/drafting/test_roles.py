@@ -5,17 +5,17 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from pam_cosim.drafting.mapped import MappedRecording
+from pam_cosim.drafting.entries import MappedRun
 from pam_cosim.drafting.roles import roles
 from pam_cosim.model.interface import Interface, Variable
 
 BENCH = Interface("Bench", {"p": Variable("p", "Pa")}, {"x": Variable("x", "m")})
 
 
-def course(level: float) -> MappedRecording:
+def course(level: float) -> MappedRun:
     time = 0.01 * np.arange(200)
     p = np.where(time > 0.5, level, 0.0)
-    return MappedRecording(time, {"p": p}, {"x": 1e-7 * p}, ())
+    return MappedRun(time, {"p": p}, {"x": 1e-7 * p}, ())
 
 
 @pytest.mark.parametrize(("count", "held_out"), [(1, 0), (2, 0), (3, 1), (4, 1), (8, 2), (20, 5)])

@@ -56,7 +56,7 @@ def test_what_a_machine_imposes_is_a_contraction_from_rest(
 
 @pytest.mark.parametrize("sign", [1.0, -1.0])
 def test_a_spring_pulls_more_the_shorter_the_muscle(tmp_path: Path, sign: float) -> None:
-    """Taken for imposed, since a force was recorded too; the pressure says which way it counts."""
+    """It follows the pressure, so that the muscle moved it; the pressure says which way it counts."""
     x = np.convolve(P, np.ones(9) / 9.0)[:400] * 1e-7
     columns = {
         "t [s]": TIME,
@@ -65,7 +65,7 @@ def test_a_spring_pulls_more_the_shorter_the_muscle(tmp_path: Path, sign: float)
         "Weg [mm]": noisy(sign * 1e3 * x, 0.02, 3),
     }
     made = pam.new(tmp_path / "rig", [record(tmp_path / "a.csv", columns)])
-    np.testing.assert_allclose(course(made, "s"), x, atol=2e-4)
+    np.testing.assert_allclose(course(made, "x"), x, atol=2e-4)
 
 
 def test_contractions_from_which_runs_set_out_are_no_zeros(tmp_path: Path) -> None:

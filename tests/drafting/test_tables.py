@@ -11,8 +11,9 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.drafting import NewDataSet
-from pam_cosim.drafting.file_names import said_in
+from pam_cosim.drafting.texts import said_in
 from pam_cosim.errors import InputError
+from tests.drafting.headings import HEADINGS
 from tests.drafting.labs import LENGTH
 from tests.drafting.tables import grid, loop, no_load, noise, write
 
@@ -70,7 +71,7 @@ def test_files_of_one_contraction_each_whose_names_tell_it_and_the_muscle(tmp_pa
      ("x=\N{MINUS SIGN}2,5mm", -2.5, "mm"), ("0-5bar", 5.0, "bar"), ("DMSP-20-300_-5%", -5.0, "%")],
 )  # fmt: skip
 def test_a_minus_in_a_name_is_no_separator(stem: str, value: float, unit: str) -> None:
-    assert [(one.value, one.unit) for one in said_in(stem)] == [(value, unit)]
+    assert [(one.value, one.unit) for one in said_in(stem, HEADINGS)] == [(value, unit)]
 
 
 def test_a_muscle_that_was_stretched_by_names_of_files(tmp_path: Path) -> None:

@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.drafting.vocabulary import read_heading
 from pam_cosim.errors import InputError
+from tests.drafting.headings import read_heading
 from tests.tiers import quick
 
 AMBIENT = 101_325.0

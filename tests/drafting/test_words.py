@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pam_cosim.drafting.vocabulary import read_heading, read_variable, usual_unit
+from tests.drafting.headings import HEADINGS, read_heading
 
 
 @pytest.mark.parametrize(
@@ -95,7 +95,7 @@ def test_headings(name: str, unit: str, meaning: str, read_unit: str) -> None:
     ],
 )
 def test_variables(name: str, description: str, unit: str, meaning: str) -> None:
-    assert str(read_variable(name, description, unit)) == meaning
+    assert str(HEADINGS.meaning_of(name, description, unit)) == meaning
 
 
 def test_absolute_and_known() -> None:
@@ -117,4 +117,4 @@ def test_absolute_and_known() -> None:
      ("ambient pressure", 1013.0, "hPa"), ("ambient pressure", 101_300.0, "Pa")],
 )  # fmt: skip
 def test_units_by_magnitude(kind: str, largest: float, unit: str) -> None:
-    assert usual_unit(kind, largest) == unit
+    assert HEADINGS.usual_unit(kind, largest) == unit

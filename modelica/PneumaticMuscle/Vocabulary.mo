@@ -1,0 +1,78 @@
+within PneumaticMuscle;
+record Vocabulary "How people of this field call what they record: words, usual units, and what nobody states"
+  extends Icons.Record;
+  constant String kinds[:, 4] = {
+    {"time", "s", "", "=t =time =zeit =temps =sec =sek time zeit temps elapsed =micros =millis"},
+    {"pressure", "Pa", "counted", "=p =pm =pk =ps =pset =psoll =psp =pref =pcmd =psup =psupply =psource =pamb =patm "
+    + "=baro =pist =pmus =pmuscle =pdes =pact barometer barometr pressure druck pression press"},
+    {"temperature", "K", "transmitted", "=t =tamb =temp temperature temperatur thermo"},
+    {"current", "A", "", "=i =u =strom =courant current strom courant intensite"},
+    {"command", "1", "share", "valve ventil vanne schalt switch solenoid =pwm duty command befehl commande relais "
+    + "relay =cmd =u"},
+    {"force", "N", "counted", "=f =fz =fx =last =load =charge force kraft effort loadcell kraftmess zugkraft =pull "
+    + "=traction"},
+    {"ratio", "1", "share", "=eps epsilon strain ratio dehnung stauchung verhaltnis"},
+    {"contraction", "m", "counted", "=x =s =z =y =dx =dl =weg =hub =pos =disp contraction kontraktion displacement "
+    + "verschiebung verkurzung verkuerzung raccourcissement deplacement stroke position weggeber wegsensor laser "
+    + "course travel shortening seilzug drawwire"},
+    {"length", "m", "counted", "=l =len =lange length laenge lange longueur"},
+    {"mass", "kg", "unused", "=mass =masse =gewicht weight gewicht poids"},
+    {"angle", "rad", "", "angle winkel =phi =theta"},
+    {"voltage", "V", "unused", "voltage spannung"},
+    {"count", "1", "unused", "cycle zyklus takt index sample trial versuch number nummer numero =no =nr =n =id "
+    + "=point =punkt =lauf"},
+    {"direction", "1", "unused", "=dir direction richtung =branch =zweig =ast =sens =phase =hysteresis hysterese "
+    + "inflat deflat loading"}}
+    "What can be recorded: its name, SI unit, traits, and words; one with = stands alone, others also within a word. "
+    + "Traits: counted (by a converter, a camera or a bridge), transmitted (by a current), share (needs no unit), "
+    + "unused (no signal)";
+  constant String roles[:, 3] = {
+    {"supply", "pressure", "supply source versorgung vordruck netzdruck alimentation reservoir tank upstream kessel "
+    + "=sup =src =ps =psup"},
+    {"set", "pressure", "=set =sp =soll =ref =cmd =pset =psoll =psp =pref =pcmd =pdes setpoint soll consigne target "
+    + "desired reference wanted demand told command befehl"},
+    {"inlet", "command", "=in =inl =ein =zu inlet intake einlass zuluft admission beluft belueft fill fullen gonflage "
+    + "remplissage"},
+    {"exhaust", "command", "=out =ex =exh =aus =ab =vent exhaust outlet auslass abluft entluft entlueft echappement "
+    + "purge vidange"},
+    {"ambient", "", "ambient room raum umgebung raumtemp raumluft ambiant atmos outside labor =amb =tamb =pamb =patm "
+    + "=atm =umg =baro barometer barometr"}}
+    "What tells a quantity from others of its kind, the kind that its word means alone, and words";
+  constant String units[:, 2] = {
+    {"pressure", "1.2 MPa, 15 bar, 2e3 kPa, Pa"},
+    {"ambient pressure", "1.2 bar, 16 psi, 120 kPa, 1.2e3 hPa, Pa"},
+    {"contraction", "0.7 m, 2e3 mm, um"},
+    {"length", "0.7 m, 3e3 mm, um"},
+    {"ratio", "1, %"},
+    {"command", "1, 120 %"},
+    {"force", "N"},
+    {"mass", "kg"},
+    {"temperature", "200 degC, K"},
+    {"current", "2 A, mA"}}
+    "Unit of numbers without one, by their largest magnitude in this unit";
+  constant String sure[:, 2] = {
+    {"pressure", "*druck pressure pression"},
+    {"force", "*kraft force loadcell"},
+    {"temperature", "*temperatur temperature"}}
+    "Words that leave no doubt of a kind, whatever unit stands beside them; * is any beginning";
+  constant String directions[:, 2] = {
+    {"down", "deflat =down =d =ab abwarts =fall falling decreas unload entlast entluft release =vent venting exhaust "
+    + "extend extension =ruck ruckhub descen degonfl =back backward return =out"},
+    {"up", "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
+    + "gonfl =forward =in"}}
+    "Words for the way in which a muscle went; those of the first row come before those of the second";
+  constant String unloaded = "noload unload lastfrei unbelastet leerhub freehub freestroke sanscharge zeroload"
+    "Words that say that a muscle pulled at nothing";
+  constant String calibrated[:] = {"calibration", "effective area", "discharge coefficient",
+    "pressure lost per mass flow", "time constant", "polytropic", "film coefficient"}
+    "Parameters that nobody measures, by words of their descriptions: a fit tells them";
+  constant String uncertain[:] = {"coefficient of friction", "damping", "friction"}
+    "Parameters that may be free besides";
+  constant String chosen[:] = {"filter"} "Parameters that are chosen and neither stated nor fitted";
+  constant String neutral[:, 2] = {{"mu_fb", "0"}, {"mu_d", "0"}, {"fibres", "1"}}
+    "Values of a muscle that nobody names: fibres without friction that cover nothing. Friction is looked for then";
+  annotation (Documentation(info="<html>
+<p>Data for who reads the files of a laboratory; no model has a component of this class. Words are written in small
+letters without accents. A library of another field brings a record of this name of its own.</p>
+</html>"));
+end Vocabulary;

@@ -1,0 +1,411 @@
+"""Conventions of a logger as hypotheses: commands that are held, come late, count the other way or in another unit.
+
+Each is a change of what was recorded or of what the model shows, without a free parameter. They are compared by the
+likelihood of the residuals, of which neighbouring ones are alike where an effect is missing: what a model lacks over
+seconds does not hide what a convention does from one sample to the next.
+"""
+
+from __future__ import annotations
+
+import itertools
+import math
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.comparison.residuals import RunComparison
+from pam_cosim.errors import SimulationFailure
+from pam_cosim.measurement import DataSet, Run, Signal
+from pam_cosim.simulation.inputs import Interpolation
+from pam_cosim.units import convert, format_quantity
+from pam_cosim.units.grammar import ATMOSPHERES, STANDARD_ATMOSPHERE
+
+_MOST_RUNS = 3  # of which conventions are tried
+_LATEST = (
+    8.0  # samples by which commands may be late, before it is no convention but a lag of the rig
+)
+_PRICE_OF_DELAY = 3.0  # log-likelihood that commands on time are ahead of late ones
+_GAIN = 8.0  # log-likelihood that another convention is ahead by, so that it is named
+_NEAR_NOISE = (
+    1.3  # chi-square with late readings; where more is left, a lag of the rig may be missing
+)
+_LARGE_ERROR = 0.5  # of what a signal moves: a model that explains little of it
+_REMAINING_ERROR = 0.3  # of an error, that remains at most where a simple mistake explains it
+_SAME_FACTOR = 0.02  # of a factor or an offset, by which it may differ from a usual mistake
+_LEAST_VARIANCE = 1e-9  # of the noise: residuals of computed numbers
+_UNITS = {
+    "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
+    "m": ("mm", "cm", "m", "inch"),
+    "N": ("N", "kN", "kgf", "lbf", "mN"),
+    "A": ("mA", "A"),
+    "rad": ("rad", "deg"),
+}
+"""Units that loggers write, the usual ones first, by the base unit of what is measured."""
+_ZEROS = {
+    "Pa": (STANDARD_ATMOSPHERE, "absolute and gauge pressure mixed up"),
+    "K": (273.15, "degrees Celsius and kelvin mixed up"),
+}
+
+Evaluate = Callable[[DataSet], Sequence[RunComparison]]
+"""Simulates the runs of a data set, by a model with values that are known or fitted anew."""
+
+
+@dataclass(frozen=True)
+class Convention:
+    """Another way in which a recording may be meant, that fits much better.
+
+    Attributes:
+        name: "held", "linear", "late", "sign", "factor", "absolute", "time" or "swapped".
+        text: what fits better, by which figures, and what to write.
+        data: the data set with what was recorded as the convention has it.
+        chi2: mean square of the residuals in standard deviations with it, of the runs that were tried; ``before``.
+    """
+
+    name: str
+    text: str
+    data: DataSet
+    chi2: float
+    before: float
+
+
+def likely_convention(
+    data: DataSet,
+    units: Mapping[str, str],
+    evaluate: Evaluate,
+    base: Sequence[RunComparison] | None = None,
+) -> Convention | None:
+    """The convention that fits the data much better than the one that they are read with; None: there is none.
+
+    Args:
+        data: the measurement.
+        units: SI units of the inputs, by name.
+        evaluate: simulates runs; a diagnosis fits the free parameters of the model in it.
+        base: the runs as they are read, simulated already.
+
+    Raises:
+        SimulationFailure: the runs as they are read cannot be simulated.
+    """
+    driven = [run for run in data.runs if run.inputs and not run.is_static and run.role == "fit"]
+    tried = replace(data, runs=tuple(driven[:_MOST_RUNS]))
+    fitted = {n: s for n, s in data.signals.items() if s.fitted}
+    if not driven or not fitted:
+        return None
+    names = {run.name for run in tried.runs}
+    known = [one for one in base or () if one.run.name in names]
+    runs = known or list(evaluate(tried))
+    if _explains_little(runs, fitted):
+        return _of_inputs(data, tried, runs, fitted, units, evaluate)
+    return _in_time(data, tried, fitted, evaluate)
+
+
+def _chi2(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
+    """Mean square of all residuals in standard deviations of the noise."""
+    every = [
+        one
+        for n in signals
+        for r in runs
+        if n in r.run.measurements
+        for one in [_scaled(r, signals[n])]
+    ]
+    residuals = np.concatenate(every or [np.zeros(1)])
+    return float(np.nanmean(residuals**2))
+
+
+def _scaled(run: RunComparison, signal: Signal) -> Array:
+    """(n,) residuals of a signal in standard deviations."""
+    return run.residual(signal.name) / (signal.sigma or 1.0)
+
+
+def _explains_little(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> bool:
+    """Whether a model misses some signal by much of what that moves."""
+    for name in signals:
+        read = [r for r in runs if r.run.sample_count(name)]
+        error = [r.residual(name) for r in read]
+        moves = [r.run.measurements[name] - np.nanmean(r.run.measurements[name]) for r in read]
+        if read and _rms(np.concatenate(error)) > _LARGE_ERROR * _rms(np.concatenate(moves)):
+            return True
+    return False
+
+
+def _rms(values: Array) -> float:
+    return float(np.sqrt(np.nanmean(values**2)))
+
+
+# ---- between samples: held or linear, on time or late ----------------------------------------------------------------
+
+
+def _in_time(
+    data: DataSet, tried: DataSet, signals: Mapping[str, Signal], evaluate: Evaluate
+) -> Convention | None:
+    """Held instead of linear commands or the other way, and readings that come half a sample or one late.
+
+    Where a lag of many samples is better than either, none of them is a convention of the logger.
+    """
+    own = tried.runs[0].interpolation
+    other: Interpolation = "linear" if own == "previous" else "previous"
+    score: dict[tuple[str, float], tuple[float, float]] = {}
+    for between in (own, other):
+        try:
+            runs = list(evaluate(_refined(_between(tried, between))))
+        except SimulationFailure:
+            continue
+        for late in np.arange(0.0, _LATEST + 0.25, 0.5):
+            moved = [_delayed(r, float(late)) for r in runs]
+            price = _PRICE_OF_DELAY * (late > 0.0)
+            score[between, float(late)] = _likelihood(moved, signals) - price, _chi2(moved, signals)
+    if (own, 0.0) not in score:
+        return None
+    best = max(score, key=lambda one: score[one][0])
+    (before, chi2_before), best_of_own = (
+        score[own, 0.0],
+        max(v for (b, _), (v, _) in score.items() if b == own),
+    )
+    conventional = {
+        one: v for one, v in score.items() if one in ((other, 0.0), (own, 0.5), (own, 1.0))
+    }
+    rival = max(conventional, key=lambda one: score[one][0])
+    gain, chi2 = score[rival][0] - before, score[rival][1]
+    if gain < _GAIN or chi2 >= chi2_before:
+        return None
+    if rival[0] == other and score[best][0] - best_of_own > _GAIN and best[0] == other:
+        words = {"previous": "held", "linear": "linear"}
+        text = (
+            f"{words[other]} commands fit the data much better than {words[own]} ones: chi-square {chi2:.3g} against "
+            f'{chi2_before:.3g}; write interpolation = "{other}" in each [[runs]]'
+        )
+        return Convention(words[other], text, _between(data, other), chi2, chi2_before)
+    if rival[0] == own and best == rival and chi2 < _NEAR_NOISE:
+        late = rival[1]
+        how = "half a sample" if late == 0.5 else "one sample"
+        text = (
+            f"the readings fit much better {how} later than the commands: chi-square {chi2:.3g} against "
+            f"{chi2_before:.3g}; name the file once more with the readings alone under [[runs.loggers]], "
+            f'offset = "{-1e3 * late * _step(tried.runs[0]):.4g} ms"'
+        )
+        earlier = replace(data, runs=tuple(_advanced(run, late) for run in _refined(data).runs))
+        return Convention("late", text, earlier, chi2, chi2_before)
+    return None
+
+
+def _between(data: DataSet, interpolation: Interpolation) -> DataSet:
+    runs = (replace(run, interpolation=interpolation) if run.inputs else run for run in data.runs)
+    return replace(data, runs=tuple(runs))
+
+
+def _step(run: Run) -> float:
+    """The usual time from sample to sample [s]."""
+    steps = np.diff(run.time)
+    return float(np.median(steps[steps > 0.0])) if (steps > 0.0).any() else 0.0
+
+
+def _refined(data: DataSet) -> DataSet:
+    """The data set with a row between any two, of the same inputs and without a reading."""
+    return replace(
+        data, runs=tuple(run if run.is_static else _with_middles(run) for run in data.runs)
+    )
+
+
+def _with_middles(run: Run) -> Run:
+    rows = np.flatnonzero(np.diff(run.time) > 0.0)
+    time = np.insert(run.time, rows + 1, 0.5 * (run.time[rows] + run.time[rows + 1]))
+    held = run.interpolation == "previous"
+    inputs = {
+        n: np.insert(v, rows + 1, v[rows] if held else 0.5 * (v[rows] + v[rows + 1]))
+        for n, v in run.inputs.items()
+    }
+    measurements = {n: np.insert(v, rows + 1, np.nan) for n, v in run.measurements.items()}
+    return replace(run, time=time, inputs=inputs, measurements=measurements)
+
+
+def _delayed(run: RunComparison, samples: float) -> RunComparison:
+    """The run at the times of its readings, as the model shows it if its commands come so late."""
+    read = ~np.all([np.isnan(v) for v in run.run.measurements.values()], axis=0)
+    time = run.run.time[read]
+    at = time - 2.0 * samples * _step(run.run)
+    model = {n: np.interp(at, run.run.time, values) for n, values in run.model.items()}
+    measurements = {
+        n: np.where(at < run.run.time[0], np.nan, v[read]) for n, v in run.run.measurements.items()
+    }
+    return replace(
+        run, run=replace(run.run, time=time, inputs={}, measurements=measurements), model=model
+    )
+
+
+def _advanced(run: Run, samples: float) -> Run:
+    """A run with middles, of which the readings are so many samples of the recording earlier."""
+    rows = round(2.0 * samples)
+    if run.is_static or not run.inputs:
+        return run
+    moved = {n: np.append(v[rows:], np.full(rows, np.nan)) for n, v in run.measurements.items()}
+    return replace(run, measurements=moved)
+
+
+def _likelihood(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
+    """Log-likelihood of residuals that are an autoregression of first order, of which scale and memory are free."""
+    total = 0.0
+    for name, signal in signals.items():
+        pairs = [
+            (one[:-1], one[1:])
+            for r in runs
+            if r.run.sample_count(name)
+            for one in [_scaled(r, signal)]
+        ]
+        if not pairs:
+            continue
+        first, second = (np.concatenate([pair[k] for pair in pairs]) for k in (0, 1))
+        both = np.isfinite(first) & np.isfinite(second)
+        first, second = first[both], second[both]
+        power = float(first @ first)
+        memory = min(max(float(first @ second) / power, 0.0), 1.0) if power else 0.0
+        variance = float(np.mean((second - memory * first) ** 2)) if both.any() else 1.0
+        total -= 0.5 * len(first) * math.log(max(variance, _LEAST_VARIANCE))
+    return total
+
+
+# ---- inputs that count otherwise than they are read ------------------------------------------------------------------
+
+
+def _of_inputs(
+    data: DataSet,
+    tried: DataSet,
+    runs: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    units: Mapping[str, str],
+    evaluate: Evaluate,
+) -> Convention | None:
+    """Of inputs that are swapped, absolute, of another sign or ten times as large, the one that explains an error."""
+    before = _chi2(runs, signals)
+    found: list[Convention] = []
+    for name, words, change in _changes(tried.runs[0], units):
+        try:
+            after = _chi2(list(evaluate(_changed(tried, change))), signals)
+        except SimulationFailure:
+            continue
+        if after < _REMAINING_ERROR**2 * before:
+            text = f"{words}: chi-square {after:.3g} against {before:.3g}; put it right under [columns]"
+            found.append(Convention(name, text, _changed(data, change), after, before))
+    return min(found, key=lambda one: one.chi2, default=None)
+
+
+_Change = Callable[[Run], Run]
+
+
+def _changed(data: DataSet, change: _Change) -> DataSet:
+    return replace(data, runs=tuple(map(change, data.runs)))
+
+
+def _changes(run: Run, units: Mapping[str, str]) -> Iterator[tuple[str, str, _Change]]:
+    """Each mistake that is made with inputs and times: its name, in words, and what puts it right."""
+    for one, other in itertools.combinations(run.inputs, 2):
+        if units.get(one) == units.get(other):
+            yield (
+                "swapped",
+                f"the model fits if {one} and {other} are exchanged",
+                _exchange(one, other),
+            )
+    for name, values in run.inputs.items():
+        for factor in (0.1, 10.0, 0.001, 1000.0):
+            yield (
+                "factor",
+                f"the model fits if {name} is multiplied by {factor:g}",
+                _scaling(name, factor, 0.0),
+            )
+        if units.get(name) == "Pa":
+            words = (
+                f"the model fits if one atmosphere is taken off {name}, as off an absolute pressure"
+            )
+            yield "absolute", words, _scaling(name, 1.0, -STANDARD_ATMOSPHERE)
+        if np.ptp(values) > 0.0:
+            yield (
+                "sign",
+                f"the model fits if the sign of {name} is turned",
+                _scaling(name, -1.0, 0.0),
+            )
+    for factor in (0.001, 1000.0):
+        words = (
+            f"the model fits if the times are multiplied by {factor:g}, as those of another unit"
+        )
+        yield "time", words, lambda one, factor=factor: replace(one, time=factor * one.time)  # type: ignore[misc]
+
+
+def _exchange(one: str, other: str) -> _Change:
+    swap = {one: other, other: one}
+    return lambda run: replace(run, inputs={n: run.inputs[swap.get(n, n)] for n in run.inputs})
+
+
+def _scaling(name: str, factor: float, offset: float) -> _Change:
+    return lambda run: replace(
+        run, inputs={n: factor * v + offset if n == name else v for n, v in run.inputs.items()}
+    )
+
+
+# ---- a reading that counts otherwise than it is read -----------------------------------------------------------------
+
+
+def mistake_in_reading(
+    signal: Signal, measured: Array, modelled: Array, inputs: Callable[[], str]
+) -> str:
+    """The zero, sign or factor that explains most of the error of a reading, in words; "" where none does.
+
+    Args:
+        signal: that was measured.
+        measured: (n,) its samples.
+        modelled: (n,) what the model shows.
+        inputs: how far the inputs go, in words.
+    """
+    enough = _REMAINING_ERROR * _rms(measured - modelled)
+    offset = float(np.mean(measured - modelled))
+    zero, why = _ZEROS.get(signal.unit, (math.inf, ""))
+    if signal.unit == "Pa" and _from_atmosphere(measured, modelled):
+        lowest, highest = (
+            format_quantity(float(v), "Pa") for v in (measured.min(), measured.max())
+        )
+        return f"It goes from {lowest} to {highest}, one atmosphere off the model: {why}"
+    if _rms(measured - modelled - offset) < enough:
+        mixed = abs(abs(offset) - zero) < _SAME_FACTOR * zero
+        likely = why if mixed else "its zero is wrong, or a start value"
+        return f"It would fit if {format_quantity(offset, signal.unit)} were taken off: {likely}"
+    if _rms(measured + modelled) < enough:
+        return "It would fit with its sign turned"
+    # A measurement much larger than the model comes near it when it is divided, one much smaller when the model is
+    # multiplied: of the two errors that are left the smaller one counts, so that both are told alike.
+    product = float(measured @ modelled)
+    if product <= 0.0:
+        return ""
+    gain, inverse = product / float(modelled @ modelled), product / float(measured @ measured)
+    if min(_rms(measured - gain * modelled), _rms(inverse * measured - modelled)) >= enough:
+        return ""
+    units = _as_units(signal.unit, gain)
+    if units:
+        return f"It would fit if it were divided by {gain:.4g}{units}"
+    return (
+        f"Relative to the model it is {gain:.3g} times as large: a size of the muscle or a load that is not the rig's "
+        f"does this, and so does a wrong unit or factor of the instrument{inputs()}"
+    )
+
+
+def _from_atmosphere(measured: Array, modelled: Array) -> bool:
+    """Whether a pressure begins at one atmosphere and ends that much above the model, or as much below.
+
+    Where the start of the model was estimated from the same reading, no constant is what the two differ by.
+    """
+    low, high = ATMOSPHERES
+    above = float(measured.max() - modelled.max())
+    near = abs(abs(above) - STANDARD_ATMOSPHERE) < _SAME_FACTOR * STANDARD_ATMOSPHERE
+    return bool(low <= math.copysign(1.0, above) * measured.min() <= high and near)
+
+
+def _as_units(unit: str, gain: float) -> str:
+    """Two units whose ratio a factor is, in words; "" where it is none."""
+    for written, read in itertools.permutations(_UNITS.get(unit, ()), 2):
+        ratio = float(convert(1.0, read, written))
+        if abs(gain / ratio - 1) < _SAME_FACTOR:
+            return f", as if what was written in {written} were read as {read}"
+    return ""
+
+
+def has_usual_units(unit: str) -> bool:
+    """Whether loggers write a quantity in several units."""
+    return unit in _UNITS

@@ -1,0 +1,503 @@
+"""The bench of a new data set: the one that the user names, or the one that the recordings feed best."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable, Mapping, Sequence
+from contextlib import suppress
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.catalogue.bench_parts import rig_parts
+from pam_cosim.catalogue.composed_bench import compose_bench
+from pam_cosim.catalogue.ports import Ports, ports
+from pam_cosim.compiler import ClassTree
+from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, with_usual_unit
+from pam_cosim.drafting.evidence import DraftRequests, Evidence, used_in
+from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike
+from pam_cosim.drafting.shapes import LEAST_CORRELATION, correlation, span
+from pam_cosim.drafting.texts import muscle_in
+from pam_cosim.errors import InputError
+from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.references import BRANCH, is_file
+from pam_cosim.units import UnitError, convert
+from pam_cosim.units.grammar import STANDARD_ATMOSPHERE
+from pam_cosim.wording import did_you_mean, listed, shown
+
+NO_PRESSURE = 0.05  # of the largest pressure; a muscle counts as without pressure below
+# What speaks against a bench. Only their order matters: what is recorded is used.
+_UNDRIVEN, _UNUSED, _UNFED, _BODILESS, _UNLIKELY = 1e3, 8.0, 4.0, 2.0, 1.0
+_ISOMETRIC = 5.0
+_NAMED = 0.6  # An input that is called as the bench calls it was meant for it.
+_SUFFIX = "Rig"
+
+
+@dataclass(frozen=True)
+class BenchChoice:
+    """A bench and what feeds it.
+
+    Attributes:
+        inputs, outputs: columns by the bench's names.
+        unfed: inputs that no column feeds.
+        others: names of benches that would do as well.
+        freer: a bench that reads the lengths that this one imposes; "": there is none, or it imposes none that move.
+        cost: the lower, the better it fits.
+        roundabout: how far columns are from what is asked for, as a length is from a contraction.
+        unread: how many of its outputs nobody read.
+        measured: something is measured; ``driven``: and what drives the runs was recorded.
+    """
+
+    ports: Ports
+    inputs: dict[str, RecordedColumn]
+    outputs: dict[str, RecordedColumn]
+    unfed: tuple[str, ...]
+    others: tuple[str, ...] = ()
+    freer: str = ""
+    cost: float = 0.0
+    roundabout: float = 0.0
+    unread: int = 0
+    measured: bool = True
+    driven: bool = True
+
+    @property
+    def moving_lengths(self) -> dict[str, RecordedColumn]:
+        """What is imposed although a muscle that lifts a load would move it so, by the inputs that it feeds."""
+        lengths = {n: c for n, c in self.inputs.items() if c.kind in LENGTHS}
+        return {n: c for n, c in lengths.items() if not (c.in_names or c.held)}
+
+    @property
+    def fed(self) -> dict[str, RecordedColumn]:
+        """All columns that are used."""
+        return {**self.inputs, **self.outputs}
+
+
+@dataclass(frozen=True)
+class Bench:
+    """A bench and what feeds it.
+
+    Attributes:
+        name: as ``experiment.toml`` has it.
+        why: empty where the user says so.
+        muscle: of which the files or the user tell, "": nobody does; ``length``: its length as a text, or "".
+        composed: it was put together from parts.
+    """
+
+    choice: BenchChoice
+    name: str
+    interface: Interface
+    why: str
+    muscle: str = ""
+    length: str = ""
+    composed: bool = False
+
+
+def stated_interface(
+    model: str | None, tree: ClassTree, describe: Callable[[str], Interface]
+) -> Interface | None:
+    """The interface of the model that the user names; None where there is none, or it is put together from parts."""
+    if model is None or any(one.name == model for one in ports(tree) if one.parts):
+        return None
+    return describe(model)
+
+
+def take_bench(
+    place: Path,
+    name: str,
+    wishes: DraftRequests,
+    interface: Interface | None,
+    evidence: Evidence,
+    tree: ClassTree,
+    describe: Callable[[str], Interface],
+) -> Bench:
+    """The bench that the user names, or the one that fits best; what is written for it goes into ``place``.
+
+    Args:
+        place: the folder that becomes the data set.
+        name: of a class that is put together.
+        wishes: what the user says.
+        interface: of the model that the user names, as ``stated_interface`` has it; a file is copied already.
+        evidence: what was recorded.
+        tree: the library and the user's files.
+        describe: gives the interface of a model.
+
+    Raises:
+        InputError: there is no such bench, or none that the recordings feed.
+    """
+    if interface is not None:
+        if wishes.muscle is not None:
+            message = f"a muscle is named for a bench that is put together, and {wishes.model} is there already"
+            raise InputError(message)
+        fixed = Ports(interface.model, interface.inputs, interface.outputs)
+        choice = _choose([fixed], evidence, is_stated=True)
+        copied = Path(str(wishes.model)).name if is_file(str(wishes.model)) else interface.model
+        return Bench(choice, copied, interface, "")
+    muscles = [part.name for part in rig_parts(tree) if part.role == "muscle"]
+    said = [wishes.muscle] if wishes.muscle else [_label(source) for source in evidence.sources]
+    told, length = ("", "") if wishes.model and not wishes.muscle else muscle_in(said, muscles)
+    muscle = told or wishes.muscle
+    ready = [one for one in (_suited(p, evidence.points) for p in ports(tree)) if one is not None]
+    candidates = _candidates(_possible(ready, evidence, tree), wishes.model, muscle, evidence)
+    choice = _choose(candidates, evidence)
+    why = "" if wishes.model else _why(choice)
+    if not choice.ports.parts:
+        return Bench(choice, choice.ports.name, describe(choice.ports.name), why)
+    feed, hold = choice.ports.parts
+    outputs = [one for one in choice.ports.outputs if one not in choice.ports.inputs]
+    measure = [one for one in outputs if one in choice.outputs or one in evidence.formulas]
+    text = compose_bench(tree, feed, hold, muscle, measure, name, evidence.points).text
+    (place / f"{name}.mo").write_text(text, encoding="utf-8", newline="\n")
+    origin = f"{name}.mo was put together from {choice.ports.name}"
+    if told and not wishes.muscle:
+        origin = f"{origin}, with the muscle {told}, of which the files or their names tell"
+    why = f"{why}. {origin}" if why else origin
+    made = describe(str(place / f"{name}.mo"))
+    return Bench(choice, f"{name}.mo", made, why, muscle or "", length, True)
+
+
+def _label(source: object) -> str:
+    return " ".join([source.file.stem, *source.labels, *source.remarks])  # type: ignore[attr-defined]
+
+
+def class_name(folder: Path) -> str:
+    """A name for the class, made from that of the folder: ``my-rig`` is ``MyRig``."""
+    words = re.findall(r"[A-Za-z][A-Za-z0-9]*", folder.resolve().name)
+    name = "".join(word[0].upper() + word[1:] for word in words)[:40]
+    return name if name.endswith(_SUFFIX) else f"{name}{_SUFFIX}"
+
+
+def _suited(one: Ports, points: bool) -> Ports | None:
+    """A bench for such recordings: of points at rest it has a direction, of others it has none; None: not suited."""
+    if one.parts and points:
+        branch = Variable(BRANCH, "1", "Direction of the branch")
+        return replace(one, inputs={**one.inputs, BRANCH: branch})
+    return one if (BRANCH in one.inputs) == points else None
+
+
+def _candidates(
+    ready: Sequence[Ports], model: str | None, muscle: str | None, evidence: Evidence
+) -> list[Ports]:
+    """The benches among which the recordings choose; only one that is put together can have another muscle."""
+    if model is not None:
+        return [one for one in ready if one.parts and one.name == model]
+    chosen = [one for one in ready if one.parts or muscle is None]
+    if not evidence.points:
+        return chosen
+    # A row says what acts on the muscle: a table tells no mass, spring or lever.
+    return [one for one in chosen if _mechanical(one.inputs, evidence.headings)]
+
+
+def _possible(ready: Sequence[Ports], evidence: Evidence, tree: ClassTree) -> list[Ports]:
+    """The benches without those in which everything is shut, where a pressure falls to that outside."""
+    if not any(c.of("pressure") and _empties(c) for c in evidence.columns):
+        return list(ready)
+    return [
+        one
+        for one in ready
+        if one.parts
+        or one.inputs
+        or any(c.type.rpartition(".")[2] == "Atmosphere" for c in tree.components(one.name))
+    ]
+
+
+def _empties(column: RecordedColumn) -> bool:
+    """Whether a pressure falls in every recording from its largest to next to none."""
+    outside = STANDARD_ATMOSPHERE if column.absolute else 0.0
+    ends = []
+    for values in column.values.values():
+        gauge = convert(values[np.isfinite(values)], column.unit, "Pa") - outside
+        least = NO_PRESSURE * float(gauge.max())
+        ends.append(gauge[0] > gauge[-1] and abs(float(gauge[-1])) <= least)
+    return bool(column.unit) and all(ends)
+
+
+def _why(choice: BenchChoice) -> str:
+    fed = listed(f"{one} = {column.name}" for one, column in choice.fed.items())
+    why = f"guessed: the bench, because it takes and shows what was recorded: {fed}"
+    return f"{why}. Others would do: {listed(choice.others)}" if choice.others else why
+
+
+# ---- which bench the recordings can feed, and by which column each of its inputs and outputs -------------------------
+
+
+def _choose(
+    candidates: Sequence[Ports], evidence: Evidence, is_stated: bool = False
+) -> BenchChoice:
+    """The bench that uses most of what was recorded and lacks least.
+
+    Raises:
+        InputError: no bench has the names that the user says, or none can be fed.
+    """
+    choices = [_fed(one, evidence, is_stated) for one in _having(candidates, evidence)]
+    order = sorted(choices, key=lambda c: (c.cost, c.ports.rank, c.roundabout, c.unread))
+    best = order[0]
+    if not (best.measured if is_stated else best.driven):
+        raise InputError(_nothing_fits(best, evidence))
+    as_good = [c for c in order[1:] if c.cost <= best.cost]
+    moving = {column.name for column in best.moving_lengths.values()}
+    freer = [c for c in order[1:] if moving and _lets_go(c, best, moving)]
+    others = dict.fromkeys(c.ports.name for c in (*freer[:1], *as_good))
+    inputs, outputs = (
+        {n: _with_rivals(c, evidence, best, n) for n, c in side.items()}
+        for side in (best.inputs, best.outputs)
+    )
+    freest = freer[0].ports.name if freer else ""
+    return replace(best, inputs=inputs, outputs=outputs, others=tuple(others)[:3], freer=freest)
+
+
+def _lets_go(other: BenchChoice, best: BenchChoice, moving: set[str]) -> bool:
+    """Whether a bench reads the lengths that the best one imposes although they move, and is fed as well."""
+    is_fed = other.driven and len(other.unfed) <= len(best.unfed)
+    read = {column.name for column in other.outputs.values()}
+    return is_fed and moving <= read and other.cost < best.cost + _BODILESS
+
+
+def _having(candidates: Sequence[Ports], evidence: Evidence) -> list[Ports]:
+    """The benches that have every name that the user says.
+
+    Raises:
+        InputError: there is none.
+    """
+    named = [name for name in (*evidence.asked, *evidence.formulas) if name != "time"]
+    inputs = [
+        n
+        for n in dict.fromkeys([*evidence.stated, *(n for o in evidence.own for n in o)])
+        if "." not in n
+    ]
+    able = [one for one in candidates if {*named} <= {*one.inputs, *one.outputs}]
+    fixed = [one for one in able if {*inputs} <= {*one.inputs}]
+    if fixed or (able and len(candidates) == 1):
+        return fixed or able  # a model that the user states may have parameters without a dot
+    said = [*named, *inputs]
+    known = dict.fromkeys(name for one in candidates for name in (*one.inputs, *one.outputs))
+    unknown = [name for name in said if name not in known]
+    name = next(iter([*unknown, *said]), "")
+    beside = "" if unknown or not able else f" beside {listed(named)}"
+    raise InputError(
+        f"no bench has an input or output {shown(name)}{beside}; {did_you_mean(name, known)}"
+    )
+
+
+def _fed(one: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
+    """A bench with the columns that feed it best, and what that costs."""
+    headings, runs = evidence.headings, len(evidence.sources)
+    reserved = used_in(evidence)  # by formulas of the user
+    signals = [c for c in evidence.signals if c.name not in reserved]
+    whole = [c for c in signals if len(c.values) == runs and c.whole]
+    inputs, far_inputs = _assign(one.inputs, whole, evidence)
+    readable = _readable(one, headings)
+    recorded = [c for c in signals if not c.in_names]
+    left = [c for c in recorded if c not in inputs.values()]
+    outputs, far_outputs = _assign(readable, left, evidence)
+    used = [*inputs.values(), *outputs.values()]
+    said = {*evidence.stated}.union(*evidence.own)
+    fed = {*inputs, *evidence.formulas, *(said & one.inputs.keys())}
+    unfed = tuple(name for name in one.inputs if name not in fed and name != BRANCH)
+    measured = {*outputs, *evidence.formulas} & readable.keys()
+    passing = headings.with_trait("unused")
+    unused = [c for c in recorded if c not in used and c.kind not in passing]
+    driving = [n for n, v in one.inputs.items() if _drives(headings.variable(v))]
+    # A bench without such inputs runs by itself: where more was recorded than it shows, something drove it.
+    driven = any(n in fed for n in driving) if driving else not unused
+    known = [c.meaning for c in used]
+    mechanical = _mechanical({**one.inputs, **readable}, headings)
+    bodiless = bool(mechanical) and not mechanical & {*fed, *measured}
+    cost = _UNUSED * len([c for c in unused if c.meaning not in known]) + _UNFED * len(unfed)
+    cost += _UNDRIVEN * ((not driven) + 2 * (not measured)) + _BODILESS * bodiless
+    cost += _UNLIKELY * _unlikely(inputs, outputs)
+    cost -= _NAMED * sum(name == column.name for name, column in inputs.items())
+    cost += _ISOMETRIC * _must_be_fixed(one, used, headings)
+    return BenchChoice(
+        one,
+        inputs,
+        outputs,
+        unfed,
+        cost=cost,
+        roundabout=far_inputs + far_outputs,
+        unread=len(readable.keys() - measured),
+        measured=bool(measured),
+        driven=driven and bool(measured),
+    )
+
+
+def _mechanical(variables: Mapping[str, Variable], headings: Headings) -> set[str]:
+    """Those that are of a length or a force."""
+    kinds = {name: headings.variable(v) for name, v in variables.items()}
+    return {name for name, one in kinds.items() if one is not None and one.kind in MECHANICAL}
+
+
+def _readable(one: Ports, headings: Headings) -> dict[str, Variable]:
+    """Outputs that a recording can show; what a composed bench imposes, it does not measure besides."""
+    if not one.parts:
+        return dict(one.outputs)
+    imposed = {headings.variable(variable) for variable in one.inputs.values()}
+    return {n: v for n, v in one.outputs.items() if headings.variable(v) not in imposed}
+
+
+def _drives(meaning: Meaning | None) -> bool:
+    """Whether an input is what a run is about: all but what a supply happens to hold, and a direction."""
+    return meaning is None or not ("supply" in meaning.roles or meaning.kind == "direction")
+
+
+def _assign(
+    variables: Mapping[str, Variable], columns: Sequence[RecordedColumn], evidence: Evidence
+) -> tuple[dict[str, RecordedColumn], float]:
+    """The best column for each variable, and how far round about that is; stated ones first."""
+    headings, by_name = evidence.headings, {c.name: c for c in evidence.columns}
+    asked = {n: by_name[evidence.asked[n]] for n in variables if n in evidence.asked}
+    taken = {n: _as_variable(column, variables[n], headings) for n, column in asked.items()}
+    reserved = set(evidence.asked.values())
+    cost = 0.0
+    for name, variable in variables.items():
+        meaning = headings.variable(variable)
+        if name in taken or meaning is None or name in evidence.formulas:
+            continue
+        left = [c for c in columns if c not in taken.values() and c.name not in reserved]
+        distance, column = _nearest(name, meaning, left)
+        if column is not None:
+            taken[name], cost = column, cost + distance
+    return taken, cost
+
+
+def _as_variable(column: RecordedColumn, variable: Variable, headings: Headings) -> RecordedColumn:
+    """A column that is a variable because the user says so; a unit of another kind is never guessed."""
+    written = any(one.unit.strip() for one in column.places.values())
+    if written or column.unknown or (column.unit and not column.why):
+        return column
+    bare, meaning = replace(column, unit="", why=()), headings.variable(variable)
+    if variable.unit in ("", "1") or column.words:
+        return bare
+    if column.unit and alike(column.unit, variable.unit):
+        return column
+    if meaning is not None:
+        guessed = with_usual_unit(replace(bare, meaning=meaning), headings)
+        if guessed.unit and alike(guessed.unit, variable.unit):
+            return guessed
+    return bare.because(
+        f"{NO_UNIT}; it is taken as the model's, {variable.unit}", unit=variable.unit
+    )
+
+
+def _nearest(
+    name: str, meaning: Meaning, columns: Sequence[RecordedColumn]
+) -> tuple[float, RecordedColumn | None]:
+    """The column that serves a variable best, and how far it is from what is asked for.
+
+    Of columns that are as far, the one of that name; one that moves; the best known; the one that moves most; the
+    first.
+    """
+    distances = [(_distance(column.meaning, meaning), column) for column in columns]
+    least = min((distance for distance, _ in distances if distance is not None), default=None)
+    if least is None:
+        return 0.0, None
+    rivals = [column for distance, column in distances if distance == least]
+    rank = [
+        (one.name != name, not one.moves, -one.known, -_span_in(rivals[0].unit, one), i)
+        for i, one in enumerate(rivals)
+    ]
+    return least, rivals[min(rank)[-1]]
+
+
+def _span_in(unit: str, column: RecordedColumn) -> float:
+    """How far a column goes, in that unit where it can be: of two, the one that moves more is the muscle's."""
+    own = span(column.every)
+    with suppress(UnitError):
+        return float(convert(own, column.unit, unit, difference=True))
+    return own
+
+
+def _distance(column: Meaning | None, variable: Meaning) -> float | None:
+    """How far a column is from what a variable asks for; None: it cannot be that."""
+    if column is None or column.roles != variable.roles:
+        return None
+    if column == variable:
+        return 0.0
+    return (
+        {"length": 1.0, "ratio": 2.0}.get(column.kind) if variable.kind == "contraction" else None
+    )
+
+
+def _unlikely(inputs: Mapping[str, RecordedColumn], outputs: Mapping[str, RecordedColumn]) -> float:
+    """How many columns are imposed that do not look so, or read that do.
+
+    A length that follows the pressure is one that the muscle moved.
+    """
+    used = [*outputs.values(), *inputs.values()]
+    pressure = next((c for c in used if c.of("pressure") or c.of("pressure", "set")), None)
+    read = [c for c in outputs.values() if c.kind in MECHANICAL]
+    imposed = [c for c in inputs.values() if c.kind in MECHANICAL]
+    held = [c for c in read if _held(c, pressure)]
+    moved = [c for c in imposed if not _held(c, pressure)]
+    doubt = len(held) + sum(0.5 if c.kind == "force" else 0.4 for c in moved)
+    doubt += sum(_follows(c, pressure) for c in moved if c.kind in LENGTHS and not c.points)
+    return doubt + (0.5 if len(read) > 1 and not held else 0.0)
+
+
+def _held(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
+    """Whether a column is held, and not just at rest where the pressure is."""
+    return column.held and not _follows(column, pressure)
+
+
+def _follows(column: RecordedColumn, pressure: RecordedColumn | None) -> bool:
+    """Whether a column goes with the pressure."""
+    if pressure is None:
+        return False
+    return abs(correlation(pressure.values, column.values)) >= LEAST_CORRELATION
+
+
+def _must_be_fixed(one: Ports, used: Sequence[RecordedColumn], headings: Headings) -> bool:
+    """Whether a pull changes while nobody reads a length: then it is fixed, and a bench that lets it go is none."""
+    pulls = [c for c in used if c.of("force") and not c.held]
+    imposed = [headings.variable(variable) for variable in one.inputs.values()]
+    kinds = {c.kind for c in used} | {meaning.kind for meaning in imposed if meaning}
+    return bool(pulls) and not kinds & set(LENGTHS)
+
+
+def _with_rivals(
+    column: RecordedColumn, evidence: Evidence, best: BenchChoice, name: str
+) -> RecordedColumn:
+    """The column, saying that others could be it too."""
+    taken = {c.name for c in best.fed.values()}
+    rivals = [
+        c.name for c in evidence.columns if c.meaning == column.meaning and c.name not in taken
+    ]
+    if not rivals or name in evidence.asked:
+        return column
+    return column.because(
+        f"it is named best or moves most; {listed(map(shown, rivals))} could be it too"
+    )
+
+
+def _nothing_fits(nearest: BenchChoice, evidence: Evidence) -> str:
+    left = [c for c in evidence.columns if not c.of("time")]
+    known = [f"{c.name} ({c.meaning})" for c in left if c.meaning is not None]
+    example = _example(nearest, [c for c in left if c.values], evidence)
+    hint = f"say what columns are{example}, or the bench, --model NAME ('pam-cosim bench --list')"
+    if not known:
+        why = {"; ".join(c.why) for c in left if not c.values}
+        because = f" ({listed(why)})" if why else ""
+        return f"no column is recognised among {listed(c.name for c in left)}{because}; {hint}"
+    lacks = f"the inputs {listed(nearest.unfed)}" if nearest.unfed else "a measured output"
+    if nearest.measured and not nearest.unfed:
+        over = listed(
+            c.name
+            for c in left
+            if c.meaning and c.name not in {f.name for f in nearest.fed.values()}
+        )
+        lacks = f"what {over} may have driven; leave that out, --recording 'ignore={over.split(', ')[0]}'"
+    said = f"what is recognised, {listed(known)}, feeds no bench; the nearest, {nearest.ports.name}, lacks {lacks}"
+    return f"{said}; {hint}"
+
+
+def _example(nearest: BenchChoice, filled: Sequence[RecordedColumn], evidence: Evidence) -> str:
+    """How to say what a column is: one that there is, for a variable of the nearest bench that it may be; else ""."""
+    taken = {one.name for one in nearest.fed.values()}
+    variables = {**nearest.ports.inputs, **nearest.ports.outputs}
+    for name in (n for n in variables if n not in {*nearest.fed, *evidence.asked}):
+        meaning = evidence.headings.variable(variables[name])
+        for column in (c for c in filled if c.name not in taken):
+            fits = not column.unit or alike(column.unit, variables[name].unit)
+            if column.meaning == meaning or (column.meaning is None and fits):
+                return f", as --column {name}={shown(column.name)}"
+    return ""

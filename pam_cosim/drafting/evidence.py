@@ -1,0 +1,197 @@
+"""The recordings in the light of what the user states: what their columns are, their time, their values."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.drafting.columns import RecordedColumn, as_points, find_columns, names_in
+from pam_cosim.drafting.headings import Headings
+from pam_cosim.drafting.recordings import Source, in_parts, places_of, read_sources, recording_table
+from pam_cosim.drafting.texts import Remark, remarks_in
+from pam_cosim.drafting.time_axis import (
+    FurtherClock,
+    SeveralClocks,
+    check_time,
+    even_interval,
+    with_one_clock,
+    with_time,
+)
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.measurement.place import Stated
+from pam_cosim.units import convert
+from pam_cosim.units.grammar import ATMOSPHERES
+from pam_cosim.wording import did_you_mean, shown
+
+
+@dataclass(frozen=True)
+class DraftRequests:
+    """What the user says beforehand, all optional; see ``study.new``."""
+
+    title: str | None = None
+    model: str | None = None
+    columns: Mapping[str, str] | None = None
+    parameters: Mapping[str, str] | None = None
+    recording: Mapping[str, object] | None = None
+    muscle: str | None = None
+    roles: Mapping[str, str] | None = None
+
+
+@dataclass(frozen=True)
+class Evidence:
+    """The recordings as they were read.
+
+    Attributes:
+        sources: one for each file, or for each experiment in it.
+        columns: of all of them, with what each is.
+        time: the one of time; None where an interval is stated.
+        recording: as stated.
+        asked: names of columns, by the bench's names: as the user says, or called as the stated model calls them.
+        formulas: texts by the bench's names, of what is no column.
+        stated: parameters as texts.
+        own: likewise, those that the user states of one recording, by its number.
+        remarks: by recording, quantities that lines above its rows state.
+        points: the recordings are tables of points at rest.
+        clocks: further ones in the files, whose samples are here in the rows next to them.
+    """
+
+    sources: tuple[Source, ...]
+    columns: tuple[RecordedColumn, ...]
+    time: RecordedColumn | None
+    recording: RecordingTable
+    asked: dict[str, str]
+    formulas: dict[str, str]
+    stated: dict[str, str]
+    own: tuple[dict[str, str], ...]
+    remarks: tuple[tuple[Remark, ...], ...]
+    points: bool
+    clocks: tuple[FurtherClock, ...]
+    headings: Headings
+
+    @property
+    def ambient_pressure(self) -> RecordedColumn | None:
+        """A column that holds it, near that of the standard atmosphere; None: there is none."""
+        low, high = ATMOSPHERES
+        for column in self.columns:
+            if column.of("pressure", "ambient") and column.unit:
+                values = convert(column.every, column.unit, "Pa")
+                if values.size and bool(((low <= values) & (values <= high)).all()):
+                    return column
+        return None
+
+    @property
+    def files(self) -> list[Path]:
+        """Of the user, one for each recording."""
+        return [source.file for source in self.sources]
+
+    @property
+    def signals(self) -> list[RecordedColumn]:
+        """Columns of which it is known what they are, but for time and what stands around a muscle."""
+        around = frozenset({"ambient", "rest"})
+        known = [c for c in self.columns if c.meaning is not None and not c.of("time")]
+        return [c for c in known if c.meaning and not c.meaning.roles & around]
+
+
+def gather(
+    files: Sequence[Path], wishes: DraftRequests, headings: Headings, names: Collection[str]
+) -> Evidence:
+    """Reads the recordings and says what their columns are.
+
+    Args:
+        files: recordings.
+        wishes: what the user says.
+        headings: by which headings are read.
+        names: of inputs and outputs of the model that the user states: a column that is called so is that.
+
+    Raises:
+        InputError: a file that cannot be read, no time, a wish that cannot be met.
+    """
+    recording = recording_table(wishes.recording or {})
+    sources = read_sources(files, recording, headings)
+    known = {name for source in sources for name in source.table.columns}
+    wanted = wishes.columns or {}
+    asked = {name: name for name in names if name in known and name not in wanted}
+    asked |= {name: column for name, column in wanted.items() if column in known}
+    formulas = {name: text for name, text in wanted.items() if text not in known}
+    for name, text in formulas.items():
+        if name == "time" or not re.search(r"[-+*/^('\"]", text):
+            hint = did_you_mean(text, known)
+            raise InputError(f"--column {name}: no file has a column {shown(text)}; {hint}")
+    clocks: list[FurtherClock] = []
+    while True:
+        columns = find_columns(sources, asked.values(), formulas.values(), headings)
+        try:
+            columns, time = with_time(columns, asked.get("time"), sources, headings)
+        except SeveralClocks as found:
+            if formulas:
+                raise
+            sources, clock = with_one_clock(sources, columns, found, headings)
+            if clock in clocks:
+                raise
+            clocks.append(clock)
+            continue
+        parts = sources if time is None or clocks else in_parts(sources, time.name, time.unit)
+        if len(parts) == len(sources):
+            break
+        sources = parts
+    check_time(time, columns, sources, recording, headings)
+    # rows of several experiments are not evenly apart
+    interval = None
+    if time is not None and all(source.part is None for source in sources) and not clocks:
+        interval = even_interval([convert(v, time.unit, "s") for v in time.values.values()])
+    if recording.interval is not None:
+        time = None
+    elif time is not None and interval is not None:
+        columns = [_coarse(c, interval) if c.name == time.name else c for c in columns]
+        time, recording = None, recording.model_copy(update={"interval": Stated(interval)})
+    points = time is None and recording.interval is None
+    stated, own = _stated(wishes.parameters or {}, sources)
+    words = list(dict.fromkeys(word for source in sources for word in source.table.missing))
+    return Evidence(
+        sources=tuple(sources),
+        columns=tuple(as_points(columns) if points else columns),
+        time=time,
+        recording=recording.model_copy(update={"missing": words}) if words else recording,
+        asked=asked,
+        formulas=formulas,
+        stated=stated,
+        own=own,
+        remarks=tuple(tuple(remarks_in(source.remarks, headings)) for source in sources),
+        points=points,
+        clocks=tuple(clocks),
+        headings=headings,
+    )
+
+
+def used_in(evidence: Evidence) -> set[str]:
+    """The columns that formulas of the user read."""
+    return {name for text in evidence.formulas.values() for name in names_in(text)}
+
+
+def _coarse(time: RecordedColumn, interval: str) -> RecordedColumn:
+    """The clock, which is no time any more."""
+    values = next(iter(time.values.values()))
+    rows, times = len(values), len(np.unique(values))
+    why = f"a clock too coarse, {rows} rows at {times} times: the rows are taken to be {interval} apart"
+    return replace(time, meaning=None, why=(why,))
+
+
+def _stated(
+    parameters: Mapping[str, str], sources: Sequence[Source]
+) -> tuple[dict[str, str], tuple[dict[str, str], ...]]:
+    """Parameters of all recordings, and those of one, ``NAME@RECORDING``."""
+    shared: dict[str, str] = {}
+    own: tuple[dict[str, str], ...] = tuple({} for _ in sources)
+    for key, value in parameters.items():
+        name, at, run = key.partition("@")
+        if not at:
+            shared[name] = value
+            continue
+        for i in places_of(run, sources, f"--parameter {key}: "):
+            own[i][name] = value
+    return shared, own

@@ -1,0 +1,386 @@
+"""What headings of recordings, and descriptions of a bench's variables, mean by the vocabulary of a library."""
+
+from __future__ import annotations
+
+import re
+import unicodedata
+from collections.abc import Collection, Iterable, Sequence
+from dataclasses import dataclass
+from fnmatch import fnmatchcase
+from functools import lru_cache
+from math import inf
+
+from pam_cosim.measurement.table import is_unit
+from pam_cosim.model.interface import Variable
+from pam_cosim.model.vocabulary import Vocabulary
+from pam_cosim.units import UnitError, convert, is_dimensionless, pressure_reference
+from pam_cosim.wording import shown
+
+LENGTHS = ("contraction", "length", "ratio")
+MECHANICAL = (*LENGTHS, "force")
+_VALVES = frozenset(("inlet", "exhaust"))
+_COUNTS = frozenset(
+    [
+        "count",
+        "counts",
+        "bit",
+        "bits",
+        "digit",
+        "digits",
+        "lsb",
+        "px",
+        "pix",
+        "pixel",
+        "pixels",
+        "mv/v",
+    ]
+)
+_PASSING = frozenset(
+    ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
+)
+_ABSOLUTE = re.compile(r"abs|pabs|absol.*")
+_STANDS_FOR = {"ratio": ("contraction", "length"), "mass": ("force",), "current": ("command",)}
+_WRITTEN = {
+    "bar": "bar", "kPa": "kpa", "hPa": "hpa", "Pa": "pa", "psi": "psi", "MPa": "mpa", "mbar": "mbar", "torr": "torr",
+    "kgf/cm2": "kgf/cm2, kg/cm2, kg/cm^2, kp/cm2", "lbf/in2": "lb/in2, lbs/in2, lb/in^2, lbs/in^2", "ms": "msec",
+    "s": "sec, sek, sek., secs, seconds, sekunden, secondes", "N": "newton, n", "kN": "kn", "kg": "kg",
+    "degC": "celsius, c, degc, grad c, deg c", "degF": "fahrenheit, f, degf, grad f, deg f", "K": "kelvin",
+    "A": "ampere, amp, a", "mA": "ma", "V": "volt, volts, v", "mm": "mm, millimeter", "cm": "cm", "deg": "grad",
+    "inch": "inch, in., zoll, \", ''", "%": "prozent, percent, pct",
+}  # fmt: skip
+_SPELLINGS = {
+    written: unit for unit, several in _WRITTEN.items() for written in several.split(", ")
+}
+_SIZE = r"\d+(?:[.,]\d+)?(?:e[+-]?\d+)?(?:\^[+-]?\d+)?"
+_FACTOR = re.compile(
+    rf"(?:[x×*]\s*)?{_SIZE}(?:/{_SIZE})?\s*[x×*·]?\s*(?P<behind>\D.*)|(?P<before>\D.*?)\s*[/x×*·]\s*{_SIZE}"
+)
+_AT_END = re.compile(
+    r"(?P<name>.+?)(?:\s*\((?P<round>.+)\)|\s+(?:/|in)\s+(?P<over>.+)|[\s_]+(?P<part>\d[^\s_]*))"
+)
+_DATA = re.compile(r"(?P<name>.+?)[._ ](?:data|values?)", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class Meaning:
+    """What a column or a variable is: a kind of the vocabulary, and what tells it from others of its kind."""
+
+    kind: str
+    roles: frozenset[str] = frozenset()
+
+    def __str__(self) -> str:
+        return " ".join([*sorted(self.roles), self.kind])
+
+
+AT_REST = Meaning("length", frozenset({"rest"}))
+"""The length of a muscle at rest, in a column."""
+
+
+def meant(kind: str, *roles: str) -> Meaning:
+    """A kind with just these roles."""
+    return Meaning(kind, frozenset(roles))
+
+
+@dataclass(frozen=True)
+class Heading:
+    """What a heading says.
+
+    Attributes:
+        meaning: None where no word is known.
+        unit: as pint reads it; "" where none is written.
+        written: the unit as it stands in the file's place for units is ``unit``.
+        unknown: the unit that is written, where nobody knows how large it is, or with a factor; else "".
+        absolute: it says that the pressure is absolute.
+        known: how many of its words are known, of all: the larger share names it better.
+    """
+
+    meaning: Meaning | None
+    unit: str
+    written: bool
+    unknown: str = ""
+    absolute: bool = False
+    known: float = 0.0
+
+
+def folded(text: str) -> str:
+    """Small letters without accents."""
+    plain = unicodedata.normalize("NFKD", text.casefold())
+    return "".join(c for c in plain if not unicodedata.combining(c))
+
+
+def split_words(text: str) -> list[str]:
+    """``uDruck_1``, ``p kPa`` and ``SollDruck`` in words; numbers are left out."""
+    apart = re.sub(r"(?<=[a-zäöüß])(?=[A-Z][a-zäöü])", " ", text)
+    parts = re.split(r"[\W_]+|(?<=[^\W\d])(?=\d)|(?<=\d)(?=[^\W\d])", apart)
+    return [word for word in parts if word and not word.isdigit()]
+
+
+def is_count(unit: str) -> bool:
+    """Whether a unit is one of a converter, a camera or a bridge, of which only the lab knows how large it is."""
+    return folded(unit.strip()) in _COUNTS
+
+
+def known_unit(unit: str) -> str:
+    """The unit as the registry of units has it, without what a pressure is counted from; "" where it is none.
+
+    Where only capitals tell units apart, the usual one is meant: nobody measures muscles in Mbar or mPa.
+    """
+    text = pressure_reference(unit.strip())[0]
+    usual = _SPELLINGS.get(folded(text), "")
+    return usual or (text if text and is_unit(text) and not text.isdigit() else "")
+
+
+@lru_cache(maxsize=4096)
+def alike(unit: str, other: str) -> bool:
+    """Whether numbers of a unit can be told in another one."""
+    try:
+        convert(0.0, unit, other)
+    except UnitError:
+        return False
+    return True
+
+
+def _among(word: str, listed: str) -> bool:
+    return any(word == one[1:] if one[0] == "=" else one in word for one in listed.split())
+
+
+def _unit_with_factor(text: str) -> str:
+    """The unit of a text such as ``x10^5 Pa`` or ``mm/10``; "" where it is another text."""
+    match = _FACTOR.fullmatch(text)
+    return known_unit(match["before"] or match["behind"]) if match else ""
+
+
+class Headings:
+    """Reads headings and descriptions by a vocabulary."""
+
+    def __init__(self, vocabulary: Vocabulary) -> None:
+        self.vocabulary = vocabulary
+        self.units = {kind: unit for kind, unit, _, _ in reversed(vocabulary.kinds)}
+        self._traits = {kind: set(traits.split()) for kind, _, traits, _ in vocabulary.kinds}
+        self.kinds_of = lru_cache(maxsize=4096)(self._kinds_of)
+        self.meaning_of = lru_cache(maxsize=4096)(self._meaning_of)
+
+    def with_trait(self, *traits: str) -> set[str]:
+        """The kinds that have one of these traits."""
+        return {kind for kind, own in self._traits.items() if own.intersection(traits)}
+
+    def read(self, name: str, unit: str) -> Heading:
+        """What a column is, by its name and unit."""
+        data = _DATA.fullmatch(name)
+        name = data["name"] if data else name
+        stated = "" if is_count(unit) else known_unit(unit)
+        absolute = self._says_absolute(unit, name)
+        written_unit = unit.strip() or self.scaled_unit(name)
+        if not written_unit:
+            stated, name = self._unit_in_name(name)
+            if is_count(stated):
+                stated, written_unit = "", stated
+        small = [folded(word) for word in split_words(name)]
+        meaning = self._meaning(small, stated or _unit_with_factor(written_unit))
+        known = [w for i, w in enumerate(small) if self._kinds_at(w, i) or self._roles([w])]
+        share = len(known) / len(small) if small else 0.0
+        unknown = "" if stated or is_dimensionless(written_unit) else written_unit
+        written = bool(stated) and stated == unit.strip()
+        return Heading(meaning, stated, written, unknown, absolute, share)
+
+    def says_time(self, name: str, unit: str = "") -> bool:
+        """Whether a heading is that of a time."""
+        meaning = self.read(name, unit).meaning
+        return meaning is not None and meaning.kind == "time"
+
+    def time_of(self, name: str, names: Collection[str]) -> str:
+        """The column of which this one has the times: ``p.Time`` and ``t_p`` of ``p``; "" for none."""
+        match = re.fullmatch(
+            r"(.+)[._ ](?:time|zeit|temps|t)|(?:time|zeit|temps|t)[._ ](.+)", name, re.IGNORECASE
+        )
+        if match is None:
+            return ""
+        bare = match[1] or match[2]
+        return next((one for one in names if one in (bare, f"{bare}.Data", f"{bare}_data")), "")
+
+    def scaled_unit(self, name: str) -> str:
+        """A unit with a factor that a name ends with, ``Pressure (10^5 Pa)``, ``x in mm/10``, ``Time_10ms``; else "".
+
+        Without a sign that sets it apart, a number may be a range or a level, but of a time.
+        """
+        match = _AT_END.fullmatch(name)
+        if match is None:
+            return ""
+        kinds = self._kinds_in([folded(word) for word in split_words(match["name"])])
+        part = match["part"] if "time" in kinds else None
+        text = match["round"] or match["over"] or part or ""
+        unit = _unit_with_factor(text)
+        needing = self.with_trait("counted", "transmitted") | {"mass", "current", "time"}
+        wanted = needing.intersection(kinds or needing)
+        return text if unit and any(self.fits(unit, kind) for kind in wanted) else ""
+
+    def contradiction(self, name: str, unit: str) -> str:
+        """What the words of a name say without doubt, and what its unit says instead; "" where they agree."""
+        words = [folded(word) for word in split_words(name)]
+        possible = self._kinds_in(words)
+        sure = self.vocabulary.sure
+        named = [k for k, ps in sure if any(fnmatchcase(w, p) for w in words for p in ps.split())]
+        if self.fits(unit, "current"):
+            named += [
+                kind for kind in possible if kind in self.with_trait("counted", "transmitted")
+            ]
+        kinds = (*(kind for kind, _ in sure), "length", "time", "current")
+        by_unit = next((kind for kind in kinds if self.fits(unit, kind)), "")
+        if not named or not by_unit or self._with_unit(unit).intersection([*named, *possible]):
+            return ""
+        return f"its name says {named[0]}, its unit {shown(unit)} says {by_unit}"
+
+    def direction_word(self, word: str) -> int:
+        """1 where a word says that a muscle contracts or its pressure rises, -1 the other way; 0: it says neither."""
+        text = folded(word)
+        rows = self.vocabulary.directions
+        return next((1 if way == "up" else -1 for way, said in rows if _among(text, said)), 0)
+
+    def says_no_load(self, text: str) -> bool:
+        """Whether a text, such as a file's name, says that a muscle pulled at nothing."""
+        plain = re.sub(r"[\W_]+", "", folded(text))
+        return any(word in plain for word in self.vocabulary.unloaded.split())
+
+    def usual_unit(self, meaning: str, largest: float) -> str | None:
+        """The unit that numbers of a kind most likely have, by their largest magnitude; None: nobody knows one."""
+        rows = dict(reversed(self.vocabulary.units))
+        listed = rows.get(meaning, rows.get(meaning.split()[-1]))
+        for one in listed.split(", ") if listed else ():
+            size, _, unit = one.rpartition(" ")
+            if not size and unit[0].isdigit():
+                size, unit = unit, ""
+            if largest <= (float(size) if size else inf):
+                return unit
+        return None
+
+    def fits(self, unit: str, kind: str) -> bool:
+        """Whether numbers of this unit are of that kind."""
+        return kind in self.units and alike(unit, self.units[kind])
+
+    def variable(self, variable: Variable) -> Meaning | None:
+        """What an input or output of a bench is, by its unit and what is said of it."""
+        return self.meaning_of(variable.name, variable.description, variable.unit)
+
+    def _meaning_of(self, name: str, description: str, unit: str) -> Meaning | None:
+        said = [folded(word) for word in split_words(description)]
+        words = [folded(word) for word in split_words(name)]
+        words += [word for word in said if word not in _PASSING]
+        return self._meaning(words, unit or "1", exact=True)
+
+    def _says_absolute(self, unit: str, name: str) -> bool:
+        """Whether a heading says that a pressure is absolute: by a word, by its unit, or by one in its name."""
+        units = [unit, *re.split(r"[\W_]+", name)]
+        by_unit = any(pressure_reference(one)[1] == "absolute" for one in units)
+        return by_unit or any(_ABSOLUTE.fullmatch(folded(word)) for word in split_words(name))
+
+    def _unit_in_name(self, name: str) -> tuple[str, str]:
+        """A unit that stands behind a name, and the name without: ``p_kPa``, ``source kPa gauge``."""
+        share = re.fullmatch(r"(.*?\w)\s*[/_]?\s*%", name)
+        if share:
+            return "%", share[1]
+        parts = [part for part in re.split(r"[\W_]+", name) if part]
+        for place in range(len(parts) - 1, 0, -1):
+            rest = parts[:place] + parts[place + 1 :]
+            unit = self._unit_beside(parts[place], rest)
+            if unit and split_words(" ".join(rest)):
+                return unit, " ".join(rest)
+        return "", name
+
+    def _unit_beside(self, part: str, rest: Sequence[str]) -> str:
+        """The unit that a part of a name is, if it can be one of what the other parts say; "" where it is none."""
+        unit = known_unit(part)
+        kinds = set(self._kinds_in([folded(w) for one in rest for w in split_words(one)]))
+        if is_count(part):
+            return part if self.with_trait("counted").intersection(kinds) else ""
+        if len(part) == 1 and not (is_unit(part) and (part.isupper() or unit == part)):
+            return ""
+        of_length = {self.units[kind] for kind in kinds} == {
+            "m"
+        }  # it has neither inlet nor exhaust
+        if not unit or (self._is_role(part, rest) and not of_length):
+            return ""
+        # "valve_A", "valve_A1" and "F_g" name valves and a weight.
+        is_word = len(part) > 1 and part.isalpha()
+        fitting = {kind for kind in self.units if self.fits(unit, kind)}
+        among = self._with_unit(unit) if is_word else fitting
+        says_so = bool(among & kinds) if kinds else bool(among) and len(part) > 1
+        return unit if says_so or "voltage" in among else ""
+
+    def _with_unit(self, unit: str) -> set[str]:
+        """What has numbers of this unit, or is also measured in it."""
+        kinds = {kind for kind in self.units if self.fits(unit, kind)}
+        return kinds.union(*(_STANDS_FOR.get(kind, ()) for kind in kinds))
+
+    def _is_role(self, part: str, rest: Sequence[str]) -> bool:
+        """Whether a part of a name says which quantity it is, as "in" and "atm" do that are units too.
+
+        Behind the name of one pressure "atm" is its unit: ``pm_atm``, ``p_set_atm``.
+        """
+        word = folded(part)
+        any_pressure = len(rest) == 1 and folded(rest[0]) in (
+            "p",
+            "press",
+            "pressure",
+            "druck",
+            "pression",
+        )
+        return bool(self._roles([word])) and not (word == "atm" and not any_pressure)
+
+    def _meaning(self, words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
+        named = self._kinds_in(words)
+        roles = self._roles(words)
+        if (
+            not exact
+            and words
+            and words[-1] in ("time", "zeit", "temps")
+            and alike(unit or "s", "s")
+        ):
+            return Meaning("time")
+        by_words = self._kind_without_unit(named, roles)
+        kind = self._kind_with_unit(named, unit, exact) if unit else by_words
+        if kind is None or kind in ("count", "direction"):
+            return Meaning(kind) if kind else None
+        is_valve = kind in ("command", "current")
+        return Meaning(kind, frozenset(roles & _VALVES if is_valve else roles - _VALVES))
+
+    def _kind_without_unit(self, named: Sequence[str], roles: set[str]) -> str | None:
+        """What the words say first; a commanded current or contraction is a command, an ambient T no time."""
+        if "ambient" in roles and "temperature" in named:
+            return "temperature"
+        alone = next(
+            (kind for role, kind, _ in self.vocabulary.roles if role in roles and kind), None
+        )
+        kind = named[0] if named else alone
+        if kind == "command" and len(named) == 1 and "set" in roles and not roles & _VALVES:
+            return kind
+        return "command" if "command" in named and kind in ("current", "contraction") else kind
+
+    def _kind_with_unit(self, named: Sequence[str], unit: str, exact: bool) -> str | None:
+        """What the words say among what has the unit; without words, what usually has it."""
+        possible = [kind for kind in self.units if self.fits(unit, kind)]
+        kind = next((one for one in named if one in possible), None)
+        is_length = "contraction" in named or "length" in named
+        if kind is None and "ratio" in possible and is_length:
+            kind = "ratio"
+        if kind is None and possible and not (exact and possible[0] == "ratio"):
+            usual = "contraction" if "contraction" in possible else possible[0]
+            kind = None if "ratio" in possible else usual
+        if kind in ("contraction", "ratio", "command") and "ratio" in possible:
+            is_share = is_length or "ratio" in named
+            kind = "ratio" if is_share else "command" if "command" in named else None
+        weighed = kind == "mass" or (kind is None and "mass" in possible)
+        return "force" if weighed and "force" in named else kind
+
+    def _kinds_in(self, words: Sequence[str]) -> list[str]:
+        return [kind for i, word in enumerate(words) for kind in self._kinds_at(word, i)]
+
+    def _kinds_at(self, word: str, place: int) -> tuple[str, ...]:
+        """What a word means; one letter means something at the beginning only."""
+        return () if len(word) == 1 and place > 0 else self.kinds_of(word)
+
+    def _kinds_of(self, word: str) -> tuple[str, ...]:
+        return tuple(kind for kind, _, _, listed in self.vocabulary.kinds if _among(word, listed))
+
+    def _roles(self, words: Iterable[str]) -> set[str]:
+        rows = self.vocabulary.roles
+        return {role for word in words for role, _, listed in rows if _among(word, listed)}

@@ -1,0 +1,454 @@
+"""What is told of a new data set: what was recognised and guessed, what only the experimenter knows, what to type."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from shlex import quote
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.benches import NO_PRESSURE
+from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn
+from pam_cosim.drafting.document import Draft
+from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
+from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
+from pam_cosim.drafting.shapes import begins_still, span
+from pam_cosim.drafting.values import is_geometry
+from pam_cosim.measurement import DataSet
+from pam_cosim.measurement.markers import input_marker_of, marker_of
+from pam_cosim.measurement.pieces import PAUSES
+from pam_cosim.measurement.table import LEFT_OUT
+from pam_cosim.measurement.wrapped_clocks import WRAPPED
+from pam_cosim.units import format_quantity
+from pam_cosim.units.grammar import ATMOSPHERES
+from pam_cosim.wording import Printed, listed, runs_in_words, shown
+
+_FEWEST_ROWS = 2  # that a recording may have
+
+
+@dataclass(frozen=True)
+class Guess:
+    """One line of what is told: a column or a run, what it is taken for, and why ("": the file says so)."""
+
+    what: str
+    taken_as: str
+    why: str = ""
+
+
+@dataclass(frozen=True)
+class NewDataSet(Printed):
+    """What was written.
+
+    Attributes:
+        folder: of the data set.
+        data: as it reads from there.
+        model: the bench, as ``experiment.toml`` names it.
+        guesses: what each column, run and signal was taken for.
+        to_check: sentences about what only the experimenter knows, what decides most first.
+        next_commands: to type next.
+        starts: recordings that begin elsewhere than the model by itself, in sentences.
+    """
+
+    folder: Path
+    data: DataSet
+    model: str
+    guesses: tuple[Guess, ...]
+    to_check: tuple[str, ...]
+    next_commands: tuple[str, ...]
+    starts: tuple[str, ...] = ()
+
+    @property
+    def headline(self) -> str:
+        """What was written, and what to know before anything else: where recordings begin."""
+        lines = [f"{self.folder}: {runs_in_words(len(self.data.runs))}, bench {self.model}"]
+        return "\n".join([*lines, *(f"  {sentence}" for sentence in self.starts)])
+
+    def __str__(self) -> str:
+        rows = [(g.what, g.taken_as, g.why) for g in self.guesses]
+        widths = [max(len(row[k]) for row in rows) for k in (0, 1)]
+        lines = [self.headline]
+        lines += [f"  {a:<{widths[0]}}  {b:<{widths[1]}}  {c}".rstrip() for a, b, c in rows]
+        lines += [
+            "to check, and to state in experiment.toml:",
+            *(f"  - {one}" for one in self.to_check),
+        ]
+        return "\n".join([*lines, "next:", *(f"  {one}" for one in self.next_commands)])
+
+
+def next_commands(folder: Path, extra: Sequence[Path]) -> tuple[str, ...]:
+    """Commands, with the files that they need."""
+    more = "".join(f" --file {quote(str(file))}" for file in extra)
+    return tuple(
+        f"pam-cosim {word} {quote(str(folder))}{more}" for word in ("compare", "check", "diagnose")
+    )
+
+
+# ---- what was recognised ---------------------------------------------------------------------------------------------
+
+
+def guesses(made: Draft) -> tuple[Guess, ...]:
+    """A line for each column, for the noise of each signal, and for each recording that is held out."""
+    time = made.evidence.time
+    columns = {**made.bench.choice.fed, **({"time": time} if time is not None else {})}
+    entries = made.mapped.entries.items()
+    rows = [_of_column(name, entry, columns.get(name), made) for name, entry in entries]
+    rows += [Guess(name, "not read", why) for name, why in made.ignored.items()]
+    for reason in dict.fromkeys(why for _, why in made.follows.values()):
+        names = {n: value for n, (value, why) in made.follows.items() if why == reason}
+        rows.append(Guess(", ".join(names), ", ".join(names.values()), f"guessed: {reason}"))
+    for name, sigma in made.sigmas.items():
+        unit = made.interface.outputs[name].unit
+        noise = "left out" if sigma.value is None else format_quantity(sigma.value, unit)
+        rows.append(Guess(f"sigma of {name}", noise, f"guessed: {sigma.why}"))
+    for file, role in zip(made.recordings, made.roles, strict=True):
+        if role.why:
+            rows.append(Guess(file, role.role, f"guessed: {role.why}"))
+    for i, file in enumerate(made.recordings if made.points else ()):
+        rows += _of_points(made, i, file)
+    return tuple(rows)
+
+
+def _of_column(name: str, entry: ColumnEntry, column: RecordedColumn | None, made: Draft) -> Guess:
+    """What a column was taken for, and why."""
+    what = column.name if column is not None else entry.formula or ""
+    kind = "" if name == "time" else " (input)" if name in made.interface.inputs else " (measured)"
+    why = "guessed: " + "; ".join(entry.why) if entry.why else ""
+    return Guess(what, f"{name}{_unit_or_words(entry, column)}{kind}", why)
+
+
+def _unit_or_words(entry: ColumnEntry, column: RecordedColumn | None) -> str:
+    """The unit of a column; of directions, what its words or numbers mean."""
+    if entry.words:
+        return f": {', '.join(f'{word} = {way}' for word, way in entry.words.items())}"
+    if column is None:
+        return ""
+    if column.senses:
+        return f": {', '.join(f'{value:g} = {SENSES[sense]}' for value, sense in column.senses.items())}"
+    return f" [{column.unit}]" if column.unit else ""
+
+
+def _of_points(made: Draft, i: int, file: str) -> Iterator[Guess]:
+    """Directions by the order of rows, and rows that are held out."""
+    assert made.points is not None
+    branch = made.points.branch[i]
+    if branch:
+        whys = {"order": "guessed: the rows go up and come back", "none": "its rows tell none"}
+        yield Guess(
+            f"order of {file}", f"branch = {branch}", whys.get(branch, "guessed: the file's name")
+        )
+    for name, taken in made.points.hold_out[i].items():
+        yield Guess(
+            file, f"held out: {name} = {listed(taken)}", "guessed: they lie within what is fitted"
+        )
+
+
+def losses(data: DataSet) -> tuple[str, ...]:
+    """Rows that are left out, pauses and full counters of the recordings, each with the runs that have them."""
+    notes: dict[str, list[str]] = {}
+    for run in data.runs:
+        for note in run.notes:
+            if note.startswith((LEFT_OUT, PAUSES, WRAPPED)):
+                notes.setdefault(note, []).append(run.name)
+    return tuple(f"{listed(runs)}: {note}" for note, runs in notes.items())
+
+
+# ---- what only the experimenter knows --------------------------------------------------------------------------------
+
+
+def questions(made: Draft) -> tuple[str, ...]:
+    """What only the experimenter knows: the rig first, then the columns, then the runs."""
+    asked = (
+        _what_holds_it, _what_drives_it, _valve_data, _which_muscle, _geometry, _which_bench, _rows_at_rest, _clocks,
+        _below_zero, _markers, _never_at_rest, _absolute, _angles, _runs, _free,
+    )  # fmt: skip
+    return tuple(sentence for question in asked for sentence in question(made))
+
+
+def _meanings(made: Draft) -> dict[str, Meaning | None]:
+    variables = {**made.interface.inputs, **made.interface.outputs}
+    return {name: made.evidence.headings.variable(one) for name, one in variables.items()}
+
+
+def _what_holds_it(made: Draft) -> Iterator[str]:
+    """Whether the load end hangs, is sprung or is held, where the recordings leave that open."""
+    meanings, choice = _meanings(made), made.bench.choice
+    recorded = {c.kind for c in made.evidence.signals}
+    for name, column in choice.moving_lengths.items():
+        if made.points is None and choice.freer:
+            yield (
+                f"{name} is taken for imposed, and {column.name} moves: if the muscle itself moved it, against a load "
+                f"that hangs or a spring, say --model '{choice.freer}'"
+            )
+    forces = [n for n, c in choice.inputs.items() if c.kind == "force" and not c.in_names]
+    if forces and made.points is None:
+        yield (
+            f"{forces[0]} is taken for a force that a machine imposes: if a load hangs or a spring pulls, and "
+            f"{choice.inputs[forces[0]].name} is the reading of a load cell, name the bench, --model NAME "
+            "('pam-cosim bench --list')"
+        )
+    has_body = any(one and one.kind in MECHANICAL for one in meanings.values())
+    if made.bench.why and not recorded & set(MECHANICAL) and not made.points and not has_body:
+        yield (
+            "neither a length nor a force was recorded, so that this is taken for a vessel of fixed volume: if it "
+            "is a muscle, say what holds it, --model NAME ('pam-cosim bench --list')"
+        )
+
+
+def _what_drives_it(made: Draft) -> Iterator[str]:
+    """Inputs without a value, pressures that are imposed, voltages, and one command for two valves."""
+    unfed = made.unfed
+    for name in unfed:
+        description = made.interface.inputs[name].description
+        hint = f"--parameter '{name}=...', --column {name}=..., or of each file --parameter {name}@FILE=..."
+        yield f"no column and no line of the files tells the input {name} ({description}): {hint}"
+    volts = [
+        c
+        for c in made.evidence.columns
+        if c.kind == "voltage" and c not in made.bench.choice.fed.values()
+    ]
+    for column in volts:
+        term = column.name if column.name.isidentifier() else f"'{column.name}'"
+        yield (
+            f"{column.name} is a voltage and is not read: if it drives the rig, say what it commands, as in --column "
+            f"'p_set={term} * \"60 kPa/V\"', or the valve, as in --model 'proportional-pressure-valve and hanging-load'"
+        )
+    pressure = [
+        n for n, c in made.bench.choice.inputs.items() if c.of("pressure") and not c.in_names
+    ]
+    if pressure and made.points is None:
+        yield (
+            f"nothing was recorded that drives the pressure, so that {pressure[0]} is taken as imposed: valves, supply "
+            "and gas are no part of the model then; if a column drives them, say which, as --column NAME=COLUMN "
+            "--model NAME"
+        )
+    halves = {c.name for c in made.bench.choice.inputs.values() if c.formula}
+    for one in halves:
+        yield (
+            f"does one command, {one}, drive both valves? It is taken so: above zero it opens the inlet, below the "
+            "exhaust, in full at 1 without a dead band; scale the formulas under [columns] where it is not so"
+        )
+
+
+def _valve_data(made: Draft) -> Iterator[str]:
+    """Calibrations of valves, which a data sheet tells."""
+    names = [
+        n
+        for n in made.open.free
+        if not made.is_known(n) and "area" in made.open.free[n].description
+    ]
+    if names:
+        yield (
+            f"flow area of the valves: {listed(names)} is free; where a data sheet tells the area at a current, state "
+            "it under [parameters], and an offset current as a formula of the input, as in u_in = { formula = "
+            '"\'I_in\' - \\"20 mA\\"" }'
+        )
+
+
+def _which_muscle(made: Draft) -> Iterator[str]:
+    name = next((n for n in made.open.to_state if n.endswith(".L0")), "")
+    stated = {*made.evidence.stated, *(n for own in made.evidence.own for n in own)}
+    if made.bench.muscle or not any(
+        n.rpartition(".")[2] == "L0" for n in made.interface.parameters
+    ):
+        return
+    if not made.bench.why and not made.bench.composed:
+        return
+    if not any(n.rpartition(".")[2] == "L0" for n in stated):
+        yield (
+            "which muscle it is, nobody says: it is taken for the bench's own without the friction of its fibres; say "
+            "--muscle DMSP-20-300 (type and length in mm; 'pam-cosim bench --list' has the types)"
+            + (f", or its measures, --parameter '{name}=250 mm' and more" if name else "")
+        )
+
+
+def _geometry(made: Draft) -> Iterator[str]:
+    unknown = [n for n, v in made.open.to_state.items() if is_geometry(v) and not made.is_known(n)]
+    if unknown:
+        yield f"geometry and load are the bench's own until you state yours under [parameters]: {listed(unknown)}"
+
+
+def _which_bench(made: Draft) -> Iterator[str]:
+    if made.bench.why:
+        yield made.bench.why.removeprefix("guessed: ") + "; --model takes another"
+
+
+def _rows_at_rest(made: Draft) -> Iterator[str]:
+    if made.points is not None:
+        yield (
+            "no column is the time, so that each row is taken for a point at rest: where rows are samples of a "
+            "recording, say how far they are apart, --recording interval='1 ms'"
+        )
+
+
+def _clocks(made: Draft) -> Iterator[str]:
+    """Further clocks, and how long a recording lasts by a unit of time that nobody wrote."""
+    for clock in made.evidence.clocks:
+        yield (
+            f"{clock.name} is taken for the clock of {listed(clock.columns)}, and to have the zero of "
+            f"{made.mapped.entries['time'].column}: if it has another one, write the offset under [[runs.loggers]]"
+        )
+    entry = made.mapped.entries.get("time")
+    guess = next((why for why in entry.why if NO_UNIT in why), "") if entry else ""
+    if entry and entry.unit not in (None, "s") and guess:
+        runs = made.mapped.runs
+        longest = max(range(len(runs)), key=lambda i: span(runs[i].time))
+        lasts = format_quantity(span(runs[longest].time), "s")
+        yield (
+            f"{guess}, so that {made.recordings[longest]} lasts {lasts}: if it does not, write the unit of "
+            "time under [columns]"
+        )
+
+
+def _markers(made: Draft) -> Iterator[str]:
+    """Numbers that may mark missing samples, and how to say so; words that were met are said again."""
+    for name, column in made.bench.choice.fed.items():
+        is_input = name in made.interface.inputs
+        if column.in_names or (is_input and made.points is not None):
+            continue
+        values = column.every[np.isfinite(column.every)]
+        value = input_marker_of(values) if is_input else marker_of(values)
+        if value is not None:
+            rest = values[values != value]
+            words = ",".join([*(made.evidence.recording.missing or ()), f"{value:.15g}"])
+            yield (
+                f"{column.name} is {value:.15g} in {len(values) - len(rest)} of {len(values)} samples, and between "
+                f"{rest.min():g} and {rest.max():g} in all others: where that number marks a missing sample, say "
+                f"--recording 'missing={words}'"
+            )
+
+
+def _pressures(made: Draft) -> Array:
+    """Every pressure in the muscle, or the set points, that was recorded."""
+    meanings = _meanings(made)
+    wanted = (meant("pressure"), meant("pressure", "set"))
+    return readings_of(
+        made.mapped, [n for one in wanted for n, meaning in meanings.items() if meaning == one]
+    )
+
+
+def _never_at_rest(made: Draft) -> Iterator[str]:
+    """Contractions counted from the longest length, where the muscle has pressure in every row."""
+    entries = made.mapped.entries.values()
+    counted = [e.name for e in entries if any(LONGEST in why for why in e.why)]
+    pressures = _pressures(made)
+    if (
+        counted
+        and pressures.size
+        and float(np.nanmin(pressures)) > NO_PRESSURE * float(np.nanmax(pressures))
+    ):
+        yield (
+            f"{listed(counted)} is counted from the longest length that was recorded, and in no row is the muscle "
+            "without pressure: its length at rest is longer; measure it, and write it in the formula under [columns]"
+        )
+
+
+def below_zero(made: Draft) -> Iterator[tuple[str, float, str]]:
+    """Contractions of which a muscle would be far longer than at rest: signal, least value, and what to type."""
+    for name, meaning in _meanings(made).items():
+        values = readings_of(made.mapped, [name])
+        if (
+            meaning != Meaning("contraction")
+            or made.points
+            or name in made.evidence.formulas
+            or not values.size
+        ):
+            continue
+        least = float(np.nanmin(values))
+        if least < -CRITERIA.starts.offset * span(values):
+            column, far = made.bench.choice.fed[name], format_quantity(-least, "m")
+            term = column.name if column.name.isidentifier() else f"'{column.name}'"
+            term += "" if column.stated else f' * "1 {column.unit}"'
+            turned = (made.mapped.entries[name].formula or "").startswith("-")
+            formula = f'"{far}" - {term}' if turned else f'{term} + "{far}"'
+            yield name, least, f"--column {quote(f'{name}={formula}')}"
+
+
+def _below_zero(made: Draft) -> Iterator[str]:
+    for name, least, say in below_zero(made):
+        yield (
+            f"{name} goes down to {format_quantity(least, 'm')}, as if the muscle were longer than at rest: its zero "
+            f"is that of the instrument; which reading is zero? Say it, as in {say}"
+        )
+
+
+def _absolute(made: Draft) -> Iterator[str]:
+    """A supply beside a pressure that was found to be absolute; points that begin at the pressure of the atmosphere."""
+    entries = made.mapped.entries
+    absolute = [e.name for e in entries.values() if any(ABSOLUTE_GAUGE in why for why in e.why)]
+    supplies = [
+        n
+        for n, one in _meanings(made).items()
+        if one == meant("pressure", "supply") and n in entries
+    ]
+    for name in supplies if absolute else ():
+        column = entries[name].column or name
+        yield (
+            f"{listed(absolute)} is of an absolute gauge: if {name} is too, take the ambient pressure off under "
+            f'[columns], as in {name} = {{ column = {shown(column)}, offset = "-1.013 bar" }}'
+        )
+    pressures, (low, high) = _pressures(made), ATMOSPHERES
+    if made.points is None or not pressures.size or not low <= float(np.nanmin(pressures)) <= high:
+        return
+    read = [n for n in made.interface.outputs if all(n in run.every for run in made.mapped.runs)]
+    shown_by = [np.abs(readings_of(made.mapped, [n])) for n in read]
+    if any(np.nanmax(v[pressures <= high]) <= NO_PRESSURE * np.nanmax(v) for v in shown_by):
+        yield (
+            f"the least pressure is {format_quantity(float(np.nanmin(pressures)), 'Pa')}, and the muscle does nothing "
+            "there: if the gauge is an absolute one, take the ambient pressure off under [columns], as in "
+            'p = { ..., offset = "-1.013 bar" }'
+        )
+
+
+def _angles(made: Draft) -> Iterator[str]:
+    """Angles that are not read, as of a pulley; directions of which no word is known."""
+    used = made.bench.choice.fed.values()
+    lengths = any(c.kind in LENGTHS for c in used)
+    for column in made.evidence.columns:
+        if column.kind == "angle" and not lengths and column not in used:
+            term = column.name if column.name.isidentifier() else f"'{column.name}'"
+            yield (
+                f"{column.name} is an angle: if the load hangs on a pulley, say its radius, as in --column "
+                f"'x={term} * \"20 mm/rad\"'"
+            )
+    for name, entry in made.mapped.entries.items():
+        if entry.words and not set(entry.words.values()) & {"up", "down"}:
+            yield (
+                f"nothing tells which way {entry.column or name} means by {listed(entry.words)}: write up or down for "
+                "each under [columns]"
+            )
+
+
+def _runs(made: Draft) -> Iterator[str]:
+    """Runs that nothing checks, that begin in motion, or that have hardly a row."""
+    over_time = made.points is None
+    held_out = any(role.role == "holdout" for role in made.roles)
+    if not held_out and (made.points is None or not any(made.points.hold_out)):
+        hint = (
+            "; a file may stand under [[runs]] twice, with from and to, as fit and as holdout"
+            * over_time
+        )
+        runs = runs_in_words(len(made.roles))
+        yield f"nothing is held out of {runs}: nothing checks a fit on data it has not seen{hint}"
+    named = list(zip(made.recordings, made.mapped.runs, strict=True)) if over_time else []
+    moving = [
+        f
+        for f, run in named
+        if not (run.first_rest or begins_still(run.time, list(run.every.values())))
+    ]
+    if moving:
+        yield f"not at rest at the start, where the model is: {listed(moving)}"
+    few = [file for file, run in named if len(run.time) <= _FEWEST_ROWS]
+    if few:
+        yield f"two rows determine neither noise nor parameters: record more, or leave out {listed(few)}"
+
+
+def _free(made: Draft) -> Iterator[str]:
+    free = [name for name in made.open.free if not made.is_known(name)]
+    if free:
+        yield f"free for the fit, since nobody calibrated them: {listed(free)}"
+    else:
+        yield "nothing is free: see [fit] for what may be, or let diagnose look"

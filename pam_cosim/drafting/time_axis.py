@@ -1,0 +1,401 @@
+"""Which column of the recordings is the time, and in which unit; further clocks; tables without one hold points."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from math import inf
+from pathlib import Path
+
+import numpy as np
+
+from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
+from pam_cosim.drafting.columns import NO_UNIT, UNNAMED, RecordedColumn, with_usual_unit
+from pam_cosim.drafting.headings import Headings, Meaning
+from pam_cosim.drafting.recordings import Source
+from pam_cosim.drafting.shapes import span
+from pam_cosim.errors import InputError
+from pam_cosim.measurement.cell_kinds import EXAMPLE
+from pam_cosim.measurement.experiment_tables import RecordingTable
+from pam_cosim.measurement.pieces import usual_step
+from pam_cosim.measurement.table import Table
+from pam_cosim.measurement.wrapped_clocks import LONGEST_STEP
+from pam_cosim.units import convert, seconds
+from pam_cosim.wording import did_you_mean, listed, shown
+
+_MOST_POINTS = 2000  # rows of a static table, which limits the run time
+_FEWEST_ROWS = 2  # of a recording
+_LABVIEW = re.compile(r"x[ _]?values?([ _.]?\d+)?", re.IGNORECASE)
+# Unit of whole numbers of time, by what they begin with, since 1970, or else by the step from row to row: a recording
+# of a muscle has several rows a second.
+_EPOCHS = ((1e11, ""), (1e14, "ms"), (1e17, "us"), (inf, "ns"))
+_STEPS = ((1e3, "ms"), (1e6, "us"), (inf, "ns"))
+_DAYS = (30e3, 80e3)  # since 1900, as spreadsheets count them, of recordings since 1982
+_SHORTEST_STEP = 1e-5  # [s] of such numbers, if they were seconds
+_SHORTEST_RECORDING = 0.1  # [s] of shares of a day, if they were seconds
+
+
+@dataclass(frozen=True)
+class FurtherClock:
+    """A clock beside that of the inputs: its column, the unit of that (None: its heading states it), what it heads."""
+
+    name: str
+    unit: str | None
+    columns: tuple[str, ...]
+
+
+class SeveralClocks(InputError):
+    """Two columns of time run differently: the one that was taken, and the other one with its unit."""
+
+    def __init__(
+        self, message: str, file: Path, line: int | None, time: RecordedColumn, other: RecordedColumn,
+        clocks: Sequence[str],
+    ) -> None:  # fmt: skip
+        super().__init__(message, file, line, other.name)
+        self.time, self.other, self.clocks = time, other, clocks
+
+
+def with_time(
+    columns: Sequence[RecordedColumn],
+    asked: str | None,
+    sources: Sequence[Source],
+    headings: Headings,
+) -> tuple[list[RecordedColumn], RecordedColumn | None]:
+    """The columns with one of time at most, and that.
+
+    Raises:
+        InputError: the column that is asked for is in no file.
+        SeveralClocks: a second clock runs differently.
+    """
+    if asked is None:
+        wanted, why = _likely_time(columns)
+    else:
+        wanted, why = next((c for c in columns if c.name == asked), None), ()
+        if wanted is None:
+            hint = did_you_mean(asked, [c.name for c in columns])
+            raise InputError(f"no file has a column {shown(asked)}; {hint}")
+    if wanted is None:
+        return list(columns), None
+    unit, more = _unit_of(wanted, headings)
+    time = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
+    clocks = [c.name for c in columns if c.name == wanted.name or (_is_clock(c) and _rises(c))]
+    beside = {c.name: _beside(time, c, sources, clocks, headings) for c in columns if _is_clock(c)}
+    return [time if c.name == time.name else beside.get(c.name, c) for c in columns], time
+
+
+def _is_clock(column: RecordedColumn) -> bool:
+    return column.of("time") or bool(_LABVIEW.fullmatch(column.name) and _runs(column))
+
+
+def _likely_time(
+    columns: Sequence[RecordedColumn],
+) -> tuple[RecordedColumn | None, tuple[str, ...]]:
+    """The column that is called time and rises; one that runs as a clock does; one that is called so all the same."""
+    called = [c for c in columns if c.of("time")]
+    rising = [c for c in called if _rises(c)]
+    if rising:  # a date may be written no finer than in seconds
+        return max(rising, key=lambda c: (not c.since, c.known)), ()
+    labview = next((c for c in columns if _LABVIEW.fullmatch(c.name) and _runs(c)), None)
+    if labview is not None and not any(one.unit.strip() for one in labview.places.values()):
+        return labview, ("LabVIEW calls the time so, and its numbers rise from row to row",)
+    unknown = [
+        c for c in columns if c.meaning is None and not UNNAMED.fullmatch(c.name) and _runs(c)
+    ]
+    running = next((c for c in unknown if not c.unit or _is_time(c.unit)), None)
+    if running is not None:
+        return running, ("its numbers rise from row to row",)
+    return (called[0] if called else None), ()  # Its fault is told when it is read.
+
+
+def _is_time(unit: str) -> bool:
+    try:
+        convert(0.0, unit, "s")
+    except InputError:
+        return False
+    return True
+
+
+def _beside(
+    time: RecordedColumn, column: RecordedColumn, sources: Sequence[Source], clocks: Sequence[str], headings: Headings
+) -> RecordedColumn:  # fmt: skip
+    """A clock beside the one that is the time."""
+    if column.name == time.name:
+        return time
+    if not _rises(column) or time.values.keys().isdisjoint(column.values):
+        why = "another column is the time"
+        if column.name.strip() != "T" or column.unit:
+            return replace(column, meaning=None, why=(why,))
+        return with_usual_unit(
+            replace(column, meaning=Meaning("temperature"), why=(why,)), headings
+        )
+    unit = _unit_of(column, headings)[0]
+    late = _difference(time.values, time.unit, column.values, unit)
+    if late is None:
+        source = sources[min(column.values)]
+        keep = f"leave it out, --recording 'ignore={column.name}', where all columns belong to the first"
+        message = (
+            f"it runs otherwise than {shown(time.name)}: two clocks in one file; name the file once more under "
+            f"[[runs.loggers]], with what belongs to it; or {keep}"
+        )
+        line = source.table.header_line
+        raise SeveralClocks(message, source.file, line, time, replace(column, unit=unit), clocks)
+    away = ""
+    if late and not (column.since or time.since):
+        away = f", {abs(late):.4g} s {'later' if late > 0.0 else 'earlier'}"
+    return replace(column, meaning=None, why=(f"it runs with {shown(time.name)}, the time{away}",))
+
+
+def _rises(column: RecordedColumn) -> bool:
+    """Whether no value is less than one before it; a column that is shorter than others has empty cells."""
+    known = [values[np.isfinite(values)] for values in column.values.values()]
+    return bool(known) and all(
+        one.size > 1 and bool((np.diff(one) >= 0).all()) and bool(one[-1] > one[0]) for one in known
+    )
+
+
+def _runs(column: RecordedColumn) -> bool:
+    """Whether numbers of which nobody knows what they are rise in every row, and about evenly: as a clock does."""
+    steps = [np.diff(one) for one in column.values.values() if len(one) > 1]
+    return bool(steps) and all(
+        bool((one > 0.0).all()) and float(one.max()) <= LONGEST_STEP * float(np.median(one))
+        for one in steps
+    )
+
+
+def _unit_of(column: RecordedColumn, headings: Headings) -> tuple[str, tuple[str, ...]]:
+    """The unit of a column of time, and why; none, where one is written that nobody knows."""
+    if column.unknown:
+        return "", column.why
+    if column.unit and headings.fits(column.unit, "time"):
+        dates = f"it holds dates, which count in seconds from the first, {column.since}"
+        return column.unit, (dates,) if column.since else column.why
+    return _guessed_unit(column)
+
+
+def _guessed_unit(column: RecordedColumn) -> tuple[str, tuple[str, ...]]:
+    """``ms`` to ``ns`` of a long recording whose numbers are whole, days of a spreadsheet, else ``s``; and why."""
+    steps = np.concatenate([np.diff(one) for one in column.values.values()] or [np.empty(0)])
+    known = steps[np.isfinite(steps)]
+    step = float(np.median(known)) if known.size else 0.0
+    whole = bool((column.every == np.round(column.every)).all())
+    longest = max((len(one) for one in column.values.values()), default=0)
+    first = float(column.every[0]) if column.every.size else 0.0
+    unit = "s"
+    if whole and longest >= CRITERIA.noise.fewest_samples:
+        unit = _first_above(abs(first), _EPOCHS) or _first_above(step, _STEPS)
+    elif 0.0 < step < _SHORTEST_STEP:
+        within = all(one[0] >= 0.0 and one[-1] < 1.0 for one in column.values.values())
+        short = max(map(span, column.values.values())) < _SHORTEST_RECORDING
+        unit = "d" if _DAYS[0] <= first <= _DAYS[1] or (within and short) else "s"
+    return unit, (f"{NO_UNIT}; steps of {step:.4g} are taken as {unit}",)
+
+
+def _first_above(number: float, table: Sequence[tuple[float, str]]) -> str:
+    return next((unit for most, unit in table if number < most), "")
+
+
+# ---- is there a time, and are the rows points at rest? ---------------------------------------------------------------
+
+
+def check_time(
+    time: RecordedColumn | None,
+    columns: Sequence[RecordedColumn],
+    sources: Sequence[Source],
+    recording: RecordingTable,
+    headings: Headings,
+) -> None:
+    """Checks that each recording has a time, or an interval is stated, or the files are tables of points at rest.
+
+    Raises:
+        InputError: there is none of these.
+    """
+    if recording.interval is not None:
+        seconds(recording.interval.value)
+        return
+    if time is None and _may_be_points(columns, sources):
+        _check_no_clock(columns, sources, headings)
+        return
+    for i, source in enumerate(sources):
+        if time is None:
+            raise InputError(_no_time_among(source), source.file, source.table.header_line)
+        if i not in time.values:
+            message = _other_columns(sources[min(time.values)], source, time)
+            raise InputError(message, source.file, source.table.header_line)
+
+
+def _may_be_points(columns: Sequence[RecordedColumn], sources: Sequence[Source]) -> bool:
+    """Whether tables without time are of points at rest: so few rows that somebody waited for each, and no valve."""
+    is_driven = any(c.kind in ("command", "current") for c in columns)
+    has_pressure = any(c.of("pressure") or c.of("pressure", "set") for c in columns)
+    rows = max(len(next(iter(s.table.columns.values())).values) for s in sources)
+    return has_pressure and not is_driven and rows <= _MOST_POINTS
+
+
+def _check_no_clock(
+    columns: Sequence[RecordedColumn], sources: Sequence[Source], headings: Headings
+) -> None:
+    """Raises InputError where a column is called time and is text, or empty: its rows may be no points at rest."""
+    empty = (
+        (sources[min(c.places)], c.name)
+        for c in columns
+        if not c.values and c.places and _is_called_time(c.name, headings)
+    )
+    texts = ((source, source.clocks[0]) for source in sources if source.clocks)
+    for source, name, why in (
+        *((s, n, "this text says when each row was taken, and no other column is the time; a time of day is read "
+          f"beside its date, as {shown(EXAMPLE)}; write it so,") for s, n in texts),
+        *((s, n, "it is called as the time is, and has no value in any row;") for s, n in empty),
+    ):  # fmt: skip
+        say = f"say --recording interval='1 ms' where rows are evenly apart, or --recording 'ignore={name}'"
+        message = f"{why} {say} where each row is a point at rest"
+        raise InputError(message, source.file, source.table.header_line, name)
+
+
+def _is_called_time(name: str, headings: Headings) -> bool:
+    """Whether a heading can only be that of the time; a T may be a temperature."""
+    return (name != "T" and headings.says_time(name)) or bool(_LABVIEW.fullmatch(name))
+
+
+def _no_time_among(source: Source) -> str:
+    """What to say of a file in which nothing is the time."""
+    hint = "say which by --column time=NAME, or --recording interval='1 ms' where rows are evenly apart"
+    dates = (
+        f"; {shown(source.clocks[0])} is text: dates are read as {EXAMPLE}" if source.clocks else ""
+    )
+    return f"there is no column of time among {listed(source.table.columns)}{dates}; {hint}"
+
+
+def _other_columns(first: Source, source: Source, time: RecordedColumn) -> str:
+    """What to say of a file that lacks the column that is the time in another one."""
+    if time.name in source.table.columns:
+        return f"the column {shown(time.name)} of time has no value"
+    here, there = listed(source.table.columns), listed(first.table.columns)
+    hint = "files with the same columns are drafted together, others into a data set of their own"
+    return (
+        f"it has no column {shown(time.name)}, which is the time in {first.file.name}: its columns are {here}, "
+        f"those of {first.file.name} {there}; {hint}"
+    )
+
+
+# ---- clocks that are too coarse for their rows, or run beside another one --------------------------------------------
+
+
+def even_interval(times: Sequence[Array]) -> str | None:
+    """How far rows are apart, where most share their time with a neighbour and all may be evenly apart; else None.
+
+    Args:
+        times: (n,) [s] of each recording.
+    """
+    found = [_interval(one) for one in times]
+    if not found or found[0] is None or None in found:
+        return None
+    steps = [usual_step(np.diff(one)) for one in times]
+    interval = _rounded(found[0], len(times[0]), steps[0])
+    even = all(
+        np.ptp(t - t[0] - interval * np.arange(len(t))) <= 1.5 * s
+        for t, s in zip(times, steps, strict=True)
+    )
+    return f"{1e3 * interval:g} ms" if even else None
+
+
+def _interval(time: Array) -> float | None:
+    """[s], the slope of a straight line through the times over the rows."""
+    _, count = np.unique(time, return_counts=True)
+    if len(count) < 2 or float(np.median(count)) < 2.0 or (np.diff(time) < 0.0).any():
+        return None
+    return float(np.polyfit(np.arange(len(time)), time, 1)[0])
+
+
+def _rounded(interval: float, rows: int, step: float) -> float:
+    """The interval with as few digits as put the last row off by less than half a step of the clock."""
+    for digits in range(1, 9):
+        short = float(f"{interval:.{digits}g}")
+        if abs(short - interval) * rows < step / 2.0:
+            return short
+    return interval
+
+
+def _difference(
+    first: Mapping[int, Array], first_unit: str, other: Mapping[int, Array], other_unit: str
+) -> float | None:
+    """By how much [s] one clock is late against another in the rows of both; None: they run differently.
+
+    The zeros may differ; what is returned is of the first recording that has both. A clock that ends before the other
+    one has rows of its own.
+    """
+    late = []
+    for i in first.keys() & other.keys():
+        one, another = (
+            convert(v[i], u, "s") for v, u in ((first, first_unit), (other, other_unit))
+        )
+        apart = another - one
+        step = max(usual_step(np.diff(one)), usual_step(np.diff(another)))
+        if not np.isfinite(apart).all() or float(np.ptp(apart)) > step:
+            return None
+        late.append(float(np.median(apart)))
+    return late[0]
+
+
+def with_one_clock(
+    sources: Sequence[Source],
+    columns: Sequence[RecordedColumn],
+    found: SeveralClocks,
+    headings: Headings,
+) -> tuple[list[Source], FurtherClock]:
+    """The recordings on the clock of the inputs, samples of the other one in the rows that are next in time."""
+    groups = {
+        name: _headed(name, sources[0].table, found.clocks, headings) for name in found.clocks
+    }
+    first, other = found.time, found.other
+    inputs = {c.name for c in columns if c.kind in ("command", "current", "voltage")}
+    inputs |= {c.name for c in columns if c.meaning and "set" in c.meaning.roles}
+    if len(inputs.intersection(groups[other.name])) > len(inputs.intersection(groups[first.name])):
+        first, other = other, first
+    own = groups[other.name]
+    made = [replace(s, table=_on_rows(s.table, first, other, own)) for s in sources]
+    return made, FurtherClock(other.name, None if other.stated else other.unit or None, own)
+
+
+def _headed(clock: str, table: Table, clocks: Sequence[str], headings: Headings) -> tuple[str, ...]:
+    """The column of which a clock has the times by its name, or those between it and the next clock."""
+    names = [name for name in table.columns if name not in clocks]
+    named = {one: headings.time_of(one, names) for one in clocks}
+    if all(named.values()):
+        return (named[clock],)
+    every = list(table.columns)
+    behind = every[every.index(clock) + 1 :]
+    end = next((i for i, name in enumerate(behind) if name in clocks), len(behind))
+    return tuple(behind[:end])
+
+
+def _on_rows(
+    table: Table, first: RecordedColumn, other: RecordedColumn, own: Sequence[str]
+) -> Table:
+    if not {first.name, other.name} <= table.columns.keys():
+        return table
+    time, late = (convert(table.columns[c.name].values, c.unit or "s", "s") for c in (first, other))
+    rows = np.flatnonzero(np.isfinite(time))
+    if len(rows) < _FEWEST_ROWS:
+        return table
+    # Rows of one time, and the rows of the other that are next to each, no farther than its usual step.
+    seen = np.flatnonzero(np.isfinite(late))
+    place = np.clip(np.searchsorted(time[rows], late[seen]), 1, len(rows) - 1)
+    place -= (late[seen] - time[rows][place - 1]) < (time[rows][place] - late[seen])
+    near = np.abs(time[rows][place] - late[seen]) <= usual_step(np.diff(time[rows]))
+    columns = {}
+    for name, column in table.columns.items():
+        values = column.values[rows]
+        if name in own:
+            values = np.full(len(rows), np.nan)
+            values[place[near]] = column.values[seen[near]]
+        if name != other.name:
+            columns[name] = replace(column, values=values)
+    lines = None if table.lines is None else table.lines[rows]
+    return replace(table, columns=columns, lines=lines)
+
+
+def clock_of(columns: set[str], clocks: Sequence[FurtherClock]) -> FurtherClock | None:
+    """The further clock that heads one of these columns; None: the first."""
+    return next((clock for clock in clocks if columns.intersection(clock.columns)), None)

@@ -1,0 +1,34 @@
+"""How people of a field call what they record. It is data of a Modelica library; here is its form."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+
+@dataclass(frozen=True)
+class Vocabulary:
+    """Words are in small letters without accents; one with ``=`` stands alone, others also within a longer word.
+
+    Attributes:
+        kinds: rows of a quantity, its SI unit, traits and words.
+        roles: rows of what tells a quantity from others of its kind, the kind that its word means alone, and words.
+        units: rows of a kind and the units of numbers without one, each with the largest number that has it.
+        sure: rows of a kind and words that leave no doubt of it.
+        directions: rows of "down" or "up", and words.
+        unloaded: words that say that nothing was pulled.
+        calibrated: words in descriptions of parameters that a fit tells.
+        uncertain: likewise, of those that may be free besides.
+        chosen: likewise, of those that are neither stated nor fitted.
+        neutral: rows of a parameter and its value where the user names no part that has it.
+    """
+
+    kinds: tuple[tuple[str, str, str, str], ...] = ()
+    roles: tuple[tuple[str, str, str], ...] = ()
+    units: tuple[tuple[str, str], ...] = ()
+    sure: tuple[tuple[str, str], ...] = ()
+    directions: tuple[tuple[str, str], ...] = ()
+    unloaded: str = ""
+    calibrated: tuple[str, ...] = ()
+    uncertain: tuple[str, ...] = ()
+    chosen: tuple[str, ...] = ()
+    neutral: tuple[tuple[str, str], ...] = ()
