@@ -28,6 +28,7 @@ _LATEST = (
 )
 _PRICE_OF_DELAY = 3.0  # log-likelihood that commands on time are ahead of late ones
 _GAIN = 8.0  # log-likelihood that another convention is ahead by, so that it is named
+_REMAINING = 0.9  # of chi-square far above the noise: a mistaken convention leaves less
 _NEAR_NOISE = (
     1.3  # chi-square with late readings; where more is left, a lag of the rig may be missing
 )
@@ -167,7 +168,8 @@ def _in_time(
     }
     rival = max(conventional, key=lambda one: score[one][0])
     gain, chi2 = score[rival][0] - before, score[rival][1]
-    if gain < _GAIN or chi2 >= chi2_before:
+    explains_little = chi2 > _NEAR_NOISE and chi2 > _REMAINING * chi2_before
+    if gain < _GAIN or chi2 >= chi2_before or explains_little:
         return None
     if rival[0] == other and score[best][0] - best_of_own > _GAIN and best[0] == other:
         words = {"previous": "held", "linear": "linear"}

@@ -32,7 +32,7 @@ _MEASURED = ("m", "m2", "m3", "kg", "kg.m2", "K", "Pa", "N")
 _GEOMETRY = ("m", "m2", "m3", "kg", "kg.m2", "1", "")
 # What lies in the rubber of a muscle, where no rule reaches: of the fibres, and of the wall.
 _OF_FIBRES = ("fibres lie", "fibres and axis")
-_OF_WALLS = ("wall takes", "bent open", "the muscle pulls")
+_OF_WALLS = ("loss of the wall", "wall bends open", "Threshold pressure")
 _MEASURES, _AROUND = ("L0", "D0", "turns", "b", "alpha_0"), ("D0", "turns")
 _ENOUGH = 3  # measures of a sleeve, one of them around, determine it
 

@@ -53,7 +53,10 @@ def compared(problem: Problem, timeout: float | None = None, *, whole: bool = Tr
             return result
 
         def evaluate(other: DataSet) -> tuple[RunComparison, ...]:
-            return tuple(simulate_run(simulator, other, run, values) for run in other.runs)
+            names = {run.name for run in other.runs}
+            absent = tuple(f"@{run.name}" for run in started.runs if run.name not in names)
+            own = {n: v for n, v in values.items() if not n.endswith(absent)}
+            return tuple(simulate_run(simulator, other, run, own) for run in other.runs)
 
         found = likely_convention(started, result.units, evaluate, result.runs)
         return replace(result, convention=found.text if found else "")

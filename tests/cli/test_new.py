@@ -147,7 +147,7 @@ WRONG: dict[str, tuple[str, list[str], list[str]]] = {
     "unknown column": (GOOD, ["--column", "p=Druck"], ["--column p", "'Druck'", "Known"]),
     "unknown variable": (GOOD, ["--column", "pp=p"], ["'pp'", "did you mean"]),
     "bad formula": (GOOD, ["--column", "x=x * "], ["column 'x'", "expression"]),
-    "units of a formula": (GOOD, ["--column", "x=p * 2"], ["column 'x'"]),
+    "units of a formula": (GOOD, ["--column", "x=p * 2", "--column", "p=p"], ["column 'x'"]),
     "unknown bench": (GOOD, ["--model", "Nothing"], ["Nothing"]),
     "unknown parameter": (GOOD, ["--parameter", "load.mm=2 kg"], ["load.mm", "did you mean"]),
     "wrong unit": (GOOD, ["--parameter", "load.m=2 mm"], ["load.m", "'mm'"]),

@@ -61,7 +61,7 @@ def read_as(data: DataSet, change: Callable[[Run], Run]) -> DataSet:
     return replace(data, runs=tuple(map(change, data.runs)))
 
 
-@pytest.mark.parametrize("drift", [0.0, 2e4])
+@pytest.mark.parametrize("drift", [0.0, 5e3])
 @pytest.mark.parametrize(
     ("own", "other", "name"), [("previous", "linear", "held"), ("linear", "previous", "linear")]
 )

@@ -183,4 +183,4 @@ def test_an_fmu_has_no_place_for_effects(tmp_path: Path) -> None:
     vessel(tmp_path / "rig")
     fmu = str(pam.build("VesselOrifice", tmp_path / "Some.fmu"))
     with pytest.raises(InputError, match="Modelica model only"):
-        pam.check(pam.read(tmp_path / "rig"), fmu)
+        pam.diagnose(pam.read(tmp_path / "rig"), fmu)

@@ -17,6 +17,7 @@ import pam_cosim as pam
 from pam_cosim.cli.app import COMMANDS, app
 from pam_cosim.comparison import Doubt
 from pam_cosim.diagnosis import Diagnosis, FailedTrial
+from pam_cosim.diagnosis.judgement.family_table import FamilyRow, FamilyTable
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.posterior import Explanation, Posterior
 from pam_cosim.diagnosis.planning.check import Check, Help
@@ -40,6 +41,7 @@ from tests.reporting.synthetic import RULES, make_comparison, make_data, make_di
 from tests.reporting.test_ledger_learned_next import make_learned, make_ledger
 
 NAMED = {
+    "rms",
     "parameters",
     "signals",
     "balance",
@@ -103,12 +105,15 @@ def diagnoses() -> list[Diagnosis]:
     data = replace(data, runs=(first, *data.runs[1:]))
     explained = Posterior((Explanation(("leak",), 0.0, 0.9),), 0.1, ("structure",))
     folds = Folds(2, {"StiffWall": 2}, {"tank.V/stated": 1.7}, {"p": 1.0}, {"p": (2.0, ("run-1",))})
+    row = FamilyRow(("leak",), 0.9, ("LaminarLeak",), 0.5, {"p": 1.0})
+    table = FamilyTable((row,), (row,), 0.1)
     made = [
         make_diagnosis("ambiguous", data, rivals=(("StiffWall",),)),
         make_diagnosis("unknown", data, learned=make_learned(data), ledger=make_ledger()),
     ]
     return [
-        replace(one, verdict=replace(one.verdict, posterior=explained, folds=folds)) for one in made
+        replace(one, verdict=replace(one.verdict, posterior=explained, folds=folds, table=table))
+        for one in made
     ]
 
 

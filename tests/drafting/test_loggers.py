@@ -80,7 +80,7 @@ def test_another_word_in_a_column_of_a_switch(tmp_path: Path) -> None:
     file = write(tmp_path / "a.csv", "time [s],u_in,p [bar]", row)
     text = 'model = "PneumaticMuscle.Benches.SwitchedMuscle"\n[[runs]]\nfile = "a.csv"\n'
     (tmp_path / "experiment.toml").write_text(text, encoding="utf-8")
-    with pytest.raises(InputError, match=r"a\.csv:302: column 'u_in': 'fault' is none of on, "):
+    with pytest.raises(InputError, match=r"a\.csv:302: column 'u_in': 'fault' is none of .*\bon\b"):
         pam.read(tmp_path)
     assert file.is_file()
 

@@ -38,11 +38,11 @@ CSV_FAULTS = [
         "load.m",
         ["is a parameter", "[runs.parameters]"],
     ),
-    ("duplicate column", "x [mm]", "p [Pa]", 1, "p", ["twice"]),
+    ("duplicate column", "x [mm]", "p [Pa]", 1, "p [kPa]", ["no input or output 'p [kPa]'"]),
     ("no time", "time [s]", "eps", 1, None, ["'time [s]'"]),
     ("misspelt time", "time [s]", "Time [s]", 1, "Time", ["did you mean 'time'"]),
     ("bad heading", "x [mm]", "x [mm", 1, "x [mm", ["'name [unit]'"]),
-    ("empty heading", "x [mm]", "", 1, None, ["column 6", "'name [unit]'"]),
+    ("empty heading", "x [mm]", "", 1, "column 6", ["column 6", "ignore"]),
     (
         "control character in a heading",
         "x [mm]",

@@ -102,7 +102,10 @@ class Verdict(Printed, Plain):
         table: the families that may be missing, each whatever else is.
     """
 
-    json_keys = "kind families effects reason remainder probability off refuted bending implausible posterior table"
+    json_keys = (
+        "kind families effects reason remainder probability off refuted bending implausible posterior "
+        "family_table=table"
+    )
 
     kind: Kind
     families: tuple[str, ...] = ()
