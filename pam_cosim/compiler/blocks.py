@@ -71,8 +71,8 @@ class Loop(NamedTuple):
             return
         rows, columns = ([i for i, v in enumerate(one) if abs(v) > _PART] for one in vectors)
         raise ModelError(
-            f"{when}no equation determines {', '.join(repr(self.names[j]) for j in columns)}: too little or a "
-            f"contradiction is said by {'; '.join(self.places[i] for i in rows)}"
+            f"{when}no equation determines {', '.join(repr(self.names[j]) for j in columns)}: these depend on "
+            f"one another, or contradict: {'; '.join(self.places[i] for i in rows)}"
         )
 
 
