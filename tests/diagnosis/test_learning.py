@@ -129,7 +129,7 @@ def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Pat
     )
     after = pam.compare(data, str(better)).scores["holdout"]["F"].rmse
     assert after == pytest.approx(found.model.fit.comparison.scores["holdout"]["F"].rmse, rel=1e-3)
-    with pytest.raises(InputError, match="nothing was learned"):
+    with pytest.raises(InputError, match="has no learned term"):
         pam.add(replace(diagnosis, learned=None), output=better, learned=True)
     assert better.read_text() == text
 
