@@ -24,7 +24,7 @@ from pam_cosim.diagnosis.search.trial import (
     Trial,
     attempted,
     every_parameter,
-    values_where_absent,
+    values_of_absence,
 )
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Free, Linear, linearised
@@ -85,13 +85,7 @@ def full_crashed(full: FullTrial) -> FailedTrial:
 
 
 def _reduced(full: FullTrial, trial: Trial, simulator: Simulator) -> FullModel:
-    absent = {
-        name: value
-        for e in full.members
-        for name, value in values_where_absent(
-            trial.composition.parameters[e.name], e.absent
-        ).items()
-    }
+    absent = values_of_absence(full.members, trial.composition.parameters)
     owned = {n for own in trial.composition.parameters.values() for n in own}
     free = [
         near_absence(f, absent.get(f.name))

@@ -35,7 +35,7 @@ from pam_cosim.diagnosis.search.trial import (
     run_probe,
     run_stated,
     run_trial_without_samples,
-    values_where_absent,
+    values_of_absence,
 )
 from pam_cosim.fitting import Fit, Linear
 from pam_cosim.measurement import DataSet
@@ -277,11 +277,7 @@ class Search:
         if c.fit.linear is None or composition is None:
             return c.effects
         own = {e: composition.parameters[e] for e in c.effects}
-        absent = {
-            name: value
-            for e in c.effects
-            for name, value in values_where_absent(own[e], self.effect(e).absent).items()
-        }
+        absent = values_of_absence([*map(self.effect, c.effects)], own)
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
         return needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
 

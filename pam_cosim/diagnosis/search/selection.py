@@ -293,7 +293,7 @@ class _Models:
         while best is not None and len(best.effects) > CRITERIA.search.most_effects:
             some = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
             fewer = self.search.needed(best, some)
-            self._try([FitRequest(fewer, best.fit.values)])
+            self._try(self._requests(best, [fewer]))
             best = self.fitted.get(fewer)
         for names in [n for n in self.fitted if len(n) > CRITERIA.search.most_effects]:
             del self.fitted[names]  # they only led the way
@@ -394,7 +394,7 @@ class _Models:
             for name in (best.effects if leading is None else leading)
         }
         every = [effects for sets in forms.values() for effects in sets]
-        self._try([FitRequest(effects, best.fit.values) for effects in every])
+        self._try(self._requests(best, every))
         first = {name: self._best_of([best.effects, *sets]) for name, sets in forms.items()}
         better = {
             name: c for name, c in first.items() if c is not None and c.effects != best.effects
@@ -419,7 +419,7 @@ class _Models:
         sets = [rest for name in best.effects if (rest := _without(best.effects, name))]
         if not sets or self._is_effort_spent([]):
             return
-        self._record(self.search.fit_briefly([FitRequest(s, best.fit.values) for s in sets]))
+        self._record(self.search.fit_briefly(self._requests(best, sets)))
         less = [c for s in sets if (c := self.fitted.get(s)) is not None and c.brief]
         self._finish_within_effort([c for c in less if not self.ranking.matters(best, c, 2.0)])
         nearest = self._best_of(sets)

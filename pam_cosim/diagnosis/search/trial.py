@@ -238,6 +238,17 @@ def values_where_absent(names: Sequence[str], absent: Mapping[str, float]) -> di
     return {name: absent[key] for name, key in keys.items() if key in absent}
 
 
+def values_of_absence(
+    members: Sequence[EffectClass], parameters: Mapping[str, Sequence[str]]
+) -> dict[str, float]:
+    """The same of several effects; ``parameters``: full names of those of each."""
+    return {
+        name: value
+        for e in members
+        for name, value in values_where_absent(parameters[e.name], e.absent).items()
+    }
+
+
 def _stated_effect(trial: Trial, simulator: Simulator) -> StatedEffect:
     assert trial.reference is not None
     objective = _objective(trial, simulator)
