@@ -45,9 +45,9 @@ from pam_cosim.diagnosis.search.searches import (
     fit_base_model,
     refit_by_role,
     search_all_runs,
-    search_fit_runs,
     with_effects,
 )
+from pam_cosim.diagnosis.search.selection import select_effects
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Columns, Tabular
@@ -82,7 +82,6 @@ class Diagnosis(Printed, Tabular):
         untried: effects of the models that promised to be better when a limit ended the search.
         simulations: runs that were simulated until the verdict stood, with sensitivities or without.
         not_tried: families that were not looked for, with the reason.
-        step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
         rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
             unknown one those that come nearest; see ``rival_models``.
@@ -90,7 +89,7 @@ class Diagnosis(Printed, Tabular):
 
     json_keys = (
         "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
-        "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers step_times rivals "
+        "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers rivals "
         "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger disagreement"
     )
 
@@ -110,7 +109,6 @@ class Diagnosis(Printed, Tabular):
     untried: tuple[tuple[str, ...], ...] = ()
     simulations: int = 0
     not_tried: dict[str, str] = field(default_factory=dict)
-    step_times: int = 0
     means: str = ""
     rivals: tuple[tuple[str, ...], ...] = ()
 
@@ -141,16 +139,12 @@ class Diagnosis(Printed, Tabular):
     @property
     def changes_of_data(self) -> tuple[str, ...]:
         """What was changed in the samples before models were judged by them, in sentences."""
-        steps = (
-            f"{self.step_times} steps of commands came between two samples: each was given the time in its interval "
-            "that leaves least; log commands when they change, or faster"
-        )
         outliers = (
             f"{n} single {'samples' if n > 1 else 'sample'} of {name} {'are' if n > 1 else 'is'} set aside"
             for name, n in self.outliers.items()
             if n
         )
-        return tuple(filter(None, [*outliers, self.means, steps * bool(self.step_times)]))
+        return tuple(filter(None, [*outliers, self.means]))
 
     def frame_columns(self) -> Columns:
         """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
@@ -295,7 +289,7 @@ def diagnose(
     with effort.counting(), subject.simulator() as simulator:
         available = subject.effects(simulator.interface)
         excluded, expected = _excluded_and_expected(available, subject.data, exclude, expect)
-        data, base, outliers = fit_base_model(simulator, subject.data, say)
+        data, base = fit_base_model(simulator, subject.data, say)
     search = Search(
         library,
         subject.name,
@@ -306,8 +300,9 @@ def diagnose(
         workers,
         expected=expected,
         effort=effort,
+        recorded=subject.data,
     )
-    result = search_fit_runs(subject, search, base, outliers)
+    result = select_effects(search, base)
     all_runs_result = search_all_runs(subject, result)
     judged = all_runs_result or result
     verdict, plans = _verdict(judged, subject.sources, all_runs_result is not None)
@@ -337,7 +332,7 @@ def diagnose(
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),
-        outliers=dict(result.outliers),
+        outliers=result.search.outliers,
         next_experiment=plans[0][1] if plans else None,
         missing_term=missing_term(result.last, balance) if verdict.leaves_structure else None,
         ledger=ledger,
@@ -345,7 +340,6 @@ def diagnose(
         untried=result.untried,
         simulations=simulations,
         not_tried=_not_tried(available, excluded, result),
-        step_times=result.step_times,
         means=subject.means,
         rivals=_models_left(verdict, judged, [c for c, _ in plans]),
     )

@@ -69,11 +69,6 @@ class LinearWorld(Search):
     asked: list[tuple[str, ...]] = field(default_factory=list)
     looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
-    @property
-    def steps_between_samples(self) -> int:
-        """It has no commands."""
-        return 0
-
     def samples(self, role: str) -> Array:
         """(ROWS,) what is left of the samples by the base model at zero."""
         rng = np.random.default_rng(zlib.crc32(f"noise {role}".encode()))

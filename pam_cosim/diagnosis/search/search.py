@@ -22,13 +22,6 @@ from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.elimination import needed_effects
 from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, full_crashed, run_full
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
-from pam_cosim.diagnosis.search.step_times import (
-    Retimed,
-    Retiming,
-    nothing_found,
-    run_retiming,
-    steps_between,
-)
 from pam_cosim.diagnosis.search.trial import (
     Trial,
     crashed,
@@ -66,7 +59,7 @@ class Search:
         tree: the Modelica library with the user's classes.
         model: the base model.
         available_effects: the effects there are.
-        data: the measurement, with noise levels.
+        data: the measurement, with noise levels, without outliers.
         files: further Modelica files.
         say: told each step and each result, in a line.
         workers: number of processes; None: the processors at hand.
@@ -76,6 +69,7 @@ class Search:
         undetectable: names of effects that these cannot show, beside whatever else.
         inactive_parameters: by effect, full names of its parameters that no sample depends on; they are not fitted.
         effort: its limits, and what it took so far; this grows.
+        recorded: the measurement with outliers; None: there are none.
     """
 
     tree: ClassTree
@@ -91,6 +85,7 @@ class Search:
     undetectable: frozenset[str] = frozenset()
     inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     effort: Effort = field(default_factory=Effort)
+    recorded: DataSet | None = None
 
     @cached_property
     def structure(self) -> Structure:
@@ -141,11 +136,6 @@ class Search:
         """The effects that say whatever their families can."""
         return frozenset(e.name for e in self.available_effects if e.general)
 
-    @cached_property
-    def steps_between_samples(self) -> int:
-        """How many commands step between two samples, all runs together."""
-        return steps_between(self.data)
-
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
         begins = fitted.values_and_starts
@@ -190,28 +180,26 @@ class Search:
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if not isinstance(c, FailedTrial)]
 
-    def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
-        """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
-        data, counts = without_outliers(
-            self.data, fit.comparison.runs, CRITERIA.noise.outliers_together
-        )
-        return (replace(self, data=data) if counts else self), counts
+    def without_outliers(self, fit: Fit) -> Search:
+        """The search without the samples that are outliers beside a fit, and with those that only seemed to be."""
+        recorded = self.recorded or self.data
+        runs = fit.comparison.against(recorded).runs
+        data, counts = without_outliers(recorded, runs, CRITERIA.noise.outliers_together)
+        return self if counts == self.outliers else replace(self, data=data)
 
-    def with_step_times(self, models: Sequence[tuple[tuple[str, ...], Fit]]) -> list[Retimed]:
-        """Models by their effects, fitted again, each step of a command where between two samples it serves best."""
-        made = [
-            (effects, fit, compose_on(self.tree, self.structure, effects))
-            for effects, fit in models
-        ]
-        tasks = [
-            Retiming(e, own, self.data, fit, self.files, self.library)
-            for e, fit, own in made
-            if own is not None
-        ]
-        results = self.effort.run_tasks(
-            run_retiming, tasks, nothing_found, lambda _: None, self.workers
-        )
-        return [r for r in results if r is not None]
+    @property
+    def outliers(self) -> dict[str, int]:
+        """How many single samples are set aside, by signal."""
+        recorded = self.recorded or self.data
+        counts = {
+            name: sum(
+                before.sample_count(name) - after.sample_count(name)
+                for before, after in zip(recorded.runs, self.data.runs, strict=True)
+                if name in before.measurements
+            )
+            for name in recorded.signals
+        }
+        return {name: count for name, count in counts.items() if count}
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""

@@ -7,8 +7,7 @@ with all runs fitted. The answer has taken every run there is, so that nothing c
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Sequence
 from dataclasses import replace
 
 from pam_cosim.comparison import without_outliers
@@ -34,8 +33,8 @@ _ALL_RUNS = "the answer of the fitted runs fails on the held-out runs; restartin
 
 def fit_base_model(
     simulator: AnySimulator, data: DataSet, say: Callable[[Message], None]
-) -> tuple[DataSet, Fit, dict[str, int]]:
-    """The data without outliers, the base model fitted to them, and how many samples were set aside."""
+) -> tuple[DataSet, Fit]:
+    """The data without outliers, and the base model fitted to them."""
     options = FitOptions(rows=CRITERIA.search.rows, holdout_uncertainty=True)
     base = fit(simulator, data, options=options)
     data, outliers = without_outliers(data, base.comparison.runs)
@@ -46,28 +45,7 @@ def fit_base_model(
     say(BaseFitted(base).message)
     for doubt in base.comparison.doubts:
         say(Remark(f"LOOK FIRST: {doubt.text}").message)
-    return data, base, outliers
-
-
-def search_fit_runs(
-    subject: Subject, search: Search, base: Fit, outliers: Mapping[str, int]
-) -> SearchResult:
-    """The result for the fitted runs; from anew where steps of commands get their times between two samples.
-
-    Args:
-        subject: the model and the measurement.
-        search: tries effects on the data.
-        base: the model without effects, fitted to these.
-        outliers: that were set aside for it.
-    """
-    result = _counted(select_effects(search, base), outliers)
-    if result.retimed is None:
-        return result
-    steps = result.retimed.steps
-    found = f"estimated the switching times of {steps} command steps between samples; restarting the search"
-    search.say(SearchRestarted(found).message)
-    again = _counted(_restarted(subject, search, result.retimed.data), result.outliers)
-    return replace(again, step_times=steps)
+    return data, base
 
 
 def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchResult | None:
@@ -88,7 +66,7 @@ def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchRe
     if not contradicted or search.effort.spent:
         return None
     search.say(SearchRestarted(_ALL_RUNS).message)
-    data = _with_roles(search.data, ["fit"] * len(search.data.runs))
+    data = _with_roles(search.recorded or search.data, ["fit"] * len(search.data.runs))
     result = _restarted(subject, search, data, fit_runs_result.tried)
     if result.untried or not result.path or leaves_structure(result.last):
         return None
@@ -112,18 +90,20 @@ def _path(base: Fit, models: Iterable[Candidate]) -> tuple[Candidate, ...]:
 
 
 def _restarted(
-    subject: Subject, search: Search, data: DataSet, earlier: Sequence[Candidate] = ()
+    subject: Subject, search: Search, recorded: DataSet, earlier: Sequence[Candidate] = ()
 ) -> SearchResult:
     """The result of a search from anew on other data."""
     with search.effort.counting(), subject.simulator() as simulator:
-        data, base, outliers = fit_base_model(simulator, data, search.say)
-    search = replace(search, data=data, failed=[], undetectable=frozenset(), inactive_parameters={})
-    return _counted(select_effects(search, base, retime=False, earlier=earlier), outliers)
-
-
-def _counted(result: SearchResult, outliers: Mapping[str, int]) -> SearchResult:
-    """The result with further outliers."""
-    return replace(result, outliers=Counter(outliers) + result.outliers)
+        data, base = fit_base_model(simulator, recorded, search.say)
+    search = replace(
+        search,
+        data=data,
+        recorded=recorded,
+        failed=[],
+        undetectable=frozenset(),
+        inactive_parameters={},
+    )
+    return select_effects(search, base, earlier=earlier)
 
 
 def _with_roles(data: DataSet, roles: Sequence[Role]) -> DataSet:
@@ -141,16 +121,16 @@ def refit_by_role(fit_runs_result: SearchResult, all_runs_result: SearchResult) 
     """
     roles = [run.role for run in fit_runs_result.search.data.runs]
     data = _with_roles(all_runs_result.search.data, roles)
-    search, base = replace(all_runs_result.search, data=data), fit_runs_result.base.against(data)
+    recorded = _with_roles(all_runs_result.search.recorded or data, roles)
+    search = replace(all_runs_result.search, data=data, recorded=recorded)
+    base = fit_runs_result.base.against(data)
     models = (
         search.fit_final(c.effects, c.fit.values) or replace(c, fit=c.fit.against(data))
         for c in all_runs_result.path
     )
-    result = replace(
+    return replace(
         all_runs_result,
         search=search,
         base=base,
         path=_path(base, models),
-        step_times=fit_runs_result.step_times,
     )
-    return _counted(result, fit_runs_result.outliers)

@@ -9,7 +9,6 @@ their family, left out and added, until none of it pays.
 
 from __future__ import annotations
 
-from collections import Counter
 from collections.abc import Collection, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
@@ -18,10 +17,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import (
-    information_criterion,
-    leaves_structure,
     may_have_structure,
-    noise_scale,
     rank,
 )
 from pam_cosim.diagnosis.search.imitation import likest_members
@@ -30,7 +26,6 @@ from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
-from pam_cosim.diagnosis.search.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
@@ -38,7 +33,6 @@ from pam_cosim.fitting import Fit
 def select_effects(
     search: Search,
     base: Fit,
-    retime: bool = True,
     earlier: Sequence[Candidate] = (),
 ) -> SearchResult:
     """The effects that are needed.
@@ -46,7 +40,6 @@ def select_effects(
     Args:
         search: tries effects, and ends where its effort is spent; only what the answer needs is fitted then.
         base: the model without them, fitted, with its linear model.
-        retime: whether steps of commands may find their times between two samples.
         earlier: models of the same runs in other roles; those that left least are tried besides.
 
     Raises:
@@ -59,18 +52,10 @@ def select_effects(
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
     models.improve(1)
-    models.try_forms()
-    models.improve(1)
-    if models.ranking.unsolved() or models.ranking.more_effects_can_pay(2):
-        models.probe_again()
-        models.improve(2)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
     models.try_earlier(earlier)
     models.refine()
-    retimed = models.with_step_times() if retime and models.ranking.unsolved() else None
-    if retimed is not None:
-        return models.result(retimed=retimed)
     path = tuple(models.path())
     return models.result(
         path=path,
@@ -93,7 +78,6 @@ class _Models:
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
         self.base_as_probed = base.linear
-        self.outliers: Counter[str] = Counter()
 
     @property
     def search(self) -> Search:
@@ -108,8 +92,7 @@ class _Models:
     def result(self, **found: Any) -> SearchResult:
         """The result with the fields that were found."""
         search = self.search
-        common: dict[str, Any] = {"search": search, "outliers": self.outliers}
-        return SearchResult(self.base, search.family, search.model_space, **common | found)
+        return SearchResult(self.base, search.family, search.model_space, search=search, **found)
 
     def probe(self) -> None:
         """What each effect does beside the base model; where the effort is limited, by families first."""
@@ -139,12 +122,6 @@ class _Models:
             },
         )
         self.predicted.note_probes(self.probes)
-
-    def probe_again(self) -> None:
-        """What further families do beside the models that the search goes on from."""
-        self._finish_within_effort([c for c in self.ranking.parents() if c.brief])
-        for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
-            self._probe_further(best)
 
     def _probe_further(self, best: Candidate) -> None:
         """What further families do beside a model: beside the base model the same parameters may do something else.
@@ -182,76 +159,18 @@ class _Models:
         self.ranking.effort_spent = True
         return True
 
-    def with_step_times(self) -> Retimed | None:
-        """The model that leaves noise once each step of a command comes when it serves best within its interval.
-
-        If no model with steps as they are, each step counted as a parameter, is better.
-        """
-        if not self.search.steps_between_samples or self._is_effort_spent([]):
-            return None
-        text = "giving each step of a command its time between two samples"
-        self.search.say(Remark(text).message)
-        leading = self.ranking.models(CRITERIA.search.most_effects)
-        own = [(c.effects, c.fit) for c in leading[: CRITERIA.search.leading_families]]
-        retimed = self.search.with_step_times([((), self.base), *own])
-        retimed = [r for r in retimed if not leaves_structure(r.fit)]
-        if not retimed:
-            return None
-        scale = noise_scale([*self.ranking.fits, *(r.fit for r in retimed)])
-        as_they_are = min(
-            self.ranking.information_criterion(c, scale) for c in (None, *self.fitted.values())
-        )
-        costs = {
-            r.effects: information_criterion(r.fit, scale, r.effects, self.search.model_space)
-            + r.steps * scale.penalty(r.fit)
-            for r in retimed
-        }
-        best = min(retimed, key=lambda r: (len(r.effects), costs[r.effects], r.effects))
-        return best if costs[best.effects] < as_they_are else None
-
     def set_outliers_aside(self) -> None:
-        """Samples that the best model shows to be outliers, which worse ones hid: none is judged by them any more."""
+        """What is an outlier beside the best model does not count; what only was one beside a worse model does."""
         best = self.ranking.best()
         if best is None:
             return
-        self.ranking.search, counts = self.search.without_outliers(best.fit)
-        if counts:
-            self.outliers.update(counts)
+        before, self.ranking.search = self.search, self.search.without_outliers(best.fit)
+        if self.search is not before:
             data = self.search.data
             self.ranking.base = self.base.against(data)
             for names, c in self.fitted.items():
                 self.fitted[names] = replace(c, fit=c.fit.against(data))
             self.ranking.update_scale()
-
-    def try_forms(self) -> None:
-        """The other members of the families that came farthest, the general ones to the end.
-
-        Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
-        to be known what one family can say by itself. Where a law leaves noise, or no effect is needed, none is tried.
-        Where a general member leaves noise, the general members of the others: what one bends into, another may.
-        """
-        answer = self.ranking.best()
-        solved = not self.ranking.unsolved()
-        if solved and (answer is None or self.ranking.is_specific(answer.effects)):
-            return
-        best: dict[str, tuple[str, ...]] = {}
-        for c in self.ranking.models(1):
-            best.setdefault(self.search.family[c.effect], c.effects)
-        leading = dict(list(best.items())[: CRITERIA.search.leading_families])
-        self._try(
-            [
-                FitRequest((e,), self.fitted[leading[f]].fit.values)
-                for f in leading
-                for e in self._members(f)
-                if e in self.search.general or not solved
-            ]
-        )
-        general = [
-            c
-            for c in self.ranking.models(1)
-            if c.brief and c.general and self.search.family[c.effect] in leading
-        ]
-        self._finish_within_effort(general)
 
     def try_earlier(self, earlier: Sequence[Candidate]) -> None:
         """Models of an earlier search, those that left least of all runs."""
