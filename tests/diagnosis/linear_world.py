@@ -148,7 +148,7 @@ class LinearWorld(Search):
         strongest = sorted(c.effects, key=lambda e: -strengths[e])[:most]
         return tuple(e for e in c.effects if e in strongest and strengths[e] > _NEEDED)
 
-    def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
+    def without_outliers(self, fit: Fit) -> LinearWorld:
         return self, {}
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:

@@ -84,6 +84,7 @@ class Trial:
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 second_look=False,
+                start_steps=0,
                 rules=False,
             ),
             brief=True,
