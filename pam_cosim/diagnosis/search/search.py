@@ -321,9 +321,8 @@ class Search:
         return {e.name: e for e in self.available_effects}
 
     def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
-        """Models from where they stand to the end, on other samples; no line is printed of them."""
-        changes = {"screened_starts": 0, "rules": False, "precision": CRITERIA.search.precision}
-        trials = [t.fitted_with(**changes) for t in self._trials(models)]
+        """Models a few steps from where they stand, on other samples; no line is printed of them."""
+        trials = [t.screening() for t in self._trials(models)]
         results = self.effort.run_tasks(
             run_trial_without_samples, trials, crashed, lambda _: None, self.workers
         )

@@ -219,8 +219,9 @@ class _Models:
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
 
-        An effect is exchanged for another of its family, left out, or added. What the search predicts of a set is computed from slopes; an effect may have been chosen
-        beside others that need it no more, or that need another one, once they are fitted together.
+        An effect is exchanged for another of its family, left out, or added. What the search predicts of a set is
+        computed from slopes; an effect may have been chosen beside others that need it no more, or that need another
+        one, once they are fitted together.
         """
         refined = set[frozenset[str]]()
         exchanged = set[frozenset[str]]()  # sets of families
