@@ -178,15 +178,6 @@ def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_mu
     assert reached("LaminarLeak") == reached("LaminarLeak+LinearBladder") == [0.0]
 
 
-@pytest.mark.parametrize(
-    ("effect", "room"), [("OrificeLeak", False), ("FlexibleBladder", False), ("GeneralLeak", True)]
-)
-def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(
-    effect: str, room: bool
-) -> None:
-    assert _order(_model(effect, 1.0, KNOWN_PARAMETERS[effect])).more_effects_can_pay(2) is room
-
-
 def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model() -> None:
     rich, plain = _model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE)
     order = _order(rich, plain, _model("FlexibleBladder", 20.0, 3, STRUCTURE))
@@ -196,10 +187,6 @@ def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model
     assert (bar.reference, bar.cost) == (plain, order.cost(rich.effects))
     assert bar.criterion == order.information_criterion(plain) - worth
     assert bar.fitted == order.information_criterion(rich) - worth
-
-
-def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
-    assert not _order(_model("GeneralLeak", 5.0, 12, STRUCTURE)).more_effects_can_pay(2)
 
 
 @pytest.mark.parametrize(

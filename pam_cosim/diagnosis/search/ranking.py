@@ -249,13 +249,6 @@ class Ranking:
             (*effects, next(others, "")), sum(self.search.cost[name] for name in effects) + 1
         )
 
-    def more_effects_can_pay(self, count: int) -> bool:
-        """Whether so many effects, of one parameter each, would cost less than the best model, which leaves noise."""
-        best = self.best()
-        if best is None or self.has_structure(best):
-            return False
-        return self._cost(self.search.likeliest_first[:count], count) < self.cost(best.effects)
-
     def acceptance_thresholds(self, count: int, scale: NoiseScale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
 
