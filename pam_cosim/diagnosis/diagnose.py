@@ -309,7 +309,7 @@ def diagnose(
     if all_runs_result is not None:
         result = refit_by_role(result, all_runs_result)
     elif verdict.leaves_structure and result.path and not effort.spent:
-        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
+        folds = folds_of(result.search, result.path[-1].effects, result.last)
         if folds is not None:
             result = judged = with_effects(result, folds.named)
             verdict, plans = _verdict(result, subject.sources, False)

@@ -242,15 +242,7 @@ def fit(
     tracker = Tracker({n: signal.unit for n, signal in data.signals.items()}, progress)
     is_over = options.limit()
     objective = Objective(
-        simulator,
-        data,
-        data.fit_runs,
-        chosen,
-        fixed,
-        options.tolerance,
-        tracker,
-        start_steps=options.start_steps,
-        is_over=is_over,
+        simulator, data, data.fit_runs, chosen, fixed, options.tolerance, tracker, is_over=is_over
     )
     points = [{f.name: f.start for f in chosen}, *starts]
     solution = METHODS[options.method](FitProblem(objective, points, options))

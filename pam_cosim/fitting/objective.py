@@ -57,7 +57,6 @@ class Objective:
         fixed: further parameters; start values among them are where estimates of these begin [SI].
         tracker, tolerance: as above.
         starts_to_first_order: start values are eliminated as ``EliminatedStarts.to_first_order`` has it.
-        start_steps: of start values for given parameters, that are simulated at most.
         is_over: whether a limit of the fit is reached: descents end, and no start values are looked for any more.
     """
 
@@ -72,7 +71,6 @@ class Objective:
         tracker: Tracker | None = None,
         *,
         starts_to_first_order: bool = False,
-        start_steps: int = CRITERIA.starts.steps,
         is_over: Callable[[], bool] = lambda: False,
     ) -> None:
         self.tracker, self.is_over = tracker or Tracker(), is_over
@@ -105,12 +103,7 @@ class Objective:
         self.ends = np.cumsum([0, *counts])
         self.size = int(self.ends[-1])
         self.starts = EliminatedStarts(
-            simulator,
-            data,
-            self.runs,
-            self.ends,
-            to_first_order=starts_to_first_order,
-            steps=start_steps,
+            simulator, data, self.runs, self.ends, to_first_order=starts_to_first_order
         )
         self.samples = sum(
             r.sample_count(s) * usual_square(data.signals[s]) for r, s in self.series

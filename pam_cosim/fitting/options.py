@@ -28,7 +28,6 @@ class FitOptions:
         precision: a descent ends where a step takes away less than this part of the chi-square.
         rows: of the linearised model about the optimum that the fit keeps; 0: none is kept.
         second_look: whether start values of runs are looked for once more where a descent ends above the noise.
-        start_steps: of start values for given parameters, that are simulated at most (``starts.eliminate``).
         rules: whether to say where the error sits.
         holdout_uncertainty: whether to say what held-out runs gain as far as the parameters are uncertain.
         simulations: runs that are simulated, after which no descent goes on.
@@ -44,7 +43,6 @@ class FitOptions:
     precision: float = CRITERIA.fit.precision
     rows: int = 0
     second_look: bool = True
-    start_steps: int = CRITERIA.starts.steps
     rules: bool = True
     holdout_uncertainty: bool = False
     simulations: float = math.inf

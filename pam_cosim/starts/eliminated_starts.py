@@ -47,7 +47,6 @@ class EliminatedStarts:
     Attributes:
         by_run: start values by number of the run; empty until the first point is simulated.
         to_first_order: they are eliminated by one linear step from where they begin, and stay there.
-        steps: that are simulated otherwise, at most (``eliminate``).
         state_ranges: how far runs take each state [SI].
 
     Args:
@@ -66,11 +65,10 @@ class EliminatedStarts:
         ends: NDArray[np.int_],
         *,
         to_first_order: bool = False,
-        steps: int = CRITERIA.starts.steps,
     ) -> None:
         self._simulator, self._data, self._runs = simulator, data, runs
         self._rows = [slice(*rows) for rows in zip(ends[:-1], ends[1:], strict=True)]
-        self.to_first_order, self.steps = to_first_order, steps
+        self.to_first_order = to_first_order
         self.by_run: dict[int, StartValues] = {}
         self.state_ranges: Mapping[str, float] = {}
         self._is_placed = False
@@ -183,9 +181,8 @@ class EliminatedStarts:
 
     def eliminated(self, i: int, simulate: LinearisedRun) -> tuple[Any, Array]:
         """The result of a run, and its residuals without what its start values take away; see ``eliminate``."""
-        if self.to_first_order:
-            return eliminate_to_first_order(self.by_run[i], simulate)
-        return eliminate(self.by_run[i], simulate, self.steps)
+        method = eliminate_to_first_order if self.to_first_order else eliminate
+        return method(self.by_run[i], simulate)
 
     def keep(self, z: Array) -> None:
         """Keeps where ``z`` left the start values."""

@@ -112,19 +112,15 @@ class StartValues:
         return np.asarray((self.deviations() / self.sd) ** 2 < CRITERIA.starts.informed)
 
 
-def eliminate(
-    of: StartValues, simulate: LinearisedRun, steps: int = CRITERIA.starts.steps
-) -> tuple[Any, Array]:
+def eliminate(of: StartValues, simulate: LinearisedRun) -> tuple[Any, Array]:
     """Moves the start values to where they leave least of the residuals of their run, or hardly more.
 
     Beside a model that is far off, the last hundredth of what is left is not worth a run: the next point asks again.
-    With no steps the run is simulated once, and a descent of the parameters takes the start values along, step by step.
     Returns the result of a simulation there, and (n,) the residuals without what the start values can take away.
 
     Args:
         of: the start values, which are changed.
         simulate: the run about the present start values.
-        steps: that are simulated, at most.
 
     Raises:
         SimulationFailure: the run does not reach its end wherever it begins.
@@ -134,12 +130,12 @@ def eliminate(
         of.values = of.mean
         here = _Point(of, *simulate())
     reach = 1.0  # standard deviations of what is known beforehand, that a step may go; farther once that served
-    for _ in range(steps):
+    for _ in range(CRITERIA.starts.steps):
         if here.is_settled:
             break
         before = here
         step = of.within_reach(here.step, reach)
-        for _ in range(1 if here.is_level else steps):
+        for _ in range(1 if here.is_level else CRITERIA.starts.steps):
             of.values = np.clip(here.values + step, of.low, of.high)
             there = _tried(of, simulate)
             if there is not None and there.cost < here.cost:
@@ -150,9 +146,9 @@ def eliminate(
         here, reach = there, _FARTHER * reach
         if before.is_little(before.cost - here.cost):
             break
-    of.values = here.values
-    if here.is_settled or not steps:
-        of.values = np.clip(here.values + of.within_reach(here.step, 1.0), of.low, of.high)
+    of.values = (
+        np.clip(here.values + here.step, of.low, of.high) if here.is_settled else here.values
+    )
     last, of.slopes = of.values - here.values, here.slopes
     return here.result, here.residuals + here.slopes[: len(here.residuals)] @ last
 

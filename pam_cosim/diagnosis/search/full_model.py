@@ -167,9 +167,7 @@ def _fitted(
         weighed = [
             f if f.prior is None else replace(f, prior=_tighter(f.prior, misfit)) for f in free
         ]
-        objective = Objective(
-            simulator, trial.data, trial.data.fit_runs, weighed, held, _TOLERANCE, start_steps=2
-        )
+        objective = Objective(simulator, trial.data, trial.data.fit_runs, weighed, held, _TOLERANCE)
         if not np.isfinite(objective.squares(z)):
             raise SimulationFailure(objective.first_failure)
         z = levenberg_marquardt(

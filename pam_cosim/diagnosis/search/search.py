@@ -203,11 +203,15 @@ class Search:
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""
-        trials = [t.screening() for t in self._trials(models)]
+        trials = self.brief_trials(models)
         return self._run(
-            "in a few steps",
-            [t.fitted_with(rows=CRITERIA.search.rows, holdout_uncertainty=True) for t in trials],
+            "in a few steps", [t.fitted_with(holdout_uncertainty=True) for t in trials]
         )
+
+    def brief_trials(self, models: Sequence[FitRequest]) -> list[Trial]:
+        """Trials of a few steps, of those models whose effects find a place."""
+        trials = [t.screening() for t in self._trials(models)]
+        return [t.fitted_with(rows=CRITERIA.search.rows) for t in trials]
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
@@ -319,14 +323,6 @@ class Search:
     @cached_property
     def _effects(self) -> dict[str, EffectClass]:
         return {e.name: e for e in self.available_effects}
-
-    def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
-        """Models a few steps from where they stand, on other samples; no line is printed of them."""
-        trials = [t.screening() for t in self._trials(models)]
-        results = self.effort.run_tasks(
-            run_trial_without_samples, trials, crashed, lambda _: None, self.workers
-        )
-        return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:

@@ -84,7 +84,6 @@ class Trial:
                 tolerance=numbers.screening_tolerance,
                 precision=numbers.precision,
                 second_look=False,
-                start_steps=0,
                 rules=False,
             ),
             brief=True,
