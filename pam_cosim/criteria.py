@@ -213,6 +213,8 @@ class SearchCriteria:
     """models | fitted before the next are chosen"""
     leading_families: int = 3
     """families | whose members are all tried where no effect leaves noise"""
+    likest_families: int = 2
+    """families | most similar in the samples to an effect of the answer, tried in its place"""
     rounds: int = 8
     """rounds | of fits of models with one effect, with two and with three, at most"""
     starts: int = 12

@@ -197,6 +197,26 @@ def test_models_of_an_earlier_search_are_tried() -> None:
     }
 
 
+@pytest.mark.parametrize("nature", ["alike", "masked"])
+def test_what_does_the_likest_to_the_samples_is_tried_in_the_place_of_an_effect(
+    nature: str,
+) -> None:
+    """Leaks do what a hanging mass does; or seem to, beside the base model, and then a look at one is enough."""
+    chosen = ("LinearBladder", "HangingMass")
+    pair = world(dict.fromkeys(chosen, 20.0), **{nature: "leak"})
+    models = _Models(pair, pair.fitted(()))
+    models.probe()
+    best, *less = (pair.candidate(names) for names in (chosen, chosen[:1], chosen[1:]))
+    models._record([best, *less])
+    models._try_imitations(best)
+    asked = {frozenset(effects) for effects in pair.asked}
+    leaks = {e.name for e in SHELF if e.family == "leak"}
+    laws = {e.name for e in SHELF if e.family == "leak" and not e.general}
+    tried = {name for name in leaks if frozenset({"LinearBladder", name}) in asked}
+    assert laws <= tried if nature == "alike" else len(tried) == 1
+    assert not any(frozenset({"HangingMass", name}) in asked for name in leaks)
+
+
 def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_effect_counts() -> (
     None
 ):
@@ -211,3 +231,14 @@ def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_e
     models.refine()
     answer = models.ranking.answer()
     assert answer is not None and answer.effects == pair
+
+
+def test_a_model_is_near_in_whichever_order_it_was_fitted() -> None:
+    chosen, other = ("LinearBladder", "HangingMass"), ("LinearBladder", "OrificeLeak")
+    pair = world(dict.fromkeys(chosen, 20.0), alike="leak")
+    models = _Models(pair, pair.fitted(()))
+    best = pair.candidate(chosen)
+    for order in (other, other[::-1]):
+        models.fitted.clear()
+        models._record([best, pair.candidate(order), pair.candidate(("LinearBladder",))])
+        assert models._is_near(other, "HangingMass", best)

@@ -20,6 +20,7 @@ from pam_cosim.diagnosis.judgement.evidence import (
     may_have_structure,
     rank,
 )
+from pam_cosim.diagnosis.search.imitation import likest_members
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
@@ -76,6 +77,7 @@ class _Models:
         self.predicted = PredictedEvidence(self.ranking)
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
+        self.base_as_probed = base.linear
 
     @property
     def search(self) -> Search:
@@ -219,8 +221,8 @@ class _Models:
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
 
-        An effect is exchanged for another of its family, left out, or added. What the search predicts of a set is
-        computed from slopes; an effect may have been chosen beside others that need it no more, or that need another
+        An effect is exchanged for another of its family or one that does nearly the same, left out, or added. What is
+        predicted of a set comes from slopes; an effect may have been chosen beside others that need it no more, or that need another
         one, once they are fitted together.
         """
         refined = set[frozenset[str]]()
@@ -244,6 +246,8 @@ class _Models:
             self._leave_out(best)
             if self._leading() is not best:
                 continue
+            self._try_imitations(best)
+            self.improve(len(best.effects))
             if self.ranking.has_structure(best) and self._leading() is best:
                 self._add_one(best)
         if best is not None and len(best.effects) > _FEW:
@@ -355,6 +359,46 @@ class _Models:
         proposed = [p.prediction for p in self.predicted.proposals(count)]
         self._try([self.predicted.fit_request(e) for e in proposed])
         self._finish_best()
+
+    def _try_imitations(self, best: Candidate) -> None:
+        """A model with each of its effects exchanged for what does the likest to the samples.
+
+        For one member of each family that is like it; where that leaves little of what the effect explains, for all.
+        """
+        assert self.base_as_probed is not None
+        others = {*self.search.family.values()} - self.search.families_of(best.effects)
+        likest = likest_members(best.effects, self.probes, self.base_as_probed, others)
+        first = {
+            (*_without(best.effects, name), e): name
+            for name, members in likest.items()
+            for e in members[: CRITERIA.search.likest_families]
+        }
+        self._try([FitRequest(effects, best.fit.values) for effects in first])
+        # by itself an effect is worth a look from several starts
+        self._finish_within_effort(
+            [c for n in first if len(n) == 1 and (c := self.fitted.get(n)) and c.brief]
+        )
+        near = [effects for effects, name in first.items() if self._is_near(effects, name, best)]
+        self._try(
+            [
+                FitRequest((*effects[:-1], e), best.fit.values)
+                for effects in near
+                for e in self._members(self.search.family[effects[-1]])
+                if e not in self.search.general
+            ]
+        )
+
+    def _is_near(self, effects: tuple[str, ...], name: str, best: Candidate) -> bool:
+        """Whether a model leaves little of what an effect of the best model explains beside the others."""
+        left = _without(best.effects, name)
+        by_set = {frozenset(names): c for names, c in self.fitted.items()}
+        other, without = by_set.get(frozenset(effects)), by_set.get(frozenset(left))
+        if other is None or (left and without is None):
+            return False
+        fit = without.fit if without is not None else self.base
+        explained = fit.chi2_minimised - best.fit.chi2_minimised
+        more = other.fit.chi2_minimised - best.fit.chi2_minimised
+        return more < CRITERIA.search.little * explained
 
     def _other_forms(self, effects: Sequence[str], name: str) -> dict[str, tuple[str, ...]]:
         """By member of its family, the effects with that member, the last, in the place of one of them."""
