@@ -9,7 +9,7 @@ their family, left out and added, until none of it pays.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -222,51 +222,43 @@ class _Models:
         """Small moves from the leading model, until none of them pays.
 
         An effect is exchanged for another of its family or one that does nearly the same, left out, or added. What is
-        predicted of a set comes from slopes; an effect may have been chosen beside others that need it no more, or that need another
-        one, once they are fitted together.
+        predicted of a set comes from slopes; an effect may have been chosen beside others that need it no more, or that
+        need another one, once they are fitted together. Of many effects a fit takes long: fewer moves have to do.
         """
-        refined = set[frozenset[str]]()
-        exchanged = set[frozenset[str]]()  # sets of families
+        refined, exchanged = set[frozenset[str]](), set[frozenset[str]]()
         while (best := self._leading()) is not None and frozenset(best.effects) not in refined:
             if self._is_effort_spent([]):
                 return
             refined.add(frozenset(best.effects))
             self.set_outliers_aside()
-            if len(best.effects) > _FEW:
-                families = self.search.families_of(best.effects)
-                self._refine_many(best, families not in exchanged)
+            few, families = len(best.effects) <= _FEW, self.search.families_of(best.effects)
+            if few or families not in exchanged:
                 exchanged.add(families)
-                continue
-            self._exchange_members(best)
-            self._try(self._requests(best, self.search.simpler_laws(best)))
+                self._exchange_members(best)
+                self._try(self._requests(best, self.search.simpler_laws(best)))
             law = self.ranking.leader(specific=True)
-            if law is not None and law is not best:  # what a general member says, laws may say
+            if (
+                few and law is not None and law is not best
+            ):  # what a general member says, laws may say
                 self._exchange_members(law)
-            self.improve(len(best.effects))
+            self._finish_promising(best)
             self._leave_out(best)
             if self._leading() is not best:
                 continue
-            self._try_imitations(best)
-            self.improve(len(best.effects))
+            if few:
+                self._try_imitations(best)
+                self.improve(len(best.effects))
             if self.ranking.has_structure(best) and self._leading() is best:
                 self._add_one(best)
         if best is not None and len(best.effects) > _FEW:
-            self._try(self._requests(best, [_without(best.effects, n) for n in best.effects]))
+            self._try(self._requests(best, _each_left_out(best)))
 
-    def _refine_many(self, best: Candidate, exchange: bool) -> None:
-        """The moves from a model of many effects, of which a fit takes long: as few as may do."""
-        if exchange:
-            self._exchange_members(best)
-            self._try(self._requests(best, self.search.simpler_laws(best)))
+    def _finish_promising(self, best: Candidate) -> None:
+        """Fits to the end what may be better than a model after a few steps; of many effects what is best then."""
+        if len(best.effects) <= _FEW:
+            self.improve(len(best.effects))
+        else:
             self._finish_best()
-        fewer = self.search.needed(best, len(best.effects) - 1)
-        self._try(self._requests(best, [fewer]))
-        less = self.fitted.get(fewer)
-        if less is not None and less.brief and not self.ranking.matters(best, less, 2.0):
-            self._finish_within_effort([less])
-        self._finish_best()
-        if self._leading() is best and self.ranking.has_structure(best):
-            self._add_one(best)
 
     def _finish_best(self) -> None:
         """Fits to the end what is best after a few steps, if it may lead."""
@@ -279,7 +271,7 @@ class _Models:
             self._finish_within_effort([best])
 
     @staticmethod
-    def _requests(best: Candidate, sets: Sequence[tuple[str, ...]]) -> list[FitRequest]:
+    def _requests(best: Candidate, sets: Iterable[tuple[str, ...]]) -> list[FitRequest]:
         """Sets of effects, to be fitted from where a model stands."""
         return [FitRequest(effects, best.fit.values) for effects in sets]
 
@@ -335,17 +327,23 @@ class _Models:
         )
 
     def _leave_out(self, best: Candidate) -> None:
-        """The model without each of its effects; to the end where that decides whether the effect matters."""
-        sets = [rest for name in best.effects if (rest := _without(best.effects, name))]
+        """The model without each of its effects; to the end where that decides whether the effect matters.
+
+        Of many effects the one is left out that is needed least.
+        """
+        few = len(best.effects) <= _FEW
+        least = [self.search.needed(best, len(best.effects) - 1)]
+        sets = [rest for rest in (_each_left_out(best) if few else least) if rest]
         if not sets or self._is_effort_spent([]):
             return
         self._record(self.search.fit_briefly(self._requests(best, sets)))
-        less = [c for s in sets if (c := self.fitted.get(s)) is not None and c.brief]
-        self._finish_within_effort([c for c in less if not self.ranking.matters(best, c, 2.0)])
+        less = [c for s in sets if (c := self.fitted.get(s)) is not None]
+        small = [c for c in less if not self.ranking.matters(best, c, 2.0)]
+        self._finish_within_effort([c for c in small if c.brief])
         nearest = self._best_of(sets)
-        if nearest is not None:  # another member may say alone what two say together
+        if nearest is not None and (few or small):  # other members may say what they do not
             self._exchange_members(nearest)
-        self.improve(len(best.effects) - 1)
+        self._finish_promising(nearest or best)
 
     def _add_one(self, best: Candidate) -> None:
         """One more effect beside the model."""
@@ -502,6 +500,11 @@ class _Models:
             if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.fitted[c.effects] = c
         self.ranking.update_scale()
+
+
+def _each_left_out(c: Candidate) -> list[tuple[str, ...]]:
+    """The effects of a model without each of them."""
+    return [_without(c.effects, name) for name in c.effects]
 
 
 def _without(effects: Sequence[str], name: str) -> tuple[str, ...]:
