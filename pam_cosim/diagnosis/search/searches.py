@@ -54,7 +54,7 @@ def search_all_runs(subject: Subject, fit_runs_result: SearchResult) -> SearchRe
     None where they do not, where all runs together leave structure too, and where the effort is spent.
 
     Args:
-        subject: as for ``search_fit_runs``.
+        subject: the model and the measurement.
         fit_runs_result: what the fitted runs came to.
     """
     search = fit_runs_result.search
