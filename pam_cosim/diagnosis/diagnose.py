@@ -43,8 +43,6 @@ from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
 from pam_cosim.diagnosis.search.searches import (
     fit_base_model,
-    refit_by_role,
-    search_all_runs,
     with_effects,
 )
 from pam_cosim.diagnosis.search.selection import select_effects
@@ -303,26 +301,22 @@ def diagnose(
         recorded=subject.data,
     )
     result = select_effects(search, base)
-    all_runs_result = search_all_runs(subject, result)
-    judged = all_runs_result or result
-    verdict, plans = _verdict(judged, subject.sources, all_runs_result is not None)
-    if all_runs_result is not None:
-        result = refit_by_role(result, all_runs_result)
-    elif verdict.leaves_structure and result.path and not effort.spent:
+    verdict, plans = _verdict(result, subject.sources)
+    if verdict.leaves_structure and result.path and not effort.spent:
         folds = folds_of(result.search, result.path[-1].effects, result.last)
         if folds is not None:
-            result = judged = with_effects(result, folds.named)
-            verdict, plans = _verdict(result, subject.sources, False)
+            result = with_effects(result, folds.named)
+            verdict, plans = _verdict(result, subject.sources)
             verdict = replace(verdict, folds=folds)
     search, base, simulations = result.search, result.base, effort.simulations
-    candidates = _ranked(judged, search.data)
+    candidates = tuple(rank(base, result.tried))
     tell(Judged(verdict, base, candidates, result.path))
     ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
     learned = None
     if explain and verdict.leaves_structure and not effort.spent:
         effects = [c.effect for c in result.path]
         learned = described(search, ledger, base, effects, result.last)
-    balance = _balance(judged.base, [c for c in judged.tried if len(c.effects) == 1])
+    balance = _balance(base, [c for c in result.tried if len(c.effects) == 1])
     return Diagnosis(
         data=search.data,
         model=subject.name,
@@ -341,7 +335,7 @@ def diagnose(
         simulations=simulations,
         not_tried=_not_tried(available, excluded, result),
         means=subject.means,
-        rivals=_models_left(verdict, judged, [c for c, _ in plans]),
+        rivals=_models_left(verdict, result, [c for c, _ in plans]),
     )
 
 
@@ -354,24 +348,14 @@ def _models_left(
     return tuple(c.effects for c in models.nearest) if verdict.kind == "unknown" else ()
 
 
-def _verdict(
-    result: SearchResult, sources: Sequence[Path], all_runs_searched: bool
-) -> tuple[Verdict, list[RivalPlan]]:
+def _verdict(result: SearchResult, sources: Sequence[Path]) -> tuple[Verdict, list[RivalPlan]]:
     """The verdict, and the rivals with the run that would decide where either may be right."""
     plans: list[RivalPlan] = []
     if result.path and leaves_structure(result.last):
         plans = [(c, None) for c in result.rivals]
     elif result.path:
         plans = distinguishable_rivals(result.search.data, result.path[-1], result.rivals, sources)
-    return judge(result, [c for c, _ in plans], all_runs_searched=all_runs_searched), plans
-
-
-def _ranked(result: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
-    """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
-    ranked = rank(result.base, result.tried)
-    if result.search.data is not data:
-        ranked = [replace(c, fit=c.fit.against(data)) for c in ranked]
-    return tuple(ranked)
+    return judge(result, [c for c, _ in plans]), plans
 
 
 def _excluded_and_expected(

@@ -8,7 +8,6 @@ import pytest
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.judgement.evidence import contradicted_by_holdout
 from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.diagnosis.search.search import FitRequest, Search
@@ -187,30 +186,6 @@ def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model
     assert (bar.reference, bar.cost) == (plain, order.cost(rich.effects))
     assert bar.criterion == order.information_criterion(plain) - worth
     assert bar.fitted == order.information_criterion(rich) - worth
-
-
-@pytest.mark.parametrize(
-    ("fit", "expected"),
-    [
-        (fitted(1.0, 1.0), False),
-        (fitted(5.0, 5.0, STRUCTURE), False),  # fitted runs leave structure themselves
-        (fitted(1.0, 5.0, STRUCTURE), True),
-        (fitted(1.0, None, STRUCTURE), False),
-    ],
-)
-def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(
-    fit: Fit, expected: bool
-) -> None:
-    assert contradicted_by_holdout(fit, fitted(9.0, 9.0, STRUCTURE)) is expected
-
-
-@pytest.mark.parametrize(("base", "expected"), [(9.0, False), (4.0, True)])
-def test_values_excuse_no_model_that_leaves_more_in_held_out_runs_than_the_base_model(
-    base: float, expected: bool
-) -> None:
-    fit, excused = fitted(1.0, 5.0, STRUCTURE), fitted(1.0, 1.0)
-    vars(fit)["residuals_beyond_uncertainty"] = excused.residuals
-    assert contradicted_by_holdout(fit, fitted(9.0, base, STRUCTURE)) is expected
 
 
 def test_sets_of_which_an_effect_finds_no_place_are_not_proposed_again() -> None:

@@ -187,16 +187,6 @@ def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(
     assert models.path()[-1].effects == ("OrificeLeak",)
 
 
-def test_models_of_an_earlier_search_are_tried() -> None:
-    one = world({"LinearBladder": 20.0})
-    earlier = [one.candidate(("HangingMass", "KangEnds")), one.candidate(("LinearBladder",))]
-    tried = select_effects(one, one.fitted(()), earlier=earlier).tried
-    assert ("HangingMass", "KangEnds") in {c.effects for c in tried}
-    assert ("HangingMass", "KangEnds") not in {
-        c.effects for c in select_effects(one, one.fitted(())).tried
-    }
-
-
 @pytest.mark.parametrize("nature", ["alike", "masked"])
 def test_what_does_the_likest_to_the_samples_is_tried_in_the_place_of_an_effect(
     nature: str,

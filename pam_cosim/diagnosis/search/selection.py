@@ -33,14 +33,12 @@ from pam_cosim.fitting import Fit
 def select_effects(
     search: Search,
     base: Fit,
-    earlier: Sequence[Candidate] = (),
 ) -> SearchResult:
     """The effects that are needed.
 
     Args:
         search: tries effects, and ends where its effort is spent; only what the answer needs is fitted then.
         base: the model without them, fitted, with its linear model.
-        earlier: models of the same runs in other roles; those that left least are tried besides.
 
     Raises:
         SimulationFailure: no effect could be tried at all.
@@ -54,7 +52,6 @@ def select_effects(
     models.improve(1)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
-    models.try_earlier(earlier)
     models.refine()
     path = tuple(models.path())
     return models.result(
@@ -171,15 +168,6 @@ class _Models:
             for names, c in self.fitted.items():
                 self.fitted[names] = replace(c, fit=c.fit.against(data))
             self.ranking.update_scale()
-
-    def try_earlier(self, earlier: Sequence[Candidate]) -> None:
-        """Models of an earlier search, those that left least of all runs."""
-        left = {c.effects: sum(s.chi2 for s in c.fit.residuals.values()) for c in earlier}
-        nearest = sorted(earlier, key=lambda c: (left[c.effects], c.effects))
-        first = nearest[: CRITERIA.search.together]
-        if first:
-            self._try([FitRequest(c.effects, c.fit.values) for c in first])
-            self.improve(max(len(c.effects) for c in first))
 
     def has_general_answer(self) -> bool:
         """Whether a general member leads, which may say what several laws say together."""
