@@ -7,10 +7,9 @@ from itertools import combinations
 import numpy as np
 import pytest
 
-from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.syntax import Reference
-from pam_cosim.fmu.drawing import SQUARE, Pictures, Placed, diagram, gallery
-from tests.library.shelf import benches, check_each, tree
+from pam_cosim.fmu.drawing import Pictures, Placed
+from tests.library.shelf import check_each, tree
 
 PICTURES = Pictures()
 
@@ -25,7 +24,6 @@ CLASSES = [
     for n, c in tree().classes.items()
     if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")
 ]
-FAMILIES = [n for n in CLASSES if n.startswith("PneumaticMuscle.Effects.") and n.count(".") == 2]
 MODELS = [name for name, info in tree().classes.items() if info.kind in ("model", "block")]
 SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
 """Modelica 3.6, section 18.6.5; without Bitmap, which would need a file."""
@@ -39,16 +37,6 @@ def test_every_class_has_an_icon() -> None:
 def _has_icon(name: str) -> None:
     kinds = {kind for kind, _ in PICTURES.shapes(PICTURES.of(name))}
     assert kinds and kinds <= SHAPES, kinds
-
-
-def test_every_family_has_a_picture_of_its_own() -> None:
-    pictures = {name: repr(PICTURES.shapes(PICTURES.of(name))) for name in FAMILIES}
-    assert len(set(pictures.values())) == len(FAMILIES) == 22
-    for name in FAMILIES:
-        for member in PICTURES.of(name).definition.classes.values():
-            shown = PICTURES.shapes(PICTURES.of(member.qualified_name))
-            own = PICTURES.shapes(PICTURES.of(name))
-            assert shown[-len(own) :] == own, member.qualified_name  # what is drawn last is seen
 
 
 def test_connectors_stand_on_the_edge_of_the_icon() -> None:
@@ -118,22 +106,3 @@ def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
         middle = inner[connector].corners.mean(axis=0, keepdims=True)
     place: np.ndarray = parts[first].at(middle)[0]
     return place
-
-
-@pytest.mark.full
-def test_pictures_are_drawn() -> None:
-    figure = gallery(PICTURES, FAMILIES, columns=4)
-    assert len(figure.axes) == 22 and all(axes.patches for axes in figure.axes)
-    (axes,) = diagram(PICTURES, benches()[0]).axes
-    names = {text.get_text() for text in axes.texts}
-    parts = PICTURES.parts(PICTURES.of(benches()[0]))
-    assert {part.name for part in parts if part.of.definition.kind != "connector"} <= names
-
-
-def test_a_component_that_is_turned_is_drawn_turned() -> None:
-    of: Class = PICTURES.of("PneumaticMuscle.Mechanics.Components.Load")
-    turned = Placed("a", of, np.array([[-10, -20], [10, 20.0]]), np.array([5.0, 0]), 90)
-    assert turned.at(np.array([[100.0, 0]])) == pytest.approx(np.array([[5, 10.0]]))
-    assert turned.corners == pytest.approx(np.array([[-15, -10], [25, 10.0]]))
-    flipped = Placed("a", of, np.array([[10, -10], [-10, 10.0]]), np.zeros(2), 0)
-    assert flipped.at(np.array(SQUARE)) == pytest.approx(np.array([[10, -10], [-10, 10.0]]))
