@@ -106,10 +106,3 @@ def test_unusable_files_are_refused_before_the_work(
         and message in outcome.err
     )
     assert everything(place) == before
-
-
-def test_add_learned_wants_a_saved_diagnosis(command: Command, place: Path, data: Path) -> None:
-    before = everything(place)
-    outcome = command("add", "--from", "v.json", "--learned", "-o", "Better.mo")
-    assert outcome.status == 2 and "--learned needs a saved diagnosis" in outcome.err
-    assert everything(place) == before

@@ -223,27 +223,6 @@ def test_fit_with_nothing_free(command: Command, place: Path, data: Path) -> Non
     refused(command("fit", "data"), ["experiment.toml", "nothing to fit"])
 
 
-def test_unknown_parameter_in_a_parameter_file(command: Command, place: Path, data: Path) -> None:
-    (place / "p.json").write_text('{"tank.W": 1}')
-    refused(command("compare", "data", "--params", "p.json"), ["tank.W"])
-
-
-def test_fmu_cannot_be_diagnosed(
-    command: Command, place: Path, data: Path, bench: Callable[[str], Path]
-) -> None:
-    refused(command("diagnose", "data", "--model", bench("VesselOrifice")), ["FMU", "Modelica"])
-
-
-@pytest.mark.parametrize("content", [b"", b"not a zip archive", b"PK\x05\x06" + bytes(18)])
-@pytest.mark.parametrize("verb", ["simulate", "compare"])
-def test_what_is_no_fmu(
-    command: Command, place: Path, data: Path, verb: str, content: bytes
-) -> None:
-    (place / "x.fmu").write_bytes(content)
-    words = ["simulate", "x.fmu"] if verb == "simulate" else ["compare", "data", "--model", "x.fmu"]
-    refused(command(*words), ["x.fmu"])
-
-
 SYNTAX = "model Own\n  Real x(start=1, fixed=true);\nequation\n  der(x) = -x +;\nend Own;\n"
 
 

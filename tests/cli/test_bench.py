@@ -163,36 +163,6 @@ def test_a_bad_choice_writes_nothing(
     assert everything(place) == []
 
 
-def test_two_parts_of_one_name_are_told_apart_by_their_packages(
-    command: Callable[..., Outcome], place: Path
-) -> None:
-    (place / "Spring.mo").write_text(WINDER.replace("Winder", "Spring"))
-    words = ("--pneumatics", "regulator", "-o", "R.mo", "--file", "Spring.mo", "--mechanics")
-    assert (
-        "Spring or " in command("bench", *words, "spring").err
-        or " or Spring" in command("bench", *words, "spring").err
-    )
-    assert "drum" not in done(command("bench", *words, "PneumaticMuscle.Mechanics.Spring")).out
-
-
-def test_words_of_a_part_are_data(command: Callable[..., Outcome], place: Path) -> None:
-    hostile = WINDER.replace("A drum that", r"\"; end Mine; <script>x</script> that")
-    (place / "Winder.mo").write_text(hostile)
-    words = (
-        "--pneumatics",
-        "imposed-pressure",
-        "--mechanics",
-        "winder",
-        "-o",
-        "Mine.mo",
-        "--file",
-        "Winder.mo",
-    )
-    text = done(command("bench", *words)).out
-    assert "<script>" not in text.partition("Documentation")[2]
-    assert pam.simulate("Mine.mo", files=["Winder.mo"])["x"][-1] > 0.01
-
-
 def test_the_page_as_it_stands(command: Callable[..., Outcome], place: Path) -> None:
     """From a set point in a CSV file to a comparison; the measurement is of an independent static balance."""
     (toml,) = blocks(PAGE, "toml")

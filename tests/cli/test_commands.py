@@ -12,12 +12,10 @@ from pathlib import Path
 import pytest
 
 from pam_cosim import study
-from pam_cosim.fitting import METHODS, read_parameters
+from pam_cosim.fitting import read_parameters
 from pam_cosim.simulation import Trajectory
 from tests.cli.conftest import Outcome
-from tests.cli.test_bad_input import refused
 from tests.fitting.models import TRUE_C_D, TRUE_N
-from tests.fmu import models
 
 Command = Callable[..., Outcome]
 
@@ -62,19 +60,6 @@ def test_build_with_sensitivities(command: Command, place: Path) -> None:
     assert "sensitivity.p.tank.n" in outcome.out and "sensitivity.T.orifice.C_d" in outcome.out
     wrong = command("build", "VesselOrifice", "--sensitivity", "tank.m", "-o", "other")
     assert wrong.status == 2 and "tank.m" in wrong.err and not (place / "other").exists()
-
-
-def test_build_every_bench(command: Command, place: Path) -> None:
-    done(command("build"))
-    built = {p.stem for p in (place / "fmu" / "build").iterdir()}
-    assert {"TankFilling", "Isotonic", "VesselOrifice"} <= built == set(study.benches())
-
-
-def test_built_fmu_is_a_model_of_its_own(command: Command, place: Path) -> None:
-    done(command("build", "VesselOrifice", "-o", "."))
-    done(command("simulate", "VesselOrifice.fmu", "-o", "a.csv"))
-    done(command("simulate", "VesselOrifice", "-o", "b.csv"))
-    assert (place / "a.csv").read_text() == (place / "b.csv").read_text()
 
 
 def test_simulate_default(command: Command, place: Path) -> None:
@@ -166,16 +151,6 @@ def test_compare_params_against_json_report(command: Command, place: Path, data:
     assert 'src="http' not in page and 'href="http' not in page
 
 
-@pytest.mark.full
-def test_compare_with_another_model(
-    command: Command, place: Path, data: Path, bench: Callable[[str], Path]
-) -> None:
-    done(command("compare", "data", "--json", "a.json"))
-    done(command("compare", "data", "--model", bench("VesselOrifice"), "--json", "b.json"))
-    a, b = (json.loads((place / n).read_text()) for n in ("a.json", "b.json"))
-    assert a["signals"] == b["signals"]
-
-
 def test_fit_writes_parameters_that_compare_reads(
     command: Command, place: Path, data: Path
 ) -> None:
@@ -193,16 +168,6 @@ def test_fit_writes_parameters_that_compare_reads(
     done(command("fit", "data", "-o", "p.ssv"))
     xml.dom.minidom.parse(str(place / "p.ssv"))
     assert read_parameters(place / "p.ssv") == pytest.approx(values)
-
-
-@pytest.mark.parametrize("method", METHODS)
-def test_every_method_finds_the_same(
-    command: Command, place: Path, data: Path, method: str
-) -> None:
-    done(command("fit", "data", "--method", method, "-o", "p.json"))
-    assert read_parameters(place / "p.json") == pytest.approx(
-        {"orifice.C_d": TRUE_C_D, "tank.n": TRUE_N}, rel=0.02
-    )
 
 
 def test_diagnose_writes_what_the_contract_says(
@@ -297,14 +262,6 @@ def test_own_process_and_module(process: Callable[..., Outcome], place: Path) ->
     assert (place / "t.csv").exists()
 
 
-def test_effects_tell_descriptions_as_they_are(command: Command, place: Path) -> None:
-    text = "[/nope] [red]x[/red] <b> {0} %s"
-    base = "PneumaticMuscle.Effects.Leak.LaminarLeak"
-    (place / "Own.mo").write_text(f'model Own "{text}"\n  extends {base};\nend Own;\n')
-    outcome = done(command("effects", "--file", "Own.mo"))
-    assert text in " ".join(outcome.out.replace("│", " ").split())
-
-
 def test_describe_lists_what_can_be_set_and_kept(command: Command) -> None:
     told = done(command("describe", "TankFilling")).out
     assert "  p_supply = 207000 [Pa], at least -101000: Gauge pressure of the supply" in told
@@ -316,26 +273,3 @@ def test_describe_lists_what_can_be_set_and_kept(command: Command) -> None:
 
 def test_version(command: Command) -> None:
     assert done(command("--version")).out.startswith("pam-cosim 0.")
-
-
-@pytest.mark.full
-def test_a_sweep_of_which_nothing_comes_says_so_with_its_status(
-    command: Command, place: Path
-) -> None:
-    model = str(models.fmu(models.breaks_down))
-    made = command("sweep", model, "--vary", "floor=0.6,0.7", "-o", "s.csv")
-    assert (
-        made.status == 1 and made.out.startswith("0 of 2 runs done") and (place / "s.csv").exists()
-    )
-
-
-def test_an_fmu_is_one_whatever_the_case_of_its_ending(command: Command, place: Path) -> None:
-    done(command("build", "TankFilling", "-o", "Tank.FMU"))
-    assert "p: from" in done(command("simulate", "Tank.FMU", "--stop-time", "1")).out
-
-
-def test_no_supply_below_vacuum(command: Command) -> None:
-    refused(
-        command("simulate", "TankFilling", "--set", "p_supply=-3 bar"),
-        ["p_supply=-3 bar", "at least -101000"],
-    )

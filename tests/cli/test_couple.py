@@ -79,27 +79,6 @@ def test_couples_a_written_system(command: Run, system: Path) -> None:
     assert other["muscle.x"][-1] == pytest.approx(trajectory["muscle.x"][-1], abs=1e-4)
 
 
-def test_fmu_that_acts_at_samples(command: Run, system: Path) -> None:
-    done = command(
-        "couple", system, "--step", "10 ms", "--stop-time", "0.1", "--sample", "muscle=50 ms"
-    )
-    assert done.status == 0 and "gas 10, muscle 2;" in done.out
-    system.write_text(system.read_text() + '[samples]\nmuscle = "20 ms"\n')
-    done = command("couple", system, "--step", "10 ms", "--stop-time", "0.1")
-    assert done.status == 0 and "gas 10, muscle 5;" in done.out
-
-
-def test_input_over_time(command: Run, system: Path) -> None:
-    Path("u.csv").write_text("time [s],gas.u_in [mA]\n0,0\n0.1,0\n0.1000001,350\n0.2,350\n")
-    done = command("couple", system, "--adaptive", "--input", "u.csv", "-o", "out.csv")
-    assert done.status == 0, done.err
-    trajectory = pam.Trajectory.from_csv(Path("out.csv"))
-    assert (
-        trajectory["gas.u_in"].max() == pytest.approx(0.35)
-        and trajectory["gas.p"][trajectory.time <= 0.1].max() < 1
-    )
-
-
 def test_controller_that_raises_leaves_what_was_reached(command: Run, system: Path) -> None:
     done = command(
         "couple",
@@ -118,14 +97,6 @@ def test_controller_that_raises_leaves_what_was_reached(command: Run, system: Pa
     )
     assert "written: out.csv" in done.err and "Traceback" not in done.err
     assert pam.Trajectory.from_csv(Path("out.csv")).time[-1] == pytest.approx(0.12)
-
-
-def test_controller_that_would_end_the_program_is_one_that_raises(
-    command: Run, system: Path
-) -> None:
-    done = command("couple", "controlled.toml", "--controller", "lift=lift.py:leaves")
-    assert done.status == 2
-    assert "controller 'lift' (leaves) raised SystemExit: 0 at 0 s, in line 11" in done.err
 
 
 def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, place: Path) -> None:
@@ -196,9 +167,3 @@ def test_example_runs(command: Run, place: Path) -> None:
     done = command("couple", example, "--adaptive", "-o", "out.csv")
     assert done.status == 0, done.err
     assert pam.Trajectory.from_csv(Path("out.csv"))["muscle.x"].max() > 0.015
-
-
-def test_a_limit_of_no_time(command: Callable[..., Outcome], place: Path) -> None:
-    (place / "system.toml").write_text(SYSTEM % "")
-    told = command("couple", "system.toml", "--timeout", "0")
-    assert told.status == 2 and "a time limit must be larger than zero" in told.err

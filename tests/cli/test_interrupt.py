@@ -20,7 +20,6 @@ import pytest
 from rig import measurement
 from rig.named import effect_of
 from rig.plan import default_plan
-from tests.simulation.misbehaving import hanging
 from tests.tiers import quick
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
@@ -100,10 +99,6 @@ def kept(running: Running) -> bool:
     )
 
 
-def isolated(running: Running) -> bool:
-    return any("simulation.worker" in command for command in running.family())
-
-
 def workers(running: Running) -> bool:
     return any("LokyProcess" in command for command in running.family())
 
@@ -153,14 +148,6 @@ def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
 
 
 @pytest.mark.full
-def test_an_fmu_that_hangs(place: Path) -> None:
-    running = Running(place, ["simulate", str(hanging(place)), "-o", "out"], HANG="fmi2DoStep")
-    running.wait_for(isolated)
-    assert running.interrupt() == (130, ["pam-cosim: interrupted; nothing was written"])
-    assert not (place / "out").exists()
-
-
-@pytest.mark.full
 def test_build_says_what_it_has_written(place: Path) -> None:
     """The second FMU is being compiled: its model is new each time, so that no cache has it."""
     model = "model Late Real x(start=1, fixed=true); parameter Real a = {}; equation der(x) = -a*x; end Late;"
@@ -183,11 +170,4 @@ def test_ending_by_another_signal(place: Path) -> None:
         143,
         "pam-cosim: interrupted; nothing was written\n",
     )
-    assert list(running.temporary.iterdir()) == [] and running.family() == []
-
-
-@pytest.mark.full
-def test_nothing_is_left_after_an_end_without_interrupt(place: Path) -> None:
-    running = Running(place, ["simulate", "VesselOrifice", "-o", "out.csv", "--plot", "out.png"])
-    assert running.process.wait(timeout=120) == 0
     assert list(running.temporary.iterdir()) == [] and running.family() == []

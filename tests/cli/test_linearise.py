@@ -25,11 +25,6 @@ def test_files(command: Command, place: Path) -> None:
     assert (place / "l.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_about_6_bar_and_10_percent(command: Command) -> None:
-    done = command("linearise", "StaticForce", "--at", "p=6 bar, eps=10 %")
-    assert done.status == 0 and "0.000572386  -2418.54" in done.out
-
-
 def test_selected(command: Command, place: Path) -> None:
     done = command(
         "linearise", "Isotonic", "--set", "u_out=0.25", "--at", "p=1 bar", "--free", "u_in", "--by", "u_in",

@@ -9,7 +9,6 @@ from collections.abc import Callable
 from pathlib import Path
 
 import pytest
-import scipy.io
 
 from tests.cli.conftest import ROOT, Outcome, everything
 from tests.drafting.labs import german, several
@@ -97,21 +96,6 @@ def test_a_muscle_by_name(command: Command, place: Path) -> None:
         )
 
 
-def test_options(command: Command, place: Path) -> None:
-    """A file without a header and time, a column and a bench that the user states, a folder that is empty."""
-    rows = "".join(f"{min(i, 200)};{0.1 * min(i, 200):.1f};{i}\n" for i in range(300))
-    (place / "a.csv").write_text(rows)
-    (place / "rig").mkdir()
-    outcome = command(
-        "new", "rig", "a.csv", "--recording", "names=A [kPa],B [mm],C", "--recording", "interval=10 ms",
-        "--column", "p=A", "--column", "x=B", "--model", "VerticalLoad", "--parameter", "load.m=5 kg",
-    )  # fmt: skip
-    assert outcome.status == 0, outcome.err
-    text = (place / "rig" / "experiment.toml").read_text()
-    assert 'interval = "10 ms"' in text and '"load.m" = "5 kg"' in text and 'ignore = ["C"]' in text
-    assert command("compare", "rig").status == 0
-
-
 WRONG: dict[str, tuple[str, list[str], list[str]]] = {
     "not a number": (
         GOOD.replace("1.00,100", "1.00,abc"),
@@ -180,28 +164,3 @@ def test_nothing_is_overwritten(command: Command, place: Path) -> None:
         assert everything(place) == before
     missing = command("new", "other", "b.csv")
     assert missing.status == 2 and "b.csv" in missing.err and not (place / "other").exists()
-
-
-def test_a_way_through_no_folder_makes_none(command: Command, place: Path) -> None:
-    """``none/../rig`` is ``rig``; the folder on the way had been left behind, empty."""
-    (place / "a.csv").write_text(GOOD)
-    outcome = command("new", "none/../rig", "a.csv")
-    assert outcome.status == 0 and (place / "rig" / "experiment.toml").is_file(), outcome.err
-    assert {one.name for one in place.iterdir()} == {"a.csv", "rig"}
-    again = command("new", "none/../rig", "a.csv")
-    assert again.status == 2 and "not empty" in again.err and not (place / "none").exists()
-    assert command("new", "more/deep/rig", "a.csv").status == 0
-    assert command("new", "more/../other", "a.csv").status == 0 and (place / "other").is_dir()
-
-
-def test_files_of_one_name_and_a_matrix(command: Command, place: Path) -> None:
-    """Two files that are called alike are told apart; a matrix without names is one error."""
-    for folder in ("one", "two"):
-        (place / folder).mkdir()
-        (place / folder / "run.csv").write_text(GOOD)
-    outcome = command("new", "rig", "one/run.csv", "two/run.csv")
-    assert outcome.status == 0, outcome.err
-    assert {one.name for one in (place / "rig").glob("*.csv")} == {"run.csv", "run-2.csv"}
-    scipy.io.savemat(place / "m.mat", {"data": [[0.0, 1.0], [1.0, 2.0]]})
-    outcome = command("new", "matrix", "m.mat")
-    assert outcome.status == 2 and "m.mat" in outcome.err and "[recording]" in outcome.err

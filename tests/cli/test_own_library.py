@@ -82,19 +82,6 @@ def test_nothing_is_found_where_nothing_is_hidden(
     assert diagnosed(command, "none")["verdict"]["kind"] == "none_missing"
 
 
-def test_no_python_is_about_it() -> None:
-    words = {"DCMotor", "dcmotor"} | {file.stem for file in LIBRARY.rglob("*.mo")} - {"package"}
-    shared = {"Effect", "Domain", "Vocabulary"}  # what every library has
-    source = {file: file.read_text(encoding="utf-8") for file in (ROOT / "pam_cosim").rglob("*.py")}
-    told = {
-        (file.name, w)
-        for file, text in source.items()
-        for w in words - shared
-        if re.search(rf"\b{w}\b", text)
-    }
-    assert not told
-
-
 def test_a_domain_that_is_none_says_what_it_must_be(
     command: Callable[..., Outcome], place: Path
 ) -> None:

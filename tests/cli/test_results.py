@@ -14,8 +14,6 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim import study
-from pam_cosim.errors import InputError
-from pam_cosim.files import write_bytes
 from tests.cli.conftest import ROOT, Outcome, everything
 from tests.cli.test_bad_input import refused
 from tests.cli.test_commands import done
@@ -193,30 +191,12 @@ def test_long_names(command: Command, place: Path, name: str) -> None:
     assert [p.name for p in place.iterdir()] == ([name] if outcome.status == 0 else [])
 
 
-def test_a_folder_that_is_a_file(command: Command, place: Path) -> None:
-    (place / "out").write_text("kept")
-    refused(command("build", "VesselOrifice", "-o", "out"), ["out"])
-    assert (place / "out").read_text() == "kept"
-
-
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write everything")
 def test_a_protected_file(command: Command, place: Path) -> None:
     (place / "x.csv").write_text("kept")
     (place / "x.csv").chmod(0o444)
     refused(command("simulate", "VesselOrifice", "-o", "x.csv"), ["protected"])
     assert (place / "x.csv").read_text() == "kept"
-
-
-def test_interrupted_writing_leaves_nothing(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    file = place / "x"
-    file.write_text("old")
-    for failure in (KeyboardInterrupt, OSError(28, "No space left on device")):
-        monkeypatch.setattr(
-            os, "replace", lambda *a, problem=failure: (_ for _ in ()).throw(problem)
-        )
-        with pytest.raises((KeyboardInterrupt, InputError)):
-            write_bytes(file, b"new")
-        assert file.read_text() == "old" and [p.name for p in place.iterdir()] == ["x"]
 
 
 # the shortest command that reads the file and would write to it
@@ -356,22 +336,3 @@ def test_the_ending_of_another_format(command: Command, data: Path, words: list[
         words = ["bench", "--pneumatics", "regulator", "--mechanics", "spring", *words[3:]]
     refused(command(*words), [words[-1], "name a f"])
     assert [p.name for p in data.parent.iterdir()] == ["data"]
-
-
-def test_the_ending_of_another_format_in_python(place: Path, data: Path) -> None:
-    compared = pam.compare(pam.read("data"))
-    trajectory = pam.simulate("TankFilling", stop_time=1)
-    linear = pam.linearise("TankFilling")
-    for write in (
-        lambda: pam.sweep("TankFilling", {"u_in": [0.1]}, stop_time=1, output="x.json"),
-        lambda: linear.to_csv("x.json"),
-        lambda: linear.to_json("x.csv"),
-        lambda: trajectory.to_csv(Path("x.json")),
-        lambda: pam.draw(compared, "x.csv"),
-        lambda: pam.draw(trajectory, "x.csv"),
-        lambda: pam.add(["LaminarLeak"], "TankFilling", "x.json"),
-        lambda: pam.bench("regulator", "spring", output="x.json"),
-    ):
-        with pytest.raises(InputError, match=r"x\.\w+: .*name a file that ends"):
-            write()
-    assert [p.name for p in place.iterdir()] == ["data"]

@@ -88,17 +88,6 @@ def test_the_order_of_the_rows_changes_nothing(command: Command, place: Path) ->
     assert results[0] == results[1]
 
 
-def test_a_wrong_word_is_one_message(command: Command, place: Path) -> None:
-    written(place / "data", ["80,20,1,up", "100,20,3,upp"])
-    outcome = command("compare", "data", "--json", "c.json")
-    assert outcome.status == 2
-    assert (
-        outcome.err.strip()
-        == "pam-cosim: data/loop.csv:3: column 'branch': 'upp' is none of up, down, none"
-    )
-    assert not (place / "c.json").exists()
-
-
 def test_a_bench_put_together_for_points_at_rest(command: Command, place: Path) -> None:
     words = [
         "--pneumatics",
@@ -146,16 +135,3 @@ def test_a_printed_map_beats_formulas_with_as_many_parameters(
     data = script.pam.read(EXAMPLE)
     assert best < min(script.errors_of_formula(data, *formula)[1] for formula in script.FORMULAS)
     assert result["not_tried"]["creep"] == "nothing that was fitted at rest shows them"
-
-
-@pytest.mark.full
-def test_a_loop_is_dry_friction_in_any_order(command: Command, place: Path) -> None:
-    rows, verdicts = loop(), []
-    for order in (np.arange(len(rows)), np.random.default_rng(3).permutation(len(rows))):
-        written(place / "data", [rows[i] for i in order])
-        assert command("diagnose", "data", "--json", "d.json", "--workers", 1).status == 0
-        result = json.loads((place / "d.json").read_text())
-        assert {"creep", "rate_friction", "leak", "gas_energy"} <= set(result["not_tried"])
-        verdicts.append(result["verdict"])
-    assert verdicts[0]["kind"] == "identified" and verdicts[0]["families"] == ["dry_friction"]
-    assert verdicts[0] == verdicts[1]

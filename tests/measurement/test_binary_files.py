@@ -218,36 +218,6 @@ def test_what_must_be_stated_is_named(tmp_path):
     assert list(read_table(file, Layout(ignore=("rem*",))).columns) == ["time"]
 
 
-def test_rows_are_named_where_there_are_no_lines(tmp_path):
-    pandas.DataFrame({"time [s]": TIME[::-1], "p [kPa]": P}).to_parquet(tmp_path / "run.parquet")
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n[[runs]]\nfile = "run.parquet"\n'
-    )
-    with pytest.raises(InputError) as caught:
-        read_data_set(tmp_path, describe)
-    assert caught.value.column == "time" and "row 2: time goes back" in caught.value.message
-
-
-def test_links_out_of_a_file_are_not_followed(tmp_path):
-    hdf5(tmp_path / "other.h5")
-    with h5py.File(tmp_path / "run.h5", "w") as out:
-        out["far"] = h5py.ExternalLink(str(tmp_path / "other.h5"), "/rig/run 1")
-        out["p"] = h5py.ExternalLink(str(tmp_path / "other.h5"), "/rig/run 1/p")
-        out["x"] = h5py.SoftLink("/far/x")
-    assert "there is none" in refusal(tmp_path / "run.h5").message
-    assert "no group 'far'" in refusal(tmp_path / "run.h5", Layout(table="far")).message
-
-
-def test_named_types_and_empty_data_sets_are_no_columns(tmp_path: Path) -> None:
-    file = tmp_path / "run.h5"
-    with h5py.File(file, "w") as out:
-        for name, values in zip(NAMES, (TIME, P, X), strict=True):
-            out[name] = values
-        out["mytype"] = np.dtype("f8")
-        out["nothing"] = h5py.Empty("f8")
-    assert set(read_table(file).columns) == {"time", "p", "x"}
-
-
 def structures(kind: str) -> dict[str, object]:
     """The same recording as programs nest it."""
     p, x = ({"values": v, "label": n, "rank": 1} for v, n in ((P, "p [kPa]"), (X, "x [mm]")))
@@ -278,12 +248,6 @@ def test_structures_within_structures(tmp_path: Path, kind: str, names: list[str
     assert list(columns) == names
     for column, values in zip(columns.values(), (TIME, P, X), strict=True):
         np.testing.assert_array_equal(column.values, values)
-
-
-def test_what_is_within_a_structure_that_is_a_table_is_no_column(tmp_path: Path) -> None:
-    file = tmp_path / "a.mat"
-    scipy.io.savemat(file, {"time": TIME, "p": P, "setup": {"gains": [1.0, 2.0], "p": X}})
-    assert list(read_table(file).columns) == ["time", "p"]
 
 
 def test_a_structure_is_stated_by_its_path(tmp_path: Path) -> None:

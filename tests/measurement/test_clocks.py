@@ -25,19 +25,6 @@ def two(seed: int, offset: float) -> tuple[tuple, tuple]:
     return (t, y), (s - offset, z)
 
 
-@pytest.mark.full
-def test_the_offset_is_met_within_its_spread():
-    errors, spreads = [], []
-    for seed in range(30):
-        one, other = two(seed, 0.4567)
-        estimate = estimate_offset(one, other)
-        errors.append(estimate.value - 0.4567)
-        spreads.append(estimate.sd)
-    assert abs(np.mean(errors)) < 3 * np.std(errors) / np.sqrt(30)
-    assert np.std(errors) == pytest.approx(np.mean(spreads), rel=0.35)
-    assert np.mean(spreads) < 0.005
-
-
 @pytest.mark.parametrize("what", ["constant", "periodic", "unlike"])
 def test_what_cannot_be_known(what):
     rng = np.random.default_rng(3)
@@ -113,24 +100,6 @@ def test_faults(rig, logger, line, words):
         assert word in caught.value.message
 
 
-def test_what_a_run_states_of_gaps_holds_for_its_loggers(rig):
-    folder = rig('offset = "500 ms"')
-    head, *rows = (folder / "camera.csv").read_text().splitlines()
-    cells = [row.split(";") for row in rows]
-    for row in cells[100:]:  # its clock began anew
-        row[0] = f"{float(row[0].replace(',', '.')) - 4.0:.4f}".replace(".", ",")
-    (folder / "camera.csv").write_text("\n".join([head, *map(";".join, cells), ""]))
-    with pytest.raises(InputError, match='gaps = "split" or "through"'):
-        read_data_set(folder, describe)
-    experiment = folder / "experiment.toml"
-    text = experiment.read_text().replace('"rig.csv"\n', '"rig.csv"\ngaps = "through"\n')
-    experiment.write_text(text)
-    (run,) = read_data_set(folder, describe).runs
-    there = np.isfinite(run.measurements["x"])
-    assert there.sum() == len(cells)
-    np.testing.assert_allclose(run.time[there] - 1e3 * run.measurements["x"][there], 0.5, atol=2e-4)
-
-
 def at_rows(recording, *names: str) -> list[list[float]]:
     columns = {**recording.inputs, **recording.measurements}
     return [recording.time.tolist(), *(columns[name].tolist() for name in names)]
@@ -145,13 +114,6 @@ def test_a_step_of_the_second_file_stays_one() -> None:
     assert at_rows(both, "u")[:2] == [[0, 0.5, 1, 1, 1.5, 2], [0, 0, 0, 5, 5, 5]]
     np.testing.assert_array_equal(both.measurements["p"], [10, 10.5, np.nan, 11, 11.5, 12])
     np.testing.assert_array_equal(both.measurements["x"], [0, np.nan, 0, 5, np.nan, 5])
-
-
-def test_a_step_of_both_files_has_two_rows() -> None:
-    steps, levels = np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0])
-    one, other = Recording(steps, {"u": levels}, {}), Recording(steps, {"v": -levels}, {})
-    both = merged(one, other, 0.0, "linear")
-    assert at_rows(both, "u", "v") == [steps.tolist(), levels.tolist(), (-levels).tolist()]
 
 
 @pytest.mark.parametrize("slow", ["first", "second"])

@@ -95,12 +95,6 @@ LATER = "".join(f"{t:g},0.1,{100 + t:g}\n" for t in np.arange(10.0, 11.0, 0.1))
 AGAIN = "".join(f"{t:g},0.1,{100 + t:g}\n" for t in np.arange(0.0, 1.0, 0.1))
 
 
-def test_a_pause_is_said(read: Callable[..., DataSet]) -> None:
-    [run] = read(rows=ROWS + LATER).runs
-    assert "pauses once, for 8.1 s after 1.9 s" in run.notes[-1]
-    assert read('gaps = "through"', rows=ROWS + LATER).runs[0].notes == ()
-
-
 def test_pieces_are_runs(read: Callable[..., DataSet]) -> None:
     first, second = read('gaps = "split"', rows=ROWS + LATER).runs
     assert (first.name, second.name) == ("run piece 1", "run piece 2")
@@ -130,11 +124,3 @@ def test_first_samples_end_where_the_signal_bends() -> None:
     assert abs(first.value) < 4 * first.sd and abs(first.slope - 5.0) < 4 * first.slope_sd
     still = first_samples(t, 0.01 * rng.standard_normal(len(t)), 0.01, 0.0)
     assert still is not None and not still.moves and still.sd < 0.004
-
-
-def test_samples_that_come_after_a_pause_do_not_show_the_start() -> None:
-    t = np.arange(0.0, 2.0, 0.01)
-    late = np.where(t < 1.0, np.nan, 5.0 + 300.0 * (t - 1.0))  # nothing at first, then a steep rise
-    assert first_samples(t, late, 0.01, 0.0) is None
-    soon = np.where(t < 0.05, np.nan, 5.0 + 300.0 * t)
-    assert first_samples(t, soon, 0.01, 0.0) is not None

@@ -28,10 +28,6 @@ def tabs(text: str) -> str:
     return text.replace(",", "\t")
 
 
-def blanks(text: str) -> str:
-    return text.replace(",,", ",nan,").replace(",", "  ")
-
-
 def units_below(text: str) -> str:
     return text.replace("time [s],p [kPa],T [°C]", "time,p,T\ns,kPa,°C")
 
@@ -97,29 +93,12 @@ def test_a_number_may_stand_for_a_missing_sample(tmp_path, decimal):
     assert set(table.missing) == {"-999", "3"}
 
 
-def test_a_row_of_units_may_name_an_absolute_pressure(tmp_path):
-    text = units_below(PLAIN).replace("kPa", "kPa abs").encode()
-    file = tmp_path / "run.csv"
-    file.write_bytes(text)
-    assert read_table(file).columns["p"].unit == "kPa abs"
-
-
 def written(tmp_path, text: str | bytes, **stated) -> dict[str, list[float]]:
     file = tmp_path / "run.txt"
     file.write_bytes(text if isinstance(text, bytes) else text.encode())
     return {
         name: list(column.values)
         for name, column in read_table(file, Layout(**stated)).columns.items()
-    }
-
-
-@pytest.mark.parametrize(
-    "head", ["time [s]   p [kPa]", "time  p", "# time p", "%  time [s] p [kPa]", "time (s) p"]
-)
-def test_blanks(tmp_path, head):
-    assert written(tmp_path, f"{head}\n  0.0   1.5\n 10.1  2\n") == {
-        "time": [0, 10.1],
-        "p": [1.5, 2],
     }
 
 
@@ -205,14 +184,6 @@ def test_faults(tmp_path, case):
         assert word in error.message
 
 
-def test_a_fault_behind_many_rows_is_named(tmp_path):
-    rows = [f"{i / 1000:.3f};{i % 7}" for i in range(50_000)]
-    rows[45_678] = "45.678;1e"
-    with pytest.raises(InputError) as caught:
-        written(tmp_path, "t;p\n" + "\n".join(rows))
-    assert (caught.value.line, caught.value.column) == (45_680, "p")
-
-
 def test_words_for_missing_samples_and_separators_at_the_ends(tmp_path: Path) -> None:
     """Words are stated; several separators at the ends of lines make no column."""
     file = tmp_path / "a.csv"
@@ -222,21 +193,6 @@ def test_words_for_missing_samples_and_separators_at_the_ends(tmp_path: Path) ->
     np.testing.assert_array_equal(table.columns["x"].values, [np.nan, 2, np.nan, 4])
     with pytest.raises(InputError, match="'NA' is not a number"):
         read_table(file, Layout(missing=frozenset({"nan"})))
-
-
-def test_a_row_of_points_that_lacks_what_is_imposed_is_left_out(tmp_path: Path) -> None:
-    (tmp_path / "a.csv").write_text(
-        "p [kPa],x [mm],F [N]\n100,0,90\nnan,1,80\n100,2,nan\n200,0,200\n200,2,160\n"
-    )
-    (tmp_path / "experiment.toml").write_text(
-        'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[recording]\nmissing = ["nan"]\n'
-        '[[runs]]\nfile = "a.csv"\n'
-    )
-    runs = pam.read(tmp_path).runs
-    assert (
-        sum(len(run.time) for run in runs) == 4 and sum(run.sample_count("F") for run in runs) == 3
-    )
-    assert "left out: 1 of 5 rows" in runs[0].notes[0]
 
 
 @pytest.mark.parametrize(
@@ -275,20 +231,6 @@ def test_a_row_of_units_may_stand_above_the_names(tmp_path: Path) -> None:
 CLOCKS = ("", "column = 'stamp'", "column = 1", "formula = 'stamp * 1'")
 
 
-@pytest.mark.parametrize("gap", ["", "\n500,nan,200"], ids=["plain", "cell by cell"])
-def test_a_missing_number_is_none_in_a_column_that_rises(tmp_path: Path, gap: str) -> None:
-    """A map whose readings rise was taken for a clock, which keeps the number."""
-    (tmp_path / "a.csv").write_text(
-        f"p [kPa],x [mm],F [N]\n100,-999,-999\n200,1,10\n300,2,20{gap}\n"
-    )
-    (tmp_path / "experiment.toml").write_text(
-        'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n'
-        '[recording]\nmissing = ["-999", "nan"]\n[[runs]]\nfile = "a.csv"\n'
-    )
-    runs = pam.read(tmp_path).runs
-    assert min(float(run.inputs["x"].min()) for run in runs) == pytest.approx(1e-3)
-
-
 @pytest.mark.parametrize("named", CLOCKS)
 @pytest.mark.parametrize("cell", ["", "nan"], ids=["plain", "cell by cell"])
 def test_a_time_may_be_a_number_that_means_missing_elsewhere(
@@ -317,69 +259,6 @@ def test_a_last_line_that_was_cut_short_is_left_out(tmp_path: Path, cut: str) ->
     file.write_text(f"t,p,x\n0.1,1,2\n0.2,3,4\n{cut}\n")  # whoever wrote it went on
     with pytest.raises(InputError, match="this row has 2 cells, the header has 3"):
         read_table(file)
-
-
-@pytest.mark.parametrize(
-    ("above", "lost"),
-    [("31,0.1,2\nBoot v1.2\nReady\n", "the row"), ("5,6,7\n8,9,7\nBoot 1, 2\n", "2 rows")],
-)
-def test_rows_above_a_header_that_was_written_again(tmp_path: Path, above: str, lost: str) -> None:
-    """A logger that restarts first ends what it had begun."""
-    file = tmp_path / "a.csv"
-    file.write_text(f"{above}t,p,x\n0.1,1,2\n0.2,3,4\n")
-    table = read_table(file)
-    assert {name: list(one.values) for name, one in table.columns.items()} == {
-        "t": [0.1, 0.2],
-        "p": [1, 3],
-        "x": [2, 4],
-    }
-    assert f"left out: {lost} above the header, which stands on line {table.header_line}" in (
-        table.notes
-    )
-
-
-@pytest.mark.parametrize("broken", ["0.2,x,4", "OVLD,3,4", "a,b"])
-def test_a_broken_row_is_no_header(tmp_path: Path, broken: str) -> None:
-    file = tmp_path / "a.csv"
-    file.write_text(f"0.1,1,2\n{broken}\n0.3,5,6\n")
-    with pytest.raises(InputError, match="the header is missing"):
-        read_table(file)
-
-
-@pytest.mark.parametrize(
-    "head",
-    [
-        "Export;;\nZeit;Druck;Weg\ns;bar;mm\nFloat64;Float64;Float64\n",
-        "type;Trace;\nZeit;Druck;Weg\nunit;bar;mm\ntrace_values;;\n",
-        "Zeit;Druck;Weg\nSecond;Bar;mm\n",
-    ],
-    ids=["types below the units", "a word for units, and a label", "units with capitals"],
-)
-def test_rows_between_names_and_numbers(tmp_path: Path, head: str) -> None:
-    file = tmp_path / "a.csv"
-    file.write_text(f"{head}0,0;1,5;2\n0,1;2,5;3\n")
-    columns = read_table(file).columns
-    assert list(columns) == ["Zeit", "Druck", "Weg"]
-    assert [columns[name].unit for name in ("Druck", "Weg")] == ["bar", "mm"]
-
-
-@pytest.mark.parametrize(
-    ("text", "words"),
-    [
-        ("X,CH1,CH2,Start,\nSequence,Volt,Volt,-2.0,\n0,1,2,\n1,2,3,\n", "rename one; or, .* = 1"),
-        ("t,p,x\nRun 4,late\n0,1,2\n", "has 3 cells, the header has 2; .* header_line = 1"),
-    ],
-)
-def test_the_line_of_the_names_is_said_where_it_may_be_another(
-    tmp_path: Path, text: str, words: str
-) -> None:
-    file = tmp_path / "a.csv"
-    file.write_text(text)
-    with pytest.raises(InputError, match=words):
-        read_table(file)
-    assert list(read_table(file, Layout(header_line=1)).columns) == text.split("\n")[0].strip(
-        ","
-    ).split(",")
 
 
 def test_rows_without_a_value_at_the_end_are_none(tmp_path: Path) -> None:

@@ -74,23 +74,6 @@ def test_what_is_stated_of_the_start_reads_back(make, tmp_path, stated, units):
         np.testing.assert_allclose(copy.measurements[name], values, rtol=1e-7)
 
 
-def test_a_lead_without_its_samples_is_not_scored_either(make, tmp_path):
-    last = 'file = "run-01.csv"'
-    data = read_data_set(make(("experiment.toml", last, f'{last}\nlead = "0.15 s"')), describe)
-    run, *others = data.runs
-    bare = replace(run, start=replace(run.start, leading={}))
-    copy = write_data_set(tmp_path / "copy", replace(data, runs=(bare, *others)), BENCH).runs[0]
-    assert copy.start.lead == 0.15
-    assert [copy.sample_count(name) for name in ("p", "x")] == [1, 1]
-    assert np.isnan(copy.start.leading["p"][1]).all()
-
-
-def test_titles_are_quoted(make, tmp_path):
-    title = 'a "quoted" \\ title\nwith ümlaut \t'
-    data = replace(read_data_set(make(), describe), title=title)
-    assert write_data_set(tmp_path / "copy", data, BENCH).title == title
-
-
 def test_other_files_stay(make):
     folder = make()
     (folder / "SOURCE.md").write_text("origin")

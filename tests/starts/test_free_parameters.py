@@ -59,26 +59,6 @@ def test_a_run_begins_at_the_start_value_that_is_fitted(tmp_path: Path, start: s
     assert fit.values["rate"] == pytest.approx(RATE, rel=0.05)
 
 
-def test_a_parameter_that_is_named_as_a_start_is_one_whatever_depends_on_it(tmp_path: Path) -> None:
-    """As the reference of a polytropic gas is its start: the model returns to where it began."""
-    data = _data({"rate": (0.1, 10.0), "s_start": (-5.0, 5.0)}, begin=LEVEL)
-    text = MODEL.format(level=LEVEL, start="s_start", first=0.0, right="s_start")
-    fit = _fit(tmp_path, data, text)
-    assert not fit.starts
-    assert fit.values["s_start"] == pytest.approx(LEVEL, abs=3 * SIGMA)
-
-
-def test_a_parameter_that_also_drives_the_model_is_no_start(tmp_path: Path) -> None:
-    """The model begins at rest, at the level that is fitted; the recording began elsewhere."""
-    data = _data({"rate": (0.1, 10.0), "rest": (-5.0, 5.0)})
-    text = MODEL.format(level=0.0, start="rest", first=0.0, right="rest")
-    fit = _fit(tmp_path, data, text)
-    assert [run.run.start.mode for run in fit.comparison.runs] == ["estimated"]
-    assert fit.values["rest"] == pytest.approx(LEVEL, abs=3 * SIGMA)
-    assert fit.starts["s@run"].value == pytest.approx(BEGIN, abs=3 * SIGMA)
-    assert fit.comparison.chi2_reduced("fit") < 1.5
-
-
 @pytest.mark.parametrize(
     "free", [["load.m/stated"], ["load.m@run-01"], ["load.m/stated", "muscle.L0", "muscle.D0"]]
 )
