@@ -155,46 +155,6 @@ def test_no_number_decides_elsewhere(file: Path) -> None:
     assert numbers_compared(tree) == []
 
 
-def test_only_modules_that_decide_are_listed() -> None:
-    assert {*DECIDE_NOTHING} <= {name_of(file) for file in DECIDING}
-
-
-def test_an_imported_number_is_seen() -> None:
-    text = "from pam_cosim.measurement.free_parameter import INTERVAL, FreeParameter"
-    assert imported_numbers(ast.parse(text)) == ["INTERVAL"]
-
-
-@pytest.mark.parametrize(
-    ("text", "decides"),
-    [
-        ("def f(s):\n    return s > 0.37", True),
-        ("def f(s, noise):\n    return s > 0.37 * noise", True),
-        ("def f(s):\n    return min(s, 0.37) < s", True),
-        ("def f(s):\n    return -0.37 < s < 1", True),
-        ("def f(s):\n    limit = 0.37\n    return s > limit", True),
-        ("def f(s):\n    limit: float = 0.37\n    return s > 2 * limit", True),
-        ("def f(s):\n    low, high = 0.37, 1\n    return low < s", True),
-        ("def f(s, limit=0.37):\n    return s > limit", True),
-        ("def f(s, *, limit=0.37):\n    return s > limit", True),
-        ("f = lambda s, limit=0.37: s > limit", True),
-        (
-            "class A:\n    limit: float = 0.37\n    def f(self, s):\n        return s > self.limit",
-            True,
-        ),
-        ("LIMIT = 0.37", True),
-        ("LIMIT: float = 0.37", True),
-        ("def f(s, n):\n    return s > 2 * n - 0.5 and s[7] > 0", False),
-        ("def f(s):\n    return s > 1 + 1e-12", False),
-        ("def f(s):\n    width = 0.37 * s\n    return width", False),
-        ("LIMIT = CRITERIA.fit.dead / 7", False),
-        ("NODES = 7", True),
-    ],
-)
-def test_a_number_that_decides_is_seen(text: str, decides: bool) -> None:
-    tree = ast.parse(text)
-    assert bool(constants(tree) or numbers_compared(tree)) is decides
-
-
 def constants(tree: ast.Module) -> list[str]:
     """Constants of a module that have a number and do not follow from a criterion."""
     found = []

@@ -13,7 +13,6 @@ from pam_cosim.catalogue import compose
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.judgement.next_experiment import (
-    _varied,
     distinguishable_rivals,
     next_experiment,
 )
@@ -50,13 +49,6 @@ def test_creep_without_end_is_a_spring(data: DataSet) -> None:
     assert kept is fast
     assert plan is not None and plan.separation > 5
     assert plan.between == ("elasticity", "creep")
-
-
-def test_the_simpler_of_two_stays_a_rival_of_the_richer(data: DataSet) -> None:
-    """Which of them leads is decided by evidence; a rival with fewer parameters is not dropped."""
-    slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)
-    spring = rival("LinearBladder", "elasticity", data, k=250.0)
-    assert len(distinguishable_rivals(data, slow, [spring])) == 1
 
 
 def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:
@@ -99,22 +91,6 @@ def first_order(
     return Candidate("", "", "", (), ("k",), fit, equations=FIRST_ORDER), data
 
 
-@pytest.mark.parametrize("taken", [slice(0, 51), slice(0, 51, 10), slice(0, 0)])
-def test_only_samples_that_were_taken_say_something_of_the_parameters(taken: slice) -> None:
-    samples = np.full(51, np.nan)
-    samples[taken] = RISE[taken]
-    with Hypothesis(*first_order(1.0, Signal("y", "1", 0.01), samples)) as known:
-        information = float(np.sum(known.information_root**2))
-    assert information == pytest.approx(np.sum((RISE[taken] / 0.01) ** 2), rel=1e-4)
-
-
-def test_a_signal_that_a_run_has_not_says_nothing() -> None:
-    candidate, data = first_order(1.0, Signal("y", "1", 0.01), RISE)
-    data = replace(data, runs=(replace(data.runs[0], measurements={}),))
-    with Hypothesis(candidate, data) as known:
-        assert not known.information_root.any()
-
-
 def test_samples_count_by_the_noise_of_their_readings() -> None:
     """Noise of 0.001 and a tenth of the reading: at 20 it is 2, whatever it was in the recording."""
     signal = Signal("y", "1", 0.05, sigma_of_reading=0.1, sigma_at_zero=0.001)
@@ -129,14 +105,6 @@ def test_samples_count_by_the_noise_of_their_readings() -> None:
         miss = other.refitted_miss(truth, other.predict(run))
     expected = (2 * RISE) ** 2 / (0.001**2 + (2 * RISE) ** 2)
     assert miss == pytest.approx(np.sum(expected), rel=1e-4)
-
-
-def test_a_parameter_that_one_run_does_not_state_varies(data: DataSet) -> None:
-    """An input that is constant in one run is a column in another."""
-    first, second, *others = data.runs
-    lacking = replace(second, parameters={})
-    for runs in ((first, lacking, *others), (lacking, first, *others)):
-        assert _varied(replace(data, runs=runs)) == ["load.m"]
 
 
 def test_the_run_can_be_made_as_printed(data: DataSet) -> None:

@@ -9,14 +9,11 @@ import pytest
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.judgement.evidence import contradicted_by_holdout
-from pam_cosim.diagnosis.search.predicted_evidence import PredictedEvidence
 from pam_cosim.diagnosis.search.ranking import Ranking
-from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.fitting import Estimate, Fit
-from tests.diagnosis.linear_world import KNOWN, TREE, world
+from tests.diagnosis.linear_world import KNOWN, world
 from tests.diagnosis.synthetic import fitted
 
-KNOWN_PARAMETERS = {name: len(e.parameters) for name, e in KNOWN.items()}
 STRUCTURE = 30.0  # whiteness score of residuals that are correlated
 
 
@@ -59,18 +56,6 @@ def test_the_model_that_leaves_least_leads_where_none_beats_the_base_model() -> 
     assert order.leader() is slow[1] and order.parents() == [slow[1], slow[0]]
     (bar,) = order.acceptance_thresholds(1, order.scale)
     assert (bar.reference, bar.criterion) == (slow[1], order.information_criterion(slow[1]))
-
-
-def test_it_leads_by_what_is_possible_where_what_is_left_says_next_to_nothing() -> None:
-    """Of two effects that only explain the data together, each alone gains less than a parameter costs."""
-    little = _model("OrificeLeak", 48.0, 1)
-    slow = replace(
-        little, fit=fitted(48.0, None, STRUCTURE, time=200.0, own=little.effect_parameters)
-    )
-    order = _order(slow)
-    assert order.information_criterion(slow) > order.information_criterion(None)
-    assert order.leader() is slow and order.parents() == [slow]
-    assert order.best() is None
 
 
 def test_noise_that_nobody_stated_is_what_the_best_model_leaves() -> None:
@@ -116,52 +101,6 @@ def test_two_laws_are_better_than_one_effect_that_takes_many_more_parameters() -
     )
 
 
-def test_not_where_they_explain_less() -> None:
-    assert (
-        _best(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak+LinearBladder", 1.2, 2))
-        == "GeneralLeak"
-    )
-
-
-def test_not_where_they_take_about_as_many_and_explain_little_more() -> None:
-    assert (
-        _best(_model("FlexibleBladder", 1.005, 3), _model("OrificeLeak+DahlFriction", 1.0, 2))
-        == "FlexibleBladder"
-    )
-
-
-def test_laws_are_carried_on_beside_what_says_whatever_its_family_can() -> None:
-    general, laws = (
-        _model("GeneralLeak", 5.0, 8, STRUCTURE),
-        _model("OrificeLeak+LinearBladder", 9.0, 2, STRUCTURE),
-    )
-    order = _order(general, laws)
-    assert order.parents() == [general, laws]
-    of_all, of_laws = order.acceptance_thresholds(3, order.scale)
-    assert (of_all.specific, of_laws.specific) == (False, True)
-    assert (of_all.reference, of_laws.reference) == (general, laws)
-    assert (
-        of_all.criterion
-        == order.information_criterion(general)
-        < of_laws.criterion
-        == order.information_criterion(laws)
-    )
-
-
-def test_not_where_the_best_is_made_of_laws_or_leaves_noise() -> None:
-    laws = _model("OrificeLeak", 5.0, 1, STRUCTURE)
-    assert (
-        len(
-            _order(laws, _model("GeneralLeak", 9.0, 8, STRUCTURE)).acceptance_thresholds(
-                2, _order(laws).scale
-            )
-        )
-        == 1
-    )
-    solved = _order(_model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE))
-    assert not any(bar.specific for bar in solved.acceptance_thresholds(1, solved.scale))
-
-
 def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_must_be_better() -> (
     None
 ):
@@ -176,30 +115,6 @@ def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_mu
     worth = pytest.approx(CRITERIA.evidence.very_strong)
     assert reached("LinearBladder") == [0.0, worth]
     assert reached("LaminarLeak") == reached("LaminarLeak+LinearBladder") == [0.0]
-
-
-@pytest.mark.parametrize(
-    ("effect", "room"), [("OrificeLeak", False), ("FlexibleBladder", False), ("GeneralLeak", True)]
-)
-def test_more_effects_are_asked_for_where_they_may_have_fewer_parameters(
-    effect: str, room: bool
-) -> None:
-    assert _order(_model(effect, 1.0, KNOWN_PARAMETERS[effect])).more_effects_can_pay(2) is room
-
-
-def test_what_leaves_noise_by_many_parameters_is_challenged_from_a_plainer_model() -> None:
-    rich, plain = _model("GeneralLeak", 1.0, 8), _model("OrificeLeak", 5.0, 1, STRUCTURE)
-    order = _order(rich, plain, _model("FlexibleBladder", 20.0, 3, STRUCTURE))
-    assert order.parents() == [plain]
-    (bar,) = order.acceptance_thresholds(2, order.scale)
-    worth = CRITERIA.evidence.very_strong
-    assert (bar.reference, bar.cost) == (plain, order.cost(rich.effects))
-    assert bar.criterion == order.information_criterion(plain) - worth
-    assert bar.fitted == order.information_criterion(rich) - worth
-
-
-def test_no_room_is_asked_for_where_the_best_leaves_structure() -> None:
-    assert not _order(_model("GeneralLeak", 5.0, 12, STRUCTURE)).more_effects_can_pay(2)
 
 
 @pytest.mark.parametrize(
@@ -224,28 +139,3 @@ def test_values_excuse_no_model_that_leaves_more_in_held_out_runs_than_the_base_
     fit, excused = fitted(1.0, 5.0, STRUCTURE), fitted(1.0, 1.0)
     vars(fit)["residuals_beyond_uncertainty"] = excused.residuals
     assert contradicted_by_holdout(fit, fitted(9.0, base, STRUCTURE)) is expected
-
-
-def test_sets_of_which_an_effect_finds_no_place_are_not_proposed_again() -> None:
-    """Both are the law of one manometer."""
-    search = Search(TREE, "PneumaticMuscle.Benches.Isotonic", tuple(KNOWN.values()), world({}).data)
-    wanted = [FitRequest(("PressureOffset", "PressureGain"), {})]
-    assert search.fit_briefly(wanted) == [] == search.failed
-    assert search.displaced == {frozenset(wanted[0].effects)}
-    linear = world({"LinearBladder": 5.0})
-    base = linear.fitted(())
-    predicted = PredictedEvidence(Ranking(linear, base, {}))
-    predicted.note_probes(linear.probe(base, (), ["LinearBladder", "OrificeLeak"]))
-    proposed = {p.prediction.effects for p in predicted.proposals(1)}
-    linear.displaced.add(frozenset({"LinearBladder"}))
-    assert {p.prediction.effects for p in predicted.proposals(1)} == proposed - {("LinearBladder",)}
-    assert ("LinearBladder",) in proposed
-
-
-def test_a_further_effect_costs_as_much_as_one_that_is_expected() -> None:
-    last = list(KNOWN)[-1]
-    order = _order(_model("OrificeLeak", 1.0, 1))
-    assert order.search.likeliest_first == list(KNOWN)
-    order.search = replace(order.search, expected=frozenset({last}))
-    assert order.search.likeliest_first[0] == last != "OrificeLeak"
-    assert order.cost((last,)) < order.cost((list(KNOWN)[0],))

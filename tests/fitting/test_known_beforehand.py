@@ -89,15 +89,6 @@ def test_prior_of_the_logarithm_is_as_steep_as_the_fit_takes_it_for() -> None:
         assert here == pytest.approx(-np.log(1.25 / 1.1) / 0.05)
 
 
-def test_logarithm_changes_the_way_and_not_the_end() -> None:
-    data = vessel_data()
-    linear = pam.fit(data).values
-    logarithmic = pam.fit(
-        replace(data, fit={n: replace(f, transform="log") for n, f in data.fit.items()})
-    ).values
-    assert logarithmic == pytest.approx(linear, rel=1e-4)
-
-
 def test_run_has_a_parameter_of_its_own(tmp_path: Path) -> None:
     own = '[runs.fit]\n"orifice.C_d" = { min = 0.4, max = 1.1, transform = "log" }'
     truth = {"a": 0.84, "b": 0.6, "c": 0.84}
@@ -208,13 +199,3 @@ def test_what_cannot_be_is_one_message_with_its_line(
 def test_holdout_run_has_nothing_of_its_own_to_fit(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="free in a run that is never fitted"):
         pam.read(write(tmp_path / "rig", BOTH, {"a": "", "b": HELD}))
-
-
-def test_starts_are_followed_each_to_its_end() -> None:
-    fit = pam.fit(vessel_data(), method="multi-start", starts=5)
-    assert len(fit.convergence.descents) == 6
-    assert fit.convergence.descents.min() == pytest.approx(
-        fit.residuals["fit"].chi2_reduced, rel=1e-6
-    )
-    with pytest.raises(InputError, match="starts are for the method multi-start"):
-        pam.fit(vessel_data(), starts=5)

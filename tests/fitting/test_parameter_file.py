@@ -77,11 +77,6 @@ def test_ssv_is_valid_and_read_by_another_tool(tmp_path: Path) -> None:
     assert units == {"1": {}, "W/(m2.K)": {"kg": "1", "s": "-3", "K": "-1"}}
 
 
-def test_plain_object_of_names_and_numbers(tmp_path: Path) -> None:
-    (tmp_path / "p.json").write_text('{"load.m": 5, "tank.n": 1.2}')
-    assert read_parameters(tmp_path / "p.json") == {"load.m": 5.0, "tank.n": 1.2}
-
-
 SSV = '<P xmlns:s="http://ssp-standard.org/SSP1/SystemStructureParameterValues">{}</P>'
 BAD = [
     ("p.json", "", "not JSON", 1),
@@ -136,21 +131,3 @@ def test_bad_file_is_one_clear_message(
         read_parameters(file)
     assert words in caught.value.message
     assert (caught.value.file, caught.value.line) == (file, line)
-
-
-def test_bytes_that_are_no_text(tmp_path: Path) -> None:
-    (tmp_path / "p.json").write_bytes(b"\xff\xfe{")
-    with pytest.raises(InputError, match="UTF-8"):
-        read_parameters(tmp_path / "p.json")
-
-
-@pytest.mark.parametrize("missing", ["none.json", "folder"])
-def test_missing_file(tmp_path: Path, missing: str) -> None:
-    (tmp_path / "folder").mkdir()
-    with pytest.raises(InputError, match="cannot be read"):
-        read_parameters(tmp_path / missing)
-
-
-def test_unwritable(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="cannot be written"):
-        write_parameters(tmp_path / "no" / "p.json", FOUND)

@@ -18,7 +18,7 @@ from pam_cosim.fitting.predictive_bands import Band, predictive_bands
 from tests.comparison.fake import FakeSimulator
 from tests.comparison.fake import data_set as fake_data
 from tests.comparison.fake import run as recorded
-from tests.fitting.models import C_D, KNOWN, P_START, TIMES, N, discharge, vessel_data
+from tests.fitting.models import C_D, P_START, TIMES, N, discharge, vessel_data
 
 EARLY = np.linspace(0.0, 12.0, 13)
 
@@ -63,16 +63,6 @@ def test_the_truth_lies_within_the_band_as_often_as_promised() -> None:
         band = study.predict(fitted, stop_time=20, interval=1, samples=60).bands["p"]
         inside += bool(band.low[20] <= truth <= band.high[20])
     assert 17 <= inside <= 20  # 19 are expected; fewer than 17 come once in 60 times
-
-
-def test_a_recorded_run_stands_beside_its_band(fitted: Fit) -> None:
-    bands = study.predict(fitted, run="run")
-    assert bands.bands["p"].coverage >= 0.75 and "readings are within their band" in str(bands)
-
-
-def test_two_predictions_are_one(fitted: Fit) -> None:
-    one, two = (study.predict(fitted, stop_time=20, samples=20, seed=3).as_dict() for _ in range(2))
-    assert one == two
 
 
 def test_bad_questions(fitted: Fit) -> None:
@@ -130,24 +120,6 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
     assert whole["signals"]["p"]["discrepancy"] == content["discrepancy"]
 
 
-def test_what_a_fit_was_told_to_set_counts_in_its_prediction() -> None:
-    """The posterior and its runs had the model's own value."""
-    data = vessel_data(times=EARLY, sigma=5e3)
-    run = replace(data.runs[0], parameters={k: v for k, v in KNOWN.items() if k != "tank.V"})
-    free = replace(data, runs=(run,), parameters=dict(run.parameters))
-    stated = study.fit(free, parameters={"tank.V": KNOWN["tank.V"]})
-    of_data, of_call = study.fit(data), stated
-    bands = [
-        study.predict(one, run="run", samples=20, seed=1).bands["p"] for one in (of_data, of_call)
-    ]
-    assert of_call.values == pytest.approx(
-        of_data.values | {"tank.V": KNOWN["tank.V"]}
-        if "tank.V" in of_call.values
-        else of_data.values
-    )
-    np.testing.assert_allclose(bands[1].mean, bands[0].mean, rtol=1e-6)
-
-
 def level(drawn: list[float], weights: list[float]) -> Band:
     """The prediction of a pressure that is a parameter, read with noise of 2 Pa at 0, 1 and 4 s."""
     simulator = FakeSimulator(lambda times, given: {"p": given["level"] + 0 * times})
@@ -167,9 +139,3 @@ def test_noise_goes_out_of_a_mean_by_the_squares_of_its_weights() -> None:
     )
     assert band.reading_high == pytest.approx([11 + 1.96 * np.sqrt(3 + 4)] * 3)
     assert band.mean == 2.0
-
-
-def test_a_sample_stands_at_the_middle_of_its_weight() -> None:
-    """0, 1, 2, 3 and 4 stand at 0.01, 0.06, 0.45, 0.88 and 0.98 of the weight."""
-    band = level([4.0, 0.0, 2.0, 1.0, 3.0], [0.04, 0.02, 0.7, 0.08, 0.16])
-    assert band.low == pytest.approx([0.3] * 3) and band.high == pytest.approx([3.95] * 3)

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
-import sys
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -26,7 +24,6 @@ from tests.hostile.small_disk import disks_can_be_made, on_disk
 from tests.tiers import quick
 
 TIMES = np.linspace(0.0, 2.0, 21)
-ROOT = Path(__file__).parents[2]
 
 
 def _ode() -> Ode:
@@ -126,19 +123,6 @@ try:
 except InputError as problem:
     sys.exit(f"pam-cosim: {problem}")
 """
-
-
-@pytest.mark.full
-def test_eight_at_once(cache: Path) -> None:
-    command = [sys.executable, "-c", BUILD, "an FMU"]
-    running = [
-        subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) for _ in range(8)
-    ]
-    told = [process.communicate()[0] for process in running]
-    assert {process.returncode for process in running} == {0} and len(set(told)) == 1
-    sums = {".sums"}  # of a folder that is kept whole
-    left = {p.name for p in _files(cache) if p.name.startswith(".")} - sums
-    assert not left and all(is_whole(p) for p in _files(cache) if p.name.endswith(".sums"))
 
 
 @pytest.mark.full

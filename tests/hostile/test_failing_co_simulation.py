@@ -15,11 +15,11 @@ from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.resources import modelica_root
-from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator
+from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator
 from tests.fmu import models
 from tests.hostile.reading import make
 from tests.openmodelica.compiler import OMC, WHY_NOT
-from tests.simulation.misbehaving import hanging, patched
+from tests.simulation.misbehaving import patched
 from tests.tiers import quick
 
 TIMES = np.linspace(0.0, 2.0, 21)
@@ -77,21 +77,6 @@ def test_inputs_that_rise_and_jump(tmp_path: Path, interpolation: str) -> None:
     assert run.solver and run["y"] == pytest.approx(expected["y"], abs=1e-6)
 
 
-@pytest.mark.full
-def test_where_both_fail_the_first_reason_is_said(tmp_path: Path) -> None:
-    with (
-        IsolatedSimulator(failing(tmp_path)) as simulator,
-        pytest.raises(
-            RunFailure, match=r"^no  \[31m more \(simulated up to 1 s\); with x_start = 1e\+300"
-        ),
-    ):
-        simulator.run(
-            TIMES,
-            parameters={"x_start": 1e300},
-            inputs=Inputs([0.0, 1.5, 1.5], {"u": [0, 0, 1e308]}),
-        )
-
-
 @pytest.mark.parametrize("fmi", [pytest.param("2.0", marks=pytest.mark.full), "3.0"])
 def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
     fmu = study.build("Isotonic", fmi=fmi)
@@ -110,27 +95,6 @@ def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
         assert run[name] == pytest.approx(expected[name], abs=1e-6 * float(np.ptp(expected[name])))
 
 
-@pytest.mark.full
-def test_equations_that_hang_or_never_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("HANG", "fmi2GetDerivatives")
-    only = exchange_only(hanging(tmp_path), tmp_path / "Only.fmu")
-    with (
-        IsolatedSimulator(only, 2.0) as simulator,
-        pytest.raises(RunFailure, match="no progress for 2 s, derivatives"),
-    ):
-        simulator.run(TIMES)
-    file = tmp_path / "Wave.mo"
-    file.write_text(
-        "model Wave output Real x(start = 0, fixed = true); equation der(x) = 1e6*cos(1e6*time); end Wave;"
-    )
-    only = exchange_only(study.build(str(file)), tmp_path / "Wave.fmu")
-    with (
-        IsolatedSimulator(only, 1.0) as simulator,
-        pytest.raises(RunFailure, match="longer than it may, 1 s"),
-    ):
-        simulator.run(np.linspace(0.0, 100.0, 10001))
-
-
 def told(fmu: Path, folder: Path, capfd: pytest.CaptureFixture[str], sentence: str) -> None:
     """What the commands say of an FMU."""
     data = make(folder / "data", {})
@@ -142,12 +106,6 @@ def told(fmu: Path, folder: Path, capfd: pytest.CaptureFixture[str], sentence: s
     assert json.loads((folder / "c.json").read_text())["runs"][0]["solver"].startswith(sentence)
     assert main(["fit", str(data), "--model", str(fmu)]) == 0
     assert capfd.readouterr().out.count(sentence) == 1
-
-
-@pytest.mark.full
-def test_the_commands_say_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    fmu = exchange_only(study.build("Isotonic"), tmp_path / "Only.fmu")
-    told(fmu, tmp_path, capfd, "Only.fmu is for model exchange: run with CVode")
 
 
 @pytest.mark.full

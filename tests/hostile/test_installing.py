@@ -51,14 +51,6 @@ class Checkout:
         return list(self.made)
 
 
-def test_an_environment_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    checkout = Checkout(tmp_path / "a", monkeypatch)
-    assert checkout.set_up() == [str(checkout.root)]
-    assert checkout.set_up() == []
-    assert checkout.set_up("test") == [f"{checkout.root}[test]"]
-    assert checkout.set_up() == []
-
-
 @pytest.mark.parametrize("extra", ["", "test"])
 def test_a_moved_checkout_has_its_own(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, extra: str

@@ -175,15 +175,3 @@ def test_advice_of_a_refusal_is_enough(tmp_path: Path) -> None:
     file.unlink()
     swept(file, None)
     assert result.exists() and not file.exists()
-
-
-def test_one_study_at_a_time_writes_a_file(tmp_path: Path) -> None:
-    file = tmp_path / "s.csv.partial"
-
-    def second(done: int, total: int) -> None:
-        with pytest.raises(pam.InputError, match="another sweep is writing this"):
-            swept(file, None)
-        raise Stopped
-
-    with pytest.raises(Stopped):
-        swept(file, second)

@@ -102,12 +102,3 @@ def test_a_coarse_logger_is_not_called_physics(tmp_path: Path, hidden: list[str]
     assert list(diagnosis.verdict.families) == [name.split(":")[0] for name in hidden]
     assert diagnosis.step_times == steps_between(data)
     assert "steps of commands came between two samples" in str(diagnosis)
-
-
-@pytest.mark.full
-def test_a_slow_valve_is_not_called_a_coarse_logger(tmp_path: Path) -> None:
-    data, _ = _measured(
-        tmp_path / "data", [effect_of("valve_dynamics:lag:tau=0.006")], aligned=True
-    )
-    diagnosis = study.diagnose(data, explain=False)
-    assert (diagnosis.verdict.families, diagnosis.step_times) == (("valve_dynamics",), 0)
