@@ -121,10 +121,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         (["none.toml"], "cannot be read"),
         (["system.toml", "--method", "jakobi"], "unknown method 'jakobi'; did you mean 'jacobi'"),
         (["system.toml", "--step", "5 kg"], "the step: "),
-        (["system.toml", "--tolerance", "-1"], "the tolerance of a step must be larger than zero"),
-        (["system.toml", "--tolerance", "0"], "the tolerance of a step must be larger than zero"),
         (["system.toml", "--set", "muscle.load.mm=5"], "did you mean 'muscle.load.m'"),
-        (["system.toml", "--set", "muscle.p=5"], "muscle.p"),
         (["system.toml", "--keep", "muscle.w"], "no variable 'w'"),
         (["system.toml", "-o", "system.toml"], "system.toml"),
         (
@@ -135,9 +132,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
             ["system.toml", "--sample", "muscle=1ms", "--sample", "muscle=2ms"],
             "--sample: 'muscle' is given twice",
         ),
-        (["system.toml", "--sample", "muscle"], "write NAME=TIME"),
         (["system.toml", "--sample", "muscel=1ms"], "did you mean 'muscle'"),
-        (["controlled.toml"], "no component 'lift'"),
         (["controlled.toml", "--controller", "lift=lift.py"], "write NAME=FILE.py:FUNCTION"),
         (["controlled.toml", "--controller", "lift=none.py:lift"], "there is no such file"),
         (

@@ -54,16 +54,9 @@ def test_times_of_a_run(command: Command, place: Path) -> None:
     ("words", "message"),
     [
         (["--at", "p=6 kg"], "p=6 kg"),
-        (["--at", "pp=6 bar"], "no variable 'pp'"),
         (["--at", "p"], "'p': write NAME=VALUE"),
-        (["--at", "p=1 bar", "--at", "p=2 bar"], "'p' is given twice"),
         (["--at", "p=1 bar, time=2 s"], "give either times or values"),
-        (["--at", "time=2 s", "--at", "time=1 s"], "the times must increase"),
         (["--at", "time=1", "--at", "time=2", "-o", "a.csv"], "are for one point"),
-        (["--at", "p=1 bar, T=400"], "no state was found"),
-        (["--by", "u"], "no input 'u'"),
-        (["--set", "u_inn=1"], "no parameter or input 'u_inn'"),
-        (["--at", "p=1 bar", "--input", "u.csv"], "inputs over time are for a time of a run"),
     ],
 )
 def test_refused(command: Command, place: Path, words: list[str], message: str) -> None:
