@@ -111,25 +111,6 @@ DECIDE_NOTHING = {
 ARITHMETIC = (0, 0.5, 1, 2, 3, 12)
 ROUNDING = 1e-9  # what is smaller is about the last digits of numbers, and divisions by zero
 TABLE = criteria_table()
-QUOTED = (
-    ("fitting.md", "{:g} are named", "fitting.fit.STRONG_CORRELATION"),
-    ("fitting.md", "by {:g} the 95 % interval ends", "fitting.profile.INTERVAL_RISE"),
-    ("how-it-works.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("results.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("planning.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
-    ("planning.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
-    ("planning.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
-    *(
-        (page, "{:g} s of processor time and {:g} s more", "simulation.simulator.LONGEST_RUN")
-        for page in ("own-fmu.md", "runs.md", "trust.md")
-    ),
-    ("planning.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
-    ("planning.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
-    ("runs.md", "{:g} of its change", "sweeps.scalars._SETTLED_CHANGE"),
-    ("runs.md", "{:g} of the run", "sweeps.scalars._STEADY_PART"),
-    ("data-sets.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
-    ("data-sets.md", "{:g} of its range are one level", "measurement.curves._LEVEL"),
-)
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
 
 
@@ -257,11 +238,3 @@ def test_documents_quote_the_numbers_in_force() -> None:
             assert text == TABLE[name][0], f"{page.name} says {text} for {name}"
             quoted += 1
     assert quoted > 10
-
-
-@pytest.mark.parametrize(("page", "text", "name"), QUOTED)
-def test_documents_quote_the_constants_in_force(page: str, text: str, name: str) -> None:
-    module, _, constant = name.rpartition(".")
-    value = getattr(importlib.import_module(f"pam_cosim.{module}"), constant)
-    written = text.format(*(value if isinstance(value, tuple) else (value,)))
-    assert re.search(rf"(?<![\d.]){re.escape(written)}", (ROOT / "docs" / page).read_text())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import math
 import tomllib
 from dataclasses import replace
@@ -11,17 +10,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 from scipy.signal import lsim
 
 from rig.catalogue.dead_volume import DeadVolume
-from rig.catalogue.dry_friction import Coulomb, Dahl
+from rig.catalogue.dry_friction import Coulomb
 from rig.catalogue.elasticity import LinearSpring, MooneyRivlin
 from rig.catalogue.gas_energy import GasEnergy
 from rig.catalogue.leak import LaminarLeak
 from rig.catalogue.thermocouple_lag import ThermocoupleLag
-from rig.catalogue.wall_heat import WarmWall
-from rig.effect import Now, Rest
 from rig.flow import (
     FLOW_CONSTANT,
     P_ATM,
@@ -33,13 +29,7 @@ from rig.flow import (
     flow_function,
     mass_flow,
 )
-from rig.measurement import (
-    main,
-    measure,
-    write_data_set,
-)
 from rig.muscle import MuscleParameters, simulate_muscle
-from rig.plan import default_plan
 from rig.quadrature import Approach
 from rig.schedule import Phase, Schedule
 from rig.tank import Vessel, orifice_port, simulate_vessel, valve_ports
@@ -77,13 +67,6 @@ def printed_test():  # noqa: ANN201
 )
 def test_muscle_reproduces_the_printed_values(printed_test, signal, t, printed, half_digit):
     assert getattr(printed_test, signal)[round(100 * t)] == pytest.approx(printed, abs=half_digit)
-
-
-def test_a_sharp_step_is_what_moves_the_printed_venting_pressure():
-    sharp = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
-    # printed: 82.1 kPa; the ramp between two samples explains it
-    assert sharp.p[600] == pytest.approx(82.405e3, abs=2)
-    assert sharp.x[700] == pytest.approx(39.5485e-3, abs=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -233,21 +216,6 @@ def test_coulomb_friction_holds_a_band_of_rest_positions():
     assert moves[1] < 0.05e-3
 
 
-@pytest.mark.parametrize("speed", [0.01, -0.03])
-def test_dahl_friction_builds_up_exponentially_with_travel(speed):
-    dahl = Dahl(f_c=8.0, stiffness=2e4)
-    travel = speed * 0.02
-
-    def rate(t: float, q: np.ndarray) -> tuple[float, ...]:
-        return dahl.rates(q, Now(0.0, speed, 0.0, T_ATM, (0.0, 0.0), 0.0, 0.0))
-
-    q = solve_ivp(
-        rate, (0.0, 0.02), dahl.initial(Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))), rtol=1e-9, atol=1e-14
-    ).y[:, -1]
-    expected = math.copysign(8.0 * (1 - math.exp(-2e4 * abs(travel) / 8.0)), speed)
-    assert dahl.force(q, 0.0, speed, 0.0) == pytest.approx(expected, rel=1e-6)
-
-
 def test_leak_lets_a_closed_muscle_down():
     hold = Schedule.of([Phase(2.0, u_in=0.35), Phase(8.0)])
     muscle = replace(MuscleParameters(), h_film=1e-6)  # no heat through the wall
@@ -278,17 +246,6 @@ def test_gas_energy_keeps_the_mass_of_gas_in_a_closed_muscle():
     assert np.ptp(mass) / mass[0] < 1e-7
 
 
-def test_warm_wall_has_the_base_model_and_an_insulated_one_as_limits():
-    cold = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
-    massive = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e6)])
-    assert massive.p == pytest.approx(cold.p, abs=2.0)
-    hot = simulate_muscle(
-        MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e-3, g_out=0.0)]
-    )
-    insulated = simulate_muscle(MuscleParameters(h_film=1e-6), 207e3, STEP, TIMES)
-    assert np.abs(hot.p - insulated.p).max() < 0.1 * np.abs(cold.p - insulated.p).max()
-
-
 @pytest.mark.parametrize("dead", [0.0, 2e-5])
 def test_choked_filling_keeps_the_energy_of_gas_and_dead_volume(dead):
     tight = MuscleParameters(h_film=1e-6)
@@ -316,36 +273,3 @@ def read(folder: Path) -> tuple[dict, list[list[dict[str, str]]]]:
         with (folder / run["file"]).open() as file:
             tables.append(list(csv.DictReader(file)))
     return experiment, tables
-
-
-def test_data_set_has_the_agreed_form(tmp_path):
-    measured = measure(default_plan(), [LinearSpring()], seed=3)
-    write_data_set(tmp_path, measured)
-    experiment, tables = read(tmp_path)
-    assert [run["role"] for run in experiment["runs"]] == ["fit"] * 4 + ["holdout"] * 2
-    assert experiment["model"] == "PneumaticMuscle.Benches.Isotonic"
-    assert experiment["fit"]["valve.C_A"] == {"min": 0.5, "max": 0.9}
-    assert experiment["signals"]["x"]["sigma"] == "0.2 mm"
-    assert experiment["runs"][1]["parameters"]["load.m"] == "3 kg"
-    assert [*tables[0][0]] == [
-        "time [s]", "u_in [A]", "u_out [A]", "p_supply [kPa]", "p [kPa]", "x [mm]", "T [degC]",
-    ]  # fmt: skip
-    assert len(tables[0]) == 1001
-    assert float(tables[0][500]["p [kPa]"]) == pytest.approx(measured[0].signals["p"][500] / 1e3)
-    assert float(tables[0][500]["T [degC]"]) == pytest.approx(
-        measured[0].signals["T"][500] - 273.15
-    )
-    assert (tables[0][349]["u_in [A]"], tables[0][350]["u_in [A]"]) == ("0.35", "0")
-
-
-@pytest.mark.full
-def test_command_line_writes_the_same_bytes_again(tmp_path, capsys):
-    for name in ("a", "b"):
-        assert main([str(tmp_path / name), "--effect", "elasticity:linear", "--seed", "1"]) == 0
-    told = json.loads(capsys.readouterr().out.split("}\n{")[0] + "}")
-    assert told["families"] == ["elasticity"]
-    files = sorted(path.name for path in (tmp_path / "a").iterdir())
-    assert len(files) == 7
-    assert all(
-        (tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files
-    )

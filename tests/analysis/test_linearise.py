@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -65,16 +64,6 @@ def test_the_matrices_of_the_slides() -> None:
     )
     assert linear.static_gain[1, 0] == pytest.approx(-c_1 / (c_2 + k))
     assert linear.is_stable and "time constant 0.1 s (P 100%)" in str(linear)
-
-
-def test_a_law_without_states_has_gains_alone() -> None:
-    linear = pam.linearise("StaticForce", at={"p": "6 bar", "eps": "10 %"})
-    assert linear.point.outputs["F"] == pytest.approx(205.67, abs=5e-3)
-    assert linear.D[0, 0] == pytest.approx(5.7239e-4, rel=1e-4)
-    assert -linear.D[0, 1] / 0.3 == pytest.approx(8061.8, rel=1e-5)
-    np.testing.assert_array_equal(linear.static_gain, linear.D)
-    with pytest.raises(pam.InputError, match="no states"):
-        linear.to_scipy()
 
 
 def test_at_rest_nothing_changes_and_a_run_ends_there() -> None:
@@ -156,35 +145,6 @@ def test_no_rest(modelica) -> None:
     linear = pam.linearise(heater, free=["u"])
     assert linear.point.inputs["u"] == pytest.approx(0, abs=1e-5) and "integrates" in str(linear)
     assert np.isnan(linear.static_gain).all() and not linear.is_stable
-
-
-CHAMBERS = """
-model Chambers "Two chambers that are joined by a throttle, and closed otherwise"
-  input Real u(start=0);
-  output Real p;
-  parameter Real V1=0.7;
-  parameter Real V2=0.3;
-  parameter Real C=1.1;
-  Real p1(start=1, fixed=true);
-  Real p2(start=1, fixed=true);
-equation
-  V1*der(p1) = C*(p2-p1) + u;
-  V2*der(p2) = C*(p1-p2);
-  p = p2;
-end Chambers;
-"""
-
-
-def test_two_chambers_without_an_outlet_have_no_static_gain(modelica) -> None:
-    """One pole is zero but for rounding, which falls to either side of it."""
-    linear = pam.linearise(modelica(CHAMBERS))
-    rng = np.random.default_rng(0)
-    for V1, V2, C in rng.uniform(0.1, 2, (200, 3)):
-        A, B = np.array([[-C / V1, C / V1], [C / V2, -C / V2]]), np.array([[1 / V1], [0]])
-        other = replace(linear, A=A, B=B)
-        assert np.isnan(other.static_gain).all() and not other.is_stable
-        assert other.modes[0].time_constant == np.inf and "integrates" in other.modes_text()[0]
-        assert other.modes[1].time_constant == pytest.approx(V1 * V2 / (C * (V1 + V2)))
 
 
 def test_fewer_states_keep_the_static_gain() -> None:

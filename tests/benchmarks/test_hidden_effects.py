@@ -17,12 +17,6 @@ from blind_cases.cases import PERIOD, SEEDS, case_of, make, write
 from blind_cases.noise import SIGNALS
 from blind_cases.plans import draw_muscle, draw_plan
 from blind_cases.sizes import Bench, Ruler
-from rig.catalogue.creep import Creep
-from rig.catalogue.elasticity import LinearSpring
-from rig.catalogue.leak import LaminarLeak
-from rig.catalogue.pressure_offset import PressureOffset
-from rig.catalogue.thermocouple_lag import ThermocoupleLag
-from rig.catalogue.valve_dynamics import ValveLag
 from rig.muscle import MuscleParameters, simulate_muscle
 from rig.schedule import SampledSchedule
 
@@ -92,29 +86,6 @@ def ruler():
     return Ruler(Bench(replace(muscle, **{p.field: p.true for p in free}), plan, free))
 
 
-@pytest.mark.parametrize(
-    "at",
-    [
-        lambda s: LinearSpring(100 * s), lambda s: Creep(100 * s), lambda s: LaminarLeak(1e-11 * s),
-        lambda s: ValveLag(0.02 * s), lambda s: ThermocoupleLag(0.05 * s), lambda s: PressureOffset(1e3 * s),
-    ],
-)  # fmt: skip
-def test_sizes_grow_with_strength_and_shrink_by_projection(ruler, at):
-    sigma = {"p": 500.0, "x": 2e-4, "T": 0.3}
-    sizes = [ruler.sizes(ruler.simulated([at(s)]), sigma) for s in (0.25, 1.0, 4.0)]
-    for signal in SIGNALS:
-        plain = [one[0][signal] for one in sizes]
-        assert (
-            plain == sorted(plain) or max(plain) < 1e-3
-        )  # a thermometer's lag does nothing to p and x
-    largest = [max(one[1].values()) for one in sizes]
-    assert largest == sorted(largest)
-    assert largest[0] > 0
-    for plain, projected in sizes:
-        # a fit to the runs of role fit can make others worse, but not by much here
-        assert sum(v**2 for v in projected.values()) < 1.3 * sum(v**2 for v in plain.values())
-
-
 def test_what_a_free_parameter_does_is_projected_away(ruler):
     p = ruler.bench.free[0]
     changed = ruler.bench.simulate((), {p.field: p.true + 0.01 * (p.high - p.low)})
@@ -146,16 +117,6 @@ def test_every_form_changes_what_is_measured_and_vanishes_with_its_strength(form
     assert ordinary > 0.05
     if form.low < 1.0:
         assert change(max(form.low, 0.02)) < 0.7 * ordinary
-
-
-def test_sampled_currents_are_joined_by_lines():
-    schedule = SampledSchedule.joined([(0.0, 0.0), (0.3, 0.0), (0.3, 0.1), (0.0, 0.1)], 0.01)
-    assert schedule.at(0.005) == pytest.approx((0.15, 0.0))
-    assert schedule.at(0.025) == pytest.approx((0.15, 0.1))
-    assert schedule.at(-1.0) == (0.0, 0.0)
-    assert schedule.at(9.0) == (0.0, 0.1)
-    assert schedule.starts == pytest.approx((0.01, 0.02))
-    assert schedule.delayed(0.1).at(0.105) == pytest.approx((0.15, 0.0))
 
 
 def test_lines_between_samples_are_integrated_as_fine_steps_are():

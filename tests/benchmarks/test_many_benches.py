@@ -22,10 +22,8 @@ from benchmarks.hidden_effects.outcome import (
 from benchmarks.hidden_effects.report import main as report_main
 from blind_cases import cases, many
 from blind_cases.faults import FAULTS
-from blind_cases.noise import Sensors
-from blind_cases.setups import Design, draw, draw_design
+from blind_cases.setups import draw_design
 from rig.benches import BENCHES
-from rig.instruments import Quantisation
 from tests.library.shelf import composed, effects
 
 pytestmark = pytest.mark.full  # of the measuring, not of the product
@@ -89,50 +87,6 @@ def test_a_data_set_is_read_and_the_truth_leaves_its_noise(bench: str, tmp_path:
         floor = total / sum(one["samples"] for one in noise.values())
         assert truth.chi2_reduced(role) == pytest.approx(floor, rel=0.02), role
     assert json.loads(json.dumps(made.description)) == made.description
-
-
-def test_quantised_readings_are_whole_steps_and_a_late_clock_shifts_all() -> None:
-    design = Design("VesselOrifice", ("p", "T"), 20.0, 2)
-    setup = draw(np.random.default_rng(8), design)
-    written = setup.recorded(
-        [Quantisation("p", 4e3)], lambda read: {n: y + 0.1 for n, y in read.items()}
-    )
-    steps = written[0]["p"] / 4e3
-    assert (
-        steps == pytest.approx(np.round(steps), abs=1e-9)
-        and len(set(np.round(steps).tolist())) > 10
-    )
-    assert np.ptp(written[0]["T"]) > 1.0 and len(set(written[0]["T"].tolist())) > 50
-
-
-def test_an_effect_that_the_free_parameters_imitate_is_described_as_such() -> None:
-    """An opening that says half as much, of valves that are open or shut: a discharge coefficient, far off."""
-    description = many.make(many.case_of("tuning4", 62)).description
-    assert description["hidden"][0]["form"] == "current_offset"
-    assert description["hidden"][0]["refitted"] < 0.05
-    assert description["same_as"] == [[]]
-    assert "refitted" not in many.make(many.case_of("tuning4", 91)).description["hidden"][0]
-
-
-@pytest.mark.parametrize(
-    ("which", "number", "same"),
-    [
-        ("tuning4", 91, [["clock_offset"]]),  # VerticalLoad, x: a ruler with a dead time
-        ("tuning4", 187, [["clock_offset"], ["valve_dynamics"]]),  # TankFilling, p
-        ("tuning2", 267, [["position_sensor"]]),  # a late recorder of x alone
-    ],
-)
-def test_whatever_delays_all_that_is_measured_gives_the_same_data(
-    which: str, number: int, same: list[list[str]]
-) -> None:
-    assert many.outline(many.case_of(which, number))["same_as"] == same
-
-
-def test_outliers_are_no_part_of_what_the_truth_leaves() -> None:
-    sensors = Sensors({"p": 2.0}, "white", outliers=0.01)
-    error = np.array([1.0, -3.0, 20.0, 13.9])
-    assert sensors.without_outliers("p", error).tolist() == [1.0, -3.0, 13.9]
-    assert len(replace(sensors, outliers=0.0).without_outliers("p", error)) == 4
 
 
 # --- judging ------------------------------------------------------------------------------------------------

@@ -82,27 +82,3 @@ def test_nothing_to_write_is_said_and_nothing_is_written(
     assert "; next.csv is not written" in outcome.out
     assert "nothing was learned: the verdict is none_missing; term.mo is not written" in outcome.out
     assert everything(place) == before
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["--next", "none/n.csv"], "none/n.csv"),
-        (["--next", "data"], "data"),
-        (["--learned", "none/l.mo"], "none/l.mo"),
-        (["--learned", "l.txt"], ".mo"),
-    ],
-    ids=" ".join,
-)
-def test_unusable_files_are_refused_before_the_work(
-    command: Command, place: Path, data: Path, words: list[str], message: str
-) -> None:
-    before = everything(place)
-    outcome = command("diagnose", "data", *words)
-    assert (outcome.status, outcome.out) == (2, "")
-    assert (
-        outcome.err.startswith("pam-cosim: ")
-        and outcome.err.count("\n") == 1
-        and message in outcome.err
-    )
-    assert everything(place) == before

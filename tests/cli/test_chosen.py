@@ -56,25 +56,6 @@ def test_parameters_of_an_effect_can_be_fitted(command: Command, data: Path, pla
     assert list(fitted(place)) == ["orifice.C_d", "leak.A"]
 
 
-def test_a_value_that_is_set_is_compared(command: Command, data: Path, place: Path) -> None:
-    for name, value in (("a.json", "orifice.C_d=0.6"), ("b.json", "orifice.C_d=0.9")):
-        assert command("compare", data, "--set", value, "--json", name).status == 0
-    first, second = (json.loads((place / n).read_text()) for n in ("a.json", "b.json"))
-    assert first["parameters"]["orifice.C_d"] == 0.6
-    assert first["signals"]["p"]["rmse"] != second["signals"]["p"]["rmse"]
-
-
-def test_a_run_is_cut_and_begins_as_is_said(command: Command, data: Path, place: Path) -> None:
-    for name, words in (
-        ("a.json", ()),
-        ("b.json", ("--cut", "one=:20 s", "--begin", "one=measured")),
-    ):
-        assert command("compare", data, *words, "--json", name).status == 0
-    first, second = (json.loads((place / n).read_text())["runs"][0] for n in ("a.json", "b.json"))
-    assert second["signals"]["p"]["rmse"] != first["signals"]["p"]["rmse"]
-    assert second["start"] == "measured"
-
-
 @pytest.mark.parametrize(
     ("words", "said"),
     [

@@ -89,10 +89,6 @@ def simulating(running: Running) -> bool:
     return any(running.temporary.glob("*/pam-cosim-fmu-*/binaries"))
 
 
-def compiling(running: Running) -> bool:
-    return any("ziglang/zig" in command for command in running.family())
-
-
 def kept(running: Running) -> bool:
     return any(
         file.stat().st_size > 100_000 for file in running.temporary.parent.glob("*.partial*")
@@ -145,20 +141,6 @@ def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     assert said == [f"pam-cosim: interrupted; nothing was written{more}"] and err[-1] == said[0]
     assert moment.startswith("diagnose") or len(err) == 1, err
     assert (place / "out").read_text() == "old"
-
-
-@pytest.mark.full
-def test_build_says_what_it_has_written(place: Path) -> None:
-    """The second FMU is being compiled: its model is new each time, so that no cache has it."""
-    model = "model Late Real x(start=1, fixed=true); parameter Real a = {}; equation der(x) = -a*x; end Late;"
-    (place / "Late.mo").write_text(model.format(int.from_bytes(os.urandom(4), "big")))
-    words = ["build", "VesselOrifice", "Late.mo", "-o", "fmus"]
-    running = Running(place, words)
-    running.wait_for(lambda _: (place / "fmus" / "VesselOrifice.fmu").exists())  # else made here
-    running.wait_for(compiling)
-    status, err = running.interrupt()
-    assert (status, err) == (130, ["pam-cosim: interrupted; written: fmus/VesselOrifice.fmu"])
-    assert sorted(p.name for p in (place / "fmus").iterdir()) == ["VesselOrifice.fmu"]
 
 
 def test_ending_by_another_signal(place: Path) -> None:

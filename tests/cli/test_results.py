@@ -5,8 +5,6 @@ from __future__ import annotations
 import os
 import socket
 import stat
-import subprocess
-import sys
 from collections.abc import Callable
 from pathlib import Path
 
@@ -14,7 +12,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim import study
-from tests.cli.conftest import ROOT, Outcome, everything
+from tests.cli.conftest import Outcome, everything
 from tests.cli.test_bad_input import refused
 from tests.cli.test_commands import done
 
@@ -155,40 +153,10 @@ def test_a_link_stays_and_its_file_is_replaced(
     assert sorted(p.name for p in place.iterdir()) == sorted(["data", "far", "middle", link.name])
 
 
-@pytest.mark.full
-def test_a_redirected_stream_keeps_what_was_said(place: Path) -> None:
-    """``-o /dev/stdout > out.txt`` would replace out.txt under the command's own feet."""
-    with open(place / "out.txt", "w") as out:
-        command = [
-            sys.executable,
-            "-m",
-            "pam_cosim",
-            "simulate",
-            "VesselOrifice",
-            "-o",
-            "/dev/stdout",
-        ]
-        completed = subprocess.run(
-            command, stdout=out, stderr=subprocess.PIPE, env={**os.environ, "PYTHONPATH": str(ROOT)}
-        )
-    assert completed.returncode == 2 and b"/dev/stdout: is a stream" in completed.stderr
-    assert (place / "out.txt").read_text() == ""
-
-
 def test_two_results_for_one_file(command: Command, place: Path, data: Path) -> None:
     (place / "link").symlink_to("r")
     refused(command("compare", "data", "--json", "r", "--report", "link"), ["link", "two results"])
     assert sorted(p.name for p in place.iterdir()) == ["data", "link"]
-
-
-@pytest.mark.parametrize("name", ["x" * 300, "x" * 250 + ".fmu"])
-def test_long_names(command: Command, place: Path, name: str) -> None:
-    outcome = command("build", "VesselOrifice", "-o", name + ".fmu" if len(name) > 255 else name)
-    if len(name) > 255:
-        refused(outcome, ["too long"])
-    else:
-        done(outcome)
-    assert [p.name for p in place.iterdir()] == ([name] if outcome.status == 0 else [])
 
 
 @pytest.mark.skipif(os.name != "posix" or os.geteuid() == 0, reason="root may write everything")
@@ -299,25 +267,6 @@ def test_no_result_replaces_what_the_command_reads(case: str, command: Command, 
     words = OVERWRITERS[case]
     refused(command(*words), [words[-1], "is read by the command"])
     assert everything(place) == before
-
-
-def test_a_model_made_from_own_files_stands_by_itself_or_says_what_it_needs(
-    command: Command, place: Path
-) -> None:
-    (place / "My own.mo").write_text(
-        "model Own\n  extends PneumaticMuscle.Benches.TankFilling;\nend Own;\n"
-    )
-    done(command("add", "LaminarLeak", "--to", "My own.mo", "-o", "Leaking.mo"))
-    done(command("simulate", "Leaking.mo", "--stop-time", "1"))
-    done(command("simulate", "Leaking.mo", "--file", "My own.mo", "--stop-time", "1"))
-    (place / "My leak.mo").write_text(
-        "model Seep\n  extends PneumaticMuscle.Effects.Leak.LaminarLeak;\nend Seep;\n"
-    )
-    outcome = done(
-        command("add", "Seep", "--to", "TankFilling", "--file", "My leak.mo", "-o", "Seeping.mo")
-    )
-    assert "--file 'My leak.mo'" in outcome.err
-    done(command("simulate", "Seeping.mo", "--file", "My leak.mo", "--stop-time", "1"))
 
 
 ENDINGS_OF_OTHERS = (

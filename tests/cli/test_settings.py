@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -110,58 +109,6 @@ def test_what_cannot_be_set(
 
 
 # --- the same in a data set: an input that was held and not recorded
-
-FILLING = """\
-model = "PneumaticMuscle.Benches.TankFilling"
-[signals.p]
-sigma = "0.5 kPa"
-[parameters]
-"tank.V" = "2.1 l"
-p_supply = "138 kPa"
-[fit]
-"valve.C_A" = {{ min = 0.1, max = 2 }}
-[[runs]]
-file = "one.csv"
-[runs.parameters]
-u_in = "{u_in}"
-"""
-
-
-def filling(folder: Path, columns: dict[str, float], u_in: str = "0.3 A") -> Path:
-    """Ten seconds of filling at 0.3 A from 138 kPa, with the inputs of ``columns`` recorded."""
-    folder.mkdir()
-    run = pam.simulate(BENCH, {"u_in": 0.3, "p_supply": "138 kPa"}, stop_time=10.0, interval=0.5)
-    held = "".join(f",{value}" for value in columns.values())
-    lines = [
-        f"{t},{p / 1e3 + 0.5 * (-1) ** i}{held}"
-        for i, (t, p) in enumerate(zip(run.time, run["p"], strict=True))
-    ]
-    units = {"u_in": "A", "p_supply": "kPa"}
-    head = ",".join(["time [s],p [kPa]", *(f"{name} [{units[name]}]" for name in columns)])
-    (folder / "one.csv").write_text("\n".join([head, *lines, ""]))
-    (folder / "experiment.toml").write_text(FILLING.format(u_in=u_in))
-    return folder
-
-
-def test_a_data_set_states_inputs_that_were_held(command: Command, place: Path) -> None:
-    filling(place / "data", {})
-    outcome = done(command("compare", "data", "--json", "c.json"))
-    content = json.loads((place / "c.json").read_text())
-    assert content["signals"]["p"]["rmse"] == pytest.approx(500.0, rel=0.02), (
-        outcome.out
-    )  # the alternating error
-    recorded = filling(place / "recorded", {"u_in": 0.3, "p_supply": 138.0})
-    toml = recorded / "experiment.toml"
-    kept = (
-        line for line in toml.read_text().splitlines() if not line.startswith(("p_supply", "u_in"))
-    )
-    toml.write_text("\n".join(kept))
-    one, two = (
-        pam.fit(pam.read(place / name)).parameters["valve.C_A"] for name in ("data", "recorded")
-    )
-    assert (one.value, one.low, one.high) == pytest.approx((two.value, two.low, two.high), rel=1e-6)
-    run = pam.read(place / "data").runs[0]
-    assert run.default_inputs == ("u_out",) and run.parameters["p_supply"] == pytest.approx(138e3)
 
 
 # --- build -o

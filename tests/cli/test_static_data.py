@@ -10,7 +10,6 @@ from pathlib import Path
 from types import ModuleType
 
 import numpy as np
-import pytest
 from scipy.optimize import brentq
 
 from tests.cli.conftest import ROOT, Outcome
@@ -78,16 +77,6 @@ def test_the_page(command: Command, place: Path) -> None:
     assert [run["role"] for run in runs].count("holdout") == 1
 
 
-def test_the_order_of_the_rows_changes_nothing(command: Command, place: Path) -> None:
-    rows, results = loop(), []
-    for order in (np.arange(len(rows)), np.random.default_rng(3).permutation(len(rows))):
-        written(place / "data", [rows[i] for i in order])
-        assert command("compare", "data", "--json", "c.json").status == 0
-        assert command("fit", "data", "-o", "f.json").status == 0
-        results.append((place / "c.json").read_text() + (place / "f.json").read_text())
-    assert results[0] == results[1]
-
-
 def test_a_bench_put_together_for_points_at_rest(command: Command, place: Path) -> None:
     words = [
         "--pneumatics",
@@ -119,19 +108,3 @@ def example() -> ModuleType:
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
-
-
-@pytest.mark.full
-def test_a_printed_map_beats_formulas_with_as_many_parameters(
-    command: Command, place: Path
-) -> None:
-    """Held-out pressures of a fluidic muscle; see docs/data-sets.md."""
-    assert command("diagnose", EXAMPLE, "--json", "d.json", "--workers", 1).status == 0
-    result = json.loads((place / "d.json").read_text())
-    best = min(
-        c["holdout"]["signals"]["F"]["rmse"] for c in result["candidates"] if c.get("holdout")
-    )
-    script = example()
-    data = script.pam.read(EXAMPLE)
-    assert best < min(script.errors_of_formula(data, *formula)[1] for formula in script.FORMULAS)
-    assert result["not_tried"]["creep"] == "nothing that was fitted at rest shows them"

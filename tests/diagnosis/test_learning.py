@@ -12,15 +12,9 @@ import pam_cosim as pam
 from pam_cosim.catalogue import effect_classes
 from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.diagnosis.description.explanation import LearnedModel, described, suspected
-from pam_cosim.diagnosis.description.forms import Form, quantities, ramps
+from pam_cosim.diagnosis.description.forms import quantities, ramps
 from pam_cosim.diagnosis.description.learning import Description
 from pam_cosim.diagnosis.description.learning_text import Addend, TermPlace
-from pam_cosim.diagnosis.description.selection import (
-    FeltForms,
-    coefficients_of,
-    cross_validation_error,
-    select_forms,
-)
 from pam_cosim.diagnosis.diagnose import fit_base_model
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.search import Search
@@ -163,21 +157,6 @@ def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
     assert [(v.min, v.max) for v in own] == [(-50.0, 50.0), (-20.0, 20.0)]
     weaker = description.with_part(0.1).term(read_library()).modelica_source
     assert "max=50, nominal=5) = 0.51 " in weaker
-
-
-def test_a_form_that_a_free_parameter_imitates_explains_no_more() -> None:
-    """Least squares took the form and the parameter against each other, and the score came to one."""
-    rng, count = np.random.default_rng(1), 4000
-    imitated, own = 30.0 * rng.standard_normal((count, 1)), rng.standard_normal(count)
-    value = own + 2.0 * rng.standard_normal(count)
-    form, other = Form("x", (), "x"), Form("y", (), "y")
-    felt = {"x": imitated[:, 0] + 30 * own, "y": rng.standard_normal(count)}
-    rows = FeltForms(value, felt, imitated, np.repeat(np.arange(4), count // 4))
-    assert cross_validation_error(rows, [form]) == pytest.approx(4.0, rel=0.1)
-    assert cross_validation_error(rows, []) == pytest.approx(5.0, rel=0.1)
-    coefficients, left = coefficients_of(rows, [form])
-    assert coefficients == pytest.approx([1 / 30], rel=0.1) and left == pytest.approx(4.0, rel=0.1)
-    assert select_forms(rows, [other, form]) == [form]
 
 
 @pytest.mark.parametrize(

@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import os
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -45,41 +42,6 @@ def test_tasks_run_in_other_processes_and_side_by_side(tmp_path: Path) -> None:
     )
     assert os.getpid() not in results
     assert len(dict.fromkeys(results)) == 2
-
-
-_STUDY = """
-import sys
-from pam_cosim.processes.workers import run_tasks
-from tests.diagnosis.tasks import tell_and_sleep
-run_tasks(tell_and_sleep, [sys.argv[1]], str, print, 1)
-"""
-
-
-@pytest.mark.full
-@pytest.mark.skipif(os.name != "posix", reason="an orphan does not tell")
-def test_workers_end_with_a_study_that_is_killed(tmp_path: Path) -> None:
-    file = tmp_path / "process"
-    study = subprocess.Popen(
-        [sys.executable, "-c", _STUDY, str(file)], cwd=Path(__file__).parents[2]
-    )
-    end = time.monotonic() + 60
-    while not (file.exists() and file.read_text()) and time.monotonic() < end:
-        time.sleep(0.1)
-    study.kill()
-    study.wait()
-    worker, end = int(file.read_text()), time.monotonic() + 30  # the task takes 60
-    while _lives(worker) and time.monotonic() < end:
-        time.sleep(0.1)
-    assert not _lives(worker)
-
-
-def _lives(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    status = Path(f"/proc/{process}/stat")
-    return not (status.exists() and status.read_text().rsplit(")", 1)[1].split()[0] == "Z")
 
 
 def test_linear_algebra_keeps_to_one_thread_and_is_given_back_the_others() -> None:

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
-import pam_cosim.fitting.bounded_linear as module
-from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 
 Array = NDArray[np.float64]
 Problem = tuple[Array, Array, Array, Array]
@@ -73,13 +72,3 @@ def test_a_bound_is_released_again() -> None:
     assert free[0] > high[0] and free[1] < low[1]
     x = bounded_least_squares(matrix, right, low, high)
     assert x[0] == 1.0 and x[1] == pytest.approx(-0.5 / 1.06)
-
-
-def test_a_quadratic_form_has_the_same_net(monkeypatch: pytest.MonkeyPatch) -> None:
-    random = np.random.default_rng(8)
-    rows, right = random.normal(size=(12, 6)), random.normal(size=12)
-    low, high = np.full(6, -0.1), np.full(6, 0.05)
-    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
-    monkeypatch.setattr(module, "_ROUNDS", 0)
-    net = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
-    assert net == pytest.approx(x, abs=1e-9)

@@ -14,7 +14,7 @@ from pam_cosim import InputError
 from pam_cosim.fitting import Free, read_parameters, write_parameters
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
-from pam_cosim.measurement import Prior, read_data_set, write_data_set
+from pam_cosim.measurement import Prior
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import TRUE_C_D, N, discharge, vessel_data
 
@@ -110,34 +110,6 @@ def test_run_has_a_parameter_of_its_own(tmp_path: Path) -> None:
     )
     with pytest.raises(InputError, match="no run 'd'"):
         pam.compare(data, parameters={"orifice.C_d@d": 0.6})
-
-
-def test_data_set_is_written_as_it_was_read(tmp_path: Path) -> None:
-    fit = (
-        '"tank.n" = { min = 1.0, max = 1.4, transform = "log", prior = { mean = 1.2, sd = 0.05 } }'
-    )
-    own = '[runs.fit]\n"tank.V" = { min = "16 l", max = "17 l", prior = { mean = "16.2 l", sd = "0.1 l" } }'
-    data = pam.read(write(tmp_path / "rig", fit, {"a": own, "b": ""}))
-    assert data.fit["tank.V@a"].prior == Prior(pytest.approx(0.0162), pytest.approx(1e-4))
-    assert "tank.V" not in data.runs[0].parameters and data.runs[1].parameters[
-        "tank.V"
-    ] == pytest.approx(0.0162)
-    interface = pam.describe(data.model)
-    again = write_data_set(tmp_path / "copy", data, interface)
-    assert list(again.fit) == list(data.fit)
-    for name, free in data.fit.items():
-        copy = again.fit[name]
-        assert (copy.transform, copy.run, copy.parameter) == (
-            free.transform,
-            free.run,
-            free.parameter,
-        )
-        assert [copy.min, copy.max, copy.prior.mean, copy.prior.sd] == pytest.approx(  # type: ignore[union-attr]
-            [free.min, free.max, free.prior.mean, free.prior.sd]  # type: ignore[union-attr]
-        )
-    assert read_data_set(tmp_path / "copy", lambda _: interface).runs[
-        0
-    ].parameters == pytest.approx(data.runs[0].parameters)
 
 
 HELD = 'role = "holdout"\n[runs.fit]\n"tank.n" = { min = 1.0, max = 1.4 }'

@@ -13,11 +13,6 @@ from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
-from pam_cosim.fitting.parameter_posterior import ParameterPosterior
-from pam_cosim.fitting.predictive_bands import Band, predictive_bands
-from tests.comparison.fake import FakeSimulator
-from tests.comparison.fake import data_set as fake_data
-from tests.comparison.fake import run as recorded
 from tests.fitting.models import C_D, P_START, TIMES, N, discharge, vessel_data
 
 EARLY = np.linspace(0.0, 12.0, 13)
@@ -118,24 +113,3 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
     whole = json.loads((tmp_path / "run.json").read_text())
     assert whole["run"] == "run" and len(whole["time"]) == len(EARLY)
     assert whole["signals"]["p"]["discrepancy"] == content["discrepancy"]
-
-
-def level(drawn: list[float], weights: list[float]) -> Band:
-    """The prediction of a pressure that is a parameter, read with noise of 2 Pa at 0, 1 and 4 s."""
-    simulator = FakeSimulator(lambda times, given: {"p": given["level"] + 0 * times})
-    predicted = recorded("run", [0.0, 1.0, 4.0], p=[np.nan] * 3)
-    data = fake_data([predicted], {"p": 2.0})
-    samples = np.array(drawn)[:, None]
-    posterior = ParameterPosterior(("level",), {"level": "Pa"}, samples, np.array(weights), {})
-    made = predictive_bands(simulator, data, predicted, posterior, {"level": 2.0})  # type: ignore[arg-type]
-    return made.bands["p"]
-
-
-def test_noise_goes_out_of_a_mean_by_the_squares_of_its_weights() -> None:
-    """Weights 1/8, 1/2 and 3/8: noise variance 4 * 26/64, beside 3 of the parameter."""
-    band = level([8.0, 12.0], [0.25, 0.75])
-    assert (band.mean_low, band.mean_high) == pytest.approx(
-        (11 - 1.96 * np.sqrt(3 + 1.625), 11 + 1.96 * np.sqrt(3 + 1.625))
-    )
-    assert band.reading_high == pytest.approx([11 + 1.96 * np.sqrt(3 + 4)] * 3)
-    assert band.mean == 2.0

@@ -136,8 +136,3 @@ def test_start_outside_the_bounds_begins_at_the_bound(vessel: Simulator, start: 
     assert first.start in (0.5, 1.1)
     result = fit(vessel, data, starts=[{"orifice.C_d": start * 10, "tank.n": -3.0}])
     assert result.values == pytest.approx(TRUE, rel=0.02)
-
-
-def test_fit_repeats_itself_to_the_last_bit(vessel: Simulator) -> None:
-    one, two = (fit(vessel, vessel_data(2)) for _ in range(2))
-    assert one.values == two.values

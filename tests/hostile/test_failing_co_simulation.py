@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import json
 import re
-import subprocess
 import zipfile
 from pathlib import Path
 
@@ -12,13 +10,9 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
-from pam_cosim.resources import modelica_root
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator
 from tests.fmu import models
-from tests.hostile.reading import make
-from tests.openmodelica.compiler import OMC, WHY_NOT
 from tests.simulation.misbehaving import patched
 from tests.tiers import quick
 
@@ -93,42 +87,3 @@ def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
             simulator.stepper().begin({})
     for name in ("p", "x", "T"):
         assert run[name] == pytest.approx(expected[name], abs=1e-6 * float(np.ptp(expected[name])))
-
-
-def told(fmu: Path, folder: Path, capfd: pytest.CaptureFixture[str], sentence: str) -> None:
-    """What the commands say of an FMU."""
-    data = make(folder / "data", {})
-    assert main(["simulate", str(fmu), "-o", str(folder / "run.csv")]) == 0
-    out, err = capfd.readouterr()
-    assert f"pam-cosim: {sentence}" in err and "x: from" in out
-    assert main(["compare", str(data), "--model", str(fmu), "--json", str(folder / "c.json")]) == 0
-    assert capfd.readouterr().out.count(sentence) == 1
-    assert json.loads((folder / "c.json").read_text())["runs"][0]["solver"].startswith(sentence)
-    assert main(["fit", str(data), "--model", str(fmu)]) == 0
-    assert capfd.readouterr().out.count(sentence) == 1
-
-
-@pytest.mark.full
-@pytest.mark.skipif(OMC is None, reason=WHY_NOT)
-def test_the_stiff_bench_as_openmodelica_exports_it(
-    tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    """Its co-simulation is an explicit Euler, whose pressures leave the domain of the equations."""
-    (tmp_path / "build.mos").write_text(
-        f'loadFile("{modelica_root()}/PneumaticMuscle/package.mo"); getErrorString();\n'
-        'buildModelFMU(PneumaticMuscle.Benches.Isotonic, version="2.0", fmuType="me_cs"); getErrorString();\n'
-    )
-    assert OMC is not None
-    subprocess.run([OMC, "build.mos"], cwd=tmp_path, capture_output=True, timeout=300, check=True)
-    fmu = tmp_path / "Isotonic.fmu"
-    told(
-        fmu,
-        tmp_path,
-        capfd,
-        "the co-simulation of Isotonic.fmu fails, so that its model exchange was run with CVode",
-    )
-    times = np.linspace(0.0, 10.0, 201)
-    with IsolatedSimulator(fmu) as theirs, Simulator(study.build("Isotonic")) as ours:
-        run, expected = theirs.run(times), ours.run(times)
-    for name in ("p", "x", "T"):
-        assert run[name] == pytest.approx(expected[name], abs=1e-4 * float(np.ptp(expected[name])))

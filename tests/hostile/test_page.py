@@ -161,32 +161,6 @@ def test_files_that_are_too_large(
     assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
 
 
-def test_a_file_of_which_only_a_part_comes(workbench: Workbench, client: TestClient) -> None:
-    """Whoever sends it goes away."""
-    parts = [
-        {"type": "http.request", "body": b"time", "more_body": True},
-        {"type": "http.disconnect"},
-    ]
-    cookies = "; ".join(f"{name}={value}" for name, value in client.cookies.items())
-    heads = {"host": "127.0.0.1:8123", "origin": HOME, "cookie": cookies}
-    scope = {
-        "type": "http", "method": "POST", "path": "/drop", "raw_path": b"/drop", "query_string": b"name=a.csv",
-        "headers": [(k.encode(), v.encode()) for k, v in heads.items()], "http_version": "1.1", "scheme": "http",
-        "server": ("127.0.0.1", 8123), "client": ("127.0.0.1", 1), "root_path": "",
-    }  # fmt: skip
-    said: list[Any] = []
-
-    async def send(message: Any) -> None:
-        said.append(message)
-
-    async def receive() -> Any:
-        return parts.pop(0)
-
-    asyncio.run(application(workbench, TOKEN)(scope, receive, send))
-    assert said[0]["status"] == 400
-    assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
-
-
 def test_broken_files_are_answered_in_words(workbench: Workbench) -> None:
     told: list[Any] = []
     end = workbench.subscribe(told.append).result(PATIENCE)

@@ -10,7 +10,6 @@ from pathlib import Path
 import fmpy
 import numpy as np
 import pytest
-import xarray
 from fmpy.validation import validate_fmu
 from lxml import etree
 
@@ -204,22 +203,3 @@ end 'Drag "x" \\\\';
     assert any(name.endswith("c2") for name in ode.interface.parameters)
     made = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", files=files)
     assert made.startswith("model 'my rig.v2WithDrag")
-
-
-@pytest.mark.parametrize("ending", ["nc", "parquet", "csv"])
-def test_names_with_slashes_are_written(ending: str, place: Path) -> None:
-    """In NetCDF a slash is a folder: another sign stands for it, and an attribute has the name."""
-    file = _write(place, "a/../b")
-    run = study.simulate(str(file))
-    run.save(place / f"run.{ending}")
-    study.sweep(str(file), {"'p a/../b'": [1.0, 2.0]}, output=place / f"sweep.{ending}")
-    assert sorted(p.name for p in place.iterdir()) == [
-        "Hostile.mo",
-        f"run.{ending}",
-        f"sweep.{ending}",
-    ]
-    if ending == "nc":
-        with xarray.open_dataset(place / "run.nc", engine="h5netcdf") as data:
-            (name,) = data.data_vars
-            assert "/" not in str(name) and data[name].attrs["modelica_name"] == "'y a/../b'"
-            np.testing.assert_array_equal(data[name], run["'y a/../b'"])

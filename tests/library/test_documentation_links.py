@@ -5,13 +5,11 @@ from __future__ import annotations
 import re
 from functools import cache
 
-from pam_cosim.resources import modelica_root
 from tests.library.shelf import check_each, tree
 from tests.library.test_references import BIBLIOGRAPHY
 
 LINK = re.compile(r'<a\s+href="([^"]*)">(.*?)</a>', re.DOTALL)
 SCHEME = "modelica://"
-LONGEST_LINE = 120
 
 
 @cache
@@ -41,9 +39,3 @@ def _links_resolve(name: str) -> None:
         assert target.startswith(SCHEME) and linked in tree().classes, target
         if linked != BIBLIOGRAPHY or "." in text:
             assert f".{linked}".endswith(f".{text}"), (target, text)
-
-
-def test_lines_are_no_longer_than_python_s() -> None:
-    for file in sorted(modelica_root().rglob("*.mo")):
-        for number, line in enumerate(file.read_text().splitlines(), 1):
-            assert len(line) <= LONGEST_LINE, f"{file}:{number}"

@@ -14,13 +14,12 @@ from scipy.ndimage import binary_erosion
 
 from pam_cosim.catalogue import compose
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.simulation import Inputs, Simulator, Trajectory
+from pam_cosim.simulation import Inputs, Simulator
 from tests.library.shelf import tree
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto"
 BASE = "PneumaticMuscle.Examples.ConstantFrictionLoad"
 EFFECT = "LoadFrequencyFriction"
-WEIGHT = 10 * 9.80665  # N, of the default load
 
 
 @cache
@@ -79,25 +78,6 @@ def test_constant_coefficient_and_effect_together_are_the_proposed_model() -> No
     with Simulator(build_model("VerticalLoad", brief=True)) as simulator:
         whole = simulator.run(times, parameters=own, inputs=course)
     assert np.abs(lone.values["x"] - whole.values["x"]).max() < 2e-6
-
-
-def at_rest(model: str, **parameters: float) -> Trajectory:
-    times = np.linspace(0, 3, 31)
-    changed = {name.replace("__", "."): value for name, value in parameters.items()}
-    with Simulator(build_model(model, brief=True)) as simulator:
-        return simulator.run(
-            times, parameters=changed, inputs=Inputs(times, {"p": 0 * times}, "linear")
-        )
-
-
-@pytest.mark.parametrize("length", [0.3, 0.2995])
-def test_printed_sleeve_carries_the_load(length: float) -> None:
-    """DY (12) as printed: K (L_o - L (1 - eps)^3) = -M g; for L_o = L a spring of three times K."""
-    rest = at_rest("PneumaticMuscle.Examples.PrintedSleeveLoad", muscle__elasticity__L_o=length)
-    eps = 1 - ((length + WEIGHT / 3e4) / 0.3) ** (1 / 3)
-    assert rest.values["eps"] == pytest.approx(np.full(31, eps), abs=1e-6)
-    if length == 0.3:
-        assert eps == pytest.approx(-WEIGHT / (3 * 3e4 * 0.3), rel=5e-3)
 
 
 def test_forces_of_figure_5_balance() -> None:

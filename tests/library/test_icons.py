@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-
 import numpy as np
 import pytest
 
@@ -24,7 +22,6 @@ CLASSES = [
     for n, c in tree().classes.items()
     if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")
 ]
-MODELS = [name for name, info in tree().classes.items() if info.kind in ("model", "block")]
 SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
 """Modelica 3.6, section 18.6.5; without Bitmap, which would need a file."""
 
@@ -37,47 +34,6 @@ def test_every_class_has_an_icon() -> None:
 def _has_icon(name: str) -> None:
     kinds = {kind for kind, _ in PICTURES.shapes(PICTURES.of(name))}
     assert kinds and kinds <= SHAPES, kinds
-
-
-def test_connectors_stand_on_the_edge_of_the_icon() -> None:
-    check_each(
-        _has_connectors_on_the_edge, (n for n in CLASSES if tree().classes[n].kind == "model")
-    )
-
-
-def _has_connectors_on_the_edge(name: str) -> None:
-    of = PICTURES.of(name)
-    unplaced: list[str] = []
-    places = [
-        part
-        for part in PICTURES.parts(of, unplaced, "Icon")
-        if part.of.definition.kind == "connector"
-    ]
-    for part in places:
-        assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
-    connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
-    assert connectors <= {part.name for part in places}, unplaced
-
-
-def test_components_have_places_of_their_own() -> None:
-    composed = [name for name in MODELS if PICTURES.parts(PICTURES.of(name))]
-    assert len(composed) > 200
-    check_each(_has_everything_in_a_place_of_its_own, MODELS)
-
-
-def _has_everything_in_a_place_of_its_own(name: str) -> None:
-    of = PICTURES.of(name)
-    unplaced: list[str] = []
-    parts = [
-        part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind != "connector"
-    ]
-    assert not unplaced, unplaced
-    low, high = PICTURES.extent(of)
-    for part in parts:
-        assert (part.corners[0] >= low).all() and (part.corners[1] <= high).all(), part.name
-    for one, other in combinations(parts, 2):
-        apart = (one.corners[1] <= other.corners[0]) | (other.corners[1] <= one.corners[0])
-        assert apart.any(), (one.name, other.name)
 
 
 def test_every_connection_is_drawn_from_connector_to_connector() -> None:

@@ -79,17 +79,6 @@ def test_the_air_muscle_pulls_what_the_slides_say_and_rubs_on_nothing() -> None:
     assert made.warnings == ()
 
 
-def test_fibres_that_do_not_fit_on_a_sleeve_are_warned_of() -> None:
-    muscle, times = (
-        rig("imposed-pressure", "imposed-length", "AirMuscle", "F"),
-        np.linspace(0, 1, 3),
-    )
-    own = {"muscle.fibres": 216.0, "muscle.mu_fb": 0.015, "muscle.mu_d": 0.8}
-    made = run(muscle, times, own, held(1.0, p=6e5, s=0.0))
-    assert made.values["F"][-1] == pytest.approx(342.45, abs=0.1)
-    assert len(made.warnings) == 1 and "148.338 cm2 of 94.2478 cm2" in made.warnings[0]
-
-
 # ---- any measures that determine a sleeve ----------------------------------------------------------------------------
 
 ANGLE = 0.4
@@ -153,14 +142,6 @@ def test_measures_that_contradict_each_other_or_do_not_suffice(
 ) -> None:
     with pytest.raises((InputError, SimulationFailure), match=said):
         sleeve(**measures)
-
-
-def test_fittings_do_not_contract() -> None:
-    bare, with_ends = (
-        SLEEVE | {"b": 0.0, "turns": 0.0},
-        SLEEVE | {"b": 0.0, "turns": 0.0, "L0": 0.25, "fittings": 0.05},
-    )
-    assert sleeve(**with_ends) == pytest.approx(sleeve(**bare), rel=1e-9)
 
 
 # ---- laws of fluidic muscles -----------------------------------------------------------------------------------------

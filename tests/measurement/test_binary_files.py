@@ -248,22 +248,3 @@ def test_structures_within_structures(tmp_path: Path, kind: str, names: list[str
     assert list(columns) == names
     for column, values in zip(columns.values(), (TIME, P, X), strict=True):
         np.testing.assert_array_equal(column.values, values)
-
-
-def test_a_structure_is_stated_by_its_path(tmp_path: Path) -> None:
-    file = tmp_path / "a.mat"
-    scipy.io.savemat(file, {"log": {"a": {"time": TIME, "p": P}, "b": {"time": TIME, "p": X}}})
-    read = read_table(file, Layout(table="log/b")).columns["p"]
-    np.testing.assert_array_equal(read.values, X)
-    with pytest.raises(InputError, match="no variable 'log/c'; .*log/a, .*log/b"):
-        read_table(file, Layout(table="log/c"))
-
-
-def test_a_file_without_vectors_says_what_it_holds(tmp_path: Path) -> None:
-    file = tmp_path / "a.mat"
-    scipy.io.savemat(file, {"data": MATRIX, "who": "me"})
-    with pytest.raises(InputError, match=r"data \(3 x 3 numbers\), who \(no numbers\); state"):
-        read_table(file)
-    scipy.io.savemat(file, {"log": {"data": MATRIX, "who": "me"}})
-    with pytest.raises(InputError, match=r"the file holds log \(structure of data, who\)"):
-        read_table(file)

@@ -160,42 +160,6 @@ def test_the_offset_of_a_temperature(lab, heading: str, entry: str, kelvin: floa
     np.testing.assert_allclose(run.measurements["T"], kelvin)
 
 
-LOG = """\
-time [s],U [V],u_in [A],T [K]
-0,1,0.1,
-0.1,0,0.1,300
-0.2,-1,0.1,300
-0.3,,0.1,300
-"""
-
-
-def test_rows_in_which_a_formula_is_no_number_are_told(lab) -> None:
-    """log(0) is infinite and log(-1) is none; where a cell is empty, the formula is not to blame."""
-    columns = "[columns]\neps = { formula = 'log(U / \"1 V\")' }\n"
-    data = read_data_set(lab(HEAD + columns + RUN, LOG), describe)
-    np.testing.assert_array_equal(data.runs[0].measurements["eps"], [0.0, np.nan, np.nan, np.nan])
-    said = "the formula of eps is no finite number in 2 of 4 rows, which count as missing"
-    assert any(said in note for note in data.notes())
-
-
-@pytest.mark.parametrize(
-    "more", ["", 'interpolation = "previous"\n', '[runs.recording]\nmissing = ["-"]\n']
-)
-def test_an_input_has_no_rows_without_a_number(lab, more: str) -> None:
-    """Neither held nor left out: the cells that the formula reads are not empty."""
-    columns = '[columns]\nu_in = { formula = \'"1 A" * log(U / "1 V")\' }\n'
-    folder = lab(HEAD + columns + RUN + more, LOG.replace(",u_in [A]", "").replace(",0.1,", ","))
-    with pytest.raises(
-        InputError, match=r"the formula .*log\(U.* gives no finite number"
-    ) as caught:
-        read_data_set(folder, describe)
-    assert (caught.value.file, caught.value.line, caught.value.column) == (
-        folder / "lab.csv",
-        3,
-        "u_in",
-    )
-
-
 def test_a_formula_may_read_the_time(lab) -> None:
     """It had used the column up, so that the recording had no time any more."""
     columns = "[columns]\neps = { formula = 'time / \"10 s\"' }\n"

@@ -65,15 +65,6 @@ def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
     assert shorter.start.mode == "rest" and shorter.start.lead == 0.3
 
 
-def test_whoever_reads_may_say_how_a_run_begins(read: Callable[..., DataSet]) -> None:
-    assert read('start = "rest"', starts={"run": "measured"}).runs[0].start.mode == "measured"
-    run = read(
-        'before = { u = "1 A", for = "2 s" }\nlead = "0.3 s"', starts={"run": "estimated"}
-    ).runs[0]
-    assert (run.start.mode, run.start.seconds, run.start.lead) == ("estimated", 0.0, 0.3)
-    assert read("periodic = true", starts={"run": "rest"}).runs[0].start.periodic is False
-
-
 @pytest.mark.parametrize(
     ("run", "overrides", "said"),
     [
@@ -122,14 +113,6 @@ def test_a_pattern_gives_roles_to_the_runs_without_an_own_one(read: Callable[...
 
 
 AGAIN = '[[runs]]\nfile = "run.csv"\nrole = "holdout"\n'
-
-
-def test_a_recording_is_fitted_at_first_and_held_out_then(read: Callable[..., DataSet]) -> None:
-    first, second = read(f'to = "1.2 s"\n{AGAIN}from = "1.2 s"').runs
-    assert (first.name, first.role) == ("run part 1", "fit")
-    assert (second.name, second.role) == ("run part 2", "holdout")
-    assert first.time[[0, -1]].tolist() == pytest.approx([0.0, 1.2])
-    assert second.time[[0, -1]].tolist() == pytest.approx([1.2, 1.9])
 
 
 @pytest.mark.parametrize(

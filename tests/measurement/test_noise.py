@@ -77,17 +77,6 @@ def test_missing_samples_uneven_times_and_double_rows():
     assert estimate_noise(double, values) == pytest.approx(0.01, rel=0.1)
 
 
-def test_what_cannot_be_estimated_is_nan():
-    few = np.linspace(0, 1, 15)
-    uneven = np.logspace(-3, 1, 40)
-    assert np.isnan(estimate_noise(few, white(0, 15)))
-    assert np.isnan(estimate_noise(uneven, white(0, 40)))
-    assert np.isnan(estimate_noise(TIME, np.zeros(N)))
-    assert np.isnan(estimate_noise(TIME, np.full(N, np.nan)))
-    coarse = np.linspace(0, 4, 50)
-    assert np.isnan(estimate_noise(coarse, np.sin(4 * np.pi * coarse) + 1e-3 * white(0, 50)))
-
-
 def run(name: str, **measurements: np.ndarray) -> Run:
     return Run(name, Path(name), "fit", "linear", {}, TIME, {}, measurements)
 

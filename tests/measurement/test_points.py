@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set, write_data_set
 from pam_cosim.model.interface import Interface, Variable
@@ -92,15 +91,6 @@ def test_a_set_pressure_is_one_though_it_is_read_with_noise(read: Read) -> None:
     assert all(
         run.along is not None and run.along.name == "F" and len(run.time) == 10 for run in data.runs
     )
-
-
-def test_scattered_points_are_one_curve(read: Read) -> None:
-    rng = np.random.default_rng(3)
-    rows = [
-        f"{p:.4f},{f:.4f},{p / 10 - f / 20:.4f}" for p, f in rng.uniform([0, 0], [400, 90], (40, 2))
-    ]
-    (run,) = read(table(rows, "p [kPa],F [N],x [mm]")).runs
-    assert run.along is not None and run.along.name == "p" and run.name == "loops"
 
 
 @pytest.mark.parametrize("noise", [0.0, 2.0])
@@ -261,26 +251,3 @@ def test_what_is_wrong_is_said_once(
         read(text, whole)
     for word in words:
         assert word in str(error.value)
-
-
-ISOMETRIC = 'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[[runs]]\nfile = "a.csv"\n'
-
-
-@pytest.mark.parametrize("what", ["levels", "as read"])
-def test_the_direction_is_of_what_the_curves_run_along(tmp_path: Path, what: str) -> None:
-    """Pressures of several loops of length were taken for what drives them, and both ways had one sign."""
-    rng = np.random.default_rng(2)
-    loop = np.array([0.0, 5, 10, 15, 20, 25, 30, 25, 20, 15, 10, 5, 0])
-    x = np.tile(loop, 2)
-    p = np.repeat([200.0, 300.0], len(loop))
-    if what == "as read":
-        x = x + rng.uniform(-0.3, 0.3, len(x))
-    rows = "".join(f"{a:.4f},{b:.3f},{400 - 9 * b:.2f}\n" for a, b in zip(p, x, strict=True))
-    (tmp_path / "a.csv").write_text("p [kPa],x [mm],F [N]\n" + rows)
-    (tmp_path / "experiment.toml").write_text(ISOMETRIC + 'branch = "order"\n')
-    runs = pam.read(tmp_path).runs
-    for run in runs:
-        assert run.along is not None and run.along.name == "x"
-        assert len(set(run.inputs["branch"])) == 1
-    up = sum(len(r.time) for r in runs if r.inputs["branch"][0] > 0)
-    assert up == 2 * (int(loop.argmax()) + 1)

@@ -2,15 +2,11 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
-import pandas as pd
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, condensed, read_data_set
-from pam_cosim.measurement.condensing import MOST_ROWS
+from pam_cosim.measurement import read_data_set
 from pam_cosim.measurement.recording import Recording
 from pam_cosim.measurement.resampling import resampled
 from tests.measurement.bench import MODEL, describe
@@ -99,28 +95,6 @@ def test_in_a_data_set(tmp_path):
     assert (caught.value.line, caught.value.file) == (5, file)
 
 
-def long_data(tmp_path, u: np.ndarray, sigma: str = "") -> DataSet:
-    time = np.arange(len(u)) / 1000
-    x = 5e-3 * np.sin(time) + np.random.default_rng(3).normal(0, 1e-4, len(time))
-    rows = pd.DataFrame(
-        {"time [s]": time, "u_in [A]": u, "p_supply [kPa]": 200.0, "x [mm]": 1e3 * x}
-    )
-    rows.to_csv(tmp_path / "run.csv", index=False)
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n{sigma}[[runs]]\nfile = "run.csv"\n'
-    )
-    return read_data_set(tmp_path, describe)
-
-
-@pytest.mark.full
-def test_a_search_keeps_every_row_of_pulses_and_of_few_rows(tmp_path):
-    pulses = (np.arange(120_000) % 4 < 1) * 0.35
-    data = long_data(tmp_path, pulses)
-    assert condensed(data)[0] is data
-    data = long_data(tmp_path, pulses[:MOST_ROWS])
-    assert condensed(data)[0] is data
-
-
 @pytest.mark.parametrize("interval", [0.02, 0.05])
 @pytest.mark.parametrize("held", ["linear", "previous"])
 def test_a_slower_signal_keeps_its_times(interval: float, held: str) -> None:
@@ -136,24 +110,3 @@ def test_a_slower_signal_keeps_its_times(interval: float, held: str) -> None:
     there = np.isfinite(after.measurements["p"])
     assert np.abs(after.measurements["p"][there] - 1e5 * np.sin(after.time[there])).max() < 15.0
     assert (np.diff(after.time) >= 0).all() and np.unique(after.inputs["u"]).tolist() == [0, 1]
-
-
-@pytest.mark.parametrize("interval", ["20 ms", "100 ms"])
-def test_a_recording_is_split_before_its_means_are_taken(tmp_path: Path, interval: str) -> None:
-    """A clock that began anew was no pause any more beside means; a mean could go across it, and across a cut."""
-    once = np.arange(0.0, 5.0, 1e-3)
-    time, x = np.tile(once, 2), np.concatenate([np.zeros(5000), np.ones(5000)])
-    rows = "".join(f"{t:.3f},{v:g}\n" for t, v in zip(time, x, strict=True))
-    (tmp_path / "run.csv").write_text(f"time [s],x [mm]\n{rows}")
-    head = f'model = "{MODEL}"\ngaps = "split"\n[recording]\nresample = "{interval}"\n[[runs]]\nfile = "run.csv"\n'
-    (tmp_path / "experiment.toml").write_text(head)
-    first, second = read_data_set(tmp_path, describe).runs
-    for run, level in ((first, 0.0), (second, 1e-3)):
-        values = run.measurements["x"][np.isfinite(run.measurements["x"])]
-        assert len(values) < 300 and values == pytest.approx(np.full(len(values), level))
-    (tmp_path / "experiment.toml").write_text(
-        f'{head}from = "2.0005 s"\n'.replace("split", "through")
-    )
-    (run,) = read_data_set(tmp_path, describe).runs
-    half = int(interval.split()[0]) / 2e3
-    assert run.time[0] == pytest.approx(2.0005 + half, abs=1e-3)

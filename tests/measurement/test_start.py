@@ -11,7 +11,7 @@ import pytest
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.starts.run_start import first_samples, inputs_of_run, start_time
+from pam_cosim.starts.run_start import inputs_of_run, start_time
 
 BENCH = Interface("Bench", {"u": Variable("u", "A", start=0.0)}, {"p": Variable("p", "Pa")}, {})
 ROWS = "".join(f"{t:g},{t / 10:g},{100 + t:g}\n" for t in np.arange(0.0, 2.0, 0.1))
@@ -113,14 +113,3 @@ def test_time_that_goes_back(read: Callable[..., DataSet]) -> None:
     assert "time goes back once, after 1.9 s: a piece of its own" in first.notes[-1]
     [run] = read('gaps = "through"', rows=ROWS + AGAIN).runs
     assert run.time[20] == pytest.approx(2.0) and (np.diff(run.time) > 0).all()
-
-
-def test_first_samples_end_where_the_signal_bends() -> None:
-    rng = np.random.default_rng(1)
-    t = np.arange(0.0, 2.0, 0.01)
-    y = np.where(t < 0.3, 5.0 * t, 1.5 - 20.0 * (t - 0.3)) + 0.01 * rng.standard_normal(len(t))
-    first = first_samples(t, y, 0.01, 0.0)
-    assert first is not None and first.moves
-    assert abs(first.value) < 4 * first.sd and abs(first.slope - 5.0) < 4 * first.slope_sd
-    still = first_samples(t, 0.01 * rng.standard_normal(len(t)), 0.01, 0.0)
-    assert still is not None and not still.moves and still.sd < 0.004

@@ -7,7 +7,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import Layout
@@ -128,16 +127,6 @@ def test_ignored_columns_may_hold_text(tmp_path):
     assert written(tmp_path, text, ignore=("*",), asked=frozenset({"p"})) == {"p": [1, 2]}
 
 
-def test_dates_before_the_numbers(tmp_path):
-    text = "Rate;1000;\nDate;t;p\n2024-02-01 10:00:00;0,5;1\n2024-02-01 10:00:01;1,5;2\n"
-    assert written(tmp_path, text, ignore=("Date",)) == {"t": [0.5, 1.5], "p": [1, 2]}
-    dated = written(tmp_path, text)
-    assert dated == {"Date": [0, 1], "t": [0.5, 1.5], "p": [1, 2]}
-    with pytest.raises(InputError) as caught:  # written in another way
-        written(tmp_path, text.replace("2024-02-01", "1.2.2024"))
-    assert (caught.value.line, caught.value.column) == (3, "Date")
-
-
 # (name, text, stated, line, column, words)
 FAULTS = [
     (
@@ -211,33 +200,6 @@ def test_a_row_of_units_without_names_above(
     assert words in caught.value.message and "None" not in caught.value.message
 
 
-def test_a_row_of_units_may_stand_above_the_names(tmp_path: Path) -> None:
-    (tmp_path / "a.csv").write_text("s,kPa\ntime,p\n0,1\n1,2\n")
-    columns = read_table(tmp_path / "a.csv", Layout(header_line=2, units_line=1)).columns
-    assert {name: column.unit for name, column in columns.items()} == {"time": "s", "p": "kPa"}
-
-
-CLOCKS = ("", "column = 'stamp'", "column = 1", "formula = 'stamp * 1'")
-
-
-@pytest.mark.parametrize("named", CLOCKS)
-@pytest.mark.parametrize("cell", ["", "nan"], ids=["plain", "cell by cell"])
-def test_a_time_may_be_a_number_that_means_missing_elsewhere(
-    tmp_path: Path, named: str, cell: str
-) -> None:
-    head = "stamp [s]" if named else "time [s]"
-    (tmp_path / "a.csv").write_text(
-        f"{head},u_in [A],p [kPa]\n0,0.3,100\n1,0.3,1\n2,0.3,1\n3,0.3,{cell}\n"
-    )
-    (tmp_path / "experiment.toml").write_text(
-        'model = "PneumaticMuscle.Benches.TankFilling"\n[recording]\nmissing = ["1", "nan"]\n'
-        f'[columns]\n{f"time = {{ {named} }}" if named else ""}\n[[runs]]\nfile = "a.csv"\n'
-    )
-    (run,) = pam.read(tmp_path).runs
-    np.testing.assert_array_equal(run.time, [0, 1, 2, 3])
-    assert np.isnan(run.measurements["p"][1:3]).all()
-
-
 @pytest.mark.parametrize("cut", ["0,3", "0,"])
 def test_a_last_line_that_was_cut_short_is_left_out(tmp_path: Path, cut: str) -> None:
     file = tmp_path / "a.csv"
@@ -248,14 +210,3 @@ def test_a_last_line_that_was_cut_short_is_left_out(tmp_path: Path, cut: str) ->
     file.write_text(f"t,p,x\n0.1,1,2\n0.2,3,4\n{cut}\n")  # whoever wrote it went on
     with pytest.raises(InputError, match="this row has 2 cells, the header has 3"):
         read_table(file)
-
-
-def test_rows_without_a_value_at_the_end_are_none(tmp_path: Path) -> None:
-    """As a spreadsheet writes them; one among the others is told."""
-    head, rows = "time [s],p [kPa]\n", ["0,1\n", "1,2\n", "2,3\n"]
-    assert written(tmp_path, head + "".join(rows) + ",\n,\n") == written(
-        tmp_path, head + "".join(rows)
-    )
-    file = tmp_path / "gap.csv"
-    file.write_text(head + rows[0] + ",\n" + "".join(rows[1:]))
-    assert len(read_table(file).columns["p"].values) == 4

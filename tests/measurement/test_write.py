@@ -74,13 +74,6 @@ def test_what_is_stated_of_the_start_reads_back(make, tmp_path, stated, units):
         np.testing.assert_allclose(copy.measurements[name], values, rtol=1e-7)
 
 
-def test_other_files_stay(make):
-    folder = make()
-    (folder / "SOURCE.md").write_text("origin")
-    write_data_set(folder, read_data_set(folder, describe), BENCH, units=UNITS)
-    assert (folder / "SOURCE.md").read_text() == "origin"
-
-
 def test_nothing_is_written_when_something_is_wrong(make, tmp_path):
     data = read_data_set(make(), describe)
     one, two = data.runs

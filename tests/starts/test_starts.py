@@ -7,7 +7,6 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -15,18 +14,15 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.arrays import Array
 from pam_cosim.fitting import Free, with_starts
-from pam_cosim.fitting.chosen_starts import _offset_slopes
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
 from pam_cosim.starts import InitialState, StartProbe, measured_initial_state
 from pam_cosim.starts.start_values import StartValues, eliminate
 from rig.measurement import measure, write_data_set
 from rig.plan import default_plan
-from tests.fitting.models import data_set, recording
 
 CUT = 2.5  # s
 
@@ -264,14 +260,6 @@ def _one_start(bound: float) -> StartValues:
     )
 
 
-def test_starts_that_samples_tell_together_alone_have_deviations() -> None:
-    """Of a pressure and an opening samples tell a sum, very exactly; what is known beforehand shares it out."""
-    sd = np.array([1e5, 1e-2])
-    start = replace(_one_start(1.0), names=("p", "y"), mean=np.zeros(2), sd=sd, values=np.zeros(2))
-    start.slopes = start.with_prior_slopes(1e9 * np.array([[1.0, 1.0], [1.0, 1.0 + 1e-12]]) / sd)
-    np.testing.assert_allclose(start.deviations(), sd / np.sqrt(2.0), rtol=1e-6)
-
-
 def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
     """Held-out runs ended on the way: each step went as far as it was known, and there are eight of them."""
     one = _one_start(1e3)
@@ -281,39 +269,3 @@ def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
 
     eliminate(one, simulate)
     assert one.values == pytest.approx([40.0], rel=1e-3)
-
-
-def test_offsets_of_signals_that_are_read_at_different_times() -> None:
-    """A row for each sample, zero where one is missing: nothing is condensed."""
-    often, seldom = np.array([True] * 6), np.array([True, False, False] * 2)
-    objective = SimpleNamespace(series=[(0, "p"), (0, "T")], kept=[often, seldom], size=8)
-    slopes = _offset_slopes(objective)  # type: ignore[arg-type]
-    assert slopes.shape == (12, 2)
-    assert slopes[6:, 0].tolist() == seldom.tolist() and slopes[:6, 1].all()
-    assert slopes.sum() == objective.size
-
-
-@pytest.mark.parametrize("share", [0.01, 0.1])
-def test_slopes_by_differences_are_the_exact_ones_where_starts_are_eliminated(share: float) -> None:
-    """They were compared with residuals from which the start values had taken their part away."""
-    time = np.linspace(0.0, 2.0, 61)
-    y = np.exp(-2.5 * time) + share * np.exp(-0.5 * time)
-    y += 0.01 * np.random.default_rng(0).standard_normal(len(time))
-    run = replace(recording(time, {"y": y}), start=Start(mode="estimated"))
-    data, at = data_set("TwoDecays", [run], {"y": 0.01}), np.array([2.0])
-    free = [Free("a", 0.0, 100.0, 2.0, "1", nominal=1.0)]
-    fixed = {"g": share, "s@run": 1.0, "w@run": 1.0}
-    found = []
-    for sensitivities in (("a", START_VALUES), (START_VALUES,)):
-        model = build_model(
-            str(Path(__file__).parent / "TwoDecays.mo"),
-            sensitivities=sensitivities,
-            where_smooth=True,
-        )
-        with Simulator(model) as simulator:
-            objective = Objective(
-                simulator, data, data.fit_runs, free, fixed, starts_to_first_order=True
-            )
-            found.append(objective.jacobian(at, objective.residuals(at))[: objective.size, 0])
-    exact, differences = found
-    assert np.linalg.norm(differences - exact) < 0.01 * np.linalg.norm(exact)

@@ -17,7 +17,6 @@ import xarray
 import pam_cosim as pam
 from pam_cosim.sweeps import executors, partial_of, same
 from tests.fmu import models
-from tests.pictures import drawn
 
 VARY: dict[str, Any] = {"u_in": np.linspace(0.25, 0.35, 4), "p_supply": ["138 kPa", "207 kPa"]}
 SCALARS = {"last pressure": "final(p)", "peak temperature": "max(T)"}
@@ -196,19 +195,6 @@ def test_runs_of_another_sweep_are_not_gone_on_with(
     with pytest.raises(pam.InputError, match=words):
         swept(**(base | change))
     assert partial_of(tmp_path / "s.csv").read_bytes() == before
-
-
-@pytest.mark.full
-def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
-    pam.draw(reference, tmp_path / "lines.png")
-    pam.draw(swept(), tmp_path / "courses.png")
-    ranges = {"u_in": (0.25, 0.35), "p_supply": ("1 bar", "2 bar"), "tank.V": ("1 l", "2 l")}
-    made = pam.sweep(
-        MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1
-    )
-    pam.draw(made, tmp_path / "points.png")
-    assert [path.name for path in tmp_path.glob("*.png") if not drawn(path)] == []
-    assert len(list(tmp_path.iterdir())) == 3
 
 
 @pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.full)])

@@ -86,19 +86,3 @@ def test_times_of_steps_come_back(tmp_path: Path) -> None:
 
 def _free(parameters: Mapping[str, Sequence[str]]) -> dict[str, FreeParameter]:
     return {name: FreeParameter(name, 0.0, 1e5) for names in parameters.values() for name in names}
-
-
-@pytest.mark.full
-@pytest.mark.parametrize(
-    "hidden",
-    [
-        pytest.param([], id="nothing"),
-        pytest.param(["elasticity:linear"], id="elasticity"),
-    ],
-)
-def test_a_coarse_logger_is_not_called_physics(tmp_path: Path, hidden: list[str]) -> None:
-    data, _ = _measured(tmp_path / "data", [effect_of(name) for name in hidden])
-    diagnosis = study.diagnose(data, explain=False)
-    assert list(diagnosis.verdict.families) == [name.split(":")[0] for name in hidden]
-    assert diagnosis.step_times == steps_between(data)
-    assert "steps of commands came between two samples" in str(diagnosis)

@@ -10,7 +10,6 @@ import pytest
 
 from pam_cosim.diagnosis.planning import limits_of
 from pam_cosim.diagnosis.planning.moves import Moves
-from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run, Signal
 
 TIME = np.linspace(0.0, 5.0, 51)
@@ -60,21 +59,6 @@ def test_stated_limits_come_first(data: DataSet) -> None:
     )
     assert limits.inputs["u"] == (0.1, 0.4) and limits.parameters["muscle.L0"] == (0.1, 0.2)
     assert limits.outputs == {"x": (0.0, 0.005)} and limits.seconds == 2.0
-
-
-@pytest.mark.parametrize(
-    ("stated", "seconds", "message"),
-    [
-        ({"u_inn": (0.0, 1.0)}, None, "nothing 'u_inn' to limit"),
-        ({"u": (1.0, 0.0)}, None, "begin above their end"),
-        ({}, 0.0, "longer than nothing"),
-    ],
-)
-def test_limits_that_make_no_sense(
-    data: DataSet, stated: dict, seconds: float | None, message: str
-) -> None:
-    with pytest.raises(InputError, match=message):
-        limits_of(data, stated, seconds)
 
 
 def test_every_course_keeps_the_limits(data: DataSet) -> None:

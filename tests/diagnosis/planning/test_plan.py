@@ -98,33 +98,6 @@ def test_a_verdict_without_rivals_leaves_nothing_to_decide(diagnosis: Diagnosis)
         study.plan(replace(diagnosis, rivals=diagnosis.rivals[:1]))
 
 
-@pytest.mark.full
-def test_an_identified_effect_is_tested_against_what_came_near(diagnosis: Diagnosis) -> None:
-    """What contains the verdict's family can say all that its law says: it is no challenger."""
-    spring, creep = diagnosis.candidates
-    both = replace(creep, effects=("LinearBladder", "MaxwellCreep"))
-    friction = rival("ViscousFriction", "rate_friction", diagnosis.data, c=300.0)
-    verdict = replace(
-        diagnosis.verdict, kind="identified", families=("elasticity",), effects=spring.effects
-    )
-    found = replace(
-        diagnosis,
-        verdict=verdict,
-        candidates=(spring, both, creep, friction),
-        path=(spring,),
-        rivals=(),
-    )
-    plan = study.plan(found, seconds="2 s")
-    assert plan.explanations == (("LinearBladder",), ("MaxwellCreep",), ("ViscousFriction",))
-    pairs = {(one.first, one.second) for one in plan.separations}
-    assert pairs == {("LinearBladder", "MaxwellCreep"), ("LinearBladder", "ViscousFriction")}
-    assert plan.tests and plan.decides and plan.chi2 > 2 * plan.runs[0].at_random
-    assert "should test LinearBladder against MaxwellCreep, ViscousFriction" in plan.expectation
-    assert "a run that would test this verdict" in str(plan)
-    with pytest.raises(InputError, match="the verdict is identified: there are no rivals"):
-        study.plan(replace(found, candidates=(spring, both)))
-
-
 def test_the_command_writes_what_a_rig_can_play(
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
