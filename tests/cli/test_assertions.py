@@ -21,7 +21,7 @@ end Rising;
 
 def test_the_command_ends_with_the_message(place: Path, command: Callable[..., Outcome]) -> None:
     (place / "Rising.mo").write_text(MODEL)
-    outcome = command("simulate", "Rising.mo", "--stop-time", "20", "-o", "out.csv")
+    outcome = command("simulate Rising.mo --stop-time 20 -o out.csv")
     assert outcome.status == 1
     assert "at time 2 s: x must stay below two" in outcome.err and "Traceback" not in outcome.err
     assert not (place / "out.csv").exists()
@@ -31,7 +31,7 @@ def test_a_warning_is_told_once_and_the_run_goes_on(
     place: Path, command: Callable[..., Outcome]
 ) -> None:
     (place / "Rising.mo").write_text(MODEL)
-    outcome = command("simulate", "Rising.mo", "--stop-time", "1.9", "-o", "out.csv")
+    outcome = command("simulate Rising.mo --stop-time 1.9 -o out.csv")
     assert outcome.status == 0 and (place / "out.csv").exists()
     assert (
         outcome.out.count(

@@ -39,7 +39,7 @@ def test_only_what_is_named_is_fitted_and_the_rest_held(
 def test_parameters_of_an_effect_can_be_fitted(command: Command, data: Path, place: Path) -> None:
     """They have the bounds of their class; the data set knows nothing of them."""
     bench = "PneumaticMuscle.Benches.VesselOrifice"
-    assert command("add", "OrificeLeak", "--to", bench, "-o", "Leaking.mo").status == 0
+    assert command("add OrificeLeak --to", bench, "-o", "Leaking.mo").status == 0
     done = command(
         "fit",
         data,

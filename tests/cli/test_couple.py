@@ -71,9 +71,7 @@ def test_couples_a_written_system(command: Run, system: Path) -> None:
     trajectory = pam.Trajectory.from_csv(Path("out.csv"))
     assert trajectory.time[-1] == 0.3 and trajectory["muscle.load.v"].max() > 0
     assert Path("out.png").read_bytes().startswith(b"\x89PNG")
-    again = command(
-        "couple", "system.ssp", "--stop-time", "300 ms", "--tolerance", "1e-4", "-o", "again.csv"
-    )
+    again = command("couple system.ssp --stop-time '300 ms' --tolerance 1e-4 -o again.csv")
     assert again.status == 0 and "rollbacks" in again.out
     other = pam.Trajectory.from_csv(Path("again.csv"))
     assert other["muscle.x"][-1] == pytest.approx(trajectory["muscle.x"][-1], abs=1e-4)
@@ -81,14 +79,7 @@ def test_couples_a_written_system(command: Run, system: Path) -> None:
 
 def test_controller_that_raises_leaves_what_was_reached(command: Run, system: Path) -> None:
     done = command(
-        "couple",
-        "controlled.toml",
-        "--controller",
-        "lift=lift.py:lift",
-        "--step",
-        "5 ms",
-        "-o",
-        "out.csv",
+        "couple controlled.toml --controller lift=lift.py:lift --step '5 ms' -o out.csv",
     )
     assert done.status == 2
     assert (
@@ -105,7 +96,7 @@ def test_fmu_that_fails_has_status_1_and_leaves_what_was_reached(command: Run, p
         'equation\n der(y) = u;\n assert(y < 0.5, "level too high");\nend Limited;\n'
     )
     Path("level.toml").write_text('[components]\na = "Limited.mo"\n')
-    done = command("couple", "level.toml", "--step", "100 ms", "--stop-time", "2", "-o", "out.csv")
+    done = command("couple level.toml --step '100 ms' --stop-time 2 -o out.csv")
     assert done.status == 1
     assert (
         "component 'a' (" in done.err

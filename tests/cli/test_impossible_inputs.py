@@ -48,7 +48,7 @@ def test_inputs_of_a_single_run_are_refused_alike(
 ) -> None:
     (place / "one.csv").write_text("time [s],p [kPa]\n0,100\n3,-150\n")
     outcome = command(
-        "simulate", "QuasiStaticIsometric", "--input", source, "--stop-time", "5", "-o", "o.csv"
+        "simulate QuasiStaticIsometric --input", source, "--stop-time", "5", "-o", "o.csv"
     )
     assert outcome.status == 2 and "p is -150 kPa at " in outcome.err
     assert "below the least value -101 kPa that the model allows" in outcome.err

@@ -40,7 +40,7 @@ def test_compare_says_the_same(
     for experiment in (EXPERIMENT, write):
         text = experiment if isinstance(experiment, str) else experiment(data)
         (data / "experiment.toml").write_text(text, encoding="utf-8")
-        outcome = command("compare", "data", "--json", "r.json")
+        outcome = command("compare data --json r.json")
         assert outcome.status == 0, outcome.err
         scores.append(json.loads((place / "r.json").read_text())["runs"])
     one, other = (run[0]["signals"] if isinstance(run, list) else run for run in scores)

@@ -57,7 +57,7 @@ def test_vessel(command: Command, started: Path, workers: int | None) -> None:
     document = check_loop(command, started, workers)
     assert document["final"]["fit"]["chi2_reduced"] <= document["base"]["chi2_reduced"]
     # the same by the values in the document, beside the model without them
-    done(command("add", "--from", "d.json", "-o", "Again.mo"))
+    done(command("add --from d.json -o Again.mo"))
     assert Path("Again.mo").read_text().replace("Again", "Better") == Path("Better.mo").read_text()
 
 
@@ -105,6 +105,6 @@ def test_values_of_another_model_are_refused_with_what_to_do(
 )
 def test_damaged_products(command: Command, place: Path, content: object, said: str) -> None:
     Path("d.json").write_text(json.dumps(content))
-    refused = command("add", "--from", "d.json", "--to", "VesselOrifice", "-o", "Better.mo")
+    refused = command("add --from d.json --to VesselOrifice -o Better.mo")
     assert refused.status == 2 and said in refused.err and "d.json" in refused.err + "d.json"
     assert not Path("Better.mo").exists()

@@ -14,9 +14,7 @@ Command = Callable[..., Outcome]
 
 
 def test_files(command: Command, place: Path) -> None:
-    done = command(
-        "linearise", "LumpedLinear", "--json", "l.json", "-o", "l.csv", "--plot", "l.png"
-    )
+    done = command("linearise LumpedLinear --json l.json -o l.csv --plot l.png")
     assert done.status == 0 and "time constant 0.1 s" in done.out, done.err
     read = json.loads((place / "l.json").read_text())
     assert read["A"][2] == pytest.approx([-2.8619e-4, -4280.9, -30])
@@ -27,8 +25,8 @@ def test_files(command: Command, place: Path) -> None:
 
 def test_selected(command: Command, place: Path) -> None:
     done = command(
-        "linearise", "Isotonic", "--set", "u_out=0.25", "--at", "p=1 bar", "--free", "u_in", "--by", "u_in",
-        "--of", "x", "--of", "muscle.braid.F", "--state", "muscle.gas.p", "--json", "s.json",
+        "linearise Isotonic --set u_out=0.25 --at 'p=1 bar' --free u_in --by "
+        "u_in --of x --of muscle.braid.F --state muscle.gas.p --json s.json",
     )  # fmt: skip
     assert done.status == 0, done.err
     read = json.loads((place / "s.json").read_text())
@@ -43,7 +41,7 @@ def test_selected(command: Command, place: Path) -> None:
 def test_times_of_a_run(command: Command, place: Path) -> None:
     (place / "u.csv").write_text("time [s],u_in [A]\n0,0.2\n3,0.3\n")
     words = ("--input", "u.csv", "--at", "time=1 s", "--at", "time=2", "--json", "r.json")
-    done = command("linearise", "Isotonic", *words)
+    done = command("linearise Isotonic", *words)
     assert done.status == 0, done.err
     points = [model["point"] for model in json.loads((place / "r.json").read_text())["models"]]
     assert [point["time"] for point in points] == [1, 2]
@@ -61,6 +59,6 @@ def test_times_of_a_run(command: Command, place: Path) -> None:
 )
 def test_refused(command: Command, place: Path, words: list[str], message: str) -> None:
     (place / "u.csv").write_text("time [s],u_in [A]\n0,0.2\n3,0.3\n")
-    done = command("linearise", "Isotonic", *words, "--json", "x.json")
+    done = command("linearise Isotonic", *words, "--json", "x.json")
     assert (done.status, done.out) == (2, "") and message in done.err
     assert done.err.count("\n") == 1 and sorted(p.name for p in place.iterdir()) == ["u.csv"]

@@ -22,7 +22,7 @@ def test_from_files_to_a_comparison(command: Command, place: Path) -> None:
     several(german, place / "data", ([2e5, 3e5], 1), ([3e5, 4e5], 3), ([2.5e5, 3.5e5], 5))
     files = sorted((place / "data").iterdir())
     outcome = command(
-        "new", "my-rig", *files, "--parameter", "load.m=2.27 kg", "--title", "steps of a regulator"
+        "new my-rig", *files, "--parameter", "load.m=2.27 kg", "--title", "steps of a regulator"
     )
     assert outcome.status == 0, outcome.err
     for words in (
@@ -39,7 +39,7 @@ def test_from_files_to_a_comparison(command: Command, place: Path) -> None:
         ["experiment.toml", "MyRig.mo", *(file.name for file in files)]
     )
     assert all((place / "my-rig" / file.name).read_bytes() == file.read_bytes() for file in files)
-    compared = command("compare", "my-rig")
+    compared = command("compare my-rig")
     assert compared.status == 0, compared.err
     assert "steps of a regulator" in compared.out and "holdout" in compared.out
 
@@ -82,15 +82,15 @@ def test_page(command: Command, place: Path, capsys: pytest.CaptureFixture[str])
 
 def test_a_muscle_by_name(command: Command, place: Path) -> None:
     (place / "a.csv").write_text(GOOD)
-    outcome = command("new", "rig", "a.csv", "--muscle", "DMSP-20")
+    outcome = command("new rig a.csv --muscle DMSP-20")
     assert outcome.status == 0, outcome.err
     assert "DMSP_20" in (place / "rig" / "Rig.mo").read_text().replace("-", "_")
-    assert command("compare", "rig").status == 0
+    assert command("compare rig").status == 0
     for options, word in (
         (["--muscle", "DMSP-21"], "DMSP-2"),
         (["--muscle", "DMSP-20", "--model", "Isotonic"], "Isotonic"),
     ):
-        outcome = command("new", "other", "a.csv", *options)
+        outcome = command("new other a.csv", *options)
         assert (outcome.status, outcome.err.count("\n")) == (2, 1) and word in outcome.err, (
             outcome.err
         )
@@ -134,7 +134,7 @@ def test_one_error_and_nothing_written(command: Command, place: Path, case: str)
     text, options, words = WRONG[case]
     (place / "a.csv").write_text(text)
     before = everything(place)
-    outcome = command("new", "rig", "a.csv", *options)
+    outcome = command("new rig a.csv", *options)
     assert (outcome.status, outcome.out, outcome.err.count("\n")) == (2, "", 1), outcome.err
     assert all(word in outcome.err for word in words), outcome.err
     assert everything(place) == before and not (place / "rig").exists()
@@ -150,5 +150,5 @@ def test_nothing_is_overwritten(command: Command, place: Path) -> None:
         outcome = command("new", folder, "a.csv")
         assert outcome.status == 2 and word in outcome.err
         assert everything(place) == before
-    missing = command("new", "other", "b.csv")
+    missing = command("new other b.csv")
     assert missing.status == 2 and "b.csv" in missing.err and not (place / "other").exists()

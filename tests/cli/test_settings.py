@@ -115,12 +115,12 @@ def test_what_cannot_be_set(
 
 
 def test_a_name_that_ends_in_fmu_is_a_file(command: Command, place: Path) -> None:
-    outcome = done(command("build", "VesselOrifice", "-o", "sub/Mine.fmu"))
+    outcome = done(command("build VesselOrifice -o sub/Mine.fmu"))
     assert outcome.out.split() == ["sub/Mine.fmu"]
     assert [p.name for p in (place / "sub").iterdir()] == ["Mine.fmu"] and zipfile.is_zipfile(
         place / "sub/Mine.fmu"
     )
-    done(command("build", "VesselOrifice", "-o", "sub"))
+    done(command("build VesselOrifice -o sub"))
     assert sorted(p.name for p in (place / "sub").iterdir()) == ["Mine.fmu", "VesselOrifice.fmu"]
 
 

@@ -97,7 +97,7 @@ def test_a_bench_put_together_for_points_at_rest(command: Command, place: Path) 
     rows = [row.split(",") for row in loop() if ",20," in row]
     text = "\n".join(["p [kPa],x [mm],branch", *(f"{p},{x},{word}" for p, _, x, word in rows), ""])
     (place / "data" / "loop.csv").write_text(text)
-    outcome = command("compare", "data")
+    outcome = command("compare data")
     assert outcome.status == 0, outcome.err
     assert "holdout  x" in outcome.out
 

@@ -91,7 +91,5 @@ def test_a_sweep_that_is_stopped_goes_on(
 def test_what_cannot_be_used(
     more: list[str], words: list[str], command: Callable[..., object], place: Path
 ) -> None:
-    refused(
-        command("sweep", "TankFilling", "--vary", "u_in=0.2:0.3:3", "-o", "s.csv", *more), words
-    )  # type: ignore[arg-type]
+    refused(command("sweep TankFilling --vary u_in=0.2:0.3:3 -o s.csv", *more), words)  # type: ignore[arg-type]
     assert not list(place.iterdir())
