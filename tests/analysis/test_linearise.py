@@ -66,15 +66,6 @@ def test_the_matrices_of_the_slides() -> None:
     assert linear.is_stable and "time constant 0.1 s (P 100%)" in str(linear)
 
 
-def test_at_rest_nothing_changes_and_a_run_ends_there() -> None:
-    linear = pam.linearise("Isotonic", {"u_out": 0.25, "u_in": "0.3 A"})
-    assert linear.point.kind == "rest" and "settles" in linear.point.how
-    assert all(abs(rate) < 1e-2 for rate in linear.point.rates.values())
-    run = pam.simulate("Isotonic", {"u_out": 0.25, "u_in": 0.3}, stop_time=60)
-    assert linear.point.outputs["x"] == pytest.approx(run["x"][-1], rel=1e-6)
-    assert linear.point.outputs["p"] == pytest.approx(run["p"][-1], rel=1e-6)
-
-
 def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
     """An independent check of every number on the way from current to contraction."""
     linear_model = pam.linearise(

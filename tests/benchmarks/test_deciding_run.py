@@ -29,18 +29,6 @@ def test_a_table_is_played_as_phases_are() -> None:
     assert np.abs(one.p - two.p).max() < 5.0
 
 
-def test_lines_between_rows_and_a_delay() -> None:
-    ramp = PlayedSchedule.of_table(
-        [0.0, 1.0, 1.0, 2.0], [(0.0, 0.0), (0.4, 0.0), (0.1, 0.2), (0.1, 0.0)]
-    )
-    assert ramp.at(0.5) == pytest.approx((0.2, 0.0)) and ramp.at(1.5) == pytest.approx((0.1, 0.1))
-    assert ramp.within(0.0)(1.0) == pytest.approx(
-        (0.4, 0.0)
-    )  # the end of the line that begins at zero
-    late = ramp.delayed(0.25)
-    assert late.at(0.75) == pytest.approx((0.2, 0.0)) and late.starts == (1.25,)
-
-
 def test_a_tuning_case_plays_its_own_run_as_it_was_recorded() -> None:
     """The first run of a case, played from its inputs, differs from what was recorded by the noise."""
     cases = (many.case_of("tuning2", n) for n in range(400) if tuning.is_asked(n))

@@ -13,18 +13,14 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from benchmarks.hidden_effects.calibration import binned, brier, stated
 from benchmarks.hidden_effects.outcome import (
     judged,
     names_instruments,
-    stated_probability,
 )
 from benchmarks.hidden_effects.report import main as report_main
 from blind_cases import cases, many
-from blind_cases.faults import FAULTS
 from blind_cases.setups import draw_design
 from rig.benches import BENCHES
-from tests.library.shelf import composed, effects
 
 pytestmark = pytest.mark.full  # of the measuring, not of the product
 
@@ -57,14 +53,6 @@ def test_cases_of_one_bench_are_what_they_were() -> None:
         )
     text = re.sub(r"-?\d+\.\d+(e[-+]?\d+)?", lambda number: f"{float(number[0]):.9g}", repr(drawn))
     assert hashlib.sha256(text.encode()).hexdigest()[:16] == "56267c88b1d37fc0"
-
-
-def test_the_library_has_a_member_for_what_is_hidden_on_a_bench() -> None:
-    asked = {(c.design.rig.model, f.family) for c in first() for f in c.hidden if f not in FAULTS}
-    for model, family in sorted(asked):
-        if family != "none_of_these":
-            members = [e.name for e in effects() if e.family == family]
-            assert any(composed(model, name) for name in members), (model, family)
 
 
 def _small(bench: str, which: str = "tuning2") -> many.Case:
@@ -155,24 +143,6 @@ def test_instruments_count_whichever_is_named() -> None:
     assert names_instruments(result("instrument", ["quantisation"], "identified", ["saturation"]))
     assert not names_instruments(result("instrument", ["quantisation"], "identified", ["leak"]))
     assert not names_instruments(result("instrument", ["quantisation"], "unknown", []))
-
-
-def test_brier_score_and_classes_of_stated_probabilities() -> None:
-    right = [
-        result("catalogue", ["leak"], "identified", ["leak"], probability=0.9) for _ in range(9)
-    ]
-    wrong = [result("catalogue", ["leak"], "identified", ["creep"], probability=0.9)]
-    silent = [
-        result("catalogue", ["leak"], "identified", ["leak"]),
-        result("null", [], "unknown", [], probability=0.1),
-    ]
-    pairs = stated([*right, *wrong, *silent])
-    assert len(pairs) == 10 and brier(pairs) == pytest.approx(0.9 * 0.01 + 0.1 * 0.81)
-    ((low, high, some),) = binned(pairs)
-    assert (low, high, some[:, 1].mean()) == (0.9, 0.95, pytest.approx(0.9))
-    assert stated_probability(silent[1]) is None
-    either = result("catalogue", ["leak"], "ambiguous", ["creep", "leak"], probability=0.8)
-    assert stated_probability(either) == (0.8, True)
 
 
 @pytest.mark.parametrize("probability", [{}, {"probability": 0.97}])

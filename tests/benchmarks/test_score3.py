@@ -6,9 +6,7 @@ import subprocess
 import sys
 from collections import Counter
 from dataclasses import replace
-from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -112,30 +110,6 @@ def test_a_recording_begins_in_motion_with_what_the_whole_run_has(bench: str) ->
         assert rates(trial, whole[first])[trial.begin] >= MOVING
         assert all(np.array_equal(part[name], whole[name][trial.begin :]) for name in part)
     assert len(late.roles()) == sum(trial.samples - trial.begin for trial in late.plan)
-
-
-def _files(start: str, folder: Path) -> tuple[dict[str, Any], str, list[list[float]]]:
-    made = many.make(_small(start))
-    many.write(made, folder)
-    text = (folder / "experiment.toml").read_text()
-    times = [
-        [float(row.split(",")[0]) for row in file.read_text().splitlines()[1:]]
-        for file in sorted(folder.glob("*.csv"))
-    ]
-    return made.description, text, times
-
-
-def test_files_begin_where_the_description_says_and_some_say_so(tmp_path: Path) -> None:
-    told, text, times = _files("stated", tmp_path / "stated")
-    assert 'start = "estimated"' in text
-    begins = [run["begins"] for run in told["plan"]]
-    assert [run[0] for run in times] == pytest.approx(begins) and min(begins) > 0.0
-    assert all(a < b for run in times for a, b in pairwise(run))
-    _, silent, same = _files("unstated", tmp_path / "unstated")
-    assert "start" not in silent and same == times
-    at_rest, text, times = _files("rest", tmp_path / "rest")
-    assert "start" not in text and [run[0] for run in times] == [0.0] * 3
-    assert not any("begins" in run for run in at_rest["plan"])
 
 
 @pytest.mark.parametrize("start", IN_THE_MIDDLE)

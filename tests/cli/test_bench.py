@@ -37,18 +37,6 @@ model Short "A muscle of 10 cm"
 end Short;
 """
 
-HALF = """\
-model HalfGauge "A gauge that reads half"
-  extends PneumaticMuscle.Interfaces.Instrument;
-  PneumaticMuscle.Interfaces.GasPort port "Tap";
-  output PneumaticMuscle.Types.GaugePressure p "Half the gauge pressure";
-equation
-  port.m_flow = 0;
-  port.H_flow = 0;
-  p = (port.p - 101325)/2;
-end HalfGauge;
-"""
-
 
 def test_it_says_what_parts_there_are(command: Callable[..., Outcome], place: Path) -> None:
     (place / "Winder.mo").write_text(WINDER)
@@ -107,16 +95,6 @@ def test_a_part_of_ones_own_is_a_choice(command: Callable[..., Outcome], place: 
         "Mine.mo", {"p": "200 kPa"}, files=["Winder.mo", "Short.mo"], outputs=["muscle.L0"]
     )
     assert run["muscle.L0"][0] == 0.1 and 0.01 < run["x"][-1] < 0.035
-
-
-def test_an_instrument_of_ones_own_reads_its_signal(place: Path) -> None:
-    (place / "HalfGauge.mo").write_text(HALF)
-    text = pam.bench(
-        "regulator", "imposed-length", measure="p", output="Mine.mo", files=["HalfGauge.mo"]
-    )
-    assert "HalfGauge halfGauge" in text and "Instruments.Pressure" not in text
-    run = pam.simulate("Mine.mo", {"p_set": "200 kPa", "s": 0.0}, files=["HalfGauge.mo"])
-    assert run["p"][-1] == pytest.approx(100e3, rel=0.01)
 
 
 @pytest.mark.parametrize(

@@ -28,17 +28,6 @@ def test_a_table_is_checked_before_the_simulation(
     assert outcome.status == 2 and "no parameter 'orifice.q'" in outcome.err
 
 
-def test_rows_that_are_left_out_are_told(command: Command, data: Path) -> None:
-    lines = (data / "one.csv").read_text().splitlines()
-    lines = [
-        line.rpartition(",")[0] + "," if line.startswith(("7,", "8,")) else line for line in lines
-    ]
-    (data / "one.csv").write_text("\n".join(line.replace(",", ";") for line in lines) + "\n")
-    outcome = command("compare", data)
-    assert outcome.status == 0, outcome.err
-    assert "note: one: read with columns separated by semicolons" in outcome.out
-
-
 def test_a_note_of_several_runs_is_told_once() -> None:
     runs = [replace(run(name, [0.0, 1.0]), notes=("it pauses", name)) for name in ("a", "b")]
     assert _notes(runs) == ["a, b: it pauses", "a: a", "b: b"]

@@ -54,12 +54,6 @@ def system(place: Path) -> Path:
     return file
 
 
-def test_a_warning_of_a_component_stands_first(command: Run, system: Path) -> None:
-    done = command("couple", system, "--step", "1ms", "--set", "muscle.muscle.fibres=300")
-    assert done.out.startswith("LOOK FIRST: muscle: ") and done.out.count("LOOK FIRST") == 1
-    assert "they cover 177.448 cm2 of 150.796 cm2" in done.out.splitlines()[0]
-
-
 def test_couples_a_written_system(command: Run, system: Path) -> None:
     done = command("couple", system, "--step", "1ms", "--method", "jacobi", "--set", "muscle.load.m=5 kg",
                "--keep", "muscle.load.v", "-o", "out.csv", "--plot", "out.png", "--ssp", "system.ssp")  # fmt: skip

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 import runpy
 from pathlib import Path
 
@@ -13,27 +12,7 @@ import pam_cosim as pam
 from tests.cli.conftest import ROOT
 
 GROWTH = ROOT / "examples" / "bioreactor" / "Bioreactor"
-TUNNEL = ROOT / "examples" / "wind-tunnel" / "WindTunnel"
 RIG = runpy.run_path(str(ROOT / "examples" / "bioreactor" / "rig.py"))
-
-
-@pytest.mark.parametrize("library", [GROWTH, TUNNEL], ids=lambda p: p.name)
-def test_no_python_is_about_it(library: Path) -> None:
-    shared = {
-        "Effect",
-        "Domain",
-        "Air",
-        "Shaft",
-        "Drive",
-        "package",
-    }  # words of every day, or of every library
-    words = {library.name, *(file.stem for file in (library / "Effects").glob("*.mo"))} - shared
-    used_by_the_muscle = {file.stem for file in (ROOT / "modelica").rglob("*.mo")}
-    source = {file: file.read_text(encoding="utf-8") for file in (ROOT / "pam_cosim").rglob("*.py")}
-    words -= used_by_the_muscle
-    assert not {
-        (f.name, w) for f, text in source.items() for w in words if re.search(rf"\b{w}\b", text)
-    }
 
 
 @pytest.mark.parametrize("feed", [RIG["NO_FEED"], RIG["CAREFUL"]], ids=["batch", "fed"])

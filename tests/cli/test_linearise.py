@@ -23,21 +23,6 @@ def test_files(command: Command, place: Path) -> None:
     assert (place / "l.png").read_bytes().startswith(b"\x89PNG")
 
 
-def test_selected(command: Command, place: Path) -> None:
-    done = command(
-        "linearise Isotonic --set u_out=0.25 --at 'p=1 bar' --free u_in --by "
-        "u_in --of x --of muscle.braid.F --state muscle.gas.p --json s.json",
-    )  # fmt: skip
-    assert done.status == 0, done.err
-    read = json.loads((place / "s.json").read_text())
-    assert (read["states"], read["inputs"], read["outputs"]) == (
-        ["muscle.gas.p"],
-        ["u_in"],
-        ["x", "muscle.braid.F"],
-    )
-    assert read["point"]["inputs"]["u_in"] == pytest.approx(0.2267, abs=1e-4)
-
-
 def test_times_of_a_run(command: Command, place: Path) -> None:
     (place / "u.csv").write_text("time [s],u_in [A]\n0,0.2\n3,0.3\n")
     words = ("--input", "u.csv", "--at", "time=1 s", "--at", "time=2", "--json", "r.json")

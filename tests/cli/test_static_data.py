@@ -17,20 +17,6 @@ from tests.documentation.pages import blocks
 
 Command = Callable[..., Outcome]
 EXAMPLE = ROOT / "examples" / "static-map"
-LOOP = """\
-title = "loops"
-model = "PneumaticMuscle.Benches.QuasiStaticIsotonic"
-kind = "static"
-[signals.x]
-sigma = "0.1 mm"
-[parameters]
-"muscle.mu_fb" = 0
-[fit]
-"muscle.D0" = { min = "15 mm", max = "25 mm" }
-[[runs]]
-file = "loop.csv"
-hold_out = { F = ["60 N"] }
-"""
 
 
 def loop(noise: int = 7) -> list[str]:
@@ -53,12 +39,6 @@ def loop(noise: int = 7) -> list[str]:
     return rows
 
 
-def written(folder: Path, rows: list[str], experiment: str = LOOP) -> None:
-    folder.mkdir(exist_ok=True)
-    (folder / "experiment.toml").write_text(experiment)
-    (folder / "loop.csv").write_text("\n".join(["p [kPa],F [N],x [mm],branch", *rows, ""]))
-
-
 def test_the_page(command: Command, place: Path) -> None:
     folder = place / "map"
     folder.mkdir()
@@ -75,31 +55,6 @@ def test_the_page(command: Command, place: Path) -> None:
     assert "over x" in report and "time [s]" not in report
     runs = json.loads((place / "r.json").read_text())["runs"]
     assert [run["role"] for run in runs].count("holdout") == 1
-
-
-def test_a_bench_put_together_for_points_at_rest(command: Command, place: Path) -> None:
-    words = [
-        "--pneumatics",
-        "imposed-pressure",
-        "--mechanics",
-        "hanging-load",
-        "--static",
-        "-o",
-        "data/Hanging.mo",
-    ]
-    (place / "data").mkdir()
-    assert command("bench", *words).status == 0
-    experiment = LOOP.replace('"PneumaticMuscle.Benches.QuasiStaticIsotonic"', '"Hanging.mo"')
-    experiment = experiment.replace("hold_out = { F", "hold_out = { p").replace(
-        '["60 N"]', '["100 kPa"]'
-    )
-    written(place / "data", [], experiment.replace('mu_fb" = 0', 'mu_fb" = 0\n"load.m" = "2 kg"'))
-    rows = [row.split(",") for row in loop() if ",20," in row]
-    text = "\n".join(["p [kPa],x [mm],branch", *(f"{p},{x},{word}" for p, _, x, word in rows), ""])
-    (place / "data" / "loop.csv").write_text(text)
-    outcome = command("compare data")
-    assert outcome.status == 0, outcome.err
-    assert "holdout  x" in outcome.out
 
 
 def example() -> ModuleType:

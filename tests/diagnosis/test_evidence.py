@@ -11,14 +11,13 @@ from pam_cosim.diagnosis.judgement.evidence import (
     NoiseScale,
     evidence_without_choice,
     information_criterion,
-    noise_scale,
     rank,
     refuted_by_unfitted_signals,
 )
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import Prior
-from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted, statistics
+from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted
 
 LOG = math.log(1000)
 
@@ -111,17 +110,3 @@ def test_signals_nobody_fitted_refute_by_their_geometric_mean(
     best = fitted(1.0, shown={"T": 10.0, "F": 3.0})
     rival = fitted(1.0, shown={"T": 10.0 * ratios[0], "F": 3.0 * ratios[1]})
     assert refuted_by_unfitted_signals(rival, best) is refuted
-
-
-def test_noise_has_a_colour_where_some_model_leaves_no_more_than_a_drift() -> None:
-    """Where all leave more, of few samples, and at rest, squares count as they are."""
-    small, large = fitted(1.29, holdout=1.2, score=20.0), fitted(1.29, holdout=1.31, score=20.0)
-    assert noise_scale([small, fitted(1.0)]).coloured
-    assert noise_scale([large, small]).coloured
-    assert not noise_scale([large, fitted(2.0)]).coloured
-    few = replace(small, residuals={**small.residuals, "fit": statistics(1.0, samples=99)})
-    assert not noise_scale([few]).coloured
-    scale = noise_scale([small])
-    assert information_criterion(small, scale, (), ModelSpace(10)) == pytest.approx(
-        small.coloured_deviance(1.3 * 1.29) + scale.penalty(small) * small.freedom
-    )

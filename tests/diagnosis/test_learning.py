@@ -127,13 +127,6 @@ def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Pat
     assert better.read_text() == text
 
 
-@pytest.mark.full
-def test_nothing_is_learned_where_nothing_is_missing(tmp_path: Path) -> None:
-    data = pam.read(write_light_data(tmp_path / "d", [], 1))
-    _, found = learned(data)
-    assert found is None
-
-
 _FORCE = TermPlace("force", "PneumaticMuscle.Unknowns.ForceTerm", "N", "Force against contraction")
 
 

@@ -37,14 +37,6 @@ def test_checks_before_a_commit_are_those_of_the_tests() -> None:
     assert all(any(entry.startswith(command) for entry in entries) for command in commands)
 
 
-def test_extras_do_what_the_scripts_ask_for() -> None:
-    extras = PROJECT["optional-dependencies"]
-    for script in ("test", "docs"):
-        asked = re.search(r"environment\.py (\w+)", (ROOT / "scripts" / script).read_text())
-        assert asked and asked[1] in extras
-    assert f"{PROJECT['name']}[docs]" in extras["test"], "the full tier builds the site"
-
-
 def test_every_package_has_a_line_in_how_it_works() -> None:
     page = (ROOT / "docs" / "how-it-works.md").read_text(encoding="utf-8")
     packages = [p.parent.name for p in (ROOT / "pam_cosim").glob("*/__init__.py")]

@@ -13,7 +13,7 @@ from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, base_parameters, fit
 from pam_cosim.measurement import FreeParameter
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import data_set, recording, vessel_data
 
@@ -59,15 +59,3 @@ def test_unknown_parameter_names_the_file() -> None:
     with pytest.raises(InputError, match="Test has no parameter 'tank.m' to fit") as caught:
         base_parameters(data, Interface("Test"))
     assert caught.value.file == data.folder / "experiment.toml"
-
-
-@pytest.mark.parametrize(
-    ("default", "start", "expected"),
-    [(0.7, None, 0.7), (3.0, None, 1.0), (None, None, 0.5), (0.7, 0.2, 0.2)],
-)
-def test_first_guess(default: float | None, start: float | None, expected: float) -> None:
-    data = vessel_data(fit=(FreeParameter("a", 0.0, 1.0, start),))
-    (free,) = base_parameters(
-        data, Interface("Test", parameters={"a": Variable("a", start=default)})
-    )
-    assert free.start == expected

@@ -52,20 +52,6 @@ def test_json_carries_intervals_and_units(tmp_path: Path) -> None:
     assert entry["low"] == VALUES["tank.gas.h"] / 2 and entry["unit"] == "W/(m2.K)"
 
 
-def test_ssv_is_what_the_standard_says(tmp_path: Path) -> None:
-    """System Structure Parameter Values 1.0: ParameterSet/Parameters/Parameter/Real in its namespace."""
-    write_parameters(tmp_path / "p.ssv", FOUND)
-    root = ElementTree.parse(tmp_path / "p.ssv").getroot()
-    space = "{http://ssp-standard.org/SSP1/SystemStructureParameterValues}"
-    assert (
-        root.tag == f"{space}ParameterSet"
-        and root.attrib["version"] == "1.0"
-        and root.attrib["name"]
-    )
-    reals = root.findall(f"{space}Parameters/{space}Parameter/{space}Real")
-    assert [float(r.attrib["value"]) for r in reals] == list(VALUES.values())
-
-
 def test_ssv_is_valid_and_read_by_another_tool(tmp_path: Path) -> None:
     """FMPy validates against the schemas of SSP 1.0; every unit that is used is defined."""
     write_parameters(tmp_path / "p.ssv", FOUND)

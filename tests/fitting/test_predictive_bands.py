@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,9 +10,8 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.cli.app import main
-from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
-from tests.fitting.models import C_D, P_START, TIMES, N, discharge, vessel_data
+from tests.fitting.models import C_D, TIMES, N, discharge, vessel_data
 
 EARLY = np.linspace(0.0, 12.0, 13)
 
@@ -58,30 +56,6 @@ def test_the_truth_lies_within_the_band_as_often_as_promised() -> None:
         band = study.predict(fitted, stop_time=20, interval=1, samples=60).bands["p"]
         inside += bool(band.low[20] <= truth <= band.high[20])
     assert 17 <= inside <= 20  # 19 are expected; fewer than 17 come once in 60 times
-
-
-def test_bad_questions(fitted: Fit) -> None:
-    with pytest.raises(InputError, match="no run 'rum' over time; did you mean 'run'"):
-        study.predict(fitted, run="rum")
-    with pytest.raises(InputError, match="inputs and parameters of its own"):
-        study.predict(fitted, run="run", stop_time=3)
-    with pytest.raises(InputError, match="of its own, and times; leave those out, or the run"):
-        study.predict(fitted, run="run", interval=1)
-    with pytest.raises(InputError, match="the number of samples must be a whole number from 2"):
-        study.predict(fitted, samples=1)
-    data = fitted.comparison.data
-    other = replace(
-        data.runs[0],
-        name="two",
-        parameters={**data.runs[0].parameters, "tank.p_start": P_START / 2},
-    )
-    two = replace(
-        fitted, comparison=replace(fitted.comparison, data=replace(data, runs=(*data.runs, other)))
-    )
-    with pytest.raises(InputError, match=r"state tank\.p_start of the run"):
-        study.predict(two, stop_time=10)
-    stated = study.predict(two, None, {"tank.p_start": "300 kPa"}, stop_time=10, samples=10)
-    assert stated.bands["p"].value[0] == pytest.approx(300e3)
 
 
 def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[str]) -> None:

@@ -53,11 +53,6 @@ def test_swarm_agrees_with_a_second_implementation(seed: int) -> None:
     assert seen.costs == pytest.approx(lowest)
 
 
-def test_swarm_passes_by_where_nothing_can_be_computed() -> None:
-    seen = swarm(lambda z: np.inf if z[0] < 0 else rosenbrock(z), LOW, HIGH)
-    assert seen.best[0] >= 0 and np.all(np.isfinite(seen.costs))
-
-
 def test_fit_tells_what_the_swarm_did_and_what_the_descent_made_of_it() -> None:
     data = vessel_data()
     result = study.fit(data, method="particle-swarm")

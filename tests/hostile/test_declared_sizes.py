@@ -10,12 +10,9 @@ import h5py
 import numpy as np
 import pyarrow
 import pytest
-import scipy.io
-from nptdms import ChannelObject, TdmsWriter
 from pyarrow import parquet
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import table
 from pam_cosim.measurement.formats import read_table
 from pam_cosim.measurement.table import Layout
 
@@ -79,27 +76,3 @@ def test_more_values_than_can_be_taken(
         read_table(file, stated)
     assert caught.value.file == file and tracemalloc.get_traced_memory()[1] < MOST
     tracemalloc.stop()
-
-
-def few(file: Path) -> Layout:
-    values = np.arange(8.0)
-    match file.suffix:
-        case ".mat":
-            scipy.io.savemat(file, {"time": values, "p": values})
-        case ".tdms":
-            with TdmsWriter(file) as out:
-                out.write_segment([ChannelObject("run", n, values) for n in NAMES])
-        case ".csv":
-            file.write_text("time [s],p [kPa]\n" + "".join(f"{v},{v}\n" for v in values))
-    return Layout()
-
-
-@pytest.mark.parametrize("name", ["run.mat", "run.tdms", "run.csv"])
-def test_one_limit_for_all_kinds(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
-) -> None:
-    stated = few(tmp_path / name)
-    assert len(read_table(tmp_path / name, stated).columns) == 2
-    monkeypatch.setattr(table, "MOST_VALUES", 15)
-    with pytest.raises(InputError, match="it declares (16|28) values"):
-        read_table(tmp_path / name, stated)

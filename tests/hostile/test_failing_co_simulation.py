@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-import re
-import zipfile
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator
 from tests.fmu import models
@@ -25,21 +22,6 @@ def failing(
 ) -> Path:
     """The lag, whose co-simulation fails half-way."""
     return patched(folder, "pam_cosimulation.c", STEP, f"{how} {STEP}")
-
-
-def exchange_only(source: Path, target: Path) -> Path:
-    """An FMU whose description knows model exchange alone."""
-    with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
-        for name in old.namelist():
-            content = old.read(name)
-            if name == "modelDescription.xml":
-                text, count = re.subn(
-                    rb"<CoSimulation[^>]*?(/>|>.*?</CoSimulation>)", b"", content, flags=re.DOTALL
-                )
-                assert count == 1
-                content = text
-            new.writestr(name, content)
-    return target
 
 
 def test_a_solver_that_fails_is_replaced_and_that_is_said(tmp_path: Path) -> None:
@@ -69,21 +51,3 @@ def test_inputs_that_rise_and_jump(tmp_path: Path, interpolation: str) -> None:
     with IsolatedSimulator(failing(tmp_path, "return PAM_ERROR;")) as simulator:
         run = simulator.run(TIMES, inputs=inputs, tolerance=1e-9)
     assert run.solver and run["y"] == pytest.approx(expected["y"], abs=1e-6)
-
-
-@pytest.mark.parametrize("fmi", [pytest.param("2.0", marks=pytest.mark.full), "3.0"])
-def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
-    fmu = study.build("Isotonic", fmi=fmi)
-    inputs = Inputs([0.0, 1.0, 2.0, 3.0], {"u_in": [0.2, 0.35, 0.35, 0.2]})
-    times = np.linspace(0.0, 3.0, 61)
-    with Simulator(study.build("Isotonic")) as simulator:
-        expected = simulator.run(times, inputs=inputs, tolerance=1e-8)
-    with IsolatedSimulator(exchange_only(fmu, tmp_path / "Only.fmu")) as simulator:
-        run = simulator.run(times, inputs=inputs, tolerance=1e-8)
-        assert (
-            not simulator.settles and run.solver == "Only.fmu is for model exchange: run with CVode"
-        )
-        with pytest.raises(InputError, match="no co-simulation interface"):
-            simulator.stepper().begin({})
-    for name in ("p", "x", "T"):
-        assert run[name] == pytest.approx(expected[name], abs=1e-6 * float(np.ptp(expected[name])))

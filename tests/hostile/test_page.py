@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import socket
 import time
 from collections.abc import Iterator
@@ -27,28 +26,6 @@ from pam_cosim.workbench.server import application
 TOKEN = "a-token-of-a-test"
 HOME = "http://127.0.0.1:8123"
 PATIENCE = 60.0  # s for an answer
-BROKEN: dict[str, bytes] = {
-    "empty.csv": b"",
-    "zeros.csv": b"\0" * 5000,
-    "head.csv": b"time [s],p [kPa]",
-    "commas.csv": b"," * 1_000_000,
-    "quotes.csv": b'time [s],p [kPa]\n"' + b"1,2\n" * 1000,
-    "wide.csv": b"time [s],"
-    + b",".join(b"p%d [kPa]" % i for i in range(3000))
-    + b"\n"
-    + b"1," * 3000
-    + b"1\n",
-    "cut.txt": "time [s];p [kPa]\n0,0;1\n".encode("utf-16")[:-1],
-    "lone.csv": b"time [s],p [kPa]\n0,\xff\xfe\xfd\n1,2\n",
-    "not.mat": b"MATLAB 5.0 MAT-file" + b"x" * 200,
-    "zero.mat": b"MATLAB 5.0 MAT-file" + b" " * 105 + b"\x00\x01IM" + b"\0" * 64,
-    "not.h5": b"\x89HDF\r\n\x1a\n" + b"\xff" * 300,
-    "not.parquet": b"PAR1" + b"\xff" * 100 + b"PAR1",
-    "not.tdms": b"TDSm" + b"\xff" * 100,
-    "not.xlsx": b"PK\x03\x04" + b"\xff" * 100,
-    "picture.csv": b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 20,
-    "<img src=x>$(touch MADE).csv": b"time [s],p [kPa]\nx,y\n",
-}
 
 
 @pytest.fixture
@@ -159,20 +136,3 @@ def test_files_that_are_too_large(
     with pytest.raises(InputError, match="together"):
         workbench.put("b.csv", b"x" * 101).result(PATIENCE)
     assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
-
-
-def test_broken_files_are_answered_in_words(workbench: Workbench) -> None:
-    told: list[Any] = []
-    end = workbench.subscribe(told.append).result(PATIENCE)
-    for name, content in BROKEN.items():
-        told.clear()
-        workbench.put(name, content).result(PATIENCE)
-        workbench.do({"do": "draft", "wishes": {}}).result(PATIENCE)
-        drafts = [m for m in map(json.loads, told) if m["event"] == "draft"]
-        assert len(drafts) == 1 and drafts[0]["failed"]["text"], name
-        assert "should not" not in drafts[0]["failed"]["text"], drafts[0]["failed"]
-        workbench.do({"do": "remove", "names": [p.name for p in workbench.drop.recordings]}).result(
-            PATIENCE
-        )  # type: ignore[union-attr]
-    end()
-    assert not workbench.folder.exists() and not list(workbench.folder.parent.rglob("MADE"))

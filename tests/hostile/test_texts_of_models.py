@@ -180,26 +180,3 @@ def test_source_of_a_hostile_model_holds_no_text_of_it(place: Path) -> None:
     )
     outside = re.sub(r'"[^"]*"', "", source)
     assert "??" not in source and "system" not in outside and "int x" not in outside
-
-
-def test_effects_with_hostile_texts_are_composed(place: Path) -> None:
-    """Descriptions and names of a user's effect become Modelica text again, and nothing more."""
-    (place / "Drag.mo").write_text(
-        """model 'Drag "x" \\\\' "ends in a backslash \\\\"
-  extends PneumaticMuscle.Interfaces.ForceEffect(final family="rate_friction", final absent="c2=0");
-  parameter Real c2(unit="N.s2/m2", min=0, max=1e4, nominal=100) = 100 "Drag \\"; end x; model y \\"";
-equation
-  f = c2*v*sqrt(v^2 + 1e-8);
-end 'Drag "x" \\\\';
-"""
-    )
-    (place / "Base.mo").write_text(
-        "model 'my rig.v2' \"a \\\" b\\\\\"\n  extends PneumaticMuscle.Benches.Isotonic;\nend 'my rig.v2';\n"
-    )
-    files = [place / "Base.mo", place / "Drag.mo"]
-    text = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", place / "new; end x.mo", files=files)
-    assert text.startswith("model 'new; end x' \"")
-    ode = compile_model("'new; end x'", files=[*files, place / "new; end x.mo"])
-    assert any(name.endswith("c2") for name in ode.interface.parameters)
-    made = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", files=files)
-    assert made.startswith("model 'my rig.v2WithDrag")

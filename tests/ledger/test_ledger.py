@@ -245,11 +245,3 @@ def test_a_band_weighs_by_certainty_and_is_as_uncertain_as_its_runs_differ() -> 
     assert band.scatter == pytest.approx(np.sqrt(1.5))
     (alone,) = binned(BalanceEntry("force", 0, 0, 0, courses=(one,)), "time", 1)
     assert alone.mean == pytest.approx(1.4) and alone.deviation == 1.0
-
-
-def test_a_cell_of_a_map_is_as_significant_as_its_mean_is_certain() -> None:
-    """The typical standard deviation of 1 and 3, means of 0.6 and 1, is 0.8: 2/0.8."""
-    course = _course([1.0, 3.0, -3.0], [0.6, 1.0, 2.0], v=[0.0, 0.1, 1.0], w=[0.0, 0.1, 1.0])
-    plane = mapped(BalanceEntry("force", 0, 0, 0, courses=(course,)), "v", "w", 2)
-    np.testing.assert_allclose(plane.value, [[2.0, np.nan], [np.nan, -3.0]])
-    np.testing.assert_allclose(plane.significance, [[2.5, np.nan], [np.nan, -1.5]])

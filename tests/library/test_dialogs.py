@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from pam_cosim.compiler.library import Library
-from pam_cosim.compiler.syntax import ComponentDeclaration, Literal, Modification
+from pam_cosim.compiler.syntax import Literal, Modification
 from pam_cosim.resources import modelica_root
 
 LIBRARY = Library(modelica_root())
 CLASSES = list(LIBRARY.walk())
-GROUPS = {
-    "Geometry", "Load", "Gas", "Heat", "Flow", "Friction", "Mechanics", "Dynamics", "Law", "Effect", "Start",
-    "Surroundings", "Operation", "Operating point", "Signal", "Missing term",
-}  # fmt: skip
 
 
 def value(modification: Modification, *path: str) -> object:
@@ -22,22 +18,6 @@ def value(modification: Modification, *path: str) -> object:
             return None
         modification = argument.modification
     return modification.value.value if isinstance(modification.value, Literal) else None
-
-
-def settable(component: ComponentDeclaration) -> bool:
-    return component.variability == "parameter" and not component.prefixes & {"final", "protected"}
-
-
-PARAMETERS = [(node, c) for node in CLASSES for c in node.components.values() if settable(c)]
-
-
-def test_every_parameter_has_its_group() -> None:
-    groups = {
-        f"{n.qualified_name}.{c.name}": value(c.annotation, "Dialog", "group")
-        for n, c in PARAMETERS
-    }
-    assert len(groups) > 400
-    assert {name: group for name, group in groups.items() if group not in GROUPS} == {}
 
 
 def test_every_replaceable_model_offers_what_fits() -> None:

@@ -15,7 +15,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
 from pam_cosim.simulation import Inputs, Simulator
 from tests.library.rigs import choices, held, rig, run, written
-from tests.library.shelf import effects, tree
+from tests.library.shelf import effects
 
 G = 9.80665
 ALL = [*product(choices("pneumatics"), choices("mechanics"), ("physical", "empirical"))]
@@ -337,10 +337,3 @@ def test_an_effect_lies_beside_each_muscle_of_a_pair() -> None:
 def test_a_bad_choice_is_said(words: tuple[str, ...], said: str) -> None:
     with pytest.raises(InputError, match=said):
         rig(*words)
-
-
-def place(of: str, corner: tuple[float, float], connector: str) -> tuple[float, float]:
-    """Where a connector of a part of 40 by 40 stands."""
-    (position,) = [c.position for c in tree().components(of) if c.name == connector]
-    assert position is not None
-    return corner[0] + 20 + position[0] / 5, corner[1] + 20 + position[1] / 5

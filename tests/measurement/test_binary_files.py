@@ -146,26 +146,6 @@ def test_a_run_of_a_data_set(tmp_path):
     np.testing.assert_allclose(run.measurements["x"], X / 1000)
 
 
-def test_a_table_may_be_stated_for_some_of_the_files(tmp_path):
-    """What is stated of all files chooses within those that have several tables; a text has one."""
-    matlab(tmp_path / "run.mat")
-    (tmp_path / "more.csv").write_text("time [ms],p [kPa],x [mm]\n0,1,1\n1,2,1\n")
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n[recording]\ntable = "rig"\n'
-        '[columns]\ntime = { unit = "ms" }\np = { unit = "kPa" }\nx = { unit = "mm" }\n'
-        '[[runs]]\nfile = "run.mat"\n[[runs]]\nfile = "more.csv"\n'
-    )
-    with pytest.raises(InputError, match="run.mat"):  # which has no such variable
-        read_data_set(tmp_path, describe)
-    text = (tmp_path / "experiment.toml").read_text()
-    own = '[runs.recording]\ntable = "rig"\n'
-    (tmp_path / "experiment.toml").write_text(
-        text.replace('[recording]\ntable = "rig"\n', "") + own
-    )
-    with pytest.raises(InputError, match="more.csv is one by itself"):
-        read_data_set(tmp_path, describe)
-
-
 def refusal(file: Path, stated: Layout | None = None) -> InputError:
     with pytest.raises(InputError) as caught:
         read_table(file, stated)

@@ -47,12 +47,6 @@ def test_whoever_reads_may_cut_elsewhere_or_not_at_all(read: Callable[..., DataS
     assert read(stated, cuts={"run": (None, None)}).runs[0].recorded is None
 
 
-def test_both_rows_of_a_step_are_kept(read: Callable[..., DataSet]) -> None:
-    rows = "0,0,1\n1,0,1\n1,1,1\n2,1,2\n"
-    assert read(rows=rows, cuts={"run": (1, None)}).runs[0].inputs["u"].tolist() == [0.0, 1.0, 1.0]
-    assert read(rows=rows, cuts={"run": (None, 1)}).runs[0].inputs["u"].tolist() == [0.0, 0.0, 1.0]
-
-
 def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
     read: Callable[..., DataSet],
 ) -> None:

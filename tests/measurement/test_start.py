@@ -46,13 +46,6 @@ def test_what_was_before_is_held_before_the_first_row(read: Callable[..., DataSe
     ]
 
 
-def test_a_lead_is_not_scored_and_shows_where_the_run_begins(read: Callable[..., DataSet]) -> None:
-    run = read('lead = "0.5 s"').runs[0]
-    assert run.sample_count("p") == 15 and np.isnan(run.measurements["p"][:5]).all()
-    times, values = run.start.leading["p"]
-    assert times.tolist() == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4]) and values[0] == 100.0
-
-
 def test_a_periodic_run_is_repeated(read: Callable[..., DataSet]) -> None:
     from dataclasses import replace
 

@@ -110,17 +110,6 @@ def test_a_comma_separates_or_is_decimal_by_what_fits_the_header(tmp_path, text,
     assert written(tmp_path, text) == expected
 
 
-def test_what_is_stated_is_not_guessed(tmp_path):
-    assert written(tmp_path, "a;b\n1,234;2,345\n", decimal=",") == {"a": [1.234], "b": [2.345]}
-    assert written(tmp_path, "0;1\n1;2\n", names=("t [s]", "p")) == {"t": [0, 1], "p": [1, 2]}
-    text = "t;p\nZeit;Druck\ncounts;counts\n0;1\n1;2\n"
-    assert written(tmp_path, text, header_line=2, units_line=3) == {"Zeit": [0, 1], "Druck": [1, 2]}
-    assert written(tmp_path, "t [µs],p\n0,1\n1,2\n".encode("cp437"), encoding="cp437") == {
-        "t": [0, 1],
-        "p": [1, 2],
-    }
-
-
 def test_ignored_columns_may_hold_text(tmp_path):
     text = "t;p;remark;aux 1\n0,5;1;ok, fine;-\n1,5;2;;x\n"
     assert written(tmp_path, text, ignore=("remark", "aux*")) == {"t": [0.5, 1.5], "p": [1, 2]}
@@ -160,17 +149,6 @@ def test_faults(tmp_path, case):
     assert (error.file, error.line, error.column) == (tmp_path / "run.txt", line, column)
     for word in words:
         assert word in error.message
-
-
-def test_words_for_missing_samples_and_separators_at_the_ends(tmp_path: Path) -> None:
-    """Words are stated; several separators at the ends of lines make no column."""
-    file = tmp_path / "a.csv"
-    file.write_text("p [kPa],x [mm],,\n0,nan,,\n1,2,,\n2,NA,,\n3,4,,\n")
-    table = read_table(file, Layout(missing=frozenset({"nan", "na"})))
-    assert list(table.columns) == ["p", "x"] and table.missing == ("nan", "NA")
-    np.testing.assert_array_equal(table.columns["x"].values, [np.nan, 2, np.nan, 4])
-    with pytest.raises(InputError, match="'NA' is not a number"):
-        read_table(file, Layout(missing=frozenset({"nan"})))
 
 
 @pytest.mark.parametrize(

@@ -59,16 +59,6 @@ def test_each_sample_counts_by_its_own_noise(data: Callable[[str], DataSet]) -> 
     assert fitted.comparison.chi2_reduced("holdout") == pytest.approx(1.0, abs=0.06)
 
 
-def test_repeated_runs_that_differ_more_take_its_place() -> None:
-    from pam_cosim.measurement.repeatability import with_repeatability
-
-    signal = Signal(
-        "p", "Pa", 600.0, repeatability=900.0, sigma_of_reading=0.02, sigma_at_zero=500.0
-    )
-    raised = with_repeatability({"p": signal}, [])["p"]
-    assert raised.sigma_at(1e6) == 900.0
-
-
 def test_weights_of_single_readings() -> None:
     signal = Signal("p", "Pa", 1.0, sigma_of_reading=0.1, sigma_at_zero=3.0)
     reading = np.array([0.0, 40.0])

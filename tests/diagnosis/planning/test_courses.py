@@ -79,12 +79,3 @@ def test_every_course_keeps_the_limits(data: DataSet) -> None:
         assert np.abs(np.diff(table["s"])).max() <= limits.rates["s"] * 0.1 * (1 + 1e-9)
         assert 1.0 <= course.parameters["load.m"] <= 4.0
         assert np.array_equal(course.knots, np.sort(course.knots)) and course.knots[0] == 0
-
-
-def test_a_recorded_course_is_what_was_recorded(data: DataSet) -> None:
-    limits = limits_of(data)
-    first, second = Moves(limits, data.runs).recorded()
-    assert (first.parameters["load.m"], second.constants["p_supply"]) == (1.0, 3e5)
-    time, table = first.table(limits)
-    assert np.interp(time, TIME, VALVE) == pytest.approx(table["u"], abs=1e-12)
-    assert np.interp(time, TIME, STROKE) == pytest.approx(table["s"], abs=2e-4)
