@@ -60,13 +60,6 @@ def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(
     )
 
 
-def test_a_parameter_that_waits_for_another_is_no_idle_one(at_rest: tuple[Search, Fit]) -> None:
-    """The reach of a wall that takes nothing at first, and so moves nothing."""
-    search, base = at_rest
-    (bladder,) = search.probe(base, (), ["GeneralBladder"])
-    assert bladder.inactive_parameters == ()
-
-
 def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:
     """Its effects move the reading alone. Heat of the wall may wait for a gas that feels it, and a leak moves all."""
     time = np.linspace(0.0, 4.0, 81)
