@@ -213,15 +213,15 @@ class _Models:
         predicted of a set comes from slopes; an effect may have been chosen beside others that need it no more, or that
         need another one, once they are fitted together. Of many effects a fit takes long: fewer moves have to do.
         """
-        refined, exchanged = set[frozenset[str]](), set[frozenset[str]]()
+        refined, exchanged = set[frozenset[str]](), False
         while (best := self._leading()) is not None and frozenset(best.effects) not in refined:
             if self._is_effort_spent([]):
                 return
             refined.add(frozenset(best.effects))
             self.set_outliers_aside()
-            few, families = len(best.effects) <= _FEW, self.search.families_of(best.effects)
-            if few or families not in exchanged:
-                exchanged.add(families)
+            few = len(best.effects) <= _FEW
+            if few or not exchanged:
+                exchanged = not few
                 self._exchange_members(best)
                 self._try(self._requests(best, self.search.simpler_laws(best)))
             law = self.ranking.leader(specific=True)
