@@ -112,11 +112,6 @@ class Search:
         return ModelSpace(len(self.available_effects), self.expected & self.family.keys())
 
     @cached_property
-    def likeliest_first(self) -> list[str]:
-        """The effects, those that are expected first."""
-        return sorted(self.family, key=lambda name: name not in self.expected)
-
-    @cached_property
     def cost(self) -> dict[str, int]:
         """Number of parameters of each effect that are fitted."""
         return {
