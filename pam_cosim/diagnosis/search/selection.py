@@ -231,13 +231,13 @@ class _Models:
                 self._exchange_members(law)
             self._finish_promising(best)
             self._leave_out(best)
-            if self._leading() is not best:
+            if not self._leads(best):
                 continue
             if few:
-                self._try_imitations(best)
+                self._try_imitations(self.fitted[best.effects])
                 self.improve(len(best.effects))
-            if self.ranking.has_structure(best) and self._leading() is best:
-                self._add_one(best)
+            if self._leads(best) and self.ranking.has_structure(self.fitted[best.effects]):
+                self._add_one(self.fitted[best.effects])
         if best is not None and len(best.effects) > _FEW:
             self._try(self._requests(best, _each_left_out(best)))
 
@@ -266,6 +266,11 @@ class _Models:
     def _leading(self) -> Candidate | None:
         """The model to go on from: the answer, or what leaves least while nothing beats the base model."""
         return self.ranking.answer() or self.ranking.leader()
+
+    def _leads(self, c: Candidate) -> bool:
+        """Whether a model still is the one to go on from, perhaps after another fit."""
+        leading = self._leading()
+        return leading is not None and leading.effects == c.effects
 
     def _exchange_members(
         self, best: Candidate, leading: Collection[str] | None = None
