@@ -16,7 +16,10 @@ from pam_cosim import study
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--full", action="store_true", help="also run the tests marked 'full'")
     parser.addoption(
-        "--tenth", type=int, choices=range(10), help="run this tenth of the tests marked 'full' alone"
+        "--tenth",
+        type=int,
+        choices=range(10),
+        help="run this tenth of the tests marked 'full' alone",
     )
 
 

@@ -85,10 +85,6 @@ DECIDE_NOTHING = {
     "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
     "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
     "diagnosis/search/selection": ("how many moves are tried at once", "_FEW"),
-    "diagnosis/search/step_times": (
-        "accuracy of times and slopes",
-        "_ROUNDS _INSIDE DIFFERENCE_TOLERANCE",
-    ),
     "diagnosis/search/trial": ("time of a compiler", "MOST_ROWS_UNCOMPILED"),
     "fitting/combinations": (
         "names parameters that the data confuse",

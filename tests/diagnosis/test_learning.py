@@ -37,7 +37,7 @@ def learned(data: DataSet, effort: Effort | None = None) -> tuple[Fit, LearnedMo
     subject = subject_of(data, None, (), 1, lambda message: None)
     with subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
-        known, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
+        known, base = fit_base_model(simulator, subject.data, lambda message: None)
     search = Search(
         subject.tree,
         subject.name,

@@ -8,7 +8,6 @@ import pytest
 
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import Candidate
-from pam_cosim.diagnosis.judgement.evidence import contradicted_by_holdout
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.fitting import Estimate, Fit
 from tests.diagnosis.linear_world import KNOWN, world
@@ -105,27 +104,3 @@ def test_other_families_may_be_as_good_as_what_leaves_noise_and_the_same_ones_mu
     worth = pytest.approx(CRITERIA.evidence.very_strong)
     assert reached("LinearBladder") == [0.0, worth]
     assert reached("LaminarLeak") == reached("LaminarLeak+LinearBladder") == [0.0]
-
-
-@pytest.mark.parametrize(
-    ("fit", "expected"),
-    [
-        (fitted(1.0, 1.0), False),
-        (fitted(5.0, 5.0, STRUCTURE), False),  # fitted runs leave structure themselves
-        (fitted(1.0, 5.0, STRUCTURE), True),
-        (fitted(1.0, None, STRUCTURE), False),
-    ],
-)
-def test_when_held_out_runs_contradict_what_the_fitted_ones_came_to(
-    fit: Fit, expected: bool
-) -> None:
-    assert contradicted_by_holdout(fit, fitted(9.0, 9.0, STRUCTURE)) is expected
-
-
-@pytest.mark.parametrize(("base", "expected"), [(9.0, False), (4.0, True)])
-def test_values_excuse_no_model_that_leaves_more_in_held_out_runs_than_the_base_model(
-    base: float, expected: bool
-) -> None:
-    fit, excused = fitted(1.0, 5.0, STRUCTURE), fitted(1.0, 1.0)
-    vars(fit)["residuals_beyond_uncertainty"] = excused.residuals
-    assert contradicted_by_holdout(fit, fitted(9.0, base, STRUCTURE)) is expected

@@ -22,7 +22,7 @@ def looked_at(data: DataSet) -> tuple[Search, Fit]:
     subject = subject_of(data, None, [], 0, lambda message: None)
     with subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
-        data, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
+        data, base = fit_base_model(simulator, subject.data, lambda message: None)
     return Search(
         subject.tree, subject.name, available_effects, data, subject.sources, workers=0
     ), base

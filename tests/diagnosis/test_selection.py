@@ -78,12 +78,6 @@ def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
     assert families(world({"LinearBladder": 5.0, "YoungBladder": 2.0})) >= {"elasticity"}
 
 
-def test_a_rich_law_that_a_few_steps_do_not_bring_far_is_found() -> None:
-    one = world({"GeneralLeak": 30.0}, slow="GeneralLeak")
-    (only,) = select_effects(one, one.fitted(())).path
-    assert only.effect == "GeneralLeak"
-
-
 @pytest.mark.parametrize(
     ("weak", "named"), [(0.4, False), (0.8, True)], ids=["measurable", "large enough"]
 )
