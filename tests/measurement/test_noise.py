@@ -8,7 +8,6 @@ import numpy as np
 import pytest
 
 from pam_cosim.measurement import (
-    Along,
     DataSet,
     Run,
     StatedSignal,
@@ -16,6 +15,7 @@ from pam_cosim.measurement import (
     estimate_noise,
     record_step,
 )
+from pam_cosim.measurement.data_set import Along
 
 N = 2000
 TIME = np.linspace(0.0, 4.0, N)
