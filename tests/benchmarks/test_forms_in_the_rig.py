@@ -83,7 +83,8 @@ def test_the_rig_runs_at_the_bounds_of_a_strength_and_shows_the_larger(bench, ba
         assert type(effect).pressure_shown is not Effect.pressure_shown or run["p"].min() > -2e4
         assert run["x"].max() < 0.5 * bench.muscle.length
         assert 180.0 < run["T"].min() <= run["T"].max() < 480.0
-    assert changes[0] < 0.7 * changes[1] and changes[1] > 0.05
+    assert changes[1] > 0.05
+    assert changes[0] < 0.7 * changes[1] or form.low == form.high
 
 
 @pytest.mark.full
