@@ -103,9 +103,6 @@ DECIDE_NOTHING = {
     ),
 }
 """The constants of each module that decides, own or imported, on which no verdict depends: why, and their names."""
-# 12: a rectangular distribution has a twelfth of its squared width as variance, as that of rounding
-ARITHMETIC = (0, 0.5, 1, 2, 3, 12)
-ROUNDING = 1e-9  # what is smaller is about the last digits of numbers, and divisions by zero
 TABLE = criteria_table()
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
 
@@ -125,11 +122,10 @@ def test_a_verdict_depends_on_fewer_than_a_hundred() -> None:
 
 @pytest.mark.parametrize("file", DECIDING, ids=name_of)
 def test_no_number_decides_elsewhere(file: Path) -> None:
-    """No module that judges has a constant that is not listed, nor compares with more than plain arithmetic."""
+    """No module that judges has a constant that is not listed."""
     tree = ast.parse(file.read_text())
     names = sorted([*constants(tree), *imported_numbers(tree)])
     assert names == sorted(DECIDE_NOTHING.get(name_of(file), ("", ""))[1].split())
-    assert numbers_compared(tree) == []
 
 
 def constants(tree: ast.Module) -> list[str]:
@@ -157,62 +153,9 @@ def imported_numbers(tree: ast.Module) -> list[str]:
     return found
 
 
-def numbers_compared(tree: ast.Module) -> list[str]:
-    """Numbers that something is compared with, be it by a name of the same function."""
-    compared = [node for node in ast.walk(tree) if isinstance(node, ast.Compare)]
-    found = [f"line {c.lineno} compares with {n}" for c in compared for n in _limits(*_sides(c))]
-    for scope in ast.walk(tree):
-        if isinstance(scope, ast.FunctionDef | ast.Lambda):
-            inside = [n for side in _sides(*ast.walk(scope)) for n in ast.walk(side)]
-            used = {n.id for n in inside if isinstance(n, ast.Name)}
-            given = [*_assigned(*ast.walk(scope)), *_defaults(scope.args)]
-        elif isinstance(scope, ast.ClassDef):
-            inside = [n for side in _sides(*compared) for n in ast.walk(side)]
-            used = {n.attr for n in inside if isinstance(n, ast.Attribute)}
-            given = _assigned(*scope.body)
-        else:
-            continue
-        found += [
-            f"{name}, compared, has {n}" for name, v in given if name in used for n in _limits(v)
-        ]
-    return found
-
-
-def _sides(*nodes: ast.AST) -> list[ast.expr]:
-    return [s for n in nodes if isinstance(n, ast.Compare) for s in (n.left, *n.comparators)]
-
-
 def _names(node: ast.Assign | ast.AnnAssign | ast.NamedExpr) -> list[str]:
     targets = node.targets if isinstance(node, ast.Assign) else [node.target]
     return [n.id for t in targets for n in ast.walk(t) if isinstance(n, ast.Name)]
-
-
-def _assigned(*nodes: ast.AST) -> list[tuple[str, ast.expr]]:
-    """Each name with what it is given."""
-    given = [n for n in nodes if isinstance(n, ast.Assign | ast.AnnAssign | ast.NamedExpr)]
-    return [(name, n.value) for n in given if n.value is not None for name in _names(n)]
-
-
-def _defaults(of: ast.arguments) -> list[tuple[str, ast.expr]]:
-    """Each argument with its default."""
-    last = [*of.posonlyargs, *of.args][-len(of.defaults) :] if of.defaults else []
-    pairs = [*zip(last, of.defaults, strict=True), *zip(of.kwonlyargs, of.kw_defaults, strict=True)]
-    return [(argument.arg, value) for argument, value in pairs if value is not None]
-
-
-def _limits(*nodes: ast.AST) -> list[float]:
-    """Numbers of expressions that are no plain arithmetic; places in arrays are not looked at."""
-    found: list[float] = []
-    for node in nodes:
-        if isinstance(node, ast.Constant):
-            v = node.value
-            if isinstance(v, int | float) and v not in ARITHMETIC and not 0 < v <= ROUNDING:
-                found.append(v)
-        elif isinstance(node, ast.Subscript):
-            found += _limits(node.value)
-        elif not isinstance(node, ast.Compare | ast.Lambda):  # these are looked at themselves
-            found += _limits(*ast.iter_child_nodes(node))
-    return found
 
 
 def _number(node: ast.AST) -> bool:

@@ -23,18 +23,18 @@ FLOORS = (
     {"catalogue": 15700},
     {"fmu": 25200},
     {"simulation": 23300},
-    {"measurement": 48700, "analysis": 15500, "sweeps": 10600},
+    {"measurement": 48300, "analysis": 15500, "sweeps": 10600},
     {"starts": 10600},
     {"cosimulation": 19500, "comparison": 18600, "drafting": 43800},
     {"fitting": 26400, "ledger": 20900},
     {"problems": 5200},
-    {"diagnosis": 68300},
-    {"reporting": 24800},
+    {"diagnosis": 63900},
+    {"reporting": 24700},
     {"study": 19900},
     {"workbench": 29400},
     {"cli": 16000},
 )
-TESTS = 364600  # budget of tests/ as a whole
+TESTS = 354200  # budget of tests/ as a whole
 FLOORS_OF_THE_DIAGNOSIS = ("judgement", "search", "description", "diagnose", "planning")
 FLOOR = {room: floor for floor, rooms in enumerate(FLOORS) for room in rooms}
 BUDGET = {room: budget for rooms in FLOORS for room, budget in rooms.items()}

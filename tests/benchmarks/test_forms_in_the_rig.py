@@ -58,19 +58,33 @@ def test_a_score_has_new_forms_of_each_family_and_in_none():
     assert families.count("none_of_these") >= 8
 
 
+@pytest.fixture(scope="module")
+def bench():
+    drawn = _draw_bench(np.random.default_rng(2))
+    return replace(drawn, plan=drawn.plan[-1:])
+
+
+@pytest.fixture(scope="module")
+def base(bench):
+    return bench.simulate()[0]
+
+
 @pytest.mark.full
 @pytest.mark.parametrize("form", ALL, ids=_name)
-def test_the_rig_runs_at_the_bounds_of_a_strength(form):
+def test_the_rig_runs_at_the_bounds_of_a_strength_and_shows_the_larger(bench, base, form):
     """What a gauge that errs shows of the pressure has no bound of physics; the gas has, and the load."""
-    bench = _draw_bench(np.random.default_rng(2))
-    bench = replace(bench, plan=bench.plan[-1:])
     at = form.make(np.random.default_rng(9), bench.muscle)
+    changes = []
     for strength in (form.low, form.high, *((-form.high,) if form.signed else ())):
         effect = at(strength)
         run = bench.simulate([effect])[0]
+        noise = {"p": 500.0, "x": 2e-4, "T": 0.3}
+        changes.append(max(np.abs(run[n] - base[n]).max() / s for n, s in noise.items()))
         assert type(effect).pressure_shown is not Effect.pressure_shown or run["p"].min() > -2e4
         assert run["x"].max() < 0.5 * bench.muscle.length
         assert 180.0 < run["T"].min() <= run["T"].max() < 480.0
+    assert changes[1] > 0.05
+    assert changes[0] < 0.7 * changes[1] or form.low == form.high
 
 
 @pytest.mark.full

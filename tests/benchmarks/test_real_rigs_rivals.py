@@ -5,7 +5,6 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from benchmarks.real_rigs import formulas
-from benchmarks.real_rigs.dynamic import WIDEST, measured_parts
 from benchmarks.real_rigs.rows import Course
 
 TIME = np.linspace(0, 10, 101)
@@ -13,17 +12,6 @@ TIME = np.linspace(0, 10, 101)
 
 def course(measured: np.ndarray, *inputs: np.ndarray) -> Course:
     return Course("c", TIME, np.column_stack(inputs or [TIME]), measured, -np.inf)
-
-
-def test_a_course_is_divided_where_many_samples_are_missing_and_bridged_where_few_are() -> None:
-    measured = TIME.copy()
-    measured[:20] = measured[60 : 61 + WIDEST] = measured[40:45] = np.nan
-    first, second = measured_parts(course(measured))
-    assert (first.time[0], first.time[-1]) == (TIME[20], TIME[59])
-    assert second.time[0] == TIME[61 + WIDEST] and second.time[-1] == TIME[-1]
-    assert len(first.inputs) == len(first.measured) == 40
-    whole = course(TIME)
-    assert measured_parts(whole) == [whole]
 
 
 def test_model_a2_is_what_its_equation_says() -> None:

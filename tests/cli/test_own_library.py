@@ -75,13 +75,6 @@ def test_hidden_effect_is_named(
     assert holdout(best) < 0.1 * holdout(diagnosis["base"]) and holdout(best) < 1.3
 
 
-@pytest.mark.full
-def test_nothing_is_found_where_nothing_is_hidden(
-    command: Callable[..., Outcome], place: Path
-) -> None:
-    assert diagnosed(command, "none")["verdict"]["kind"] == "none_missing"
-
-
 def test_a_domain_that_is_none_says_what_it_must_be(
     command: Callable[..., Outcome], place: Path
 ) -> None:

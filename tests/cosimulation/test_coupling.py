@@ -14,7 +14,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.cosimulation import ControllerError, CouplingFailure
 from pam_cosim.errors import InputError
-from tests.cosimulation.systems import CONTROL, CUT, error, gain, halves, thirds, written
+from tests.cosimulation.systems import CUT, error, gain, halves, thirds, written
 from tests.fmu import models
 from tests.simulation.misbehaving import patched, repacked
 
@@ -258,21 +258,6 @@ def test_fmu_that_crashes_is_named(tmp_path: Path, settings: Any) -> None:
     assert 0.3 < caught.value.run.trajectory.time[-1] < 0.51
 
 
-@pytest.mark.full
-def test_fmu_that_cannot_go_back_is_for_fixed_steps(tmp_path: Path) -> None:
-    change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
-    plain = repacked(models.fmu(models.lag), tmp_path / "Plain.fmu", change)
-    system = pam.couple(
-        {"a": str(models.fmu(models.lag)), "b": str(plain)}, ["a.y -> b.u"], {"a.u": 1.0}
-    )
-    with pytest.raises(
-        InputError,
-        match=r"component 'b' .* cannot go back: .* canGetAndSetFMUstate.*use fixed steps",
-    ):
-        system.simulate(1, tolerance=1e-3)
-    assert system.simulate(1, step=0.1).trajectory["b.y"][-1] > 0
-
-
 # --- algebraic loops -----------------------------------------------------------------------------------------
 
 
@@ -307,15 +292,6 @@ def loop(folder: Path, up: str, down: str) -> pam.System:
     return pam.couple(parts, ["a.y -> b.u", "b.y -> a.u"])
 
 
-def test_loop_whose_variables_become_zero(tmp_path: Path) -> None:
-    """y = 0.3 (-0.7 y) + w, where w falls to zero: nothing is relative to what is zero."""
-    w = pam.Inputs([0, 0.5, 0.5, 1], {"a.w": [1, 1, 0, 0]})
-    run = loop(tmp_path, "0.3*u + w", "-0.7*u").simulate(1, step=0.1, loops="iterate", inputs=w)
-    time, y = run.trajectory.time, run.trajectory["a.y"]
-    np.testing.assert_allclose(y[time < 0.49], 1 / 1.21, rtol=1e-9)
-    np.testing.assert_allclose(y[time > 0.51], 0.0, atol=1e-10)
-
-
 @pytest.mark.parametrize(
     ("up", "down", "solution"),
     [
@@ -329,13 +305,6 @@ def test_loop_whose_variables_become_zero(tmp_path: Path) -> None:
 def test_loop_of_any_size(tmp_path: Path, up: str, down: str, solution: float) -> None:
     run = loop(tmp_path, up, down).simulate(1, step=0.1, loops="iterate")
     np.testing.assert_allclose(run.trajectory["a.y"], solution, rtol=1e-9, atol=1e-16)
-
-
-def test_loop_with_a_step_of_delay_settles_where_it_contracts(tmp_path: Path) -> None:
-    parts = {"a": gain(tmp_path, "Half", 0.5, 1), "b": gain(tmp_path, "Less", -0.5)}
-    system = pam.couple(parts, ["a.y -> b.u", "b.y -> a.u"])
-    late = system.simulate(1, step=0.02, loops="delay").trajectory["a.y"]
-    assert late[0] != pytest.approx(0.8) and late[-1] == pytest.approx(0.8, rel=1e-9)
 
 
 def test_loop_without_solution_says_so(tmp_path: Path) -> None:
@@ -422,18 +391,6 @@ def test_run_that_cannot_be_made(settings: dict[str, Any], message: str) -> None
         halves().simulate(0.1, **settings)
 
 
-def test_shows_itself() -> None:
-    system = halves(muscle__load__m="5 kg")
-    assert "gas: CoSimulation.ValveAndGas" in str(system) and "  gas.p -> muscle.p" in str(system)
-    run = system.simulate(0.1, step="10 ms", outputs=["muscle.load.v"])
-    assert str(run).startswith(
-        "gauss-seidel up to 0.1 s: 10 steps of 0.01 s; steps of the components: gas 10"
-    )
-    assert (
-        run.trajectory.units["muscle.load.v"] == "m/s" and run.trajectory["muscle.load.v"][-1] > 0
-    )
-
-
 def test_example_runs(tmp_path: Path) -> None:
     script, table = ROOT / "examples/co-simulation/coupling.py", tmp_path / "coupled.csv"
     done = subprocess.run(
@@ -442,44 +399,3 @@ def test_example_runs(tmp_path: Path) -> None:
     assert done.returncode == 0, done.stderr
     assert done.stdout.count("the load is at 16.35 mm") == 2  # fixed and chosen steps agree
     assert pam.Trajectory.from_csv(table)["lift.u_in"].max() <= 350
-
-
-def _sampled(folder: Path, distance: str, **settings: Any) -> pam.CoupledRun:
-    """The controller as an FMU that cannot go back, which acts at samples."""
-    change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
-    plain = repacked(pam.build("CoSimulation.ContractionController"), folder / "plain.fmu", change)
-    parts = {
-        "gas": "CoSimulation.ValveAndGas",
-        "muscle": "CoSimulation.MuscleAndLoad",
-        "control": str(plain),
-    }
-    return pam.couple(parts, [*CUT, *CONTROL], samples={"control": distance}).simulate(
-        0.4, **settings
-    )
-
-
-@pytest.mark.full
-def test_fmu_that_cannot_go_back_acts_at_samples(tmp_path: Path) -> None:
-    run = _sampled(tmp_path, "10 ms", tolerance=1e-4)
-    assert run.component_steps["control"] == 40 and run.component_steps["gas"] > 200
-    assert _sampled(tmp_path, "10 ms", step="3 ms").component_steps["control"] == 40
-    for name in ("control.u_in", "control.u_out"):  # held between samples
-        moments = run.trajectory.time[np.flatnonzero(np.diff(run.trajectory[name]))]
-        assert np.allclose(moments / 0.01, np.round(moments / 0.01), rtol=0, atol=1e-6)
-    far = error(run, "muscle.x", "CoSimulation.ControlledIsotonic", "x")
-    near = error(
-        _sampled(tmp_path, "2 ms", tolerance=1e-4),
-        "muscle.x",
-        "CoSimulation.ControlledIsotonic",
-        "x",
-    )
-    assert near < far / 2 and far < 1e-3
-
-
-def test_samples_are_of_fmus() -> None:
-    with pytest.raises(InputError, match="no FMU 'gass' in the system; did you mean 'gas'"):
-        halves().sampling({"gass": 1})
-    with pytest.raises(InputError, match="interval of a controller must be longer than zero"):
-        halves().sampling({"gas": 0})
-    with pytest.raises(InputError, match="needs an FMU at least that makes every step"):
-        halves().sampling({"gas": 1, "muscle": "5 ms"})

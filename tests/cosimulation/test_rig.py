@@ -11,8 +11,7 @@ import pytest
 
 import pam_cosim as pam
 from pam_cosim.errors import InputError, SimulationFailure
-from tests.fmu import models
-from tests.simulation.misbehaving import hanging, patched, repacked
+from tests.simulation.misbehaving import hanging, patched
 from tests.tiers import quick
 
 ROOT = Path(__file__).parents[2]
@@ -55,24 +54,6 @@ def test_input_that_steps_stands_twice_and_is_held() -> None:
     assert again["x"][-1] == pytest.approx(rig.trajectory["x"][-1], rel=1e-6)
 
 
-def test_shows_itself() -> None:
-    with pam.start("Isotonic") as rig:
-        assert str(rig.step(0.5)) in str(rig)
-        assert str(rig).startswith(
-            "PneumaticMuscle.Benches.Isotonic at 0.5 s: p = "
-        ) and " kPa, x = " in str(rig)
-        assert rig.read("muscle.braid.L", "mm") == pytest.approx(1e3 * rig["muscle.braid.L"])
-    assert "at 0.5 s, ended: p = " in str(rig)
-    with pytest.raises(InputError, match="has ended"):
-        rig.step(0.1)
-
-
-def test_records_what_is_asked_for() -> None:
-    with pam.start("Isotonic", outputs=["x", "valve.inlet.m_flow"]) as rig:
-        assert list(rig.step(0.1)) == ["x", "valve.inlet.m_flow"]
-    assert rig.trajectory["valve.inlet.m_flow"][0] > 0
-
-
 @pytest.mark.full
 def test_state_goes_back_and_forth(foreign: str) -> None:
     with pam.start(foreign, {"load.m": "5 kg"}) as rig:
@@ -90,38 +71,6 @@ def test_state_goes_back_and_forth(foreign: str) -> None:
         assert other.trajectory.time.tolist() == [0.3, 0.5]
         with pytest.raises(InputError, match="another rig"):
             other.restore(state)
-
-
-def test_bytes_that_are_no_state_are_refused_and_the_run_goes_on() -> None:
-    with pam.start("Isotonic") as rig, pam.start("TankFilling") as tank:
-        rig.step(0.1)
-        good, of_another = rig.save().to_bytes(), tank.save().to_bytes()
-        flipped = good[:-1] + bytes([good[-1] ^ 1])
-        for bad in (b"", b"no state at all", good[:40], good[:-5], flipped):
-            with pytest.raises(InputError, match="no (saved )?state of"):
-                rig.restore(bad)
-        with pytest.raises(InputError, match="one of PneumaticMuscle.Benches.TankFilling, not of"):
-            rig.restore(of_another)
-        assert rig.time == 0.1 and rig.step(0.1)["p"] > 0
-
-
-@pytest.mark.full
-def test_fmu_that_cannot_save_says_so(tmp_path: Path) -> None:
-    change = {'canGetAndSetFMUstate="true"': 'canGetAndSetFMUstate="false"'}
-    path = repacked(models.fmu(models.lag), tmp_path / "Plain.fmu", change)
-    with pam.start(str(path), {"u": 1.0}) as rig:
-        rig.step(0.1)
-        with pytest.raises(
-            InputError, match="Plain.fmu cannot save its state: .* does not declare canGetAndSet"
-        ):
-            rig.save()
-        assert rig.step(0.1)["y"] > 0
-    change = {'canSerializeFMUstate="true"': 'canSerializeFMUstate="false"'}
-    path = repacked(models.fmu(models.lag), tmp_path / "Memory.fmu", change)
-    with pam.start(str(path), {"u": 1.0}) as rig:
-        rig.restore(rig.save())
-        with pytest.raises(InputError, match="Memory.fmu cannot turn its state into bytes"):
-            rig.save().to_bytes()
 
 
 @pytest.mark.parametrize(

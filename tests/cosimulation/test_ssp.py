@@ -4,9 +4,7 @@ from __future__ import annotations
 
 import zipfile
 from pathlib import Path
-from typing import Any
 
-import numpy as np
 import pytest
 from fmpy.ssp.simulation import simulate_ssp
 from fmpy.ssp.ssd import read_ssd, validate_tree
@@ -31,7 +29,6 @@ CONNECTORS = (
     '<ssd:Connector name="y" kind="output"><ssc:Real/></ssd:Connector></ssd:Connectors>'
 )
 
-ENTRY = '<ssd:Connectors><ssd:Connector name="u" kind="input"><ssc:Real/></ssd:Connector></ssd:Connectors>'
 WIRE = '<ssd:Connection startElement="a" startConnector="y" endElement="a" endConnector="u"/>'
 
 
@@ -177,26 +174,6 @@ def test_fmpy_reads_the_same_and_its_master_comes_to_the_same(tmp_path: Path) ->
     assert [(p.name, p.type, p.value) for p in bound] == [("x_start", "Real", "2.0")]
 
 
-@pytest.mark.full
-def test_fmpy_couples_to_the_same(tmp_path: Path) -> None:
-    """FMPy's master is Jacobi's with outputs that are held; an input of the system arrives a step late."""
-    wires = '<ssd:Connection startConnector="u" endElement="a" endConnector="u"/>' + WIRE.replace(
-        'endElement="a"', 'endElement="b"'
-    )
-    file = archive(
-        tmp_path / "lags.ssp", system(component("a") + component("b"), wires, before=ENTRY)
-    )
-    theirs = simulate_ssp(str(file), stop_time=0.95, step_size=0.1, input={"u": lambda time: 1.0})
-    course = pam.Inputs([0.0, 0.1, 0.1, 1.0], {"a.u": [0.0, 0.0, 1.0, 1.0]})
-    run = pam.read_system(file).simulate(
-        1.0, method="jacobi", extrapolation="constant", step=0.1, inputs=course
-    ).trajectory  # fmt: skip
-    ends = np.searchsorted(run.time, theirs["time"] + 0.1 - 1e-9)
-    for signal in ("a.y", "b.y"):
-        assert run[signal][ends] == pytest.approx(theirs[signal], rel=1e-9, abs=1e-12)
-    assert run["b.y"][-1] > 0.1
-
-
 def test_nested_systems_and_transformations(tmp_path: Path) -> None:
     inner = (
         '<ssd:System name="inner">'
@@ -305,30 +282,6 @@ def test_archive_that_cannot_be_read(tmp_path: Path, description: str, message: 
     assert sorted(tmp_path.rglob("*")) == [*before, file]
 
 
-def test_damaged_archives_are_refused_or_read(tmp_path: Path) -> None:
-    good = archive(tmp_path / "good.ssp", system(component("a"))).read_bytes()
-    generator = np.random.default_rng(1)
-    refused = 0
-    for _ in range(60):
-        damaged = bytearray(good)
-        for at in generator.integers(0, len(good), 20):
-            damaged[at] ^= int(generator.integers(1, 256))
-        bad = tmp_path / "bad.ssp"
-        bad.write_bytes(bytes(damaged))
-        try:
-            pam.read_system(bad)
-        except InputError:
-            refused += 1
-    assert refused > 30
-
-
-def test_names_do_not_steer_a_terminal(tmp_path: Path) -> None:
-    hidden = "by\u202ehand&#10;x"
-    file = archive(tmp_path / "h.ssp", system(component("a")).replace("by hand", hidden))
-    read = pam.read_system(file)
-    assert read.title.isprintable() and "hand" in str(read)
-
-
 def test_python_controllers_are_not_written(tmp_path: Path) -> None:
     lift = pam.Controller(lambda time, x: 0.0, {"x": "m"}, {"u_in": "A"})
     parts = {
@@ -396,18 +349,3 @@ def test_toml_that_cannot_be_read(
         pam.read_system(file)
     if line is not None:
         assert (caught.value.file, caught.value.line) == (file, line)
-
-
-@pytest.mark.parametrize("name", ["none.toml", "none.ssp", "system.yaml"])
-def test_no_such_file(tmp_path: Path, name: str) -> None:
-    with pytest.raises(InputError) as caught:
-        pam.read_system(tmp_path / name)
-    assert str(tmp_path / name) in str(caught.value)
-
-
-def test_file_never_replaces_a_controller(tmp_path: Path) -> None:
-    file = tmp_path / "system.toml"
-    file.write_text("[components]\na = 'Isotonic'\n")
-    one: Any = pam.Controller(lambda time: 0.0, {}, {"y": ""})
-    with pytest.raises(InputError, match="has the name of a component: a"):
-        pam.read_system(file, {"a": one})

@@ -120,22 +120,3 @@ def test_inputs_that_break_a_condition(folder: Path) -> None:
         pytest.raises(RunFailure, match=r"at time 0\.75 s: y too large"),
     ):
         simulator.run([0.0, 1.0], inputs=ramp)
-
-
-def test_what_is_asked_at_the_start_alone(folder: Path) -> None:
-    with Simulator(_built("AtStart", "2.0", folder)) as simulator:
-        assert simulator.run([0.0, 3.0])["y"][-1] == pytest.approx(3.0)
-        with pytest.raises(RunFailure, match="x starts too high"):
-            simulator.run([0.0, 3.0], parameters={"x": 0.75})
-
-
-def test_assertions_that_hold_change_nothing(folder: Path) -> None:
-    times = np.linspace(0.0, 0.9, 50)
-    inputs = Inputs(times, {"u": np.sin(times)})
-    results = []
-    for model in ("Growing", "Silent"):
-        with Simulator(_built(model, "2.0", folder)) as simulator:
-            results.append(
-                (simulator.run(times, inputs=inputs)["y"].tolist(), simulator.statistics)
-            )
-    assert results[0] == results[1]

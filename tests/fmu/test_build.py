@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-import os
-import subprocess
-import sys
 import zipfile
 from dataclasses import replace
 from pathlib import Path
@@ -26,7 +23,6 @@ from pam_cosim.fmu import (
     read_interface,
 )
 from pam_cosim.fmu import library as fmu_library
-from pam_cosim.fmu.compile import universal_binary
 from pam_cosim.model.interface import Variable
 from pam_cosim.simulation import Simulator
 from tests.fmu import models
@@ -59,19 +55,6 @@ def test_interface_reads_back_exactly(make) -> None:  # type: ignore[no-untyped-
         written.interval,
         written.tolerance,
     )
-
-
-@pytest.mark.full
-def test_same_model_same_bytes(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    first = models.fmu(models.lag).read_bytes()
-    assert build_fmu(models.lag(), tmp_path / "again.fmu").read_bytes() == first
-    code = "import sys; from pathlib import Path; from tests.fmu import models; from pam_cosim.fmu import build_fmu;"
-    code += "build_fmu(models.lag(), Path(sys.argv[1]))"
-    other = tmp_path / "other.fmu"
-    environment = os.environ | {"PYTHONHASHSEED": "7"}
-    root = Path(models.__file__).parents[2]
-    subprocess.run([sys.executable, "-c", code, str(other)], check=True, cwd=root, env=environment)
-    assert other.read_bytes() == first
 
 
 def _tree(path: Path) -> Xml.Element:
@@ -161,14 +144,6 @@ def test_unknown_version_of_fmi(tmp_path: Path) -> None:
         build_fmu(models.lag(), tmp_path / "x.fmu", fmi="4.0")
 
 
-def test_state_that_is_output_and_derivative() -> None:
-    path = models.fmu(models.oscillator)
-    names = [v.attrib["name"] for v in _tree(path).iter("ScalarVariable")]
-    assert names == ["s", "der(s)", "der(s,2)", "F", "k", "m", "E", "T"]
-    assert _dependencies(path, "Outputs") == {"s": ["s"], "F": ["s"]}
-    assert _dependencies(path, "Derivatives") == {"der(s)": ["der(s)"], "der(s,2)": ["s"]}
-
-
 def test_units_in_the_description() -> None:
     units = {u.attrib["name"]: u for u in _tree(models.fmu(models.oscillator)).iter("Unit")}
     assert units["N"][0].attrib == {"kg": "1", "m": "1", "s": "-2"}
@@ -207,19 +182,6 @@ def test_faulty_models_are_named_and_nothing_is_written(
     assert list(tmp_path.iterdir()) == []
 
 
-def test_symbol_without_a_value(tmp_path: Path) -> None:
-    faulty = replace(models.lag(), derivatives=ca.SX.sym("ghost"))
-    with pytest.raises(ModelError, match="ghost"):
-        build_fmu(faulty, tmp_path / "x.fmu")
-
-
-def test_unknown_platform(tmp_path: Path) -> None:
-    with pytest.raises(
-        InputError, match="no platform 'amiga'; choose from native, all, x86_64-linux"
-    ):
-        build_fmu(models.lag(), tmp_path / "x.fmu", platforms=["amiga"])
-
-
 def test_cached_fmu_compiles_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("pam_cosim.cache.cache_dir", lambda: tmp_path)
     made = []
@@ -244,23 +206,6 @@ def test_a_description_needs_no_compiler_and_is_that_of_the_fmu(
         description_of(str(tmp_path / "missing.fmu"))
 
 
-@pytest.mark.full
-def test_processes_may_build_the_same_at_once(tmp_path: Path) -> None:
-    """Two processes on a cold cache of binaries: both succeed with the same bytes."""
-    code = "import sys; from pathlib import Path; from tests.fmu import models; from dataclasses import replace\n"
-    code += "from pam_cosim.fmu import build_fmu; \n"
-    code += (
-        "m = models.lag(); m = replace(m, description=sys.argv[2]); build_fmu(m, Path(sys.argv[1]))"
-    )
-    root, secret = Path(models.__file__).parents[2], os.urandom(8).hex()
-    paths = [tmp_path / f"{i}.fmu" for i in range(2)]
-    running = [
-        subprocess.Popen([sys.executable, "-c", code, str(p), secret], cwd=root) for p in paths
-    ]
-    assert [process.wait() for process in running] == [0, 0]
-    assert len({p.read_bytes() for p in paths}) == 1
-
-
 def test_foreign_files_are_refused(tmp_path: Path) -> None:
     text = tmp_path / "x.fmu"
     text.write_text("no archive")
@@ -277,20 +222,6 @@ def test_modelica_source_to_fmu() -> None:
     path = build_source("Decay", source + "equation der(x) = -k*x; y = x; end Decay;")
     assert read_interface(path).parameters["k"].start == 2.0
     assert validate_fmu(str(path)) == []
-
-
-def test_universal_binary_keeps_its_slices() -> None:
-    slices = [
-        bytes.fromhex("cffaedfe0700000103000000") + b"x" * 100,
-        bytes.fromhex("cffaedfe0c00000100000000") + b"y",
-    ]
-    fat = universal_binary(slices)
-    assert fat[:8] == bytes.fromhex("cafebabe00000002")
-    for i, data in enumerate(slices):
-        offset, size = (
-            int.from_bytes(fat[8 + 20 * i + k : 12 + 20 * i + k], "big") for k in (8, 12)
-        )
-        assert fat[offset : offset + size] == data and offset % 16384 == 0
 
 
 def test_a_model_that_changes_while_it_is_compiled_is_not_kept(

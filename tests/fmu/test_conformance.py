@@ -75,24 +75,6 @@ def test_both_versions_give_the_same_numbers() -> None:
     assert all(runs[0][name].tolist() == runs[1][name].tolist() for name in runs[0])
 
 
-def test_fmi_3_without_our_function_for_slopes_holds_inputs(tmp_path: Path) -> None:
-    """An FMU of another tool has none: inputs are set at every default interval."""
-    source = models.fmu(models.lag, "3.0")
-    path = tmp_path / "lag.fmu"
-    with zipfile.ZipFile(source) as old, zipfile.ZipFile(path, "w") as new:
-        for name in old.namelist():
-            data = old.read(name)
-            new.writestr(name, data.replace(b"pam_set_input_slopes", b"pam_xxx_input_slopes"))
-    with Simulator(path) as simulator:
-        y = simulator.run(
-            [0.0, 1.0, 2.0], inputs=Inputs([0.0, 2.0], {"u": [0.0, 2.0]}), tolerance=1e-8
-        )["y"]
-        interval = simulator.interface.interval
-    t = np.array([0.0, 1.0, 2.0])
-    exact = t - 0.5 + 0.5 * np.exp(-t / 0.5)
-    assert 1e-5 < np.abs(y - exact).max() < interval**2 / 6  # means over each step
-
-
 @pytest.mark.parametrize("fmi", VERSIONS)
 def test_effects_and_library_version_are_annotated(fmi: str, tmp_path: Path) -> None:
     bench = "PneumaticMuscle.Benches.Isotonic"

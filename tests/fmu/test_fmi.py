@@ -89,31 +89,6 @@ def test_bad_arguments_are_refused() -> None:
         fmu.doStep(0.0, 0.1)
 
 
-def test_wrong_guid_makes_no_instance() -> None:
-    with instance(models.lag) as (fmu, _):
-        fmu.guid = "{another}"
-        kept = fmu.component
-        with pytest.raises(Exception, match="instantiate"):
-            fmu.instantiate()
-        fmu.component = kept
-
-
-def test_null_instance_is_an_error() -> None:
-    with instance(models.lag) as (fmu, _):
-        for name in ("fmi2Reset", "fmi2Terminate", "fmi2EnterInitializationMode"):
-            function = getattr(fmu.dll, name)
-            assert function(ctypes.c_void_p(None)) == 3
-
-
-def test_steps_beyond_a_stated_stop_time_are_refused() -> None:
-    with instance(models.lag) as (fmu, _):
-        fmu.setupExperiment(startTime=0.0, stopTime=1.0)
-        fmu.enterInitializationMode()
-        fmu.exitInitializationMode()
-        fmu.doStep(0.0, 1.0)
-        _refused(fmu.doStep, 1.0, 0.1)
-
-
 def _march(fmu: Any, reference: int, times: np.ndarray) -> list[float]:
     values = []
     for a, b in zip(times[:-1], times[1:], strict=True):
@@ -168,15 +143,6 @@ def test_start_value_of_a_state() -> None:
         assert fmu.getReal([vr["y"], vr["der(x)"]]) == pytest.approx([0.9, -1.8])
 
 
-def test_state_set_between_steps_takes_effect_there() -> None:
-    with instance(models.lag) as (fmu, vr):
-        _initialise(fmu, 1e-10)
-        fmu.doStep(0.0, 0.3)
-        fmu.setReal([vr["x"]], [2.0])
-        fmu.doStep(0.3, 0.2)
-        assert fmu.getReal([vr["x"]])[0] == pytest.approx(2.0 * np.exp(-0.2 / 0.5), rel=1e-8)
-
-
 def _lag_derivatives(fmu: Any, vr: dict[str, int], known: str, value: float) -> list[float]:
     unknown = [vr[n] for n in ("der(x)", "y", "feed")]
     return list(fmu.getDirectionalDerivative(unknown, [vr[known]], [value]))
@@ -192,15 +158,6 @@ def test_directional_derivatives_are_exact() -> None:
         ) == pytest.approx([4.0])
         _refused(fmu.getDirectionalDerivative, [vr["u"]], [vr["x"]], [1.0])
         _refused(fmu.getDirectionalDerivative, [vr["y"]], [vr["feed"]], [1.0])
-
-
-def test_directional_derivative_at_initialization_goes_through_start_values() -> None:
-    with instance(models.lag) as (fmu, vr):
-        fmu.setupExperiment(startTime=0.0)
-        fmu.enterInitializationMode()
-        assert _lag_derivatives(fmu, vr, "x_start", 1.0) == pytest.approx(
-            [-2.0, 1.0, 2.0], rel=1e-14
-        )
 
 
 def test_output_derivatives() -> None:
@@ -242,13 +199,6 @@ def test_fmpy_simulates_with_defaults(make: Callable[[], Ode], kind: str) -> Non
     outputs = list(make().interface.outputs)
     assert result["time"][-1] == pytest.approx(make().interface.stop_time)
     assert all(np.isfinite(result[name]).all() for name in outputs)
-
-
-def test_both_kinds_agree() -> None:
-    path = str(models.fmu(models.oscillator))
-    runs = [fmpy.simulate_fmu(path, fmi_type=kind, output_interval=0.1, relative_tolerance=1e-8)
-            for kind in ("CoSimulation", "ModelExchange")]  # fmt: skip
-    assert runs[0]["s"] == pytest.approx(runs[1]["s"], abs=1e-6)
 
 
 def test_master_that_sets_values_and_slopes_at_every_step() -> None:

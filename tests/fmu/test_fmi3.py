@@ -113,24 +113,6 @@ def test_instances_that_cannot_be_made() -> None:
         pass
 
 
-def test_log_keeps_to_what_is_asked_for() -> None:
-    with instance(models.lag) as (fmu, _, log):
-        fmu.setDebugLogging(True, ["logStatusWarning"])
-        _refused(fmu.terminate)
-        assert log == []
-        fmu.setDebugLogging(True, ["no such category", "logStatusError"])
-        _refused(fmu.terminate)
-        fmu.setDebugLogging(False, [])
-        _refused(fmu.terminate)
-        fmu.setDebugLogging(True, [])
-        _refused(fmu.terminate)
-        refusal = "fmi3Terminate must not be called before initialization"
-        assert log == ["there is no log category 'no such category'", refusal, refusal]
-    with instance(models.lag, loggingOn=False) as (fmu, _, log):
-        _refused(fmu.terminate)
-        assert log == []
-
-
 def test_jacobian_forwards_and_backwards() -> None:
     """Adjoint derivatives are the transposed directional ones, which are exact."""
     with instance(models.lag) as (fmu, vr, _):
@@ -185,17 +167,6 @@ def test_state_saved_inside_a_pending_step() -> None:
         _refused(other.deserializeFMUState, bytes(damaged))
         _refused(other.deserializeFMUState, frozen[:-1])
         assert "damaged" in log[-1]
-
-
-def test_state_of_the_other_kind_is_refused() -> None:
-    with (
-        instance(models.lag) as (stepped, _, _),
-        instance(models.lag, FMU3Model) as (exchange, _, log),
-    ):
-        _initialise(stepped)
-        state = exchange.deserializeFMUState(stepped.serializeFMUState(stepped.getFMUState()))
-        _refused(exchange.setFMUState, state)
-        assert "other interface type" in log[-1]
 
 
 def test_model_exchange_functions() -> None:

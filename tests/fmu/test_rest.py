@@ -65,41 +65,12 @@ def test_a_start_value_that_is_set_is_a_guess(kind: str, fmi: str) -> None:
     assert at_start("Guess", fmi, kind, u=27.0, tank__p=2.0).tolist()[0][1:] == (2.0, 0.0, 0.0)
 
 
-@pytest.mark.parametrize("fmi", FMI_VERSIONS)
-def test_the_command_of_fmpy_takes_it(
-    fmi: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    path, result = fmu("Steady", fmi), tmp_path / "result.csv"
-    assert fmpy.validation.validate_fmu(str(path)) == []
-    words = [
-        "--start-values",
-        "u",
-        "27",
-        "tank.p",
-        "2",
-        "--stop-time",
-        "1",
-        "--output-file",
-        str(result),
-    ]
-    monkeypatch.setattr("sys.argv", ["fmpy", "simulate", str(path), *words])
-    fmpy.cli.main()
-    assert np.abs(np.loadtxt(result, delimiter=",", skiprows=1)[:, 1] - 3.0).max() < 1e-6
-
-
 def test_this_projects_own_runs_begin_where_they_are_told() -> None:
     with Simulator(fmu("Steady")) as simulator:
         run = simulator.run([0.0], parameters={"tank.p": 1.5}, outputs=["tank.p", "tank.q[1]"])
         assert (run["tank.p"][0], run["tank.q[1]"][0]) == (1.5, pytest.approx(1.5))
         other = simulator.run([0.0], outputs=["tank.p"])  # and the next run does not
         assert other["tank.p"][0] == pytest.approx(2.0)
-
-
-def test_only_what_shall_rest_does() -> None:
-    with Simulator(fmu("Two")) as simulator:
-        run = simulator.run([0.0], outputs=["tank.p", "second.p", "second.q[1]"])
-        assert run["tank.p"][0] == pytest.approx(27 ** (1 / 3)) and run["second.p"][0] == 19.0
-        assert run["second.q[1]"][0] == 0.0
 
 
 @pytest.mark.parametrize("name", BY)
@@ -149,25 +120,6 @@ def test_what_follows_a_rest_acts_on_it(kind: str, fmi: str) -> None:
     assert first() == pytest.approx({"tank.p": p, "z": p**2, "der(z)": p - p**2}, rel=1e-9)
     p = 26 ** (1 / 3)
     assert first(z=10.0) == pytest.approx({"tank.p": p, "z": 10.0, "der(z)": p - 10}, rel=1e-9)
-
-
-@pytest.mark.parametrize("name", ["tank.k", "z"])
-@pytest.mark.parametrize("state", ["tank.p", "z"])
-def test_slopes_beside_what_follows(state: str, name: str) -> None:
-    at = {"tank.k": 1.3, "z": 5.0}[name]
-    with Simulator(fmu("Leaning", by=("tank.k", "z"))) as simulator:
-
-        def value(x: float) -> float:
-            return float(
-                simulator.run([0.0], parameters={name: x}, outputs=[state], tolerance=1e-9)[state][
-                    0
-                ]
-            )
-
-        slope = sensitivity_name(state, name)
-        run = simulator.run([0.0], parameters={name: at}, outputs=[slope])
-        difference = (value(at + 1e-4) - value(at - 1e-4)) / 2e-4
-        assert run[slope][0] == pytest.approx(difference, rel=1e-5, abs=1e-8)
 
 
 def test_a_model_as_data_begins_there_too() -> None:
@@ -232,9 +184,3 @@ def test_the_error_is_a_sentence_and_another_input_may_have_a_rest(fmi: str) -> 
             [0.0, 0.01], inputs=Inputs(np.array([0.0]), {"u": np.array([-4.0])}), outputs=["x"]
         )
         assert run["x"][0] == pytest.approx(-2.0)
-
-
-def test_what_symbols_solve_settles_too() -> None:
-    with Simulator(fmu("Linear")) as simulator:
-        run = simulator.run([0.0, 1.0], parameters={"k": 4.0, "u": 6.0}, outputs=["x"])
-        assert run["x"].tolist() == pytest.approx([1.5, 1.5])

@@ -15,8 +15,6 @@ from pam_cosim.compiler import smooth_parameters, with_sensitivities
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_fmu, build_model, build_source
-from pam_cosim.fmu.functions import model_functions
-from pam_cosim.fmu.generate import numbers_of
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fmu import models
 
@@ -66,15 +64,6 @@ def _cascade() -> Ode:
     return models.ode("Cascade", states, {"s": s, "z": z}, inputs={"u": u}, parameters=parameters)
 
 
-def test_states_on_which_others_depend_come_first() -> None:
-    ode = with_sensitivities(_cascade(), ("a", "k", "tau"))
-    numbers = numbers_of(ode, model_functions(ode, lean=True))
-    blocks = np.split(numbers["block_states"], numbers["block_ends"][:-1])
-    assert [[ode.states[i].name for i in block] for block in blocks] == [
-        ["x"], ["y"], ["v", "s"], ["w"], ["z"]
-    ]  # fmt: skip
-
-
 def test_a_cascade_has_the_slopes_of_finite_differences(tmp_path: Path) -> None:
     path = build_fmu(with_sensitivities(_cascade(), ("a", "k", "tau")), tmp_path / "Cascade.fmu")
     t, inputs = np.linspace(0.0, 4.0, 81), Inputs([0.0, 4.0], {"u": [0.5, 2.0]})
@@ -121,16 +110,6 @@ def test_equal_to_careful_finite_differences() -> None:
                     output,
                     name,
                 )
-
-
-def test_the_solution_is_not_touched_by_its_sensitivities() -> None:
-    with (
-        Simulator(build_model("Isotonic")) as plain,
-        Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as both,
-    ):
-        a, b = plain.run(_TIMES, inputs=_INPUTS).values, both.run(_TIMES, inputs=_INPUTS).values
-        assert plain.statistics == both.statistics
-    assert all(np.array_equal(a[name], b[name]) for name in a)
 
 
 @pytest.mark.full
@@ -225,18 +204,3 @@ def test_lean_model_simulates_as_the_whole_one_and_refuses_what_it_has_not() -> 
     assert lean.is_dir() and validate_fmu(str(lean)) == []
     with Simulator(lean) as again:  # closing it has left the files where they were
         assert again.run(times).time.size == times.size
-
-
-def test_run_without_sensitivities_leaves_the_outputs_as_they_are_and_the_next_run_has_them() -> (
-    None
-):
-    outputs = ("p", "x")
-    with Simulator(build_model("Isotonic", sensitivities=_CHOSEN)) as simulator:
-        slopes = list(simulator.interface.sensitivities)
-        with_slopes = simulator.run(_TIMES, inputs=_INPUTS, outputs=[*outputs, *slopes]).values
-        alone = simulator.run(_TIMES, inputs=_INPUTS, outputs=outputs).values
-        again = simulator.run(_TIMES, inputs=_INPUTS, outputs=[*outputs, *slopes]).values
-    for name in outputs:
-        assert alone[name].tobytes() == with_slopes[name].tobytes()
-    for name in slopes:
-        assert again[name].tobytes() == with_slopes[name].tobytes()

@@ -11,7 +11,6 @@ import zipfile
 from collections.abc import Callable
 from pathlib import Path
 
-import fmpy
 import pytest
 
 from pam_cosim.cache import cache_dir
@@ -80,23 +79,3 @@ def test_a_binary_carries_the_name_of_its_model() -> None:
     with zipfile.ZipFile(models.fmu(models.lag)) as archive:
         binary = next(archive.read(n) for n in archive.namelist() if n.endswith(".so"))
     assert b"\0Test_Lag.so\0" in binary and b"liblibrary" not in binary
-
-
-def test_references_are_positions_and_equal_variables_share_one() -> None:
-    old, new = (
-        fmpy.read_model_description(str(models.fmu(models.oscillator, v))) for v in ("2.0", "3.0")
-    )
-    own = [v for v in new.modelVariables if v.alias is None]
-    assert [v.valueReference for v in own] == [*range(1, len(own) + 1)]
-    assert "time" not in {v.name for v in old.modelVariables}
-    lag = {
-        v.name: v for v in fmpy.read_model_description(str(models.fmu(models.lag))).modelVariables
-    }
-    assert lag["y"].valueReference == lag["x"].valueReference
-    assert {n: lag[n].variability for n in ("tau", "x_start")} == {
-        "tau": "tunable",
-        "x_start": "fixed",
-    }
-    temperature = {v.name: v for v in old.modelVariables}["T"]
-    assert (temperature.causality, temperature.variability) == ("calculatedParameter", "fixed")
-    assert {v.name: v for v in own}["T"].variability == "constant"

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
@@ -18,8 +17,6 @@ from pam_cosim.errors import SimulationFailure
 from pam_cosim.fmu import build_source
 from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
 from pam_cosim.fmu.read import TABLES
-from pam_cosim.fmu.tape import OPERATIONS, tape_of
-from pam_cosim.resources import fmu_runtime
 from pam_cosim.simulation import Inputs, Simulator
 from tests.fmu import models
 from tests.library.shelf import on_bench
@@ -128,18 +125,6 @@ def test_it_says_what_the_model_states_of_itself(both: Both) -> None:
     assert said[0] == said[1] and "by now" in said[0] and "too much" in said[0]
 
 
-def test_two_models_at_once_do_not_meet() -> None:
-    lag, forced = cached_taped_model("one", models.lag), cached_taped_model("two", models.forced)
-    with Simulator(lag) as first:
-        before = first.run(TIMES).values
-        with Simulator(forced) as second, Simulator(lag) as third:
-            second.run(TIMES)
-            again, other = first.run(TIMES).values, third.run(TIMES).values
-    assert all(
-        np.array_equal(before[n], again[n]) and np.array_equal(before[n], other[n]) for n in before
-    )
-
-
 @pytest.mark.parametrize("effect", ["LaminarLeak", "GeneralDryFriction", "ValveDelay"])
 def test_an_effect_on_its_bench(effect: str) -> None:
     composition, outcomes = on_bench(effect), []
@@ -153,25 +138,3 @@ def test_an_effect_on_its_bench(effect: str) -> None:
             inputs = Inputs([0.0, 1.0, 2.0], {"u_in": [0.35, 0.3, 0.0], "u_out": [0.0, 0.0, 0.3]})
             outcomes.append(simulator.run(TIMES, inputs=inputs).values)
     assert all(np.array_equal(outcomes[0][name], outcomes[1][name]) for name in outcomes[1])
-
-
-def test_operations_have_one_order() -> None:
-    source = (fmu_runtime() / "pam_tape.c").read_text()
-    listed = re.search(r"enum \{([^}]*ATAN2)\s*\}", source)
-    assert listed is not None
-    assert tuple(re.findall(r"\w+", listed.group(1))) == OPERATIONS
-
-
-def test_operations_of_one_kind_stand_together_behind_their_operands() -> None:
-    x = ca.SX.sym("x", 8)
-    squares = ca.vertcat(*(ca.sin(x[i]) * x[i] for i in range(8)))
-    tape = tape_of(ca.Function("f", [x], [squares, ca.sum1(squares)]))
-    kinds = [OPERATIONS[kind] for kind in tape.batches[:, 0]]
-    assert sorted(kinds) == ["ADD", "MUL", "OUTPUT", "OUTPUT", "SIN"]
-    assert sum(tape.batches[:, 1]) == len(tape.operands) == 8 + 8 + 7 + 9
-    row = 0
-    for kind, count, to in tape.batches:
-        for at, (a, b) in enumerate(tape.operands[row : row + count]):
-            if OPERATIONS[kind] != "OUTPUT":
-                assert max(a, b) < to + at < tape.work
-        row += count

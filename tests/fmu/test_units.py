@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pam_cosim.units import UnitError, base_unit, product, quotient
+from pam_cosim.units import UnitError, base_unit, quotient
 
 
 @pytest.mark.parametrize(
@@ -51,11 +51,6 @@ def test_what_is_no_unit_is_named(text: str) -> None:
         base_unit(text)
 
 
-def test_display_unit_of_another_quantity() -> None:
-    with pytest.raises(UnitError, match="'bar' does not fit unit 'K'"):
-        base_unit("bar").display(base_unit("K"))
-
-
 @pytest.mark.parametrize(
     ("unit", "by", "text"),
     [
@@ -69,11 +64,3 @@ def test_quotients_are_units_again(unit: str, by: str, text: str) -> None:
     for symbol, power in base_unit(by).exponents:
         exponents[symbol] = exponents.get(symbol, 0) - power
     assert {s: n for s, n in exponents.items() if n} == dict(base_unit(text).exponents)
-
-
-@pytest.mark.parametrize(
-    ("first", "second", "text"),
-    [("m", "m", "m2"), ("N.s/m", "m", "N.s"), ("1", "1", "1"), ("W/(m2.K)", "K", "W/m2")],
-)
-def test_products_are_units_again(first: str, second: str, text: str) -> None:
-    assert product(first, second) == text

@@ -91,7 +91,7 @@ def test_runs_within_its_bounds(effect: EffectClass) -> None:
 
 @pytest.mark.full
 @every_effect
-def test_runs_within_its_bounds_on_every_bench(effect: EffectClass) -> None:
+def test_runs_within_its_bounds_on_other_benches(effect: EffectClass) -> None:
     for bench in homes(effect.name):
         assert without_numbers(effect.name, bench, _ends) == [], bench
 
@@ -135,7 +135,7 @@ def test_vanishes_where_it_says_so(effect: EffectClass) -> None:
 
 @pytest.mark.full
 @every_effect
-def test_vanishes_where_it_says_so_on_every_bench(effect: EffectClass) -> None:
+def test_vanishes_where_it_says_so_on_other_benches(effect: EffectClass) -> None:
     for bench, composition in homes(effect.name).items():
         if effect.absent and not (bench.endswith(OTHER_LAWS) and "redeclare" in composition.text):
             _vanish(effect, bench)

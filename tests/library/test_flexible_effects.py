@@ -45,7 +45,7 @@ def test_runs_at_the_corners_of_its_bounds(effect: EffectClass) -> None:
 
 @pytest.mark.full
 @every_flexible
-def test_runs_at_the_corners_of_its_bounds_on_every_bench(effect: EffectClass) -> None:
+def test_runs_at_the_corners_of_its_bounds_on_other_benches(effect: EffectClass) -> None:
     for bench in homes(effect.name):
         assert without_numbers(effect.name, bench, _corners) == [], bench
 

@@ -18,18 +18,19 @@ from tests.library.rigs import choices, held, rig, run, written
 from tests.library.shelf import effects
 
 G = 9.80665
-ALL = [*product(choices("pneumatics"), choices("mechanics"), ("physical", "empirical"))]
+ALL = [
+    (pneumatics, mechanics, muscle)
+    for pneumatics, mechanics in product(choices("pneumatics"), choices("mechanics"))
+    for muscle in ("physical", "empirical")
+    if muscle == "physical" or pneumatics == "regulator" or mechanics == "spring"
+]
 NAMED = [
     ("regulator", "spring", muscle)
     for muscle in choices("muscle")
     if muscle not in ("physical", "empirical")
 ]
 FEW = [c for c in ALL if c[2] == "physical" and (c[0] == "regulator" or c[1] == "spring")]
-FEW += [
-    c
-    for c in ALL
-    if c[2] == "empirical" and c[:2] in {("valves", "lever"), ("imposed-pressure", "imposed-force")}
-]
+FEW += [("valves", "lever", "empirical"), ("imposed-pressure", "imposed-force", "empirical")]
 OF_VALVES = {"valve_area", "valve_dynamics"}
 OF_GAS = {"gas_energy", "leak", "dead_volume"}
 OF_FORCES = {"elasticity", "dry_friction", "rate_friction", "creep", "end_shape", "moving_mass"}

@@ -15,6 +15,7 @@ from pam_cosim.measurement import (
     estimate_noise,
     record_step,
 )
+from pam_cosim.measurement.data_set import Along
 
 N = 2000
 TIME = np.linspace(0.0, 4.0, N)
@@ -115,3 +116,18 @@ def test_steps_of_a_record_come_on_top_of_a_stated_noise(step: float):
 def test_steps_of_a_converter_are_seen_through_the_digits_of_the_file(step: float, digits: int):
     steps = step * np.round((20 * np.sin(TIME) + 0.01 * white(3)) / step)
     assert record_step(np.round(steps, digits)) == pytest.approx(step, rel=1e-3)
+
+
+@pytest.mark.parametrize("repeated", [False, True])
+def test_points_along_a_curve_tell_the_noise_itself_on_average(repeated: bool) -> None:
+    """Each miss is as large as that of a sample and of the neighbours that it is held against, together."""
+    estimates = []
+    for seed in range(150):
+        chance = np.random.default_rng([seed, 5])
+        at = np.sort(chance.uniform(0.0, 1.0, 300))
+        at = np.repeat(at[::5], 5) if repeated else at
+        values = {"x": 3.0 + 40.0 * at + 2.0 * chance.standard_normal(300)}
+        curve = Run("up", Path("up"), "fit", "linear", {}, at, {}, values, along=Along("p", "Pa"))
+        estimates.append(complete_noise({"x": StatedSignal("x", "m")}, [curve])["x"].sigma)
+    # where points are repeated, few are between others, and the lesser of two estimates is a little low
+    assert np.mean(estimates) == pytest.approx(2.0, rel=0.06 if repeated else 0.04)

@@ -52,6 +52,14 @@ def test_the_noise_of_means_is_what_is_said():
         assert abs(np.mean(error)) < 1e-5
 
 
+def test_a_quick_switching_input_becomes_its_mean():
+    time = np.arange(0.0, 10.0, 1e-3)
+    duty = Recording(time, {"u": (np.arange(len(time)) % 4 < 1).astype(float)}, {"x": np.sin(time)})
+    after = resampled(duty, 0.1, "linear")
+    assert len(after.time) < 130
+    np.testing.assert_allclose(after.inputs["u"][1:-1], 0.25, atol=0.02)
+
+
 def test_recorded_steps_of_two_rows_stay():
     time = np.repeat(np.arange(0.0, 1.0, 0.001), 1)
     time = np.insert(time, 500, time[500])
