@@ -16,10 +16,10 @@ _TANK = {"tank.V": "2 l", "valve.C_A": 0.7}
 
 def _recorded(folder: Path, states: str = "") -> DataSet:
     """A tank that a controller of 20 Hz fills and empties by sines, and holds its commands."""
-    time = np.arange(0.0, 12.0, 0.05)
+    time = np.arange(0.0, 8.0, 0.05)
     rows = {
-        "u_in": np.clip(0.3 * np.sin(1.7 * time), 0.0, None).round(4),
-        "u_out": np.clip(-0.3 * np.sin(1.7 * time), 0.0, None).round(4),
+        "u_in": np.clip(0.3 * np.sin(5.0 * time), 0.0, None).round(4),
+        "u_out": np.clip(-0.3 * np.sin(5.0 * time), 0.0, None).round(4),
         "p_supply": np.full(len(time), 5e5),
     }
     run = pam.simulate(
@@ -30,7 +30,7 @@ def _recorded(folder: Path, states: str = "") -> DataSet:
         interval=0.05,
     )
     read = np.interp(time, run.time, run["p"])
-    noise = np.random.default_rng(3).normal(0.0, 300.0, len(time))
+    noise = np.random.default_rng(3).normal(0.0, 100.0, len(time))
     table = np.column_stack([time, *rows.values(), read + noise])
     folder.mkdir()
     np.savetxt(
@@ -38,7 +38,7 @@ def _recorded(folder: Path, states: str = "") -> DataSet:
         header="time [s],u_in [A],u_out [A],p_supply [Pa],p [Pa]",
     )  # fmt: skip
     (folder / "experiment.toml").write_text(
-        'title = "tank"\nmodel = "PneumaticMuscle.Benches.TankFilling"\n[signals.p]\nsigma = "0.3 kPa"\n'
+        'title = "tank"\nmodel = "PneumaticMuscle.Benches.TankFilling"\n[signals.p]\nsigma = "0.1 kPa"\n'
         '[parameters]\n"tank.V" = "2 l"\n[fit]\n"valve.C_A" = { min = 0.5, max = 0.9 }\n'
         f'[[runs]]\nfile = "run.csv"\n{states}\n'
     )
