@@ -64,7 +64,7 @@ def test_page(command: Command, place: Path, capsys: pytest.CaptureFixture[str])
         for line in block.splitlines()
     ]
     *lines, static = lines
-    assert len(lines) == 2 and "DMSP-20-300" in static  # which tests/drafting/test_tables.py runs
+    assert len(lines) == 2 and "DMSP-20-300" in static
     for line in lines:
         words = [
             one
@@ -103,7 +103,8 @@ def test_options(command: Command, place: Path) -> None:
     (place / "a.csv").write_text(rows)
     (place / "rig").mkdir()
     outcome = command(
-        "new", "rig", "a.csv", "--recording", "names=A [kPa],B [mm],C", "--recording", "interval=10 ms",
+        "new", "rig", "a.csv", "--recording", "names=A [kPa],B [mm]", "--recording", "names=C",
+        "--recording", "interval=10 ms",
         "--column", "p=A", "--column", "x=B", "--model", "VerticalLoad", "--parameter", "load.m=5 kg",
     )  # fmt: skip
     assert outcome.status == 0, outcome.err
