@@ -15,7 +15,6 @@ from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.toml_text import toml_key, toml_string
 
 _WIDTH = 110
-_DURATIONS = ("interval", "resample")
 
 
 @dataclass(frozen=True)
@@ -31,7 +30,6 @@ class Draft:
         told: by recording, what it tells of itself.
         open: which parameters a fit may tell.
         interpolation: of the inputs of all recordings.
-        resample: proposed for long recordings.
         points: of tables of points at rest.
     """
 
@@ -48,7 +46,6 @@ class Draft:
     open: OpenParameters
     roles: Sequence[Role]
     interpolation: str = "linear"
-    resample: str = ""
     points: PointsDraft | None = None
 
     @property
@@ -120,14 +117,9 @@ def _head(draft: Draft) -> Iterator[str]:
 def _recording(draft: Draft) -> Iterator[str]:
     stated = _stated_of_files(draft)
     ignored = draft.ignored
-    if not stated and not ignored and not draft.resample:
+    if not stated and not ignored:
         return
     yield "[recording]"
-    if draft.resample:
-        yield from remark(
-            "A long recording: means over this would make a fit quicker, if it is short beside what happens."
-        )
-        yield f"# resample = {_value(draft.resample)}"
     for name, value in stated.items():
         yield f"{name} = {_setting(name, value)}"
     for name, why in ignored.items():
@@ -147,7 +139,7 @@ def _setting(key: str, value: object) -> str:
     """A value of ``[recording]``; a word or a name is a text, also where it looks like a number."""
     if isinstance(value, list):
         return _texts(value)
-    return toml_string(value) if isinstance(value, str) and key not in _DURATIONS else _value(value)
+    return toml_string(value) if isinstance(value, str) and key != "interval" else _value(value)
 
 
 def _texts(values: Iterable[str]) -> str:

@@ -58,7 +58,6 @@ from pam_cosim.model.references import is_file
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed, shown
 
-_MOST_ROWS = 20000  # rows of a run, above which means over several rows are proposed
 _NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 
 
@@ -164,7 +163,6 @@ def _draft(
         open=_determined(open_parameters(interface, headings, evidence.points), is_warm),
         roles=stated_roles(guessed, evidence.sources, wishes.roles or {}),
         interpolation=interpolation_of(_set_columns(bench, evidence), headings),
-        resample=_means(mapped),
         points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
         if evidence.points
         else None,
@@ -219,15 +217,6 @@ def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
     names = used_in(replace(evidence, formulas=inputs))
     fed = [c for c in bench.choice.inputs.values()]
     return [*fed, *(c for c in evidence.columns if c.name in names)]
-
-
-def _means(mapped: Mapped) -> str:
-    """An interval that leaves as many rows as a fit needs; "" where there are no more."""
-    longest = max(mapped.runs, key=lambda one: len(one.time))
-    if len(longest.time) <= _MOST_ROWS:
-        return ""
-    interval = float(np.ptp(longest.time)) / _MOST_ROWS
-    return f"{float(f'{1e3 * interval:.1g}'):g} ms"
 
 
 _IGNORED_KINDS = {

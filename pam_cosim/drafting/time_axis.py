@@ -328,34 +328,41 @@ def with_one_clock(
     A reading stands in the rows of its own clock. What is imposed has a value in every row: a command the last one or
     one between its neighbours; where nothing is known to be a command, so do the columns of the first clock.
     """
-    driving = ("command", "current", "voltage")
-    set_by = {c.name: c for c in columns if c.kind in driving or (c.meaning and "set" in c.meaning.roles)}  # fmt: skip
+    commands = {c.name for c in columns if c.kind in ("command", "current", "voltage")}
+    commands |= {c.name for c in columns if c.meaning and "set" in c.meaning.roles}
     made = []
     for source in sources:
-        own = {n: source.table.columns[n] for n in found.units if n in source.table.columns}
-        groups = {name: _headed(name, source.table, own, headings) for name in own}
-        first = found.time.name
+        every, first = source.table.columns, found.time.name
+        own = {n: every[n] for n in found.units if n in every}
         if len(own) < 2 or first not in own:
             made.append(replace(source, is_merged=True))
             continue
+        groups = {name: _headed(name, source.table, own, headings) for name in own}
+        clock_of = {n: next((c for c, g in groups.items() if n in g), first) for n in every}
+        imposed = {n for n in every if (n in commands if commands else clock_of[n] == first)} - {
+            *own
+        }
         times = {n: convert(c.values, found.units[n] or "s", "s") for n, c in own.items()}
+        known = {n: np.isfinite(times[clock_of[n]]) & np.isfinite(every[n].values) for n in every}
+        at = {n: times[clock_of[n]][known[n]] for n in every}
+        imposed = {n for n in imposed if len(at[n])}
         rows = np.unique(np.concatenate([one[np.isfinite(one)] for one in times.values()]))
+        for name in imposed:  # nothing is known of it before and after
+            rows = rows[(rows >= at[name][0]) & (rows <= at[name][-1])]
         unit = found.units[first] or "s"
         table = {first: Column(first, unit, convert(rows, "s", unit))}
-        for name, column in source.table.columns.items():
-            if name in own:
-                continue
-            clock = next((n for n, heads in groups.items() if name in heads), first)
-            known = np.isfinite(times[clock]) & np.isfinite(column.values)
-            at, values = times[clock][known], column.values[known]
-            is_set = name in set_by if set_by else clock == first
-            if is_set and len(at):
-                place = np.clip(np.searchsorted(at, rows, side="right") - 1, 0, None)
-                filled = values[place] if is_held(values) else np.interp(rows, at, values)
+        for name in (n for n in every if n not in own):
+            values = every[name].values[known[name]]
+            place = np.clip(np.searchsorted(at[name], rows, side="right") - 1, 0, None)
+            if name in imposed and not is_held(values):
+                filled = np.interp(rows, at[name], values)
+            elif name in imposed:
+                filled = values[place]
             else:
+                there = np.isin(rows, at[name])
                 filled = np.full(len(rows), np.nan)
-                filled[np.searchsorted(rows, at)] = values
-            table[name] = replace(column, values=filled)
+                filled[there] = values[place[there]]
+            table[name] = replace(every[name], values=filled)
         made.append(
             replace(source, table=replace(source.table, columns=table, lines=None), is_merged=True)
         )
