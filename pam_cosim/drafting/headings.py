@@ -45,6 +45,7 @@ _PASSING = (
     "to",
     "up",
 )
+_ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
 _ABSOLUTE = re.compile(r"abs|pabs|absol.*")
 _STANDS_FOR = {"ratio": ("contraction", "length"), "mass": ("force",), "current": ("command",)}
 _WRITTEN = {
@@ -323,7 +324,7 @@ class Headings:
         Behind the name of one pressure "atm" is its unit: ``pm_atm``, ``p_set_atm``.
         """
         word = folded(part)
-        any_pressure = len(rest) == 1 and "pressure" in self.kinds_of(folded(rest[0]))
+        any_pressure = len(rest) == 1 and folded(rest[0]) in _ANY_PRESSURE
         return bool(self._roles([word])) and not (word == "atm" and not any_pressure)
 
     def _meaning(self, words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
