@@ -61,8 +61,6 @@ record Vocabulary "How people of this field call what they record: words, usual 
     {"up", "inflat =up =u =auf aufwarts =rise rising increas load belast beluft press fill contract =hin hinhub mont "
     + "gonfl =forward =in"}}
     "Words for the way in which a muscle went; those of the first row come before those of the second";
-  constant String unloaded = "noload unload lastfrei unbelastet leerhub freehub freestroke sanscharge zeroload"
-    "Words that say that a muscle pulled at nothing";
   constant String calibrated[:] = {"calibration", "effective area", "discharge coefficient",
     "pressure lost per mass flow", "time constant", "polytropic", "film coefficient"}
     "Parameters that nobody measures, by words of their descriptions: a fit tells them";

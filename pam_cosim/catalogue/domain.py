@@ -53,9 +53,8 @@ def vocabulary_of(tree: ClassTree, model: str | None = None) -> Vocabulary:
     joined: dict[str, Any] = {
         field.name: tuple(row for one in together for row in getattr(one, field.name))
         for field in fields(Vocabulary)
-        if field.name != "unloaded"
     }
-    return Vocabulary(**joined, unloaded=" ".join(one.unloaded for one in together))
+    return Vocabulary(**joined)
 
 
 def _records(tree: ClassTree, packages: Iterable[str], kind: type[_Record]) -> Iterator[_Record]:
@@ -130,7 +129,6 @@ _ROWS = {
     "units": 2,
     "sure": 2,
     "directions": 2,
-    "unloaded": -1,
     "calibrated": 0,
     "uncertain": 0,
     "chosen": 0,

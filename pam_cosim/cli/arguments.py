@@ -116,8 +116,8 @@ def parse_point(words: Sequence[str]) -> Literal["rest"] | dict[str, str] | list
     return dict(pairs)
 
 
-def parse_pairs(words: Sequence[str] | None) -> dict[str, str]:
-    """``NAME=VALUE`` words to texts by name.
+def parse_pairs(words: Sequence[str] | None, lists: Sequence[str] = ()) -> dict[str, str]:
+    """``NAME=VALUE`` words to texts by name; those of ``lists`` may be given again, which adds to them.
 
     Raises:
         InputError: not of that form, or a name twice.
@@ -125,9 +125,9 @@ def parse_pairs(words: Sequence[str] | None) -> dict[str, str]:
     pairs: dict[str, str] = {}
     for word in words or ():
         name, text = _split(word, "NAME=VALUE, such as p='0.5 kPa'")
-        if name in pairs:
+        if name in pairs and name not in lists:
             raise InputError(f"'{name}' is given twice")
-        pairs[name] = text
+        pairs[name] = f"{pairs[name]},{text}" if name in pairs else text
     return pairs
 
 

@@ -25,7 +25,12 @@ from pam_cosim.comparison.residual_statistics import (
     residual_statistics,
     series_of,
 )
-from pam_cosim.comparison.residuals import RunComparison, simulate_run, warnings_of
+from pam_cosim.comparison.residuals import (
+    RunComparison,
+    simulate_run,
+    simulate_runs,
+    warnings_of,
+)
 from pam_cosim.comparison.rounding import (
     expected_squares,
     slope,
@@ -63,6 +68,7 @@ __all__ = [
     "scored",
     "series_of",
     "simulate_run",
+    "simulate_runs",
     "samples_in",
     "slope",
     "usual_square",

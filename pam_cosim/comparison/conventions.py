@@ -36,6 +36,7 @@ _LARGE_ERROR = 0.5  # of what a signal moves: a model that explains little of it
 _REMAINING_ERROR = 0.3  # of an error, that remains at most where a simple mistake explains it
 _SAME_FACTOR = 0.02  # of a factor or an offset, by which it may differ from a usual mistake
 _LEAST_VARIANCE = 1e-9  # of the noise: residuals of computed numbers
+_WORDS = {"previous": "held", "linear": "linear"}
 _UNITS = {
     "Pa": ("kPa", "bar", "psi", "MPa", "mbar", "Pa", "hPa", "atm", "mmHg"),
     "m": ("mm", "cm", "m", "inch"),
@@ -50,7 +51,7 @@ _ZEROS = {
 }
 
 Evaluate = Callable[[DataSet], Sequence[RunComparison]]
-"""Simulates the runs of a data set, by a model with values that are known or fitted anew."""
+"""Simulates the runs of a data set."""
 
 
 @dataclass(frozen=True)
@@ -74,31 +75,34 @@ class Convention:
 def likely_convention(
     data: DataSet,
     units: Mapping[str, str],
-    evaluate: Evaluate,
-    base: Sequence[RunComparison] | None = None,
+    simulate: Evaluate,
+    base: Sequence[RunComparison] = (),
+    fitted: Evaluate | None = None,
 ) -> Convention | None:
     """The convention that fits the data much better than the one that they are read with; None: there is none.
 
     Args:
-        data: the measurement.
+        data: the measurement. An interpolation that it states is never doubted.
         units: SI units of the inputs, by name.
-        evaluate: simulates runs; a diagnosis fits the free parameters of the model in it.
+        simulate: simulates runs with values that are known.
         base: the runs as they are read, simulated already.
+        fitted: likewise with free parameters fitted anew, where those of ``simulate`` are fitted to the data as they
+            are read; a convention that is mistaken has moved these.
 
     Raises:
         SimulationFailure: the runs as they are read cannot be simulated.
     """
     driven = [run for run in data.runs if run.inputs and not run.is_static and run.role == "fit"]
-    tried = replace(data, runs=tuple(driven[:_MOST_RUNS]))
-    fitted = {n: s for n, s in data.signals.items() if s.fitted}
-    if not driven or not fitted:
+    open_runs = [run for run in driven if not run.interpolation_stated]
+    tried = replace(data, runs=tuple((open_runs or driven)[:_MOST_RUNS]))
+    signals = data.fitted_signals
+    if not driven or not signals:
         return None
     names = {run.name for run in tried.runs}
-    known = [one for one in base or () if one.run.name in names]
-    runs = known or list(evaluate(tried))
-    if _explains_little(runs, fitted):
-        return _of_inputs(data, tried, runs, fitted, units, evaluate)
-    return _in_time(data, tried, fitted, evaluate)
+    runs = [one for one in base if one.run.name in names] or list(simulate(tried))
+    if _explains_little(runs, signals):
+        return _of_inputs(data, tried, runs, signals, units, simulate)
+    return _in_time(data, tried, signals, simulate, fitted)
 
 
 def _chi2(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> float:
@@ -138,62 +142,100 @@ def _rms(values: Array) -> float:
 
 
 def _in_time(
-    data: DataSet, tried: DataSet, signals: Mapping[str, Signal], evaluate: Evaluate
+    data: DataSet,
+    tried: DataSet,
+    signals: Mapping[str, Signal],
+    simulate: Evaluate,
+    fitted: Evaluate | None,
 ) -> Convention | None:
     """Held instead of linear commands or the other way, and readings that come half a sample or one late.
 
-    Where a lag of many samples is better than either, none of them is a convention of the logger.
+    A lag that is missing in the model is better with the commands that come later: what counts is how much better the
+    others are with any delay that either may have. Where a lag of many samples is best, none is a convention.
     """
-    own = tried.runs[0].interpolation
-    other: Interpolation = "linear" if own == "previous" else "previous"
-    score: dict[tuple[str, float], tuple[float, float]] = {}
-    for between in (own, other):
-        try:
-            runs = list(evaluate(_refined(_between(tried, between))))
-        except SimulationFailure:
-            continue
-        for late in np.arange(0.0, _LATEST + 0.25, 0.5):
-            moved = [_delayed(r, float(late)) for r in runs]
-            price = _PRICE_OF_DELAY * (late > 0.0)
-            score[between, float(late)] = _likelihood(moved, signals) - price, _chi2(moved, signals)
-    if (own, 0.0) not in score:
+    read = simulate(_refined(tried))
+    own = _by_delay(read, signals)
+    (before, chi2_before), (own_best, own_late) = own[0.0], _best(own)
+    stated = any(run.interpolation_stated for run in tried.runs)
+    other = {} if stated else _of_other(tried, read, signals, simulate, fitted)
+    if other:
+        (after, chi2), (best, late) = other[0.0], _best(other)
+        explains_all = chi2 < _NEAR_NOISE and not late and after >= own_best
+        ahead = after - before if explains_all else min(after - before, best - own_best)
+        excess, excess_before = chi2 - 1.0, chi2_before - 1.0
+        is_less = chi2 < _REMAINING * chi2_before or (explains_all and 2.0 * excess < excess_before)
+        if ahead > _GAIN and is_less:
+            was, now = tried.runs[0].interpolation, _other(tried)
+            text = (
+                f"{_WORDS[now]} commands fit the data much better than {_WORDS[was]} ones: chi-square {chi2:.3g} "
+                f'against {chi2_before:.3g}; write interpolation = "{now}" in each [[runs]]'
+            )
+            return Convention(_WORDS[now], text, _between(data, now), chi2, chi2_before)
+    after, chi2 = own[own_late]
+    is_usual = own_late in (0.5, 1.0)
+    if not is_usual or own_best - before < _GAIN or chi2 >= min(_NEAR_NOISE, chi2_before):
         return None
-    best = max(score, key=lambda one: score[one][0])
-    (before, chi2_before), best_of_own = (
-        score[own, 0.0],
-        max(v for (b, _), (v, _) in score.items() if b == own),
+    how = "half a sample" if own_late == 0.5 else "one sample"
+    text = (
+        f"the readings fit much better {how} later than the commands: chi-square {chi2:.3g} against "
+        f"{chi2_before:.3g}; name the file once more with the readings alone under [[runs.loggers]], "
+        f'offset = "{-1e3 * own_late * _step(tried.runs[0]):.4g} ms"'
     )
-    conventional = {
-        one: v for one, v in score.items() if one in ((other, 0.0), (own, 0.5), (own, 1.0))
-    }
-    rival = max(conventional, key=lambda one: score[one][0])
-    gain, chi2 = score[rival][0] - before, score[rival][1]
-    explains_little = chi2 > _NEAR_NOISE and chi2 > _REMAINING * chi2_before
-    if gain < _GAIN or chi2 >= chi2_before or explains_little:
-        return None
-    if rival[0] == other and score[best][0] - best_of_own > _GAIN and best[0] == other:
-        words = {"previous": "held", "linear": "linear"}
-        text = (
-            f"{words[other]} commands fit the data much better than {words[own]} ones: chi-square {chi2:.3g} against "
-            f'{chi2_before:.3g}; write interpolation = "{other}" in each [[runs]]'
-        )
-        return Convention(words[other], text, _between(data, other), chi2, chi2_before)
-    if rival[0] == own and best == rival and chi2 < _NEAR_NOISE:
-        late = rival[1]
-        how = "half a sample" if late == 0.5 else "one sample"
-        text = (
-            f"the readings fit much better {how} later than the commands: chi-square {chi2:.3g} against "
-            f"{chi2_before:.3g}; name the file once more with the readings alone under [[runs.loggers]], "
-            f'offset = "{-1e3 * late * _step(tried.runs[0]):.4g} ms"'
-        )
-        earlier = replace(data, runs=tuple(_advanced(run, late) for run in _refined(data).runs))
-        return Convention("late", text, earlier, chi2, chi2_before)
-    return None
+    earlier = replace(data, runs=tuple(_advanced(run, own_late) for run in _refined(data).runs))
+    return Convention("late", text, earlier, chi2, chi2_before)
+
+
+_Scores = dict[float, tuple[float, float]]
+"""Log-likelihood less its price, and mean square of the residuals, by how many samples late the commands are."""
+
+
+def _by_delay(runs: Sequence[RunComparison], signals: Mapping[str, Signal]) -> _Scores:
+    scores: _Scores = {}
+    for late in np.arange(0.0, _LATEST + 0.25, 0.5).tolist():
+        moved = [_delayed(run, late) for run in runs]
+        price = _PRICE_OF_DELAY * (late > 0.0)
+        scores[late] = _likelihood(moved, signals) - price, _chi2(moved, signals)
+    return scores
+
+
+def _of_other(
+    tried: DataSet,
+    read: Sequence[RunComparison],
+    signals: Mapping[str, Signal],
+    simulate: Evaluate,
+    fitted: Evaluate | None,
+) -> _Scores:
+    """The scores of the other interpolation; none where the model shows too little of it to tell."""
+    changed = _refined(_between(tried, _other(tried)))
+    try:
+        runs = simulate(changed)
+        apart = [(one.model[n] - r.model[n]) / (signals[n].sigma or 1.0)
+                 for one, r in zip(runs, read, strict=True) for n in signals if n in r.run.measurements]  # fmt: skip
+        if sum(float(np.nansum(one**2)) for one in apart) < 2.0 * _GAIN:
+            return {}
+        return _by_delay(runs if fitted is None else fitted(changed), signals)
+    except SimulationFailure:
+        return {}
+
+
+def _other(data: DataSet) -> Interpolation:
+    return "linear" if data.runs[0].interpolation == "previous" else "previous"
+
+
+def _best(scores: _Scores) -> tuple[float, float]:
+    """The largest log-likelihood, and the delay that has it."""
+    late = max(scores, key=lambda one: scores[one][0])
+    return scores[late][0], late
 
 
 def _between(data: DataSet, interpolation: Interpolation) -> DataSet:
-    runs = (replace(run, interpolation=interpolation) if run.inputs else run for run in data.runs)
-    return replace(data, runs=tuple(runs))
+    return replace(
+        data,
+        runs=tuple(
+            run if run.interpolation_stated else replace(run, interpolation=interpolation)
+            for run in data.runs
+        ),
+    )
 
 
 def _step(run: Run) -> float:

@@ -47,6 +47,15 @@ def warnings_of(runs: Iterable[RunComparison]) -> tuple[str, ...]:
     return distinct_warnings({r.run.name: r.warnings for r in runs})
 
 
+def simulate_runs(
+    simulator: AnySimulator, data: DataSet, values: Mapping[str, float]
+) -> list[RunComparison]:
+    """Every run of a data set, as ``simulate_run``; start values of runs that it lacks are left out of ``values``."""
+    names = {run.name for run in data.runs}
+    own = {n: v for n, v in values.items() if "@" not in n or n.partition("@")[2] in names}
+    return [simulate_run(simulator, data, run, own) for run in data.runs]
+
+
 def simulate_run(
     simulator: AnySimulator,
     data: DataSet,

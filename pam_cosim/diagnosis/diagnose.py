@@ -6,10 +6,12 @@ import math
 import time
 from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass, field, replace
+from functools import partial
 from pathlib import Path
 from typing import Any
 
 from pam_cosim.catalogue import EffectClass
+from pam_cosim.comparison import Convention, RunComparison, likely_convention, simulate_runs
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.description.explanation import (
     LearnedModel,
@@ -23,6 +25,7 @@ from pam_cosim.diagnosis.judgement.events import (
     Judged,
     LedgerKept,
     Listener,
+    Remark,
     listened,
 )
 from pam_cosim.diagnosis.judgement.evidence import leaves_structure, rank
@@ -50,11 +53,12 @@ from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Columns, Tabular
 from pam_cosim.files import plain_fields
-from pam_cosim.fitting import Fit
+from pam_cosim.fitting import Fit, FitOptions, base_parameters, fit
 from pam_cosim.ledger import Ledger
 from pam_cosim.measurement import ROLES, DataSet, error_in
 from pam_cosim.problems import corrections_of
 from pam_cosim.processes.workers import on_one_thread
+from pam_cosim.simulation import AnySimulator
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed, listed, look_first
 
@@ -83,10 +87,12 @@ class Diagnosis(Printed, Tabular):
         means: where very many rows became means, which are in ``data``: a sentence on it.
         rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
             unknown one those that come nearest; see ``rival_models``.
+        convention: which other convention of the logger fits much better, in words, and what to write: everything here
+            is judged by the data as it has them; "": those that the data are read with.
     """
 
     json_keys = (
-        "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
+        "title=data.title convention? base=_base where=base.comparison.where balance candidates=_candidates "
         "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers rivals "
         "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger disagreement"
     )
@@ -109,6 +115,7 @@ class Diagnosis(Printed, Tabular):
     not_tried: dict[str, str] = field(default_factory=dict)
     means: str = ""
     rivals: tuple[tuple[str, ...], ...] = ()
+    convention: str = ""
 
     @property
     def rival_models(self) -> tuple[Candidate, ...]:
@@ -142,7 +149,7 @@ class Diagnosis(Printed, Tabular):
             for name, n in self.outliers.items()
             if n
         )
-        return tuple(filter(None, [*outliers, self.means]))
+        return tuple(filter(None, [self.convention, *outliers, self.means]))
 
     def frame_columns(self) -> Columns:
         """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
@@ -201,7 +208,8 @@ class Diagnosis(Printed, Tabular):
     def __str__(self) -> str:
         summary, *sentences = verdict_lines(self.verdict)
         lines = [f"Verdict: {summary}"]
-        lines += look_first(doubt.text for doubt in self.final.comparison.doubts)
+        doubts = [doubt.text for doubt in self.final.comparison.doubts]
+        lines += look_first(filter(None, [self.convention, *doubts]))
         lines += [f"  {sentence}" for sentence in (*sentences, self.disagreement) if sentence]
         lines += self._errors()
         lines += [f"  {n} = {e}" for n, e in self.final.parameters.items()]
@@ -212,7 +220,7 @@ class Diagnosis(Printed, Tabular):
                 f"  A limit ended the search after {self.simulations} simulations; what would have been tried next: "
                 f"{', '.join(first)}{f' and {more} more' * bool(more)}"
             )
-        lines += [f"  {change}" for change in self.changes_of_data]
+        lines += [f"  {change}" for change in self.changes_of_data if change != self.convention]
         lines += [
             f"  not looked for: {listed(names)}: {why}"
             for why, names in self.not_tried_by_reason.items()
@@ -288,6 +296,10 @@ def diagnose(
         available = subject.effects(simulator.interface)
         excluded, expected = _excluded_and_expected(available, subject.data, exclude, expect)
         data, base = fit_base_model(simulator, subject.data, say)
+        convention = _convention(simulator, subject.data, base)
+        if convention is not None:
+            say(Remark(f"LOOK FIRST: {convention.text}; going on with that").message)
+            data, base = fit_base_model(simulator, convention.data, say)
     search = Search(
         library,
         subject.name,
@@ -298,7 +310,7 @@ def diagnose(
         workers,
         expected=expected,
         effort=effort,
-        recorded=subject.data,
+        recorded=convention.data if convention else subject.data,
     )
     result = select_effects(search, base)
     verdict, plans = _verdict(result, subject.sources)
@@ -336,6 +348,27 @@ def diagnose(
         not_tried=_not_tried(available, excluded, result),
         means=subject.means,
         rivals=_models_left(verdict, result, [c for c, _ in plans]),
+        convention=convention.text if convention else "",
+    )
+
+
+def _convention(simulator: AnySimulator, data: DataSet, base: Fit) -> Convention | None:
+    """The convention of the logger with which the base model fits much better; None where it leaves nothing anyway."""
+    if not leaves_structure(base):
+        return None
+    free = [
+        replace(one, start=base.values[one.name])
+        for one in base_parameters(data, simulator.interface)
+    ]
+
+    def fitted(other: DataSet) -> Sequence[RunComparison]:
+        runs = {"", *(run.name for run in other.runs)}
+        own = [one for one in free if one.run in runs]
+        return fit(simulator, other, own, options=FitOptions(rules=False)).comparison.runs
+
+    known = partial(simulate_runs, simulator, values=base.values_and_starts)
+    return likely_convention(
+        data, base.comparison.units, known, base.comparison.runs, fitted if free else None
     )
 
 

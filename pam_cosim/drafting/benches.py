@@ -16,9 +16,8 @@ from pam_cosim.catalogue.ports import Ports, ports
 from pam_cosim.compiler import ClassTree
 from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, with_usual_unit
 from pam_cosim.drafting.evidence import DraftRequests, Evidence, used_in
-from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike
+from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Headings, Meaning, alike, muscle_in
 from pam_cosim.drafting.shapes import LEAST_CORRELATION, correlation, span
-from pam_cosim.drafting.texts import muscle_in
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.references import BRANCH, is_file
@@ -65,7 +64,7 @@ class BenchChoice:
     def moving_lengths(self) -> dict[str, RecordedColumn]:
         """What is imposed although a muscle that lifts a load would move it so, by the inputs that it feeds."""
         lengths = {n: c for n, c in self.inputs.items() if c.kind in LENGTHS}
-        return {n: c for n, c in lengths.items() if not (c.in_names or c.held)}
+        return {n: c for n, c in lengths.items() if not c.held}
 
     @property
     def fed(self) -> dict[str, RecordedColumn]:
@@ -287,8 +286,7 @@ def _fed(one: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
     whole = [c for c in signals if len(c.values) == runs and c.whole]
     inputs, far_inputs = _assign(one.inputs, whole, evidence)
     readable = _readable(one, headings)
-    recorded = [c for c in signals if not c.in_names]
-    left = [c for c in recorded if c not in inputs.values()]
+    left = [c for c in signals if c not in inputs.values()]
     outputs, far_outputs = _assign(readable, left, evidence)
     used = [*inputs.values(), *outputs.values()]
     said = {*evidence.stated}.union(*evidence.own)
@@ -296,7 +294,7 @@ def _fed(one: Ports, evidence: Evidence, is_stated: bool) -> BenchChoice:
     unfed = tuple(name for name in one.inputs if name not in fed and name != BRANCH)
     measured = {*outputs, *evidence.formulas} & readable.keys()
     passing = headings.with_trait("unused")
-    unused = [c for c in recorded if c not in used and c.kind not in passing]
+    unused = [c for c in signals if c not in used and c.kind not in passing]
     driving = [n for n, v in one.inputs.items() if _drives(headings.variable(v))]
     # A bench without such inputs runs by itself: where more was recorded than it shows, something drove it.
     driven = any(n in fed for n in driving) if driving else not unused

@@ -21,8 +21,15 @@ from pam_cosim.drafting.headings import (
     meant,
 )
 from pam_cosim.drafting.recordings import Source
-from pam_cosim.drafting.shapes import correlation, is_constant, is_held, is_switch, span
-from pam_cosim.drafting.texts import common_quantities
+from pam_cosim.drafting.shapes import (
+    LEAST_CORRELATION,
+    correlation,
+    is_constant,
+    is_held,
+    is_repeated,
+    is_switch,
+    span,
+)
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.curves import levels
 from pam_cosim.measurement.recording import EMPTY_SHARE, filled_forward
@@ -39,7 +46,7 @@ _LEAST_SIGNED = 0.3  # correlation of a command of two valves with the change of
 _MOST = 400  # columns; each is held against each
 _REFERABLE = re.compile(r"[^'\\\n]+")
 _NAME = re.compile(r"'([^']*)'|([A-Za-z_]\w*)", re.ASCII)
-_SCALES = {"force": ("F", "0.1 N"), "pressure": ("p", "0.1 kPa")}
+_SCALES = {"force": ("F", "0.1 N"), "pressure": ("p", "0.1 kPa"), "command": ("u_in", "0.004")}
 """By kind, how a column in counts may be scaled: a name and the size of a count."""
 
 
@@ -56,7 +63,6 @@ class RecordedColumn:
         known: share of its words that are known.
         values: numbers in its unit by the number of the recording.
         points: the recordings are points at rest, whose rows have no pace.
-        in_names: it stands in the names of the files, one value for each.
         words: of a direction that is told in words: what its numbers are places of.
         senses: of a direction: 1 up, -1 down, 0 neither, by its numbers.
         logged_on_change: its cells are empty in the files while it keeps its value.
@@ -74,7 +80,6 @@ class RecordedColumn:
     known: float = 0.0
     places: dict[int, Column] = field(default_factory=dict)
     points: bool = False
-    in_names: bool = False
     words: tuple[str, ...] = ()
     senses: dict[float, int] = field(default_factory=dict)
     logged_on_change: bool = False
@@ -132,10 +137,6 @@ class RecordedColumn:
         """It lacks so few samples that it may be meant as an input."""
         return self.logged_on_change or float(np.mean(np.isnan(self.every))) <= EMPTY_SHARE
 
-    def text_of(self, value: float) -> str:
-        """One of its numbers, or the word that it stands for."""
-        return shown(self.words[int(value)]) if self.words else f"{value:g}"
-
     def of(self, kind: str, *roles: str) -> bool:
         """Whether it is of a kind, with just these roles."""
         return self.meaning == meant(kind, *roles)
@@ -190,28 +191,7 @@ def find_columns(
         else c
         for c in columns
     ]
-    return columns + _in_names(sources, columns, headings)
-
-
-def _in_names(
-    sources: Sequence[Source], columns: Sequence[RecordedColumn], headings: Headings
-) -> list[RecordedColumn]:
-    """What the name of every file says, as columns that do not change within a file."""
-    stems = [one.file.stem for one in sources]
-    recorded = {c.kind for c in columns if c.meaning is not None and not c.meaning.roles}
-    counts = [len(next(iter(one.table.columns.values())).values) for one in sources]
-    made = []
-    for own in common_quantities(stems, recorded, headings):
-        values = {i: np.full(counts[i], one.value) for i, one in enumerate(own)}
-        texts = ", ".join(dict.fromkeys(one.text for one in own))
-        why = (f"the names of the files say so: {texts}",)
-        meaning = Meaning(own[0].kind)
-        made.append(
-            RecordedColumn(
-                texts, own[0].unit, False, meaning, values, why, known=1.0, in_names=True
-            )
-        )
-    return made
+    return columns
 
 
 def _found(name: str, sources: Sequence[Source], headings: Headings) -> RecordedColumn:
@@ -302,7 +282,9 @@ def _lacks_unit(one: RecordedColumn) -> bool:
 def _unknown(one: RecordedColumn, headings: Headings) -> str:
     left_out = f"or leave it out: --recording 'ignore={one.name}'"
     signal, step = _SCALES.get(one.kind, ("x", "0.02 mm"))
-    scaled = f"scale it, as in --column {_scaling(signal, one.name, step)}"
+    if one.meaning is not None and "exhaust" in one.meaning.roles:
+        signal = "u_out"
+    scaled = f"scale it, as in --column {scaling(signal, one.name, step)}"
     if is_count(one.unknown):
         return f"how large its {one.unknown} are is not said; {scaled}, {left_out}"
     correct = "correct it in the file"
@@ -312,7 +294,7 @@ def _unknown(one: RecordedColumn, headings: Headings) -> str:
     return f"its unit {shown(one.unknown)} has a factor, which is not read; {correct}, {more}{left_out}"
 
 
-def _scaling(signal: str, name: str, step: str, less: str = "") -> str:
+def scaling(signal: str, name: str, step: str, less: str = "") -> str:
     """A formula that scales a column, as a word of a command."""
     term = name if name.isidentifier() else f"'{name}'"
     formula = f'{signal}={f"({term}{less})" if less else term} * "{step}"'
@@ -326,7 +308,7 @@ def _contradicts(one: RecordedColumn, headings: Headings) -> str:
     said = headings.contradiction(one.name, unit) if unit and one.values else ""
     if not said:
         return ""
-    scaled = _scaling("p", one.name, "0.5 bar/mA", ' - "4 mA"')
+    scaled = scaling("p", one.name, "0.5 bar/mA", ' - "4 mA"')
     scale = f"scale the signal, as in --column {scaled}, " if headings.fits(unit, "current") else ""
     hint = f"--recording 'ignore={one.name}', or say what it is: --column NAME={shown(one.name)}"
     return f"{said}; correct the heading, {scale}leave it out: {hint}"
@@ -348,7 +330,8 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     """Which pressure is the supply's, where words leave it open.
 
     Of two that are called so and no other, as of a tank and a source, the one that moves more is what is filled; one
-    alone is, where it is not steady. Of two of which none is called so, the one that stays above the other supplies it.
+    alone is, where it is not steady. Of two of which none is called so, the one that stays above the other supplies it,
+    and one that steps and is followed by the other is its set point.
     """
     supplies = [c for c in columns if c.of("pressure", "supply")]
     plain = [c for c in columns if c.of("pressure")]
@@ -360,13 +343,22 @@ def _supply(columns: list[RecordedColumn]) -> list[RecordedColumn]:
     if len(plain) != 2 or supplies or plain[0].values.keys() != plain[1].values.keys():
         return columns
     for one, other in (plain, plain[::-1]):
+        role = why = ""
         if one.unit and one.unit == other.unit and _feeds(one.every, other.every):
-            made = one.because(
-                f"it stays above '{other.name}' and varies little",
-                meaning=meant("pressure", "supply"),
-            )
+            role, why = "supply", f"it stays above '{other.name}' and varies little"
+        elif one.unit and one.unit == other.unit and _leads(one, other):
+            role, why = "set", f"it steps and stays, and '{other.name}' follows it"
+        if role:
+            made = one.because(why, meaning=meant("pressure", role))
             return [made if c is one else c for c in columns]
     return columns
+
+
+def _leads(one: RecordedColumn, other: RecordedColumn) -> bool:
+    """Whether a pressure without noise steps and stays, and another one with noise goes where it is."""
+    steps = all(is_held(v) and is_repeated(v) for v in one.values.values())
+    follows = correlation(one.values, other.values) > LEAST_CORRELATION
+    return steps and follows and not all(map(is_repeated, other.values.values()))
 
 
 def _feeds(one: Array, other: Array) -> bool:

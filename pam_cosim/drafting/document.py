@@ -7,17 +7,14 @@ from dataclasses import dataclass
 from textwrap import wrap
 
 from pam_cosim.drafting.benches import Bench
-from pam_cosim.drafting.columns import names_in
 from pam_cosim.drafting.entries import ColumnEntry, Mapped
 from pam_cosim.drafting.evidence import Evidence
 from pam_cosim.drafting.roles import PointsDraft, Role, Sigma
-from pam_cosim.drafting.time_axis import FurtherClock, clock_of
 from pam_cosim.drafting.values import OpenParameters, StatedValue, text_of
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.toml_text import toml_key, toml_string
 
 _WIDTH = 110
-_DURATIONS = ("interval", "resample")
 
 
 @dataclass(frozen=True)
@@ -33,7 +30,6 @@ class Draft:
         told: by recording, what it tells of itself.
         open: which parameters a fit may tell.
         interpolation: of the inputs of all recordings.
-        resample: proposed for long recordings.
         points: of tables of points at rest.
     """
 
@@ -50,7 +46,6 @@ class Draft:
     open: OpenParameters
     roles: Sequence[Role]
     interpolation: str = "linear"
-    resample: str = ""
     points: PointsDraft | None = None
 
     @property
@@ -78,7 +73,7 @@ class Draft:
         """The recordings that have the column of a signal, if only empty."""
         column = self.bench.choice.fed.get(name)
         every = range(len(self.files))
-        return sorted(column.places) if column is not None and not column.in_names else [*every]
+        return sorted(column.places) if column is not None else [*every]
 
 
 def document(draft: Draft) -> str:
@@ -121,18 +116,10 @@ def _head(draft: Draft) -> Iterator[str]:
 
 def _recording(draft: Draft) -> Iterator[str]:
     stated = _stated_of_files(draft)
-    ignored = dict(draft.ignored)
-    for clock in draft.evidence.clocks:
-        why = f"of the clock {clock.name}, by which the file stands once more below each run"
-        ignored |= dict.fromkeys((clock.name, *clock.columns), why)
-    if not stated and not ignored and not draft.resample:
+    ignored = draft.ignored
+    if not stated and not ignored:
         return
     yield "[recording]"
-    if draft.resample:
-        yield from remark(
-            "A long recording: means over this would make a fit quicker, if it is short beside what happens."
-        )
-        yield f"# resample = {_value(draft.resample)}"
     for name, value in stated.items():
         yield f"{name} = {_setting(name, value)}"
     for name, why in ignored.items():
@@ -152,7 +139,7 @@ def _setting(key: str, value: object) -> str:
     """A value of ``[recording]``; a word or a name is a text, also where it looks like a number."""
     if isinstance(value, list):
         return _texts(value)
-    return toml_string(value) if isinstance(value, str) and key not in _DURATIONS else _value(value)
+    return toml_string(value) if isinstance(value, str) and key != "interval" else _value(value)
 
 
 def _texts(values: Iterable[str]) -> str:
@@ -160,22 +147,12 @@ def _texts(values: Iterable[str]) -> str:
 
 
 def _columns(draft: Draft) -> Iterator[str]:
-    entries = _entries_of(draft, None)
+    entries = draft.mapped.entries.values()
     shared = [entry for entry in entries if not _own(draft, entry) and _told(entry)]
     if shared:
         yield "[columns]"
     for entry in shared:
         yield from _entry(entry, next(iter(entry.zero.values()), None))
-
-
-def _entries_of(draft: Draft, clock: FurtherClock | None) -> list[ColumnEntry]:
-    """The entries of columns by one of the clocks, None: the first."""
-    clocks = draft.evidence.clocks
-    return [e for e in draft.mapped.entries.values() if clock_of(_columns_of(e), clocks) is clock]
-
-
-def _columns_of(entry: ColumnEntry) -> set[str]:
-    return names_in(entry.formula) if entry.formula else {entry.column or entry.name}
 
 
 def _own(draft: Draft, entry: ColumnEntry) -> bool:
@@ -324,38 +301,11 @@ def _run(draft: Draft, i: int) -> Iterator[str]:
         if one.why:
             yield from _guessed(name, one.why)
         yield f"{toml_string(name)} = {_value(one.value)}"
-    having = [e for e in _entries_of(draft, None) if i in draft.having(e.name)]
+    having = [e for e in draft.mapped.entries.values() if i in draft.having(e.name)]
     own = [entry for entry in having if _own(draft, entry) and _told(entry)]
     if own:
         yield "[runs.columns]"
     for entry in own:
-        yield from _entry(entry, entry.zero.get(i))
-    for clock in draft.evidence.clocks:
-        yield from _logger(draft, i, clock)
-
-
-def _logger(draft: Draft, i: int, clock: FurtherClock) -> Iterator[str]:
-    """The file once more, with what belongs to a further clock in it."""
-    entries = [e for e in _entries_of(draft, clock) if i in draft.having(e.name)]
-    if not entries:
-        return
-    time, clocks = draft.mapped.entries["time"].column, draft.evidence.clocks
-    yield from _guessed(
-        f"{clock.name} is the clock of the columns behind it", f"it runs otherwise than {time}"
-    )
-    yield "[[runs.loggers]]"
-    yield f"file = {toml_string(draft.files[i])}"
-    yield 'offset = "0 s"'
-    yield "[runs.loggers.recording]"
-    for name, value in _stated_of_files(draft).items():
-        yield f"{name} = {_setting(name, value)}"
-    columns = (c.name for c in draft.evidence.columns if not c.in_names)
-    every = dict.fromkeys((*columns, *draft.ignored, *(c.name for c in clocks)))
-    read = {clock.name}.union(*map(_columns_of, entries))
-    yield f"ignore = {_texts(name for name in every if name not in read)}"
-    yield "[runs.loggers.columns]"
-    yield from _entry(ColumnEntry("time", clock.name, clock.unit), None)
-    for entry in entries:
         yield from _entry(entry, entry.zero.get(i))
 
 

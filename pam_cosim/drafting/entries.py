@@ -13,7 +13,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE, BenchChoice
 from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.evidence import Evidence
-from pam_cosim.drafting.headings import Headings, Meaning, alike, meant
+from pam_cosim.drafting.headings import GRAVITY, Headings, Meaning, alike, meant
 from pam_cosim.drafting.shapes import (
     LEAST_CORRELATION,
     REST_BAND,
@@ -24,7 +24,6 @@ from pam_cosim.drafting.shapes import (
     rests,
     span,
 )
-from pam_cosim.drafting.texts import GRAVITY
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, format_quantity, parse_quantity
@@ -38,8 +37,6 @@ LONGEST = "the longest in any recording"
 SENSES = {1: "up", -1: "down", 0: "none"}
 """Directions as ``experiment.toml`` has them."""
 _FORCE, _PRESSURE, _SET = Meaning("force"), Meaning("pressure"), meant("pressure", "set")
-# What a contracting muscle does to a quantity, most telling first: what is imposed as a rule comes first.
-_TELLING = (("pressure", 1), ("contraction", 1), ("ratio", 1), ("length", -1), ("force", -1))
 
 
 @dataclass(frozen=True)
@@ -49,7 +46,6 @@ class ColumnEntry:
     Attributes:
         zero: by recording.
         words: of a direction, up, down or none by the words of the column.
-        held: one value for each recording [SI], of which the name of its file tells: no column has it.
         why: what was guessed, in sentences.
     """
 
@@ -62,7 +58,6 @@ class ColumnEntry:
     zero: dict[int, tuple[float, float]] = field(default_factory=dict)
     why: tuple[str, ...] = ()
     words: dict[str, str] = field(default_factory=dict)
-    held: dict[int, float] = field(default_factory=dict)
 
 
 @dataclass(frozen=True)
@@ -107,9 +102,6 @@ def map_columns(choice: BenchChoice, interface: Interface, evidence: Evidence) -
     values: dict[str, dict[int, Array]] = {}
     for name, column in choice.fed.items():
         entries[name], values[name] = _named(name, column, variables[name], interface, evidence)
-        if column.in_names:
-            held = {i: float(one[0]) for i, one in values[name].items()}
-            entries[name] = ColumnEntry(name, why=entries[name].why, held=held)
     for name, formula in evidence.formulas.items():
         entries[name] = ColumnEntry(name, formula=formula)
     times = {i: _time(i, evidence) for i in range(len(evidence.sources))}
@@ -134,7 +126,7 @@ def map_columns(choice: BenchChoice, interface: Interface, evidence: Evidence) -
 
 def longest_of(choice: BenchChoice) -> float | None:
     """The longest length [m] in any recording of a column that is one; None: there is none."""
-    lengths = [c for c in choice.fed.values() if c.of("length") and not c.in_names]
+    lengths = [c for c in choice.fed.values() if c.of("length")]
     return max((float(np.nanmax(convert(c.every, c.unit, "m"))) for c in lengths), default=None)
 
 
@@ -297,27 +289,14 @@ def _contraction(
 
 def with_directions(columns: Sequence[RecordedColumn], headings: Headings) -> list[RecordedColumn]:
     """The columns, of which those of a direction say which of their values is which way."""
-    return [_with_senses(c, columns, headings) if c.of("direction") else c for c in columns]
+    return [_with_senses(c, headings) if c.of("direction") else c for c in columns]
 
 
-def _with_senses(
-    column: RecordedColumn, columns: Sequence[RecordedColumn], headings: Headings
-) -> RecordedColumn:
+def _with_senses(column: RecordedColumn, headings: Headings) -> RecordedColumn:
     """A column of directions with the way that each of its values means; none, where it has more than three."""
     values = [float(v) for v in np.unique(column.every[np.isfinite(column.every)])]
     if len(values) > 3:
         return replace(column, meaning=None)
-    for kind, sign in _TELLING:
-        other = next((c for c in columns if c.of(kind)), None)
-        trends = {v: sign * _trend(column, other, v) for v in values} if other else {}
-        senses = {
-            v: 0 if abs(t) < LEAST_CORRELATION else int(np.sign(t)) for v, t in trends.items()
-        }
-        if other is not None and {1, -1} <= set(senses.values()):
-            up = next(v for v, sense in senses.items() if sense == 1)
-            verb = "rises" if sign > 0 else "falls"
-            why = f"'{other.name}' {verb} where it is {column.text_of(up)}"
-            return replace(column, senses=senses, why=(why,))
     if column.words:
         said = {v: headings.direction_word(column.words[int(v)]) for v in values}
         return replace(column, senses=said, why=("its words say so",))
@@ -325,19 +304,6 @@ def _with_senses(
     if len(values) < 2:
         senses = {v: int(np.sign(v)) for v in values}
     return replace(column, senses=senses, why=("the larger is taken for up",))
-
-
-def _trend(column: RecordedColumn, other: RecordedColumn, value: float) -> float:
-    """Share of the change of another column that is a rise, less that of falls, between rows of one value."""
-    steps = [np.empty(0)]
-    for i, own in column.values.items():
-        if i in other.values:
-            both = (own[1:] == value) & (own[:-1] == value)
-            steps.append(np.diff(other.values[i])[both])
-    change = np.concatenate(steps)
-    change = change[np.isfinite(change)]
-    whole = float(np.sum(np.abs(change)))
-    return float(np.sum(change)) / whole if whole else 0.0
 
 
 def _direction(
@@ -415,8 +381,6 @@ def _at_equal(
 def _turned(entry: ColumnEntry, column: RecordedColumn, why: str) -> ColumnEntry:
     """The entry that gives the same numbers with the other sign."""
     whys = (*entry.why, why)
-    if entry.held:
-        return replace(entry, held={i: -value for i, value in entry.held.items()}, why=whys)
     if entry.formula is not None:
         return replace(entry, formula=f"-({entry.formula})", why=whys)
     if entry.gain is not None:

@@ -10,11 +10,9 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.drafting.columns import RecordedColumn, as_points, find_columns, names_in
-from pam_cosim.drafting.headings import Headings
+from pam_cosim.drafting.headings import Headings, Remark, remarks_in
 from pam_cosim.drafting.recordings import Source, in_parts, places_of, read_sources, recording_table
-from pam_cosim.drafting.texts import Remark, remarks_in
 from pam_cosim.drafting.time_axis import (
-    FurtherClock,
     SeveralClocks,
     check_time,
     even_interval,
@@ -57,7 +55,6 @@ class Evidence:
         own: likewise, those that the user states of one recording, by its number.
         remarks: by recording, quantities that lines above its rows state.
         points: the recordings are tables of points at rest.
-        clocks: further ones in the files, whose samples are here in the rows next to them.
     """
 
     sources: tuple[Source, ...]
@@ -70,7 +67,6 @@ class Evidence:
     own: tuple[dict[str, str], ...]
     remarks: tuple[tuple[Remark, ...], ...]
     points: bool
-    clocks: tuple[FurtherClock, ...]
     headings: Headings
 
     @property
@@ -114,7 +110,8 @@ def gather(
     recording = recording_table(wishes.recording or {})
     sources = read_sources(files, recording, headings)
     known = {name for source in sources for name in source.table.columns}
-    wanted = wishes.columns or {}
+    called = {c.heading.strip(): n for source in sources for n, c in source.table.columns.items()}
+    wanted = {n: called.get(text.strip(" '"), text) for n, text in (wishes.columns or {}).items()}
     asked = {name: name for name in names if name in known and name not in wanted}
     asked |= {name: column for name, column in wanted.items() if column in known}
     formulas = {name: text for name, text in wanted.items() if text not in known}
@@ -122,27 +119,21 @@ def gather(
         if name == "time" or not re.search(r"[-+*/^('\"]", text):
             hint = did_you_mean(text, known)
             raise InputError(f"--column {name}: no file has a column {shown(text)}; {hint}")
-    clocks: list[FurtherClock] = []
     while True:
         columns = find_columns(sources, asked.values(), formulas.values(), headings)
         try:
-            columns, time = with_time(columns, asked.get("time"), sources, headings)
+            columns, time = with_time(columns, asked.get("time"), headings)
         except SeveralClocks as found:
-            if formulas:
-                raise
-            sources, clock = with_one_clock(sources, columns, found, headings)
-            if clock in clocks:
-                raise
-            clocks.append(clock)
+            sources = with_one_clock(sources, columns, found, headings)
             continue
-        parts = sources if time is None or clocks else in_parts(sources, time.name, time.unit)
+        parts = sources if time is None else in_parts(sources, time.name, time.unit)
         if len(parts) == len(sources):
             break
         sources = parts
     check_time(time, columns, sources, recording, headings)
     # rows of several experiments are not evenly apart
     interval = None
-    if time is not None and all(source.part is None for source in sources) and not clocks:
+    if time is not None and all(source.part is None for source in sources):
         interval = even_interval([convert(v, time.unit, "s") for v in time.values.values()])
     if recording.interval is not None:
         time = None
@@ -152,6 +143,8 @@ def gather(
     points = time is None and recording.interval is None
     stated, own = _stated(wishes.parameters or {}, sources)
     words = list(dict.fromkeys(word for source in sources for word in source.table.missing))
+    if any(source.is_merged for source in sources):
+        words, recording = [], RecordingTable()
     return Evidence(
         sources=tuple(sources),
         columns=tuple(as_points(columns) if points else columns),
@@ -163,7 +156,6 @@ def gather(
         own=own,
         remarks=tuple(tuple(remarks_in(source.remarks, headings)) for source in sources),
         points=points,
-        clocks=tuple(clocks),
         headings=headings,
     )
 

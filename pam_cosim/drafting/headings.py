@@ -1,10 +1,10 @@
-"""What headings of recordings, and descriptions of a bench's variables, mean by the vocabulary of a library."""
+"""What headings, descriptions of variables, names of files and remarks mean by the vocabulary of a library."""
 
 from __future__ import annotations
 
 import re
 import unicodedata
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from fnmatch import fnmatchcase
 from functools import lru_cache
@@ -13,31 +13,39 @@ from math import inf
 from pam_cosim.measurement.table import is_unit
 from pam_cosim.model.interface import Variable
 from pam_cosim.model.vocabulary import Vocabulary
-from pam_cosim.units import UnitError, convert, is_dimensionless, pressure_reference
+from pam_cosim.units import (
+    UnitError,
+    convert,
+    is_dimensionless,
+    parse_quantity,
+    pressure_reference,
+)
 from pam_cosim.wording import shown
 
 LENGTHS = ("contraction", "length", "ratio")
 MECHANICAL = (*LENGTHS, "force")
 _VALVES = frozenset(("inlet", "exhaust"))
-_COUNTS = frozenset(
-    [
-        "count",
-        "counts",
-        "bit",
-        "bits",
-        "digit",
-        "digits",
-        "lsb",
-        "px",
-        "pix",
-        "pixel",
-        "pixels",
-        "mv/v",
-    ]
+_COUNTS = (
+    "count", "counts", "bit", "bits", "digit", "digits", "lsb", "px", "pix", "pixel", "pixels", "mv/v",
+)  # fmt: skip
+_PASSING = (
+    "a",
+    "as",
+    "at",
+    "by",
+    "in",
+    "is",
+    "it",
+    "of",
+    "off",
+    "on",
+    "out",
+    "that",
+    "the",
+    "to",
+    "up",
 )
-_PASSING = frozenset(
-    ["a", "as", "at", "by", "in", "is", "it", "of", "off", "on", "out", "that", "the", "to", "up"]
-)
+_ANY_PRESSURE = ("p", "press", "pressure", "druck", "pression")
 _ABSOLUTE = re.compile(r"abs|pabs|absol.*")
 _STANDS_FOR = {"ratio": ("contraction", "length"), "mass": ("force",), "current": ("command",)}
 _WRITTEN = {
@@ -175,7 +183,11 @@ class Headings:
             stated, name = self._unit_in_name(name)
             if is_count(stated):
                 stated, written_unit = "", stated
-        small = [folded(word) for word in split_words(name)]
+        # Of a path, ``Model Root/ADC/p``, the last part says what it is, if it says anything.
+        parts = [[folded(w) for w in split_words(part)] for part in re.split(r"[/\\|.]", name)]
+        if self._kinds_in(parts[-1]):
+            parts = parts[::-1]
+        small = [word for part in parts for word in part]
         meaning = self._meaning(small, stated or _unit_with_factor(written_unit))
         known = [w for i, w in enumerate(small) if self._kinds_at(w, i) or self._roles([w])]
         share = len(known) / len(small) if small else 0.0
@@ -235,11 +247,6 @@ class Headings:
         text = folded(word)
         rows = self.vocabulary.directions
         return next((1 if way == "up" else -1 for way, said in rows if _among(text, said)), 0)
-
-    def says_no_load(self, text: str) -> bool:
-        """Whether a text, such as a file's name, says that a muscle pulled at nothing."""
-        plain = re.sub(r"[\W_]+", "", folded(text))
-        return any(word in plain for word in self.vocabulary.unloaded.split())
 
     def usual_unit(self, meaning: str, largest: float) -> str | None:
         """The unit that numbers of a kind most likely have, by their largest magnitude; None: nobody knows one."""
@@ -317,13 +324,7 @@ class Headings:
         Behind the name of one pressure "atm" is its unit: ``pm_atm``, ``p_set_atm``.
         """
         word = folded(part)
-        any_pressure = len(rest) == 1 and folded(rest[0]) in (
-            "p",
-            "press",
-            "pressure",
-            "druck",
-            "pression",
-        )
+        any_pressure = len(rest) == 1 and folded(rest[0]) in _ANY_PRESSURE
         return bool(self._roles([word])) and not (word == "atm" and not any_pressure)
 
     def _meaning(self, words: list[str], unit: str, *, exact: bool = False) -> Meaning | None:
@@ -381,6 +382,83 @@ class Headings:
     def _kinds_of(self, word: str) -> tuple[str, ...]:
         return tuple(kind for kind, _, _, listed in self.vocabulary.kinds if _among(word, listed))
 
+    def roles_of(self, name: str) -> set[str]:
+        """What the words of a name say of it besides its kind, such as "inlet"."""
+        return self._roles(map(folded, split_words(name)))
+
     def _roles(self, words: Iterable[str]) -> set[str]:
         rows = self.vocabulary.roles
         return {role for word in words for role, _, listed in rows if _among(word, listed)}
+
+
+# ---- what names of files and remarks above the rows say -----------------------------------------------------------
+
+GRAVITY = "9.80665 m/s2"
+"""By which a weight is a mass."""
+_LOAD = re.compile(
+    r"(?<![A-Za-z0-9])(?:(?P<number>\d+(?:[.,]\d+)?)[ _-]?(?P<unit>[A-Za-z]+)"
+    r"|(?P<first>kg|lbs?)[ _-]?(?P<behind>\d+(?:[.,]\d+)?))(?![A-Za-z0-9])"
+)
+_MASSES, _WEIGHTS = ("kg", "g", "lb", "lbs"), ("N", "kN", "lbf")
+_REMARK = re.compile(
+    r"(?P<name>[^\W\d][^\d,;:=]*?)\s*[:=]?\s*(?P<number>[-+]?\d+(?:[.,]\d+)?)\s*(?P<unit>[^\s\d,;]+(?:\([ga]\))?)?(?=[\s,;.]|$)"
+)
+
+
+@dataclass(frozen=True)
+class Remark:
+    """A quantity that a line above the rows states."""
+
+    text: str
+    meaning: Meaning
+    value: str
+
+
+def muscle_in(texts: Sequence[str], known: Sequence[str]) -> tuple[str, str]:
+    """The muscle of a library that every text tells, as ``DMSP-20-300``, and its length; "" where they do not."""
+    told = {_muscle(text, known) for text in texts}
+    if len(told) == 1:
+        return told.pop()
+    names = {name for name, _ in told}
+    return (names.pop(), "") if len(names) == 1 else ("", "")
+
+
+def _muscle(stem: str, known: Iterable[str]) -> tuple[str, str]:
+    for name in sorted(known, key=len, reverse=True):
+        letters, digits = re.fullmatch(r"(.*?)(\d*)", name.casefold()).groups()  # type: ignore[union-attr]
+        length = r"(?:[ _-]?(\d{2,4})(?!\d|[.,]\d))?"
+        text = rf"{re.escape(letters)}[ _-]?{digits}(?!\d){length}"
+        if digits and (found := re.search(text, stem.casefold())):
+            return name, f"{found[1]} mm" if found[1] else ""
+    return "", ""
+
+
+def load_in(stem: str, weights: bool) -> tuple[str, float] | None:
+    """The mass that a name tells, or the ``weights``, as a mass: as it is written, and [kg]; None: neither."""
+    for match in _LOAD.finditer(stem):
+        number = (match["number"] or match["behind"]).replace(",", ".")
+        unit = match["unit"] or match["first"]
+        said = f"{number} {unit}"
+        if unit in _MASSES:
+            return said, parse_quantity(said, "kg")
+        if unit in _WEIGHTS and weights:
+            return said, parse_quantity(said, "N") / parse_quantity(GRAVITY, "m/s2")
+    return None
+
+
+def remarks_in(lines: Iterable[str], headings: Headings) -> Iterator[Remark]:
+    """Quantities that lines above the rows state, as ``load mass: 3 kg``; a force in kilograms is a mass."""
+    for line in lines:
+        for match in _REMARK.finditer(line):
+            unit = known_unit((match["unit"] or "").rstrip(".")) or ""
+            name = match["name"].strip(" ,;:=")
+            reading = headings.read(name, unit)
+            meaning = reading.meaning
+            if meaning is None or not (unit or reading.unit):
+                continue
+            written = unit or reading.unit
+            if headings.fits(written, "mass"):
+                meaning = Meaning("mass")
+            yield Remark(
+                match[0].strip(" ,;"), meaning, f"{match['number'].replace(',', '.')} {written}"
+            )

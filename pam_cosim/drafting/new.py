@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import csv
 import os
 import shutil
 import tempfile
@@ -28,7 +29,7 @@ from pam_cosim.drafting.questions import (
     next_commands,
     questions,
 )
-from pam_cosim.drafting.recordings import recording_table, tidied
+from pam_cosim.drafting.recordings import Source
 from pam_cosim.drafting.roles import (
     Role,
     Sigma,
@@ -57,7 +58,6 @@ from pam_cosim.model.references import is_file
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import listed, shown
 
-_MOST_ROWS = 20000  # rows of a run, above which means over several rows are proposed
 _NOT_IN_NAMES = frozenset('\\/:*?"<>|@')
 
 
@@ -101,11 +101,6 @@ def draft(
         interface = stated_interface(model, tree, describe)
         headings = Headings(vocabulary_of(tree, model if interface else None))
         names = {*interface.inputs, *interface.outputs} if interface else set[str]()
-        table = recording_table(wishes.recording or {})
-        files = [
-            tidied(file, _made(place.parent / f"tidied-{i}"), table, headings)
-            for i, file in enumerate(files)
-        ]
         evidence = gather(files, wishes, headings, names)
         if evidence.points:
             evidence = replace(evidence, columns=tuple(with_directions(evidence.columns, headings)))
@@ -113,6 +108,9 @@ def draft(
         bench = take_bench(place, class_name(folder), wishes, interface, evidence, tree, describe)
         evidence = with_length(evidence, bench)
         copy_of = dict(zip(files, _copies(files, place), strict=True))
+        copy_of |= {
+            s.file: _anew(s, copy_of[s.file], place) for s in evidence.sources if s.is_merged
+        }
         for stated in (evidence.stated, *evidence.own):
             check_stated(stated, bench.interface)
         made = _draft(wishes, folder, bench, evidence, [copy_of[file] for file in evidence.files])
@@ -165,7 +163,6 @@ def _draft(
         open=_determined(open_parameters(interface, headings, evidence.points), is_warm),
         roles=stated_roles(guessed, evidence.sources, wishes.roles or {}),
         interpolation=interpolation_of(_set_columns(bench, evidence), headings),
-        resample=_means(mapped),
         points=points_draft(mapped.runs, interface, evidence.files, by_run, headings)
         if evidence.points
         else None,
@@ -218,17 +215,8 @@ def _set_columns(bench: Bench, evidence: Evidence) -> list[RecordedColumn]:
     """The columns that feed inputs, as they are or by a formula."""
     inputs = {n: text for n, text in evidence.formulas.items() if n in bench.interface.inputs}
     names = used_in(replace(evidence, formulas=inputs))
-    fed = [c for c in bench.choice.inputs.values() if not c.in_names]
+    fed = [c for c in bench.choice.inputs.values()]
     return [*fed, *(c for c in evidence.columns if c.name in names)]
-
-
-def _means(mapped: Mapped) -> str:
-    """An interval that leaves as many rows as a fit needs; "" where there are no more."""
-    longest = max(mapped.runs, key=lambda one: len(one.time))
-    if len(longest.time) <= _MOST_ROWS:
-        return ""
-    interval = float(np.ptp(longest.time)) / _MOST_ROWS
-    return f"{float(f'{1e3 * interval:.1g}'):g} ms"
 
 
 _IGNORED_KINDS = {
@@ -244,9 +232,11 @@ def _ignored(bench: Bench, evidence: Evidence, mapped: Mapped) -> dict[str, str]
     used = {entry.column for entry in mapped.entries.values()} | used_in(evidence)
     used |= {c.name for c in bench.choice.fed.values()}
     names = {column.meaning: name for name, column in bench.choice.fed.items()}
-    left = [c for c in evidence.columns if c.name not in used and not c.in_names]
-    said = dict.fromkeys(evidence.recording.ignore or (), "as you say")
-    said |= {name: "a column of text" for source in evidence.sources for name in source.texts}
+    left = [c for c in evidence.columns if c.name not in used]
+    said: dict[str, str] = {}
+    if not any(source.is_merged for source in evidence.sources):
+        said = dict.fromkeys(evidence.recording.ignore or (), "as you say")
+        said |= {name: "a column of text" for source in evidence.sources for name in source.texts}
     for column in left:
         meaning = column.meaning
         around = meaning is not None and (
@@ -288,11 +278,6 @@ def _simulated(data: DataSet, made: Draft, simulate: Callable[[DataSet], object]
 # ---- the place of a new data set: drafted beside it, and put there as a whole or not at all --------------------------
 
 
-def _made(folder: Path) -> Path:
-    folder.mkdir()
-    return folder
-
-
 def _without_detour(folder: Path) -> Path:
     """The same place, not named by way of folders that are not there: they would have to be made for it."""
     if ".." in folder.parts and not folder.parent.exists():
@@ -328,7 +313,9 @@ def _temporary_sibling(folder: Path) -> Iterator[Path]:
     except OSError as error:
         raise InputError(f"the data set cannot be written: {error.strerror}", folder) from None
     with made as name:
-        yield _made(Path(name) / "set")
+        place = Path(name) / "set"
+        place.mkdir()
+        yield place
 
 
 def _copies(files: Sequence[Path], place: Path) -> list[str]:
@@ -347,6 +334,18 @@ def _copies(files: Sequence[Path], place: Path) -> list[str]:
             raise InputError(f"the file cannot be copied: {error.strerror}", file) from None
         made.append(f"{name}{file.suffix}")
     return made
+
+
+def _anew(source: Source, copy: str, place: Path) -> str:
+    """The name of a text with the rows of a recording, in place of the copy of its file."""
+    (place / copy).unlink()
+    columns = source.table.columns.values()
+    heads = (c.name + (f" [{c.unit}]" if c.unit else "") for c in columns)
+    rows = [[f"{v:.12g}" if np.isfinite(v) else "" for v in c.values] for c in columns]
+    name = str(Path(copy).with_suffix(".csv"))
+    with (place / name).open("w", encoding="utf-8", newline="") as file:
+        csv.writer(file).writerows([list(heads), *zip(*rows, strict=True)])
+    return name
 
 
 def _read(place: Path, origin: Mapping[str, Path], describe: Callable[[str], Interface]) -> DataSet:

@@ -12,7 +12,7 @@ import numpy as np
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.benches import NO_PRESSURE
-from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn
+from pam_cosim.drafting.columns import NO_UNIT, RecordedColumn, scaling
 from pam_cosim.drafting.document import Draft
 from pam_cosim.drafting.entries import ABSOLUTE_GAUGE, LONGEST, SENSES, ColumnEntry, readings_of
 from pam_cosim.drafting.headings import LENGTHS, MECHANICAL, Meaning, meant
@@ -183,7 +183,7 @@ def _what_holds_it(made: Draft) -> Iterator[str]:
                 f"{name} is taken for imposed, and {column.name} moves: if the muscle itself moved it, against a load "
                 f"that hangs or a spring, say --model '{choice.freer}'"
             )
-    forces = [n for n, c in choice.inputs.items() if c.kind == "force" and not c.in_names]
+    forces = [n for n, c in choice.inputs.items() if c.kind == "force"]
     if forces and made.points is None:
         yield (
             f"{forces[0]} is taken for a force that a machine imposes: if a load hangs or a spring pulls, and "
@@ -211,14 +211,15 @@ def _what_drives_it(made: Draft) -> Iterator[str]:
         if c.kind == "voltage" and c not in made.bench.choice.fed.values()
     ]
     for column in volts:
-        term = column.name if column.name.isidentifier() else f"'{column.name}'"
+        roles = made.evidence.headings.roles_of(column.name)
+        valve = "u_out" if "exhaust" in roles else "u_in" if "inlet" in roles else ""
+        size = ("p_set", "60 kPa/V") if not valve else (valve, "40 mA/V")
         yield (
             f"{column.name} is a voltage and is not read: if it drives the rig, say what it commands, as in --column "
-            f"'p_set={term} * \"60 kPa/V\"', or the valve, as in --model 'proportional-pressure-valve and hanging-load'"
+            f"{scaling(size[0], column.name, size[1])}, or the valve, as in --model 'proportional-pressure-valve and "
+            "hanging-load'"
         )
-    pressure = [
-        n for n, c in made.bench.choice.inputs.items() if c.of("pressure") and not c.in_names
-    ]
+    pressure = [n for n, c in made.bench.choice.inputs.items() if c.of("pressure")]
     if pressure and made.points is None:
         yield (
             f"nothing was recorded that drives the pressure, so that {pressure[0]} is taken as imposed: valves, supply "
@@ -285,11 +286,12 @@ def _rows_at_rest(made: Draft) -> Iterator[str]:
 
 
 def _clocks(made: Draft) -> Iterator[str]:
-    """Further clocks, and how long a recording lasts by a unit of time that nobody wrote."""
-    for clock in made.evidence.clocks:
+    """Files of several clocks, and how long a recording lasts by a unit of time that nobody wrote."""
+    merged = [s.file.name for s in made.evidence.sources if s.is_merged]
+    if merged:
         yield (
-            f"{clock.name} is taken for the clock of {listed(clock.columns)}, and to have the zero of "
-            f"{made.mapped.entries['time'].column}: if it has another one, write the offset under [[runs.loggers]]"
+            f"{listed(merged)}: several clocks, of one zero as it is taken; every time of any has a row of its own in "
+            "what is written; where a clock has another zero, correct its times in the file"
         )
     entry = made.mapped.entries.get("time")
     guess = next((why for why in entry.why if NO_UNIT in why), "") if entry else ""
@@ -307,7 +309,7 @@ def _markers(made: Draft) -> Iterator[str]:
     """Numbers that may mark missing samples, and how to say so; words that were met are said again."""
     for name, column in made.bench.choice.fed.items():
         is_input = name in made.interface.inputs
-        if column.in_names or (is_input and made.points is not None):
+        if is_input and made.points is not None:
             continue
         values = column.every[np.isfinite(column.every)]
         value = input_marker_of(values) if is_input else marker_of(values)
@@ -409,10 +411,9 @@ def _angles(made: Draft) -> Iterator[str]:
     lengths = any(c.kind in LENGTHS for c in used)
     for column in made.evidence.columns:
         if column.kind == "angle" and not lengths and column not in used:
-            term = column.name if column.name.isidentifier() else f"'{column.name}'"
             yield (
                 f"{column.name} is an angle: if the load hangs on a pulley, say its radius, as in --column "
-                f"'x={term} * \"20 mm/rad\"'"
+                f"{scaling('x', column.name, '20 mm/rad')}"
             )
     for name, entry in made.mapped.entries.items():
         if entry.words and not set(entry.words.values()) & {"up", "down"}:

@@ -9,15 +9,13 @@ from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 from pydantic import ValidationError
 
 from pam_cosim.arrays import Array
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.drafting.headings import LENGTHS, Headings, folded, split_words
-from pam_cosim.drafting.texts import said_in
+from pam_cosim.drafting.headings import Headings
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.cell_kinds import are_switch_words, says_time_of_day
 from pam_cosim.measurement.experiment_tables import RecordingTable
@@ -25,7 +23,7 @@ from pam_cosim.measurement.formats import is_text, read_table
 from pam_cosim.measurement.matlab_table import scalars_of
 from pam_cosim.measurement.pieces import going_on, usual_step
 from pam_cosim.measurement.run_names import matches
-from pam_cosim.measurement.table import Column, Layout, Table, split_heading
+from pam_cosim.measurement.table import Layout, Table, split_heading
 from pam_cosim.measurement.text_file import read_any_text
 from pam_cosim.measurement.text_table import text_columns
 from pam_cosim.measurement.wrapped_clocks import with_clocks_going_on
@@ -37,7 +35,6 @@ MISSING = ("nan", "na", "n/a", "#n/a", "null", "none", "missing", "-", "--", "--
 _STATED = re.compile(r'\b(?!names)(\w+) = (?:\[?"([^"]+)"|(\d+))')
 _MOST_WORDS = 3  # up, down, and neither
 _MOST_REMARKS = 40  # lines above the rows that are looked at
-_TOP_NAMES = {"pressure": "p", "force": "F", "contraction": "x", "ratio": "eps", "length": "L"}
 
 
 @dataclass(frozen=True)
@@ -61,6 +58,7 @@ class Source:
         words: of the columns whose cells are words for directions: the words by heading. Their numbers in the table are
             places in that list.
         remarks: lines above the rows, and numbers of a file that are no columns, as texts.
+        is_merged: its rows are not those of the file, which has several clocks: it is written anew.
     """
 
     file: Path
@@ -71,6 +69,7 @@ class Source:
     clocks: tuple[str, ...] = ()
     part: Part | None = None
     remarks: tuple[str, ...] = ()
+    is_merged: bool = False
 
     @property
     def name(self) -> str:
@@ -266,101 +265,3 @@ def _first_rows(time: Array) -> list[int]:
     begins = time[first] <= time[0] + usual_step(steps)
     enough = lengths >= CRITERIA.noise.fewest_samples
     return first if bool(np.all(begins) and np.all(enough)) else [0]
-
-
-# ---- tables with one quantity along the top, such as a column of forces for each pressure ----------------------------
-
-
-@dataclass(frozen=True)
-class _Top:
-    """A column of one value of what stands along the top: a direction, or a number with a unit."""
-
-    column: Column
-    key: str
-    unit: str
-    text: str
-    said: str
-    kind: str | None
-    value_unit: str
-
-
-def tidied(file: Path, folder: Path, stated: RecordingTable, headings: Headings) -> Path:
-    """The file; of a table with a quantity along the top, another one in ``folder`` with a row for each point.
-
-    What cannot be read is left as it is: the fault is told where the file is read.
-    """
-    try:
-        (source,) = read_sources([file], stated, headings)
-    except InputError:
-        return file
-    found = {
-        n: top for n, c in source.table.columns.items() if (top := _top(c, headings)) is not None
-    }
-    rest = [column for name, column in source.table.columns.items() if name not in found]
-    meanings = [headings.read(c.name, c.unit).meaning for c in rest]
-    kinds = [one.kind for one in meanings if one is not None]
-    tops: list[_Top] = []
-    for (
-        top
-    ) in found.values():  # those that say nothing but their value are of what the one before says
-        before = tops[-1] if tops and not (top.said or top.value_unit) else top
-        tops.append(replace(top, kind=before.kind, value_unit=before.value_unit))
-    alike = len({(t.key, t.unit, t.kind, t.value_unit) for t in tops}) == 1
-    different = len({t.text for t in tops}) == len(tops) > 1
-    if "time" in kinds or not rest or source.words or not (alike and different):
-        return file
-    kind = tops[0].kind or _missing(tops[0].key, kinds)
-    if kind not in _TOP_NAMES or kind == tops[0].key:
-        return file
-    made = folder / f"{file.stem}.csv"
-    made.write_text(_long(rest, tops, kind), encoding="utf-8", newline="\n")
-    return made
-
-
-def _top(column: Column, headings: Headings) -> _Top | None:
-    """What a column is along the top by its name: "F@100kPa", "2 bar", "x up [mm]"; None: it says neither."""
-    name = column.heading.partition("[")[0]
-    said = [
-        one for one in said_in(name, headings) if one.kind in _TOP_NAMES and one.kind != "length"
-    ]
-    ways = [word for word in split_words(column.name) if len(word) > 1 and _is_way(word, headings)]
-    if len(said) == 1:
-        text, key, unit, value = said[0].text, said[0].kind, said[0].unit, f"{said[0].value:.9g}"
-    elif len(ways) == 1:
-        way = "up" if headings.direction_word(ways[0]) > 0 else "down"
-        text, key, unit, value = ways[0], "direction", "", way
-    else:
-        return None
-    left = name.replace(text, " ").strip(" @_-=,;:")
-    reading = headings.read(left, column.unit if column.unit != unit else "")
-    kind = reading.meaning.kind if reading.meaning else None
-    return _Top(column, key, unit, value, left, kind, reading.unit or reading.unknown)
-
-
-def _is_way(word: str, headings: Headings) -> bool:
-    """Whether a word says a direction and no quantity, as "contraction" and "load" do."""
-    quantities = {*headings.kinds_of(folded(word))} - {"direction"}
-    return bool(headings.direction_word(word)) and not quantities
-
-
-def _missing(key: str, kinds: Sequence[str]) -> str | None:
-    """What the numbers are, of a pressure, a contraction and a force, where the other two are known."""
-    known = {"contraction" if kind in LENGTHS else kind for kind in (key, *kinds)}
-    left = [kind for kind in ("pressure", "contraction", "force") if kind not in known]
-    return left[0] if len(left) == 1 else None
-
-
-def _long(rest: Sequence[Column], tops: Sequence[_Top], kind: str) -> str:
-    """The table as text: the other columns, what stood along the top, and the numbers below it, in the unit written."""
-    unit = f" [{tops[0].value_unit}]" if tops[0].value_unit else ""
-    is_way = tops[0].key == "direction"
-    key = "direction" if is_way else f"{_TOP_NAMES[tops[0].key]} [{tops[0].unit}]"
-    quoted = ['"' + (c.heading or c.name).replace('"', '""') + '"' for c in rest]
-    lines = [",".join([*quoted, key, f"{_TOP_NAMES[kind]}{unit}"])]
-    for top in tops:
-        for row, value in enumerate(top.column.values):
-            cells: list[Any] = [*(c.values[row] for c in rest), top.text, value]
-            lines.append(
-                ",".join(c if isinstance(c, str) else "" if c != c else f"{c:.9g}" for c in cells)
-            )
-    return "\n".join(lines) + "\n"

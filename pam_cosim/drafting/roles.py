@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.drafting.columns import IMPOSED_RANGE, RecordedColumn
+from pam_cosim.drafting.columns import RecordedColumn
 from pam_cosim.drafting.entries import SENSES, MappedRun
 from pam_cosim.drafting.headings import Headings, split_words
 from pam_cosim.drafting.recordings import Source, places_of
@@ -75,8 +75,7 @@ def roles(
     """One for each recording.
 
     A quarter is held out, each the one that differs most from its nearest neighbour among those that are fitted while
-    every trait of it (level and span of each signal, and what is known of the run) lies between theirs; where there is
-    none, the one that lies least outside.
+    its traits (level and pace of each signal, what is known of it) lie between theirs; else the one least outside.
     """
     made = [Role("fit") for _ in runs]
     if len(runs) < _RUNS_TO_HOLD_OUT:
@@ -92,69 +91,54 @@ def roles(
     scaled = np.array([(v - v.min()) / span(v) for _, v in traits.values()]).T
     left = list(range(len(runs)))
     for _ in range(max(1, round(_HELD_OUT_SHARE * len(runs)))):
-        order = sorted(
-            (_outside(scaled, left, i).sum().round(9), -_apart(scaled, left, i), i) for i in left
-        )
-        outside, _, chosen = order[0]
+        others = {i: scaled[[k for k in left if k != i]] for i in left}
+        outside = {
+            i: np.maximum(o.min(axis=0) - scaled[i], 0.0) + np.maximum(scaled[i] - o.max(axis=0), 0.0)
+            for i, o in others.items()
+        }  # fmt: skip
+        apart = {i: np.abs(o - scaled[i]) for i, o in others.items()}
+        nearest = {i: a[int(np.argmin((a**2).sum(axis=1)))] for i, a in apart.items()}
+        chosen = min(left, key=lambda i: (outside[i].sum().round(9), -float((nearest[i]**2).sum()), i))  # fmt: skip
         left.remove(chosen)
-        near = min(left, key=lambda i: float(np.sum((scaled[i] - scaled[chosen]) ** 2)))
-        by = (
-            _outside(scaled, [*left, chosen], chosen)
-            if outside
-            else np.abs(scaled[near] - scaled[chosen])
-        )
-        name = list(traits)[int(np.argmax(by))]
+        within = not outside[chosen].any()
+        name = list(traits)[int(np.argmax(nearest[chosen] if within else outside[chosen]))]
         unit, values = traits[name]
-        low, high = float(np.min(values[left])), float(np.max(values[left]))
-        said, *ends = (format_quantity(v, unit) for v in (float(values[chosen]), low, high))
+        ends = float(values[chosen]), float(np.min(values[left])), float(np.max(values[left]))
+        said, *span_of = (format_quantity(v, unit) for v in ends)
         how = "none lies within what the others span, and this one goes least beyond it"
-        if not outside:
+        if within:
             how = "it lies within what the fitted runs span and differs from each"
-        made[chosen] = Role("holdout", f"{how}: {name} {said}, theirs {' to '.join(ends)}")
+        made[chosen] = Role("holdout", f"{how}: {name} {said}, theirs {' to '.join(span_of)}")
     return made
 
 
 def _traits(
     runs: Sequence[MappedRun], interface: Interface, own: Sequence[Mapping[str, float]]
 ) -> dict[str, tuple[str, Array]]:
-    """Numbers of each recording with their units: mean and span of each signal that moves, what is known; NaN: none."""
+    """Numbers of each recording with their units: mean and pace of each signal, what is known of it; NaN: none."""
     variables = {**interface.inputs, **interface.outputs, **interface.parameters}
     traits = {}
     for name in dict.fromkeys(name for run in runs for name in run.every):
-        unit, read = variables[name].unit, [run.every.get(name, np.full(1, np.nan)) for run in runs]
-        there = [values if np.isfinite(values).any() else np.zeros(1) for values in read]
-        gone = np.array([0.0 if np.isfinite(values).any() else np.nan for values in read])
-        traits[f"mean of {name}"] = (unit, gone + [float(np.nanmean(values)) for values in there])
-        whole = span(np.concatenate(read))
-        if not all(span(v) <= IMPOSED_RANGE * whole or is_constant(v) for v in read):
-            traits[f"span of {name}"] = (unit, gone + [span(values) for values in there])
-            lasting = [float(np.ptp(run.time)) or np.inf for run in runs]
-            paces = [_travel(values) / last for values, last in zip(there, lasting, strict=True)]
-            traits[f"pace of {name}"] = (f"{unit}/s", gone + paces)
+        unit = variables[name].unit
+        read = [run.every.get(name, np.full(1, np.nan)) for run in runs]
+        kept = [one[np.isfinite(one)] for one in read]
+        means = [float(np.mean(one)) if one.size else np.nan for one in kept]
+        paces = [
+            _travel(one) / (float(np.ptp(run.time)) or np.inf)
+            for one, run in zip(read, runs, strict=True)
+        ]
+        traits[f"mean of {name}"] = unit, np.array(means)
+        if not all(is_constant(one) for one in read):
+            traits[f"pace of {name}"] = f"{unit}/s", np.where(np.isnan(means), np.nan, paces)
     for name in dict.fromkeys(name for values in own for name in values):
-        traits[name] = (
-            variables[name].unit,
-            np.array([values.get(name, np.nan) for values in own]),
-        )
+        known = np.array([values.get(name, np.nan) for values in own])
+        traits[name] = variables[name].unit, known
     return traits
 
 
 def _travel(values: Array) -> float:
     """How far a signal goes up and down, in some two hundred steps."""
     return float(np.nansum(np.abs(np.diff(values[:: max(1, len(values) // 200)]))))
-
-
-def _outside(scaled: Array, left: Sequence[int], one: int) -> Array:
-    """(traits,) how far a recording lies outside what the others span."""
-    others = scaled[[i for i in left if i != one]]
-    low, high = others.min(axis=0), others.max(axis=0)
-    return np.asarray(np.maximum(low - scaled[one], 0.0) + np.maximum(scaled[one] - high, 0.0))
-
-
-def _apart(scaled: Array, left: Sequence[int], one: int) -> float:
-    """Distance to the nearest other."""
-    others = scaled[[i for i in left if i != one]]
-    return float(np.min(np.sqrt(np.sum((others - scaled[one]) ** 2, axis=1))))
 
 
 def stated_roles(

@@ -3,10 +3,9 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from collections.abc import Collection, Mapping, Sequence
+from dataclasses import replace
 from math import inf
-from pathlib import Path
 
 import numpy as np
 
@@ -15,18 +14,17 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.drafting.columns import NO_UNIT, UNNAMED, RecordedColumn, with_usual_unit
 from pam_cosim.drafting.headings import Headings, Meaning
 from pam_cosim.drafting.recordings import Source
-from pam_cosim.drafting.shapes import span
+from pam_cosim.drafting.shapes import is_held, span
 from pam_cosim.errors import InputError
 from pam_cosim.measurement.cell_kinds import EXAMPLE
 from pam_cosim.measurement.experiment_tables import RecordingTable
 from pam_cosim.measurement.pieces import usual_step
-from pam_cosim.measurement.table import Table
+from pam_cosim.measurement.table import Column, Table
 from pam_cosim.measurement.wrapped_clocks import LONGEST_STEP
 from pam_cosim.units import convert, seconds
 from pam_cosim.wording import did_you_mean, listed, shown
 
 _MOST_POINTS = 2000  # rows of a static table, which limits the run time
-_FEWEST_ROWS = 2  # of a recording
 _LABVIEW = re.compile(r"x[ _]?values?([ _.]?\d+)?", re.IGNORECASE)
 # Unit of whole numbers of time, by what they begin with, since 1970, or else by the step from row to row: a recording
 # of a muscle has several rows a second.
@@ -37,31 +35,16 @@ _SHORTEST_STEP = 1e-5  # [s] of such numbers, if they were seconds
 _SHORTEST_RECORDING = 0.1  # [s] of shares of a day, if they were seconds
 
 
-@dataclass(frozen=True)
-class FurtherClock:
-    """A clock beside that of the inputs: its column, the unit of that (None: its heading states it), what it heads."""
+class SeveralClocks(Exception):  # noqa: N818 -- it asks for other rows
+    """Columns of time run differently: the one that was taken, and the names and units of all of them."""
 
-    name: str
-    unit: str | None
-    columns: tuple[str, ...]
-
-
-class SeveralClocks(InputError):
-    """Two columns of time run differently: the one that was taken, and the other one with its unit."""
-
-    def __init__(
-        self, message: str, file: Path, line: int | None, time: RecordedColumn, other: RecordedColumn,
-        clocks: Sequence[str],
-    ) -> None:  # fmt: skip
-        super().__init__(message, file, line, other.name)
-        self.time, self.other, self.clocks = time, other, clocks
+    def __init__(self, time: RecordedColumn, units: Mapping[str, str]) -> None:
+        super().__init__(time.name)
+        self.time, self.units = time, units
 
 
 def with_time(
-    columns: Sequence[RecordedColumn],
-    asked: str | None,
-    sources: Sequence[Source],
-    headings: Headings,
+    columns: Sequence[RecordedColumn], asked: str | None, headings: Headings
 ) -> tuple[list[RecordedColumn], RecordedColumn | None]:
     """The columns with one of time at most, and that.
 
@@ -80,8 +63,12 @@ def with_time(
         return list(columns), None
     unit, more = _unit_of(wanted, headings)
     time = replace(wanted, meaning=Meaning("time"), unit=unit, why=(*why, *more))
-    clocks = [c.name for c in columns if c.name == wanted.name or (_is_clock(c) and _rises(c))]
-    beside = {c.name: _beside(time, c, sources, clocks, headings) for c in columns if _is_clock(c)}
+    units = {
+        c.name: _unit_of(c, headings)[0]
+        for c in columns
+        if c.name == wanted.name or (_is_clock(c) and _rises(c))
+    }
+    beside = {c.name: _beside(time, c, units, headings) for c in columns if _is_clock(c)}
     return [time if c.name == time.name else beside.get(c.name, c) for c in columns], time
 
 
@@ -118,8 +105,8 @@ def _is_time(unit: str) -> bool:
 
 
 def _beside(
-    time: RecordedColumn, column: RecordedColumn, sources: Sequence[Source], clocks: Sequence[str], headings: Headings
-) -> RecordedColumn:  # fmt: skip
+    time: RecordedColumn, column: RecordedColumn, units: Mapping[str, str], headings: Headings
+) -> RecordedColumn:
     """A clock beside the one that is the time."""
     if column.name == time.name:
         return time
@@ -130,17 +117,9 @@ def _beside(
         return with_usual_unit(
             replace(column, meaning=Meaning("temperature"), why=(why,)), headings
         )
-    unit = _unit_of(column, headings)[0]
-    late = _difference(time.values, time.unit, column.values, unit)
+    late = _difference(time.values, time.unit, column.values, units[column.name])
     if late is None:
-        source = sources[min(column.values)]
-        keep = f"leave it out, --recording 'ignore={column.name}', where all columns belong to the first"
-        message = (
-            f"it runs otherwise than {shown(time.name)}: two clocks in one file; name the file once more under "
-            f"[[runs.loggers]], with what belongs to it; or {keep}"
-        )
-        line = source.table.header_line
-        raise SeveralClocks(message, source.file, line, time, replace(column, unit=unit), clocks)
+        raise SeveralClocks(time, units)
     away = ""
     if late and not (column.since or time.since):
         away = f", {abs(late):.4g} s {'later' if late > 0.0 else 'earlier'}"
@@ -343,22 +322,56 @@ def with_one_clock(
     columns: Sequence[RecordedColumn],
     found: SeveralClocks,
     headings: Headings,
-) -> tuple[list[Source], FurtherClock]:
-    """The recordings on the clock of the inputs, samples of the other one in the rows that are next in time."""
-    groups = {
-        name: _headed(name, sources[0].table, found.clocks, headings) for name in found.clocks
-    }
-    first, other = found.time, found.other
-    inputs = {c.name for c in columns if c.kind in ("command", "current", "voltage")}
-    inputs |= {c.name for c in columns if c.meaning and "set" in c.meaning.roles}
-    if len(inputs.intersection(groups[other.name])) > len(inputs.intersection(groups[first.name])):
-        first, other = other, first
-    own = groups[other.name]
-    made = [replace(s, table=_on_rows(s.table, first, other, own)) for s in sources]
-    return made, FurtherClock(other.name, None if other.stated else other.unit or None, own)
+) -> list[Source]:
+    """The recordings with a row for each time of any clock, on that of the first; they are written anew.
+
+    A reading stands in the rows of its own clock. What is imposed has a value in every row: a command the last one or
+    one between its neighbours; where nothing is known to be a command, so do the columns of the first clock.
+    """
+    commands = {c.name for c in columns if c.kind in ("command", "current", "voltage")}
+    commands |= {c.name for c in columns if c.meaning and "set" in c.meaning.roles}
+    made = []
+    for source in sources:
+        every, first = source.table.columns, found.time.name
+        own = {n: every[n] for n in found.units if n in every}
+        if len(own) < 2 or first not in own:
+            made.append(replace(source, is_merged=True))
+            continue
+        groups = {name: _headed(name, source.table, own, headings) for name in own}
+        clock_of = {n: next((c for c, g in groups.items() if n in g), first) for n in every}
+        imposed = {n for n in every if (n in commands if commands else clock_of[n] == first)} - {
+            *own
+        }
+        times = {n: convert(c.values, found.units[n] or "s", "s") for n, c in own.items()}
+        known = {n: np.isfinite(times[clock_of[n]]) & np.isfinite(every[n].values) for n in every}
+        at = {n: times[clock_of[n]][known[n]] for n in every}
+        imposed = {n for n in imposed if len(at[n])}
+        rows = np.unique(np.concatenate([one[np.isfinite(one)] for one in times.values()]))
+        for name in imposed:  # nothing is known of it before and after
+            rows = rows[(rows >= at[name][0]) & (rows <= at[name][-1])]
+        unit = found.units[first] or "s"
+        table = {first: Column(first, unit, convert(rows, "s", unit))}
+        for name in (n for n in every if n not in own):
+            values = every[name].values[known[name]]
+            place = np.clip(np.searchsorted(at[name], rows, side="right") - 1, 0, None)
+            if name in imposed and not is_held(values):
+                filled = np.interp(rows, at[name], values)
+            elif name in imposed:
+                filled = values[place]
+            else:
+                there = np.isin(rows, at[name])
+                filled = np.full(len(rows), np.nan)
+                filled[there] = values[place[there]]
+            table[name] = replace(every[name], values=filled)
+        made.append(
+            replace(source, table=replace(source.table, columns=table, lines=None), is_merged=True)
+        )
+    return made
 
 
-def _headed(clock: str, table: Table, clocks: Sequence[str], headings: Headings) -> tuple[str, ...]:
+def _headed(
+    clock: str, table: Table, clocks: Collection[str], headings: Headings
+) -> tuple[str, ...]:
     """The column of which a clock has the times by its name, or those between it and the next clock."""
     names = [name for name in table.columns if name not in clocks]
     named = {one: headings.time_of(one, names) for one in clocks}
@@ -368,34 +381,3 @@ def _headed(clock: str, table: Table, clocks: Sequence[str], headings: Headings)
     behind = every[every.index(clock) + 1 :]
     end = next((i for i, name in enumerate(behind) if name in clocks), len(behind))
     return tuple(behind[:end])
-
-
-def _on_rows(
-    table: Table, first: RecordedColumn, other: RecordedColumn, own: Sequence[str]
-) -> Table:
-    if not {first.name, other.name} <= table.columns.keys():
-        return table
-    time, late = (convert(table.columns[c.name].values, c.unit or "s", "s") for c in (first, other))
-    rows = np.flatnonzero(np.isfinite(time))
-    if len(rows) < _FEWEST_ROWS:
-        return table
-    # Rows of one time, and the rows of the other that are next to each, no farther than its usual step.
-    seen = np.flatnonzero(np.isfinite(late))
-    place = np.clip(np.searchsorted(time[rows], late[seen]), 1, len(rows) - 1)
-    place -= (late[seen] - time[rows][place - 1]) < (time[rows][place] - late[seen])
-    near = np.abs(time[rows][place] - late[seen]) <= usual_step(np.diff(time[rows]))
-    columns = {}
-    for name, column in table.columns.items():
-        values = column.values[rows]
-        if name in own:
-            values = np.full(len(rows), np.nan)
-            values[place[near]] = column.values[seen[near]]
-        if name != other.name:
-            columns[name] = replace(column, values=values)
-    lines = None if table.lines is None else table.lines[rows]
-    return replace(table, columns=columns, lines=lines)
-
-
-def clock_of(columns: set[str], clocks: Sequence[FurtherClock]) -> FurtherClock | None:
-    """The further clock that heads one of these columns; None: the first."""
-    return next((clock for clock in clocks if columns.intersection(clock.columns)), None)

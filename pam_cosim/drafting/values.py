@@ -17,9 +17,8 @@ from pam_cosim.drafting.entries import (
     longest_of,
 )
 from pam_cosim.drafting.evidence import Evidence
-from pam_cosim.drafting.headings import AT_REST, Headings, Meaning
+from pam_cosim.drafting.headings import AT_REST, Headings, Meaning, load_in
 from pam_cosim.drafting.shapes import REST_BAND, begins_still, is_constant, noise_of, span
-from pam_cosim.drafting.texts import load_in
 from pam_cosim.errors import InputError
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.units import UnitError, convert, parse_quantity, readable_factor, readable_unit
@@ -145,10 +144,6 @@ def values_told(evidence: Evidence, bench: Bench, mapped: Mapped) -> list[dict[s
     for i, run in enumerate(mapped.runs):
         own = {} if evidence.points else _starts(run, interface, headings)
         own |= loads[i]
-        for name, entry in mapped.entries.items():
-            if i in entry.held:
-                text = text_of(entry.held[i], interface.inputs[name].unit)
-                own[name] = StatedValue(text, entry.held[i], "; ".join(entry.why))
         for column in left:
             own |= _of_column(column, i, interface, headings)
         own |= _of_remarks(i, evidence, bench)

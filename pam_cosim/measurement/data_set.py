@@ -56,6 +56,7 @@ class Run:
         start: in which state it begins.
         recorded: first and last time [s] of the recording that it was cut out of; None: it is all of it.
         replaced: what the data set states [SI] of parameters that have another value, by name; None: nothing.
+        interpolation_stated: the data set states the interpolation.
     """
 
     name: str
@@ -74,6 +75,7 @@ class Run:
     start: Start = Start()
     recorded: tuple[float, float] | None = None
     replaced: dict[str, float | None] = field(default_factory=dict)
+    interpolation_stated: bool = False
 
     @property
     def is_static(self) -> bool:

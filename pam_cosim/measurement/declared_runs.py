@@ -206,6 +206,7 @@ def _whole_run(
         more_files=tuple(files[1:]),
         role=table.role,
         interpolation=table.between_samples,
+        interpolation_stated=table.interpolation is not None,
         parameters=values,
         time=recording.time,
         inputs=recording.inputs,

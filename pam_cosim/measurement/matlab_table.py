@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import struct
 import zlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Container, Iterator, Mapping, Sequence
 from math import prod
 from pathlib import Path
 from typing import Any
@@ -92,6 +92,9 @@ def _chosen(variables: Mapping[str, Any], name: str | None, file: Path) -> Any:
     if any(_is_vector(value) for value in variables.values()):
         return variables
     structures = [variable for variable, value in variables.items() if _structures(value)]
+    matrices = [value for value in variables.values() if _is_matrix(value)]
+    if len(matrices) == 1 and not structures:
+        return matrices[0]
     if len(structures) != 1:
         message = f"there is no vector of numbers among {_held(variables)}"
         raise InputError(
@@ -136,6 +139,10 @@ def _is_vector(value: Any) -> bool:
     )
 
 
+def _is_matrix(value: Any) -> bool:
+    return isinstance(value, np.ndarray) and value.ndim == 2 and value.dtype.kind in "fiu"
+
+
 def _held(variables: Mapping[str, Any]) -> str:
     """What a file holds, for people."""
     return listed(f"{name} ({_described(value)})" for name, value in variables.items())
@@ -151,12 +158,7 @@ def _described(value: Any) -> str:
 
 
 def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
-    if (
-        isinstance(chosen, np.ndarray)
-        and chosen.ndim == 2
-        and chosen.dtype.kind in "fiu"
-        and stated.names
-    ):
+    if _is_matrix(chosen) and stated.names:
         wide = chosen.shape[0] == len(stated.names) != chosen.shape[1]  # a signal in each row
         columns = chosen if wide else chosen.T
         check_names(stated.names, len(columns), file)
@@ -166,17 +168,26 @@ def _columns(chosen: Any, stated: Layout, file: Path) -> list[tuple[str, Any]]:
             'the columns of a matrix need names under [recording]: names = ["time [s]", ...]', file
         )
     fields = [dict(chosen)] if isinstance(chosen, Mapping) else _structures(chosen)
-    return _named([vector for structure in fields for vector in _vectors(structure)])
+    rows = {v.size for one in fields for _, v in _places(one) if _is_vector(v)}
+    return _named([vector for structure in fields for vector in _vectors(structure, rows)])
 
 
 _Path = tuple[str, ...]
 
 
-def _vectors(fields: Mapping[str, Any], above: _Path = ()) -> list[tuple[_Path, Any]]:
+def _vectors(
+    fields: Mapping[str, Any], rows: Container[int], above: _Path = ()
+) -> list[tuple[_Path, Any]]:
     """The vectors among some fields; where these are no two, which a table needs, those of structures within too.
 
-    One that is alone with a text called label or name, as Simulink and dSPACE write signals, is called by that.
+    One that is alone with a text called label or name, as Simulink and dSPACE write signals, is called by that. The
+    signals of a matrix with as many ``rows`` as a vector of the file are vectors, numbered from one.
     """
+    for name, value in list(fields.items()):
+        if _is_matrix(value) and any(count in rows for count in value.shape):
+            signals = value.T if value.shape[0] in rows else value
+            numbered = {f"{name} {i + 1}": one for i, one in enumerate(signals)}
+            fields = {n: v for n, v in fields.items() if n != name} | numbered
     vector_names = [name for name, value in fields.items() if _is_vector(np.asarray(value))]
     label = next((v for n, v in fields.items() if n.casefold() in _LABELS and _is_text(v)), None)
     names = [label] if above and label and len(vector_names) == 1 else vector_names
@@ -184,7 +195,10 @@ def _vectors(fields: Mapping[str, Any], above: _Path = ()) -> list[tuple[_Path, 
     if len(vector_names) > 1:
         return vectors
     within = [(name, key) for name, value in fields.items() for key in _structures(value)]
-    return [*vectors, *(pair for name, key in within for pair in _vectors(key, (*above, name)))]
+    return [
+        *vectors,
+        *(pair for name, key in within for pair in _vectors(key, rows, (*above, name))),
+    ]
 
 
 def _is_text(value: Any) -> bool:

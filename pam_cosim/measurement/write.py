@@ -177,7 +177,8 @@ class _Writer:
             if run.is_static:
                 yield 'kind = "static"'
             yield from self._start(run.start)
-            if run.interpolation != "linear" and not run.is_static:
+            is_told = run.interpolation_stated or run.interpolation != "linear"
+            if is_told and not run.is_static:
                 yield f'interpolation = "{run.interpolation}"'
             differing = {
                 name: value for name, value in run.parameters.items() if shared.get(name) != value

@@ -15,7 +15,6 @@ class Vocabulary:
         units: rows of a kind and the units of numbers without one, each with the largest number that has it.
         sure: rows of a kind and words that leave no doubt of it.
         directions: rows of "down" or "up", and words.
-        unloaded: words that say that nothing was pulled.
         calibrated: words in descriptions of parameters that a fit tells.
         uncertain: likewise, of those that may be free besides.
         chosen: likewise, of those that are neither stated nor fitted.
@@ -27,7 +26,6 @@ class Vocabulary:
     units: tuple[tuple[str, str], ...] = ()
     sure: tuple[tuple[str, str], ...] = ()
     directions: tuple[tuple[str, str], ...] = ()
-    unloaded: str = ""
     calibrated: tuple[str, ...] = ()
     uncertain: tuple[str, ...] = ()
     chosen: tuple[str, ...] = ()

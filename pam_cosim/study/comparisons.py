@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
+from functools import partial
 
-from pam_cosim.comparison import Comparison, RunComparison, likely_convention, simulate_run
+from pam_cosim.comparison import Comparison, likely_convention, simulate_runs
 from pam_cosim.comparison import compare as _compare
 from pam_cosim.fitting import estimated_starts, runs_without_start
 from pam_cosim.measurement import DataSet
@@ -52,11 +53,6 @@ def compared(problem: Problem, timeout: float | None = None, *, whole: bool = Tr
         if not whole:
             return result
 
-        def evaluate(other: DataSet) -> tuple[RunComparison, ...]:
-            names = {run.name for run in other.runs}
-            absent = tuple(f"@{run.name}" for run in started.runs if run.name not in names)
-            own = {n: v for n, v in values.items() if not n.endswith(absent)}
-            return tuple(simulate_run(simulator, other, run, own) for run in other.runs)
-
-        found = likely_convention(started, result.units, evaluate, result.runs)
+        known = partial(simulate_runs, simulator, values=values)
+        found = likely_convention(started, result.units, known, result.runs)
         return replace(result, convention=found.text if found else "")

@@ -10,6 +10,8 @@ from pathlib import Path
 
 import pytest
 
+from pam_cosim.cli.arguments import parse_pairs
+from pam_cosim.errors import InputError
 from tests.cli.conftest import ROOT, Outcome, everything
 from tests.drafting.labs import german, several
 
@@ -63,7 +65,7 @@ def test_page(command: Command, place: Path, capsys: pytest.CaptureFixture[str])
         for line in block.splitlines()
     ]
     *lines, static = lines
-    assert len(lines) == 2 and "DMSP-20-300" in static  # which tests/drafting/test_tables.py runs
+    assert len(lines) == 2 and "DMSP-20-300" in static
     for line in lines:
         words = [
             one
@@ -152,3 +154,13 @@ def test_nothing_is_overwritten(command: Command, place: Path) -> None:
         assert everything(place) == before
     missing = command("new other b.csv")
     assert missing.status == 2 and "b.csv" in missing.err and not (place / "other").exists()
+
+
+def test_lists_may_be_given_in_several_options() -> None:
+    lists = ("ignore",)
+    assert parse_pairs(["ignore=A", "ignore=B", "decimal=,"], lists) == {
+        "ignore": "A,B",
+        "decimal": ",",
+    }
+    with pytest.raises(InputError, match="'decimal' is given twice"):
+        parse_pairs(["decimal=,", "decimal=."], lists)

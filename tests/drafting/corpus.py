@@ -1,4 +1,4 @@
-"""Recordings of ten invented laboratories, each with what it holds: a table, made by a seeded script.
+"""Recordings of thirteen invented laboratories, each with what it holds: a table, made by a seeded script.
 
 The signals are those of ``labs``: of another form than the library's, with noise. A case is one recording, or a few of
 one rig, as a logger writes them; ``truth`` has the signals of the first run under the names of the bench [SI], and
@@ -834,6 +834,21 @@ def _imposed() -> Iterator[Case]:
     )
 
 
+def _abroad() -> Iterator[Case]:
+    """Turin, Gdansk, Osaka: words that no vocabulary has; what steps and what follows is seen by the numbers."""
+    words = {
+        "italian": ("tempo (s)", "pressione impostata (bar)", "pressione relativa (bar)", "corsa (mm)"),
+        "polish": ("czas [s]", "ciśnienie zadane [bar]", "ciśnienie [bar]", "skok [mm]"),
+        "japanese": ("時間[s]", "指令圧力[bar]", "圧力[bar]", "変位[mm]"),
+        "paths": ("time [s]", "Ctrl/p_soll [bar]", "Model Root/ADC/p [bar]", "Plant.muscle.x [mm]"),
+    }  # fmt: skip
+    for name, (time, wanted, read, moved) in words.items():
+        heads: list[Head] = [(time, "t", _same), (read, "p", BAR), (wanted, "p_set", BAR), (moved, "x", MM)]  # fmt: skip
+        yield _case(
+            "abroad", name, [_regulated(2)], heads, "p_set p x", "HangingLoad", separator=";"
+        )
+
+
 CASES: tuple[Case, ...] = tuple(
     case
     for lab in (
@@ -847,6 +862,7 @@ CASES: tuple[Case, ...] = tuple(
         _pairs,
         _cells,
         _imposed,
+        _abroad,
     )
     for case in lab()
 )

@@ -1,4 +1,4 @@
-"""Recordings of ten invented laboratories: right as they are, with one answer, never wrong without a mark."""
+"""Recordings of invented laboratories: right as they are, with one answer, never wrong without a mark."""
 
 from __future__ import annotations
 
@@ -13,11 +13,12 @@ ANSWERED = {"imposed: counts", "imposed: volts"}
 QUICK = {
     "regulator: german", "regulator: draw wire", "valves: numbered", "press: kilograms", "tank: german", "vessel: psia",
     "switches: words", "map: ratio", "pairs: structures", "load cell: wire", "imposed: volts",
+    "abroad: polish", "abroad: paths",
 }  # fmt: skip
 
 
 def test_there_are_enough() -> None:
-    assert len({case.name.partition(":")[0] for case in CASES}) == 10
+    assert len({case.name.partition(":")[0] for case in CASES}) >= 10
     assert sum(len(case.files) for case in CASES) >= 60
 
 

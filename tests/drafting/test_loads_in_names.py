@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from pam_cosim.drafting.texts import load_in
+from pam_cosim.drafting.headings import load_in
 
 
 @pytest.mark.parametrize(

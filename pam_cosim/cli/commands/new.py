@@ -59,7 +59,7 @@ def new(
         muscle=muscle,
         columns=parse_pairs(columns),
         parameters=parse_pairs(parameters),
-        recording=parse_pairs(recording),
+        recording=parse_pairs(recording, ("names", "ignore", "missing")),
         roles=parse_pairs(roles),
         files=files or [],
     )
