@@ -20,7 +20,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import fixed_step, interface_of, read_description, slots
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Text
-from pam_cosim.simulation.any_stepper import Abilities, abilities_of
+from pam_cosim.simulation.abilities import Abilities, abilities_of
 from pam_cosim.simulation.driver import (
     TOO_SLOW,
     AnyDriver,
