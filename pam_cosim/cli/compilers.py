@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from enum import StrEnum
 from functools import wraps
 from inspect import Parameter, signature
 from pathlib import Path
@@ -13,20 +12,14 @@ import typer
 
 from pam_cosim.errors import InputError
 from pam_cosim.model.references import is_fmu
+from pam_cosim.wording import shown
 
-
-class Compiler(StrEnum):
-    """Who makes the flat model."""
-
-    OWN = "own"
-    OMC = "omc"
-
-
+_COMPILERS = ("own", "omc")
 _OPTION = Annotated[
-    Compiler,
+    str,
     typer.Option(
         "--compiler",
-        help="What flattens a Modelica model: this program, or OpenModelica's omc, where it is installed.",
+        help="What flattens a Modelica model: own, this program; or omc of OpenModelica, where it is installed.",
     ),
 ]
 
@@ -37,12 +30,14 @@ def with_compiler(command: Callable[..., None]) -> Callable[..., None]:
     named = {"model", "models", "files"} & stated.parameters.keys()
     if "files" not in named or len(named) < 2:
         return command
-    option = Parameter("compiler", Parameter.KEYWORD_ONLY, default=Compiler.OWN, annotation=_OPTION)
+    option = Parameter("compiler", Parameter.KEYWORD_ONLY, default="own", annotation=_OPTION)
     parameters = [*stated.parameters.values(), option]
 
     @wraps(command)
-    def called(compiler: Compiler = Compiler.OWN, **given: Any) -> None:
-        if compiler is Compiler.OMC:
+    def called(compiler: str = "own", **given: Any) -> None:
+        if compiler not in _COMPILERS:
+            raise InputError(f"there is no compiler {shown(compiler)}; write own or omc")
+        if compiler == "omc":
             files = given["files"] or []
             if "models" in given:
                 given["models"] = [_flat(model, files) for model in given["models"] or ()]

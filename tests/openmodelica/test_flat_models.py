@@ -123,3 +123,6 @@ def test_where_it_is_not_installed(
     assert main(["describe", "Isotonic", "--compiler", "omc"]) == 2
     assert "leave --compiler out" in capsys.readouterr().err
     assert main(["describe", "Isotonic"]) == 0
+    assert main(["describe", "Isotonic", "--compiler", "gcc"]) == 2
+    assert "write own or omc" in capsys.readouterr().err
+    assert main(["describe", "Isotonic", "--compiler", "own"]) == 0
