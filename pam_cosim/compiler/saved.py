@@ -31,7 +31,7 @@ class _Reader(pickle.Unpickler):
         super().__init__(io.BytesIO(content))
         self._expressions = expressions
 
-    def persistent_load(self, number: Any) -> ca.SX:
+    def persistent_load(self, number: Any) -> Any:
         """The expression of a number."""
         return self._expressions[number]
 
