@@ -4,14 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Generator
 from contextlib import contextmanager
-from typing import TYPE_CHECKING
 
-from pam_cosim.compiler.evaluation import NO_NAMES, Environment, Evaluator, Value
+from pam_cosim.compiler.evaluation import NO_NAMES, Components, Environment, Evaluator, Value
 from pam_cosim.compiler.instance import Instance, Scope
 from pam_cosim.compiler.syntax import Expression
-
-if TYPE_CHECKING:
-    from pam_cosim.compiler.instantiation import Instantiator
 
 
 class Constants(Evaluator):
@@ -22,7 +18,7 @@ class Constants(Evaluator):
             structure.
     """
 
-    def __init__(self, instantiator: Instantiator) -> None:
+    def __init__(self, instantiator: Components) -> None:
         super().__init__(instantiator)
         self.structural: dict[Instance, None] = {}
         self._is_structure = False

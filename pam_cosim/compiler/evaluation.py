@@ -10,18 +10,19 @@ import math
 from collections.abc import Callable, Generator, Mapping
 from contextlib import contextmanager
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 import casadi as ca
 
 from pam_cosim.compiler import arithmetic
-from pam_cosim.compiler.budget import DEFECTS, checked_size, defect
+from pam_cosim.compiler.budget import DEFECTS, Budget, checked_size, defect
 from pam_cosim.compiler.instance import Bound, Class, Instance, Mod, Scope
 from pam_cosim.compiler.modification import bind
 from pam_cosim.compiler.names_of_references import (
     AbsentComponent,
     ClassValue,
     EnumerationLiteral,
+    Holders,
     first_of,
     member_of,
 )
@@ -48,9 +49,6 @@ from pam_cosim.compiler.syntax import (
 )
 from pam_cosim.errors import ModelError
 
-if TYPE_CHECKING:
-    from pam_cosim.compiler.instantiation import Instantiator
-
 Value = Any
 Environment = Mapping[str, Value]
 NO_NAMES: Environment = {}
@@ -70,10 +68,34 @@ class Calls:
     function: Callable[[Evaluator, Class, Call, Scope, Environment], tuple[Value, ...]]
 
 
+class Components(Holders, Protocol):
+    """What evaluation asks of the one who makes instances."""
+
+    budget: Budget
+    calls: Calls
+
+    @property
+    def constants(self) -> Evaluator:
+        """Values that are known when a model is compiled."""
+        ...
+
+    def is_structural(self, instance: Instance) -> bool:
+        """Whether the structure of the model follows from the value of a Real parameter."""
+        ...
+
+    def function(self, of: Class) -> Instance:
+        """A function as a holder of its inputs, outputs and statements."""
+        ...
+
+    def record(self, of: Class, name: str, modification: Mod) -> Instance:
+        """A record made by its constructor."""
+        ...
+
+
 class Evaluator:
     """Evaluates with constants and parameter values; a subclass puts symbols in their place."""
 
-    def __init__(self, instantiator: Instantiator) -> None:
+    def __init__(self, instantiator: Components) -> None:
         self.instantiator = instantiator
         self.lookup = instantiator.lookup
         self._values: dict[Instance, Value] = {}

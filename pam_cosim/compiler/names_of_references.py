@@ -3,14 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
 from pam_cosim.compiler.instance import Class, Instance, Scope
+from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.syntax import Reference
 from pam_cosim.errors import ModelError
-
-if TYPE_CHECKING:
-    from pam_cosim.compiler.instantiation import Instantiator
 
 # Enumerations that the language brings (Modelica 3.6, sections 4.4.4.2 and 8.3.7).
 ENUMERATIONS = {
@@ -38,7 +36,21 @@ class ClassValue:
     of: Class
 
 
-def first_of(components: Instantiator, name: str, scope: Scope, node: Reference) -> Any:
+class Holders(Protocol):
+    """What has components by name: instances, and packages as holders of constants."""
+
+    lookup: Lookup
+
+    def expand(self, instance: Instance) -> Instance:
+        """The instance with its parts."""
+        ...
+
+    def package(self, of: Class) -> Instance:
+        """A package as a holder of constants."""
+        ...
+
+
+def first_of(components: Holders, name: str, scope: Scope, node: Reference) -> Any:
     """What the first name of a reference means in a scope, or in one around it: an instance, or a class.
 
     Raises:
@@ -67,7 +79,7 @@ def first_of(components: Instantiator, name: str, scope: Scope, node: Reference)
     raise ModelError(f"'{node.text}' not found in {scope.definition.qualified_name}")
 
 
-def _imported_constant(components: Instantiator, place: Scope, name: str, node: Reference) -> Any:
+def _imported_constant(components: Holders, place: Scope, name: str, node: Reference) -> Any:
     """A constant of a package that a class imports by name, or with all others of its package; None: there is none."""
     for entry in place.definition.imports:
         *holder, last = entry.type.names if entry.alias != "*" else (*entry.type.names, name)
@@ -80,7 +92,7 @@ def _imported_constant(components: Instantiator, place: Scope, name: str, node: 
     return None
 
 
-def member_of(components: Instantiator, holder: Any, name: str, node: Reference) -> Any:
+def member_of(components: Holders, holder: Any, name: str, node: Reference) -> Any:
     """What a further name of a reference means within what the names before it mean.
 
     Raises:
@@ -113,7 +125,7 @@ def member_of(components: Instantiator, holder: Any, name: str, node: Reference)
     raise ModelError(f"'{node.text}': there is no member '{name}'")
 
 
-def _class_member(components: Instantiator, of: Class, name: str, node: Reference) -> Any:
+def _class_member(components: Holders, of: Class, name: str, node: Reference) -> Any:
     definition = of.definition
     if definition.literals is not None:
         literals = [literal for literal, _ in definition.literals]
