@@ -15,7 +15,6 @@ from pam_cosim.diagnosis import (
     EffectProbed,
     Event,
     Judged,
-    SearchRestarted,
 )
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.verdict_sentences import kind_name, probability_sentence
@@ -65,8 +64,6 @@ class Live:
             self._headline = str(event)
         if isinstance(event, BaseFitted):
             self._base = event.fit
-        elif isinstance(event, SearchRestarted):
-            self._tried.clear()
         elif isinstance(event, CandidateTried) and isinstance(event.attempt, Candidate):
             self._tried[event.attempt.effects] = event.attempt
         elif isinstance(event, Judged):

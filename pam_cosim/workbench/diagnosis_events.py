@@ -15,7 +15,6 @@ from pam_cosim.diagnosis import (
     FailedTrial,
     Judged,
     LedgerKept,
-    SearchRestarted,
 )
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.verdict import explained
@@ -71,9 +70,6 @@ class Following:
         match happening:
             case BaseFitted():
                 self.base = happening.fit
-            case SearchRestarted():
-                self.tried.clear()
-                self.failed.clear()
             case CandidateTried():
                 self._keep(happening.attempt)
                 return [event("candidate", effects=happening.attempt.effects), self.ranking()]
