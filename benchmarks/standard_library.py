@@ -130,7 +130,7 @@ def main() -> None:
             rows.append(row(model, options.folder, options.omc))
             print(rows[-1], flush=True)
     counts = {
-        kind: sum(f"| {kind}" in line for line in rows)
+        kind: sum(f"| {kind}" in line for line in rows[2:])
         for kind in ("agrees", "differs", "events", "refused")
     }
     print(counts, len(rows) - 2)
