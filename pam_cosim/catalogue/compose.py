@@ -106,7 +106,9 @@ class _Draft:
     def state(self, parameter: str, value: float) -> None:
         """Gives a parameter, by its full name, a value [its unit]."""
         own = next((c for c in self.components if c.name == names.parts(parameter)[0]), None)
-        if own is None:
+        if parameter in self.names:  # of the model itself; a flat one has dots in its names
+            self.values.append(("", f"{names.identifier(parameter)}={value!r}"))
+        elif own is None:
             self.values.append(_modification(parameter, value))
         else:
             own.values.append(_modification(".".join(names.parts(parameter)[1:]), value))

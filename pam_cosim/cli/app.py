@@ -17,6 +17,7 @@ from typing import Annotated, Any, get_args
 import typer
 
 from pam_cosim.cli.commands.common import INTERRUPTED, interrupted, remarks, results
+from pam_cosim.cli.compilers import with_compiler
 from pam_cosim.errors import InputError, SimulationFailure
 
 _RUN = (
@@ -123,9 +124,8 @@ class _Command(_Coerced, typer.core.TyperCommand):
 @cache
 def _command(name: str) -> Any:
     alone = typer.Typer(**_STYLE)
-    alone.command(name, cls=_Command)(
-        getattr(import_module(f"pam_cosim.cli.commands.{name}"), name)
-    )
+    function = getattr(import_module(f"pam_cosim.cli.commands.{name}"), name)
+    alone.command(name, cls=_Command)(with_compiler(function))
     return typer.main.get_command(alone)
 
 

@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from operator import add, eq, ge, gt, le, lt, mul, ne, sub
 from typing import Any
 
 import casadi as ca
@@ -238,17 +239,17 @@ def _same(a: Value, b: Value) -> bool:
 
 
 _SCALAR: dict[str, Callable[[Value, Value], Value]] = {
-    "+": _arithmetic(lambda a, b: a + b),
-    "-": _arithmetic(lambda a, b: a - b),
-    "*": _arithmetic(lambda a, b: a * b),
+    "+": _arithmetic(add),
+    "-": _arithmetic(sub),
+    "*": _arithmetic(mul),
     "/": _arithmetic(_divide),
     "^": _arithmetic(_power),
-    "<": _comparison(lambda a, b: a < b),
-    "<=": _comparison(lambda a, b: a <= b),
-    ">": _comparison(lambda a, b: a > b),
-    ">=": _comparison(lambda a, b: a >= b),
-    "==": _comparison(lambda a, b: a == b),
-    "<>": _comparison(lambda a, b: a != b),
+    "<": _comparison(lt),
+    "<=": _comparison(le),
+    ">": _comparison(gt),
+    ">=": _comparison(ge),
+    "==": _comparison(eq),
+    "<>": _comparison(ne),
     "and": _and,
     "or": _or,
 }

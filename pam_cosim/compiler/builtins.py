@@ -161,23 +161,12 @@ def _sign(x: float) -> float:
     return float((x > 0) - (x < 0))
 
 
+ELEMENTARY = "exp log log10 sqrt sin cos tan asin acos atan sinh cosh tanh".split()  # noqa: SIM905
 BUILTINS: dict[str, Builtin] = {
+    **{name: _scalar(getattr(math, name), getattr(ca, name)) for name in ELEMENTARY},
     "abs": _scalar(abs, ca.fabs),
     "sign": _scalar(_sign, ca.sign),
-    "sqrt": _scalar(math.sqrt, ca.sqrt),
-    "exp": _scalar(math.exp, ca.exp),
-    "log": _scalar(math.log, ca.log),
-    "log10": _scalar(math.log10, ca.log10),
-    "sin": _scalar(math.sin, ca.sin),
-    "cos": _scalar(math.cos, ca.cos),
-    "tan": _scalar(math.tan, ca.tan),
-    "asin": _scalar(math.asin, ca.asin),
-    "acos": _scalar(math.acos, ca.acos),
-    "atan": _scalar(math.atan, ca.atan),
     "atan2": _scalar(math.atan2, ca.atan2, 2),
-    "sinh": _scalar(math.sinh, ca.sinh),
-    "cosh": _scalar(math.cosh, ca.cosh),
-    "tanh": _scalar(math.tanh, ca.tanh),
     "floor": _scalar(lambda x: float(math.floor(x)), ca.floor),
     "ceil": _scalar(lambda x: float(math.ceil(x)), ca.ceil),
     "mod": _scalar(lambda x, y: x - math.floor(x / y) * y, lambda x, y: x - ca.floor(x / y) * y, 2),

@@ -2,9 +2,9 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import TypeAlias
 
@@ -13,6 +13,7 @@ from pam_cosim.compiler.budget import bounded
 from pam_cosim.compiler.class_info import BaseInfo, ClassInfo, ComponentInfo, ReplaceableInfo
 from pam_cosim.compiler.declared_type import PRIMITIVES
 from pam_cosim.compiler.instance import Class
+from pam_cosim.compiler.lazy import LazyDict
 from pam_cosim.compiler.library import Library, Signature, files_of, signature, signature_of
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.printing import argument_text, expression_text, modification_text
@@ -40,32 +41,6 @@ _GRAPHICAL = frozenset(("Icon", "Diagram"))
 Constant: TypeAlias = "float | int | str | bool | tuple[Constant, ...]"
 
 
-class _WhenAskedFor(Mapping[str, ClassInfo]):
-    """What is known of each class; worked out when somebody asks, for few ask for all."""
-
-    def __init__(
-        self,
-        definitions: Mapping[str, ClassDefinition],
-        make: Callable[[ClassDefinition], ClassInfo],
-    ) -> None:
-        self._definitions, self._make = definitions, make
-        self._known: dict[str, ClassInfo] = {}
-
-    def __getitem__(self, name: str) -> ClassInfo:
-        if name not in self._known:
-            self._known[name] = self._make(self._definitions[name])
-        return self._known[name]
-
-    def __iter__(self) -> Iterator[str]:
-        return iter(self._definitions)
-
-    def __len__(self) -> int:
-        return len(self._definitions)
-
-    def __contains__(self, name: object) -> bool:
-        return name in self._definitions
-
-
 class ClassTree:
     """All classes by full name, parents before their children, in order of files."""
 
@@ -73,7 +48,9 @@ class ClassTree:
         self._library = library
         self._lookup = Lookup(library)
         self._definitions = {node.qualified_name: node for node in library.walk()}
-        self.classes: Mapping[str, ClassInfo] = _WhenAskedFor(self._definitions, self._info)
+        self.classes: LazyDict[ClassInfo] = LazyDict()  # few ask for all
+        for name, node in self._definitions.items():
+            self.classes.later(name, partial(self._info, node))
 
     # ---- questions ----------------------------------------------------------------------------------------
 

@@ -16,6 +16,7 @@ from pam_cosim.compiler.instantiation import Instantiator
 from pam_cosim.compiler.library import Library
 from pam_cosim.compiler.lookup import Lookup
 from pam_cosim.compiler.ode import Ode
+from pam_cosim.compiler.syntax import ClassDefinition
 from pam_cosim.errors import ModelError
 from pam_cosim.model.references import is_modelica
 from pam_cosim.resources import modelica_root
@@ -54,15 +55,22 @@ def instantiate(
     model: str, *, files: Sequence[Path] = (), root: Path | None = None
 ) -> tuple[Instantiator, Instance]:
     """The components of a model; arguments and errors as for :func:`compile_model`."""
-    files = list(files)
-    if is_modelica(model):
-        path = Path(model)
-        files += [path] if path not in files else []
-    library = Library(modelica_root() if root is None else root, files)
-    lookup = Lookup(library)
-    of = _find(model, library, lookup)
+    library, lookup = _read(model, files, root)
     instantiator = Instantiator(lookup, Calls(BUILTINS, call))
-    return instantiator, instantiator.model(of)
+    return instantiator, instantiator.model(_find(model, library, lookup))
+
+
+@bounded
+def found_class(model: str, *, files: Sequence[Path] = ()) -> tuple[ClassDefinition, Library]:
+    """The class of a model, and where it was found; arguments and errors as for :func:`compile_model`."""
+    library, lookup = _read(model, files, None)
+    return _find(model, library, lookup).definition, library
+
+
+def _read(model: str, files: Sequence[Path], root: Path | None) -> tuple[Library, Lookup]:
+    own = [Path(model)] if is_modelica(model) and Path(model) not in files else []
+    library = Library(modelica_root() if root is None else root, [*files, *own])
+    return library, Lookup(library)
 
 
 def _find(model: str, library: Library, lookup: Lookup) -> Class:

@@ -14,9 +14,11 @@ from pam_cosim.compiler.syntax import (
     Expression,
     For,
     If,
+    Leave,
     Procedure,
     Reference,
     Unsupported,
+    While,
 )
 
 _STOPS = frozenset(("end", "else", "elseif", "elsewhen", "end of file"))
@@ -49,10 +51,12 @@ class EquationParser(ExpressionParser):
             equation: Equation = self.if_equation(section)
         elif self.kind == "for":
             equation = self.for_equation(section)
-        elif self.kind in ("when", "while"):
+        elif self.kind == "while":
+            equation = self.while_loop(section)
+        elif self.kind == "when":
             equation = self.skip_block()
         elif self.kind in ("return", "break"):
-            equation = Unsupported(at, self.advance())
+            equation = Leave(at, self.advance())
         elif self.kind == "connect":
             equation = self.connect()
         else:
@@ -124,8 +128,19 @@ class EquationParser(ExpressionParser):
         self.expect("for")
         return For(at, iterators, body)
 
+    def while_loop(self, section: str) -> While:
+        """``while ... end while``."""
+        at = self.offset
+        self.expect("while")
+        condition = self.expression()
+        self.expect("loop")
+        body = self.block(section)
+        self.expect("end")
+        self.expect("while")
+        return While(at, condition, body)
+
     def skip_block(self) -> Unsupported:
-        """``when`` and ``while``: refused when a model uses them, not when the file is read."""
+        """``when``: refused when a model uses it, not when the file is read."""
         at, what = self.offset, self.kind
         while not (self.kind == "end" and self.peek() == what):
             if self.kind == "end of file":

@@ -236,6 +236,11 @@ class Evaluator:
         bound = instance.binding or instance.attributes.get("start")
         if bound is None:
             kind = instance.variability or "variable"
+            if "fixed" in instance.attributes:
+                text = (
+                    f"{kind} '{instance.name}' is left to initial equations: only Real ones can be"
+                )
+                raise self.at_declaration(instance, text)
             raise self.at_declaration(instance, f"{kind} '{instance.name}' has no value")
         value = self.bound(bound)
         if isinstance(value, list):

@@ -29,6 +29,7 @@ from pam_cosim.compiler.syntax import (
     Reference,
     Section,
     Unsupported,
+    While,
 )
 from pam_cosim.errors import ModelError
 
@@ -300,7 +301,7 @@ def _assigned(statements: Sequence[Equation]) -> list[str]:
         elif isinstance(statement, If):
             for _, body in statement.branches:
                 names += _assigned(body)
-        elif isinstance(statement, For):
+        elif isinstance(statement, For | While):
             names += _assigned(statement.body)
     return list(dict.fromkeys(names))
 

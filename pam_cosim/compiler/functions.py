@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
+from contextlib import suppress
 
 from pam_cosim.compiler import arithmetic
 from pam_cosim.compiler.assertions import check
@@ -17,14 +18,20 @@ from pam_cosim.compiler.syntax import (
     For,
     Group,
     If,
+    Leave,
     Procedure,
     Reference,
     Unsupported,
+    While,
     Whole,
 )
 from pam_cosim.errors import ModelError
 
 _DEPTH = 60
+
+
+class _Left(ModelError):
+    """``break`` or ``return``, on its way to the end of the loop or of the function."""
 
 
 def call(
@@ -49,8 +56,9 @@ def call(
         raise ModelError(f"function {name} calls itself without end")
     evaluator.depth += 1
     try:
-        for section, place in function.sections:
-            run(evaluator, section.equations, place, local)
+        with suppress(_Left):
+            for section, place in function.sections:
+                run(evaluator, section.equations, place, local)
     finally:
         evaluator.depth -= 1
     results = tuple(local[child.local_name] for child in outputs)
@@ -135,6 +143,8 @@ def run(
     for statement in statements:
         try:
             _run_one(evaluator, statement, scope, local)
+        except _Left:
+            raise
         except ModelError as error:
             if error.file is None:
                 raise scope.definition.source.error(error.message, statement.at) from None
@@ -153,10 +163,21 @@ def _run_one(
         hidden = {name: local[name] for name in counters if name in local}
         for point in evaluator.points(statement.iterators, scope, dict(local)):
             local.update({name: point[name] for name in counters})
-            run(evaluator, statement.body, scope, local)
+            if _breaks(evaluator, statement.body, scope, local):
+                break
         for name in counters:
             local.pop(name, None)
         local.update(hidden)
+    elif isinstance(statement, While):
+        holds: Value = True
+        while holds is True:
+            holds = evaluator.evaluate(statement.condition, scope, local)
+            if holds is True and _breaks(evaluator, statement.body, scope, local):
+                return
+        if holds is not False:
+            raise ModelError("the condition of 'while' is known only when the model runs")
+    elif isinstance(statement, Leave):
+        raise _Left(statement.what)
     elif isinstance(statement, Procedure):
         if statement.call.function.text == "assert":
             check(evaluator, statement.call, scope, local)
@@ -165,6 +186,19 @@ def _run_one(
     else:
         what = statement.what if isinstance(statement, Unsupported) else "this statement"
         raise ModelError(f"'{what}' is not supported in functions")
+
+
+def _breaks(
+    evaluator: Evaluator, body: Iterable[Equation], scope: Scope, local: dict[str, Value]
+) -> bool:
+    """Runs the body of a loop: whether it ends the loop."""
+    try:
+        run(evaluator, body, scope, local)
+    except _Left as left:
+        if left.message != "break":
+            raise
+        return True
+    return False
 
 
 def _assign(
@@ -230,9 +264,16 @@ def _run_if(evaluator: Evaluator, statement: If, scope: Scope, local: dict[str, 
         value = True if condition is None else evaluator.evaluate(condition, scope, local)
         if value is False:
             continue
+        if value is True and not open_branches:
+            run(evaluator, body, scope, local)
+            return
         branch = dict(local)
-        with evaluator.branch(arithmetic.only(value, open_still)):
-            run(evaluator, body, scope, branch)
+        try:
+            with evaluator.branch(arithmetic.only(value, open_still)):
+                run(evaluator, body, scope, branch)
+        except _Left as left:
+            text = f"'{left.message}' depends on a condition that is known only when the model runs"
+            raise ModelError(text) from None
         if value is True:
             last = branch
             break

@@ -3,40 +3,31 @@
 from __future__ import annotations
 
 from collections import UserDict
-from collections.abc import Callable, Iterator
-from typing import TypeVar
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any, TypeVar
 
 V = TypeVar("V")
 
 
-class LazyDict(UserDict[str, V]):
-    """Keys are known at once; whoever asks for all values has all of them made."""
+@dataclass(frozen=True)
+class _Later:
+    make: Callable[[], Any]
 
-    def __init__(self) -> None:
-        super().__init__()
-        self._waiting: dict[str, Callable[[], V]] = {}
+
+class LazyDict(UserDict[str, V]):
+    """Keys are known at once, in their order; whoever asks for all values has all of them made."""
 
     def later(self, name: str, make: Callable[[], V]) -> None:
         """Sets a value that ``make`` gives when it is asked for."""
-        self._waiting[name] = make
+        self.data[name] = _Later(make)  # type: ignore[assignment]
 
     def is_waiting(self, name: str) -> bool:
         """Whether the value was not made yet."""
-        return name in self._waiting
+        return isinstance(self.data.get(name), _Later)
 
-    def __missing__(self, name: str) -> V:
-        if name not in self._waiting:
-            raise KeyError(name)
-        value = self._waiting[name]()
-        self._waiting.pop(name, None)
-        self.data[name] = value
+    def __getitem__(self, name: str) -> V:
+        value = self.data[name]
+        if isinstance(value, _Later):
+            value = self.data[name] = value.make()
         return value
-
-    def __contains__(self, name: object) -> bool:
-        return name in self.data or name in self._waiting
-
-    def __iter__(self) -> Iterator[str]:
-        return iter([*self.data, *self._waiting])
-
-    def __len__(self) -> int:
-        return len(self.data) + len(self._waiting)

@@ -39,8 +39,15 @@ class Tokens(NamedTuple):
     offsets: list[int]
 
 
+def is_flat(source: SourceText) -> bool:
+    """Whether a text is Base Modelica, as tools write flat models."""
+    return source.text.startswith("//! base")
+
+
 def tokenise(source: SourceText) -> Tokens:
     """All tokens of a source, comments and white space dropped.
+
+    In Base Modelica a name in quotation marks is the dotted name of what was flattened: it is taken without them.
 
     Raises:
         ModelError: a character that starts no token (an unclosed string or comment included).
@@ -48,6 +55,7 @@ def tokenise(source: SourceText) -> Tokens:
     tokens = Tokens([], [], [])
     add_kind, add_text, add_offset = tokens.kinds.append, tokens.texts.append, tokens.offsets.append
     position, text = 0, source.text
+    unquoted = is_flat(source)
     match = _TOKEN.match
     while position < len(text):
         token = match(text, position)
@@ -64,7 +72,7 @@ def tokenise(source: SourceText) -> Tokens:
             word = token.group()
             is_literal = kind in ("number", "string") or (kind == "name" and word not in KEYWORDS)
             add_kind(str(kind) if is_literal else word)
-            add_text(word)
+            add_text(word[1:-1] if unquoted and word[0] == "'" else word)
             add_offset(position)
         position = token.end()
     add_kind("end of file")

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pam_cosim.compiler.budget import LIMITS, bounded
 from pam_cosim.compiler.equation_parser import EquationParser
-from pam_cosim.compiler.lexer import tokenise
+from pam_cosim.compiler.lexer import is_flat, tokenise
 from pam_cosim.compiler.source import SourceText
 from pam_cosim.compiler.syntax import (
     EMPTY,
@@ -63,7 +63,12 @@ class Parser(EquationParser):
                 raise self.source.error(f"'{made.name}' is declared twice", made.at)
             classes[made.name] = made
             self.expect(";")
-        return within, list(classes.values())
+        found = list(classes.values())
+        if is_flat(self.source) and found:  # its package is no part of the names in it
+            found[:1] = found[0].classes.values()
+            for made in found:
+                made.parent = None
+        return within, found
 
     def class_prefixes(self) -> frozenset[str]:
         """Words before the kind of a class."""

@@ -13,10 +13,12 @@ from pam_cosim.compiler.syntax import (
     Conditional,
     Element,
     Expression,
+    FunctionArgument,
     Group,
     Iterator,
     Last,
     Literal,
+    Matrix,
     Member,
     Modification,
     Range,
@@ -106,6 +108,11 @@ def _compound(node: Expression) -> str:
         return f"{node.function.text}({inside}{_iterators(node.iterators)})"
     if isinstance(node, Array):
         return f"{{{', '.join(map(expression_text, node.items))}{_iterators(node.iterators)}}}"
+    if isinstance(node, Matrix):
+        rows = (", ".join(map(expression_text, row)) for row in node.rows)
+        return f"[{'; '.join(rows)}]"
+    if isinstance(node, FunctionArgument):
+        return f"function {expression_text(node.call)}"
     if isinstance(node, Group):
         return (
             f"({', '.join('' if item is None else expression_text(item) for item in node.items)})"

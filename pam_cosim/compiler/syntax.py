@@ -192,6 +192,21 @@ class For(Equation):
 
 
 @dataclass(eq=False, repr=False, slots=True)
+class While(Equation):
+    """``while c loop ... end while``."""
+
+    condition: Expression
+    body: tuple[Equation, ...]
+
+
+@dataclass(eq=False, repr=False, slots=True)
+class Leave(Equation):
+    """``break`` out of a loop, or ``return`` from a function."""
+
+    what: str
+
+
+@dataclass(eq=False, repr=False, slots=True)
 class Assignment(Equation):
     """``target := value``; the target may be a ``Group``."""
 
@@ -208,7 +223,7 @@ class Procedure(Equation):
 
 @dataclass(eq=False, repr=False, slots=True)
 class Unsupported(Equation):
-    """Something this compiler refuses when a model uses it (``when``, ``while``, ``return``, ``break``)."""
+    """Something this compiler refuses when a model uses it (``when``)."""
 
     what: str
 

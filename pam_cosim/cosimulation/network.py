@@ -14,7 +14,7 @@ from pam_cosim.cosimulation.loops import evaluation_order, torn
 from pam_cosim.cosimulation.parts import Component, Connection, Controller, CoupledFmu, Port
 from pam_cosim.cosimulation.sampling import sampled
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.simulation import AnyStepper, Inputs, RunFailure
+from pam_cosim.simulation import Inputs, RunFailure, Stepper
 
 Method = Literal["jacobi", "gauss-seidel"]
 Extrapolation = Literal["constant", "linear"]
@@ -110,7 +110,7 @@ class Network:
         self,
         components: Mapping[str, Component],
         connections: Sequence[Connection],
-        steppers: Mapping[str, AnyStepper],
+        steppers: Mapping[str, Stepper],
         inputs: Inputs | None,
         *,
         method: Method = "gauss-seidel",

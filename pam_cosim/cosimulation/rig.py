@@ -11,7 +11,7 @@ from pam_cosim.cosimulation.recorder import Recorder
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting, resolve, value_of
-from pam_cosim.simulation import AnySimulator, AnyStepper, Trajectory
+from pam_cosim.simulation import AnySimulator, Stepper, Trajectory
 from pam_cosim.units import UnitError, convert, format_quantity, seconds
 from pam_cosim.wording import Printed, did_you_mean
 
@@ -100,7 +100,7 @@ class Rig(Printed):
         self._record = Recorder({n: self._variables[n].unit for n in (*self._held, *self._names)})
         self._warnings: list[str] = []
         self.time = start_time
-        self._stepper: AnyStepper | None = simulator.stepper()
+        self._stepper: Stepper | None = simulator.stepper()
         self._stepper.begin(values, start_time, tolerance)
         self._stepper.initialised()
         self._write_down()
@@ -216,7 +216,7 @@ class Rig(Printed):
         self.time, self._held = state.time, state._inputs.copy()
         self._record.rows = state._rows.copy()
 
-    def _thaw(self, run: AnyStepper, state: bytes) -> None:
+    def _thaw(self, run: Stepper, state: bytes) -> None:
         time, inputs, content = _unpacked(state, self.interface)
         try:
             number = run.thaw(content, time)
@@ -233,7 +233,7 @@ class Rig(Printed):
         ended = "" if self._stepper is not None else ", ended"
         return f"{self.interface.model} at {self.time:.6g} s{ended}: {self.readings}"
 
-    def _run(self) -> AnyStepper:
+    def _run(self) -> Stepper:
         if self._stepper is None:
             raise InputError(f"the run of {self.interface.model} has ended; start it again")
         return self._stepper

@@ -13,6 +13,7 @@ from pam_cosim.cosimulation.system import System
 from pam_cosim.errors import InputError
 from pam_cosim.files import check_writable, write_bytes
 from pam_cosim.fmu.build import archived
+from pam_cosim.fmu.description import base_attributes
 from pam_cosim.model.interface import Variable
 from pam_cosim.units import UnitError, base_unit
 
@@ -222,10 +223,5 @@ def _units(root: Xml.Element, prefix: str, variables: Iterable[Variable]) -> Non
         return
     listed = Xml.SubElement(root, tag(prefix, "Units"))
     for name in names:
-        unit = base_unit(name)
-        numbers = {symbol: str(exponent) for symbol, exponent in unit.exponents}
-        numbers |= {"factor": repr(unit.factor)} if unit.factor != 1.0 else {}
-        numbers |= {"offset": repr(unit.offset)} if unit.offset != 0.0 else {}
-        Xml.SubElement(
-            Xml.SubElement(listed, tag("ssc", "Unit"), name=name), tag("ssc", "BaseUnit"), numbers
-        )
+        element = Xml.SubElement(listed, tag("ssc", "Unit"), name=name)
+        Xml.SubElement(element, tag("ssc", "BaseUnit"), base_attributes(name))

@@ -37,10 +37,10 @@ from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.model.settings import Setting, settable, value_of
 from pam_cosim.simulation import (
     AnySimulator,
-    AnyStepper,
     Inputs,
     IsolatedSimulator,
     Simulator,
+    Stepper,
 )
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import Printed, did_you_mean, shown
@@ -269,10 +269,10 @@ class System(Printed):
         return self.stop_time or max(own)
 
     @contextlib.contextmanager
-    def _running(self, tolerance: float | None) -> Iterator[dict[str, AnyStepper]]:
+    def _running(self, tolerance: float | None) -> Iterator[dict[str, Stepper]]:
         """The FMUs, in initialization mode; they are closed at the end."""
         with contextlib.ExitStack() as stack:
-            steppers: dict[str, AnyStepper] = {}
+            steppers: dict[str, Stepper] = {}
             for name, part in self.components.items():
                 if not isinstance(part, CoupledFmu):
                     continue

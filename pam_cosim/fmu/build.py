@@ -17,13 +17,13 @@ from pam_cosim.compiler.budget import check_source
 from pam_cosim.compiler.ode import Ode
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes
-from pam_cosim.fmu import description2, description3
 from pam_cosim.fmu.about import date, identity
 from pam_cosim.fmu.built_here import note_built
 from pam_cosim.fmu.c_text import c_string
 from pam_cosim.fmu.compile import compile_library, headers, source_key, universal_binary
 from pam_cosim.fmu.description import model_identifier
 from pam_cosim.fmu.generate import model_source
+from pam_cosim.fmu.model_description import build_description, model_description
 from pam_cosim.fmu.platforms import PLATFORMS, binary_folder, native_platform
 from pam_cosim.fmu.read import TOOL
 from pam_cosim.fmu.table import table
@@ -285,24 +285,12 @@ def _guid(*parts: str | bytes) -> str:
 def _descriptions(
     ode: Ode, guid: str, fmi: str, lean: bool, about: Mapping[str, str] | None = None
 ) -> dict[str, bytes]:
-    entries, compiled = table(ode, fmi, lean=lean), (_MODEL, *runtime(fmi))
+    entries, compiled = table(ode, fmi, lean=lean), () if lean else (_MODEL, *runtime(fmi))
     attributes = {} if lean else identity(ode) | dict(about or {})
-    if lean:
-        return {
-            _DESCRIPTION: description2.model_description(
-                ode, entries, guid, _tool(), (), attributes, lean=True
-            )
-        }
+    made = model_description(ode, fmi, entries, guid, _tool(), attributes, compiled, lean=lean)
     if fmi == "2.0":
-        return {
-            _DESCRIPTION: description2.model_description(
-                ode, entries, guid, _tool(), compiled, attributes
-            )
-        }
-    return {
-        _DESCRIPTION: description3.model_description(ode, entries, guid, _tool(), attributes),
-        "sources/buildDescription.xml": description3.build_description(ode, compiled),
-    }
+        return {_DESCRIPTION: made}
+    return {_DESCRIPTION: made, "sources/buildDescription.xml": build_description(ode, compiled)}
 
 
 def _sources(model: str, identifier: str, fmi: str) -> dict[str, bytes]:

@@ -63,16 +63,18 @@ def units(root: Xml.Element, variables: Iterable[Variable]) -> None:
     definitions = Xml.SubElement(root, "UnitDefinitions")
     for name in sorted(displays):
         element = Xml.SubElement(definitions, "Unit", {"name": name})
-        unit = base_unit(name)
-        base = {symbol: str(exponent) for symbol, exponent in unit.exponents}
-        if unit.factor != 1.0:
-            base["factor"] = repr(unit.factor)
-        if unit.offset != 0.0:
-            base["offset"] = repr(unit.offset)
-        Xml.SubElement(element, "BaseUnit", base)
+        Xml.SubElement(element, "BaseUnit", base_attributes(name))
         for display, (factor, offset) in sorted(displays[name].items()):
             numbers = {"factor": repr(factor), **({"offset": repr(offset)} if offset else {})}
             Xml.SubElement(element, "DisplayUnit", {"name": display, **numbers})
+
+
+def base_attributes(unit: str) -> dict[str, str]:
+    """A unit in terms of those of SI, as FMI and SSP write it."""
+    base = base_unit(unit)
+    numbers = {symbol: str(exponent) for symbol, exponent in base.exponents}
+    numbers |= {"factor": repr(base.factor)} if base.factor != 1.0 else {}
+    return numbers | ({"offset": repr(base.offset)} if base.offset != 0.0 else {})
 
 
 def _display_unit(variable: Variable) -> str:

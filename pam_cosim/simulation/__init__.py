@@ -1,11 +1,12 @@
 """.fmu and inputs -> Trajectory."""
 
-from pam_cosim.simulation.any_stepper import Abilities, AnyStepper
+from pam_cosim.simulation.abilities import Abilities
 from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.inputs import Inputs
 from pam_cosim.simulation.isolated import IsolatedSimulator
 from pam_cosim.simulation.simulator import Simulator, SolverStatistics
+from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 
 AnySimulator = Simulator | IsolatedSimulator
@@ -13,12 +14,12 @@ AnySimulator = Simulator | IsolatedSimulator
 __all__ = [
     "Abilities",
     "AnySimulator",
-    "AnyStepper",
     "Inputs",
     "IsolatedSimulator",
     "RunFailure",
     "Settle",
     "Simulator",
     "SolverStatistics",
+    "Stepper",
     "Trajectory",
 ]

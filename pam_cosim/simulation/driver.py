@@ -5,7 +5,7 @@ from __future__ import annotations
 import ctypes
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any, Literal, Protocol
+from typing import Any, Literal
 
 import numpy as np
 from fmpy.fmi2 import (
@@ -145,21 +145,6 @@ class Request:
     plain: bool = False
     at_rest: bool = False
     settle: Settle = "none"
-
-
-class AnyDriver(Protocol):
-    """What runs one instance of an FMU; its members are those of ``Driver``."""
-
-    @property
-    def settles(self) -> bool:
-        """Whether the FMU finds equilibria."""
-
-    @property
-    def progress(self) -> RunProgress | None:
-        """How far a run in another thread is."""
-
-    def run(self, request: Request) -> Outcome:
-        """One simulation."""
 
 
 class _Selected:

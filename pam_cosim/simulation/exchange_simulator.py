@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
-from pam_cosim.simulation.driver import AnyDriver, Callbacks
+from pam_cosim.simulation.driver import Callbacks
 from pam_cosim.simulation.exchange import ExchangeDriver
 from pam_cosim.simulation.instance import Instance, load_instance
 from pam_cosim.simulation.plan import Steps
@@ -26,7 +26,7 @@ class ExchangeSimulator(Simulator):
         self._slopes = True
         self._instantiate(self._instance)
 
-    def _new_driver(self, instance: Instance) -> AnyDriver:
+    def _new_driver(self, instance: Instance) -> ExchangeDriver:
         return ExchangeDriver(instance, self._description, self._callbacks)
 
     def _steps(self, times: Array) -> Steps:

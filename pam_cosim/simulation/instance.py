@@ -44,20 +44,16 @@ class _TypedOnce:
 _PROTOTYPES: dict[type, dict[str, tuple[list[str], list[Any], Any]]] = {}
 
 
-class FMU2SlaveTypedOnce(_TypedOnce, FMU2Slave):  # type: ignore[misc]
-    """Co-simulation, FMI 2.0."""
-
-
-class FMU2ModelTypedOnce(_TypedOnce, FMU2Model):  # type: ignore[misc]
-    """Model exchange, FMI 2.0."""
-
-
-class FMU3SlaveTypedOnce(_TypedOnce, FMU3Slave):  # type: ignore[misc]
-    """Co-simulation, FMI 3.0."""
-
-
-class FMU3ModelTypedOnce(_TypedOnce, FMU3Model):  # type: ignore[misc]
-    """Model exchange, FMI 3.0."""
+# By major version of FMI, and whether it is for model exchange.
+_CLASSES = {
+    (version, exchange): type(f"{face.__name__}TypedOnce", (_TypedOnce, face), {})
+    for (version, exchange), face in {
+        ("2.0", False): FMU2Slave,
+        ("2.0", True): FMU2Model,
+        ("3.0", False): FMU3Slave,
+        ("3.0", True): FMU3Model,
+    }.items()
+}
 
 
 def load_instance(
@@ -93,11 +89,10 @@ def load_instance(
     }
     folder = os.getcwd()
     try:
-        if fmi_version(description) == "3.0":
-            return (FMU3ModelTypedOnce if exchange else FMU3SlaveTypedOnce)(**arguments)
-        made = (FMU2ModelTypedOnce if exchange else FMU2SlaveTypedOnce)(
-            **arguments, libraryPath=own_library(directory, identifier)
-        )
+        version = fmi_version(description)
+        if version == "2.0":
+            arguments["libraryPath"] = own_library(directory, identifier)
+        made = _CLASSES[version, exchange](**arguments)
         if (Path(directory) / TABLES).exists():  # a model as data
             from pam_cosim.simulation.tape import use_tapes
 

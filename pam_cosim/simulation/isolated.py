@@ -13,11 +13,11 @@ from pam_cosim.counts import checked_time
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import has_co_simulation, has_exchange, read_interface
 from pam_cosim.model.interface import Interface
-from pam_cosim.simulation.any_stepper import AnyStepper
 from pam_cosim.simulation.driver import Settle
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.fmu_process import EXCHANGE, FmuProcess, ProcessFailure
 from pam_cosim.simulation.inputs import Inputs
+from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 
 # [s] without progress: loading and each call of an FMU take milliseconds as a rule
@@ -143,13 +143,13 @@ class IsolatedSimulator:
             self._settles = bool(self._process.answer("settles", {}))
         return self._settles
 
-    def stepper(self) -> AnyStepper:
+    def stepper(self) -> Stepper:
         """A new run, step by step, in the FMU's process; it ends when another run begins, and with that process."""
-        return cast(AnyStepper, RemoteStepper(self._process.answer))
+        return cast(Stepper, RemoteStepper(self._process.answer))
 
 
 class RemoteStepper:
-    """A run of an FMU in a process of its own: every function of ``AnyStepper`` is called there.
+    """A run of an FMU in a process of its own: every function of ``Stepper`` is called there.
 
     Args:
         answer: what that process makes of a call.
@@ -159,7 +159,7 @@ class RemoteStepper:
         self._answer = answer
 
     def __getattr__(self, name: str) -> Callable[..., Any]:
-        if name not in vars(AnyStepper):
+        if name.startswith("_") or name not in vars(Stepper):
             raise AttributeError(name)
         return lambda *arguments, **named: self._answer(
             name, {"positional": arguments, **named}, name == "begin"

@@ -9,7 +9,7 @@ import tempfile
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import ClassVar
+from typing import TYPE_CHECKING, ClassVar
 
 import numpy as np
 from fmpy.fmi1 import FMICallException
@@ -20,10 +20,9 @@ from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import fixed_step, interface_of, read_description, slots
 from pam_cosim.model.interface import Interface
 from pam_cosim.model.settings import Text
-from pam_cosim.simulation.any_stepper import Abilities, abilities_of
+from pam_cosim.simulation.abilities import Abilities, abilities_of
 from pam_cosim.simulation.driver import (
     TOO_SLOW,
-    AnyDriver,
     Callbacks,
     Driver,
     Outcome,
@@ -46,6 +45,9 @@ from pam_cosim.simulation.stepper import Stepper
 from pam_cosim.simulation.trajectory import Trajectory
 from pam_cosim.simulation.values import named_references
 from pam_cosim.units import format_quantity
+
+if TYPE_CHECKING:
+    from pam_cosim.simulation.exchange import ExchangeDriver
 
 # [s] of processor time, and for each row: a thousand times what a run needs
 LONGEST_RUN = (30.0, 1e-2)
@@ -125,7 +127,7 @@ class Simulator:
         self._driver = self._new_driver(instance)
         self._used = False
 
-    def _new_driver(self, instance: Instance) -> AnyDriver:
+    def _new_driver(self, instance: Instance) -> Driver | ExchangeDriver:
         """What makes the runs of an instance."""
         version = major_version(instance)
         return Driver(instance.dll, instance.component, self._slopes, self._slots, version)

@@ -10,7 +10,7 @@ from fmpy.fmi1 import FMICallException
 
 from pam_cosim.errors import InputError
 from pam_cosim.fmu.read import Slot
-from pam_cosim.simulation.any_stepper import Abilities
+from pam_cosim.simulation.abilities import Abilities
 from pam_cosim.simulation.driver import Callbacks, RunProgress
 from pam_cosim.simulation.failure import RunFailure
 from pam_cosim.simulation.instance import Instance, major_version
@@ -36,7 +36,10 @@ class _Call:
 
 
 class Stepper:
-    """A run of an FMU that is loaded in this process.
+    """One run of an FMU, in this process, or in another one that ``RemoteStepper`` asks.
+
+    Values are in the units that the model description declares. Every function but ``abilities`` raises ``RunFailure``
+    where the FMU fails; ``save`` and what follows from it raise ``InputError`` where the FMU cannot do that.
 
     Args:
         instance: FMPy's face of it, instantiated.
@@ -72,17 +75,17 @@ class Stepper:
         return RunProgress(active, self._calls, self.time) if active else None
 
     def abilities(self) -> Abilities:
-        """As ``AnyStepper``."""
+        """What the FMU can do."""
         return self._abilities
 
     def take_messages(self) -> list[str]:
-        """As ``AnyStepper``."""
+        """What the FMU has said since the last call."""
         return [named_references(one, self._slots) for one in self._callbacks.take_messages()]
 
     def begin(
         self, values: Mapping[str, float], start_time: float = 0.0, tolerance: float | None = None
     ) -> None:
-        """As ``AnyStepper``."""
+        """Starts a run with these parameters, inputs and start values; it is then in initialization mode."""
         self._callbacks.take_messages()
         self._begun, self.time = True, start_time
         self._set(values)
@@ -97,12 +100,12 @@ class Stepper:
                 self._instance.enterInitializationMode(tolerance=tolerance, startTime=start_time)
 
     def initialised(self) -> None:
-        """As ``AnyStepper``."""
+        """Ends the initialization mode: steps may follow."""
         with self._calling(f"fmi{self._version}ExitInitializationMode"):
             self._instance.exitInitializationMode()
 
     def read(self, names: Sequence[str], inputs: Mapping[str, float] | None = None) -> list[float]:
-        """As ``AnyStepper``."""
+        """Values at the present time, after ``inputs`` were set."""
         self._set(inputs or {})
         if not names:
             return []
@@ -123,7 +126,11 @@ class Stepper:
         names: Sequence[str] = (),
         can_go_back: bool = False,
     ) -> list[float]:
-        """As ``AnyStepper``."""
+        """One step of ``duration`` [s], with ``inputs`` at its start that change by ``slopes`` [1/s]; reads ``names``.
+
+        An FMU that takes no slopes gets the value in the middle of the step. ``can_go_back``: the run may return to a
+        state from before the step.
+        """
         given, ends = dict(inputs or {}), dict[str, float]()
         rising = {
             name: slope
@@ -153,26 +160,26 @@ class Stepper:
         return self.read(names, ends)
 
     def save(self) -> int:
-        """As ``AnyStepper``."""
+        """Keeps the present state under a number."""
         self._demand(self._abilities.saves, "save its state", "canGetAndSetFMUstate")
         with self._calling("fmi2GetFMUstate" if self._version == 2 else "fmi3GetFMUState"):
             return self._keep(self._instance.getFMUState(), self.time)
 
     def restore(self, number: int) -> None:
-        """As ``AnyStepper``."""
+        """Goes back to a saved state; it stays saved."""
         state, time = self._states[number]
         with self._calling("fmi2SetFMUstate" if self._version == 2 else "fmi3SetFMUState"):
             self._instance.setFMUState(state)
         self.time = time
 
     def forget(self, number: int) -> None:
-        """As ``AnyStepper``."""
+        """Frees a saved state."""
         state, _ = self._states.pop(number)
         with self._calling("fmi2FreeFMUstate" if self._version == 2 else "fmi3FreeFMUState"):
             self._instance.freeFMUState(state)
 
     def freeze(self, number: int) -> bytes:
-        """As ``AnyStepper``."""
+        """A saved state as bytes."""
         self._demand(
             self._abilities.serialises, "turn its state into bytes", "canSerializeFMUstate"
         )
@@ -183,7 +190,7 @@ class Stepper:
             return bytes(self._instance.serializeFMUState(state))
 
     def thaw(self, state: bytes, time: float) -> int:
-        """As ``AnyStepper``."""
+        """Makes a saved state from bytes, taken at ``time`` [s]; ``restore`` goes there."""
         self._demand(
             self._abilities.serialises, "make its state from bytes", "canSerializeFMUstate"
         )

@@ -16,7 +16,6 @@ from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import did_you_mean
 
 MOST_STEPS = 10_000_000  # of one run, whose outputs are kept in memory: 80 MB each
-ENGINES = ("own", "fmpy")
 
 
 def simulate(
@@ -27,7 +26,6 @@ def simulate(
     outputs: Sequence[str] = (),
     stop_time: Setting | None = None,
     interval: Setting | None = None,
-    engine: str = "own",
     files: Paths = (),
     timeout: float | None = None,
 ) -> Trajectory:
@@ -47,7 +45,6 @@ def simulate(
         outputs: further variables to record.
         stop_time: [s]; default: the last time of ``inputs``, or the model's own.
         interval: [s] between outputs; default: the model's own.
-        engine: "own", or "fmpy": FMPy drives the same FMU, in this process.
         files: further Modelica files.
         timeout: [s] of processor time, after which a run of a Modelica model fails; default:
             ``LONGEST_RUN``. An FMU that makes no progress for so long is ended; default: a minute.
@@ -56,18 +53,10 @@ def simulate(
         InputError: an unknown model or name, a value that cannot be used, an input given both ways.
         SimulationFailure: the run did not reach its end.
     """
-    if engine not in ENGINES:
-        raise InputError(f"there is no engine '{engine}'; there are {', '.join(ENGINES)}")
     with opened(model, files, timeout=timeout) as simulator:
         interface = simulator.interface
         input_series, times = _input_series(interface, inputs, stop_time, interval)
         values, kept = resolve(parameters or {}, interface), kept_variables(interface, outputs)
-        if engine == "fmpy":
-            from pam_cosim.simulation.fmpy_engine import run_with_fmpy
-
-            return run_with_fmpy(
-                simulator.path, times, parameters=values, inputs=input_series, outputs=kept
-            )
         return simulator.run(times, parameters=values, inputs=input_series, outputs=kept)
 
 

@@ -137,6 +137,8 @@ def test_hash_changes_with_any_source(tmp_path):
         "sum(x[i]^2 for i in 1:n)",
         "-a^2",
         "2*(if x then 1 else 2)",
+        "[a, 2; 3, -b]*x",
+        "f(function g(a=1), 2)",
     ],
 )
 def test_printed_expression_reads_the_same(text):

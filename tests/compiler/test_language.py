@@ -3,6 +3,8 @@
 import numpy as np
 import pytest
 
+from pam_cosim.compiler import compile_model
+from pam_cosim.errors import ModelError
 from tests.compiler.run import at, compiled, initial, simulate
 
 
@@ -131,3 +133,64 @@ def test_signal_connectors():
     ode = compiled("Diamond.Signals")
     assert list(ode.interface.inputs) == ["u"] and ode.interface.outputs["y"].unit == "V"
     assert at(ode, u=[2])["y"] == 6
+
+
+LOOPS = """model Loops
+  function divisor "Greatest common divisor by Euclid's algorithm"
+    input Integer a;
+    input Integer b;
+    output Integer n;
+  protected
+    Integer m;
+    Integer rest;
+  algorithm
+    n := a;
+    m := b;
+    while m > 0 loop
+      rest := mod(n, m);
+      n := m;
+      m := rest;
+    end while;
+  end divisor;
+  function place "Of the first number that is larger"
+    input Real v[:];
+    input Real limit;
+    output Integer i = 0;
+  algorithm
+    for k in 1:size(v, 1) loop
+      i := k;
+      if v[k] > limit then
+        break;
+      end if;
+    end for;
+  end place;
+  function early
+    input Integer n;
+    output Real y;
+  algorithm
+    y := 1;
+    if n > 2 then
+      return;
+    end if;
+    y := 2;
+  end early;
+  output Real y = divisor(12, 18) + 10*place({1, 5, 9}, 4) + 100*early(3) + 1000*early(1);
+end Loops;
+"""
+
+
+def test_functions_have_loops_that_end_early(tmp_path):
+    file = tmp_path / "Loops.mo"
+    file.write_text(LOOPS)
+    assert at(compile_model(str(file)))["y"] == 6 + 20 + 100 + 2000
+
+
+def test_a_loop_does_not_end_by_what_is_known_later(tmp_path):
+    file = tmp_path / "Loops.mo"
+    file.write_text(
+        LOOPS.replace(
+            "output Real y =", "output Real z = place({1, time, 9}, 4);\n  output Real y ="
+        )
+    )
+    with pytest.raises(ModelError, match="'break' depends on a condition that is known only when"):
+        compile_model(str(file))

@@ -171,3 +171,11 @@ def test_jacobians_are_finite_and_right():
 def test_compile_is_deterministic():
     first, second = compiled("Muscles.Redeclared"), compiled("Muscles.Redeclared")
     assert str(first.derivatives) == str(second.derivatives) and first.interface == second.interface
+
+
+def test_a_flat_model_in_base_modelica_has_the_names_of_what_was_flattened():
+    ode = compiled("Flat")
+    assert list(ode.interface.parameters) == ["vessel.V"]
+    simulated = simulate(ode, TIMES, lambda t: (), {"vessel.V": 4.0})
+    assert simulated["vessel.p"] == pytest.approx(4 * np.exp(-TIMES / 2), rel=1e-7)
+    assert at(ode)["half.q[2]"] == 4.0 and ode.interface.stop_time == 3

@@ -38,7 +38,7 @@ OPTIONS = (
     [*RUN, "--interval", "1 kg"], [*RUN, "--interval", "-1"], [*RUN, "--keep", "nothing"],
     [*RUN, "--input", ""], [*RUN, "--input", "u_in = 0.1", "--input", "u_out = 0"],
     ["linearise", "TankFilling", "--at", ""],
-    [*RUN, "--engine", "x; ls"], [*RUN, "--timeout", "nan"], ["simulate", "TankFilling", "--stop-time", "3 m"],
+    [*RUN, "--timeout", "nan"], ["simulate", "TankFilling", "--stop-time", "3 m"],
     ["compare", "data", "--set", "valve.C_A=5 K"], ["compare", "data", "--set", "valve.C_A@run-09=1"],
     ["compare", "data", "--role", "="], ["compare", "data", "--params", "data/run-01.csv"],
     ["compare", "data", "--table", "load.m", "zzz"], ["compare", "data", "--model", "$(ls)"],

@@ -258,3 +258,49 @@ def test_absolute_pressures_are_asked_for_once(tmp_path: Path) -> None:
         pam.read(_folder(tmp_path / "a", path, rows))
     made = pam.read(_folder(tmp_path / "b", path, rows, 'pressures = "absolute"', "1 kPa"))
     assert made.runs[0].measurements["p"][0] == pytest.approx(100e3)
+
+
+GEAR = "double k = $gear == 1 ? 1 : $gear == 4 ? 2 : -1; $s += (k * $u - $s) * (1 - exp(-h / $tau))"
+
+
+@pytest.mark.parametrize("fmi", [2, 3])
+def test_a_choice_is_driven_and_a_switch_is_measured(fmi: int, tmp_path: Path) -> None:
+    """The columns have the names of items, and on and off; the fit finds the time constant."""
+    real = "Real" if fmi == 2 else "Float64"
+    scalars = [
+        Scalar("gear", "Enumeration", "input", "1", "discrete", 'declaredType="Mode"'),
+        Scalar("u", real, "input", "1"),
+        Scalar("tau", real, "parameter", "0.3", "fixed"),
+        Scalar("s", real, "output"),
+        Scalar("moving", "Boolean", "output", None, "discrete"),
+    ]
+    folder = tmp_path / "data"
+    folder.mkdir()
+    model = {"outputs": "$moving = $s > 1;", "step": GEAR, "types": MODES[fmi]}
+    foreign(folder / "gear.fmu", fmi, scalars, **model)  # type: ignore[arg-type]
+    times, tau = np.linspace(0, 2, 41), 0.5
+    first = 1 - np.exp(-times / tau)
+    at_one = 1 - np.exp(-1 / tau)
+    values = np.where(times <= 1, first, 2 + (at_one - 2) * np.exp(-(times - 1) / tau))
+    rows = [
+        f"{t},{'slow' if t < 1 else 'fast'},1,{s!r},{'on' if s > 1 else 'off'}"
+        for t, s in zip(times.tolist(), values.tolist(), strict=True)
+    ]
+    (folder / "r.csv").write_text("\n".join(["time [s],gear,u,s,moving", *rows]))
+    (folder / "experiment.toml").write_text(
+        'model = "gear.fmu"\n[signals.s]\nsigma = 0.001\n[fit]\ntau = { min = 0.1, max = 2 }\n'
+        '[[runs]]\nfile = "r.csv"\nrole = "fit"\ninterpolation = "previous"\n'
+    )
+    fitted = pam.fit(pam.read(folder))
+    assert fitted.parameters["tau"].value == pytest.approx(tau, rel=2e-3)
+
+
+def test_what_has_neither_inputs_nor_states(tmp_path: Path) -> None:
+    scalars = [
+        Scalar("a", "Float64", "parameter", "2", "fixed"),
+        Scalar("b", "Int32", "parameter", "3", "fixed"),
+        Scalar("y", "Float64", "output"),
+    ]
+    file = foreign(tmp_path / "static.fmu", 3, scalars, outputs="$y = $a * $b;")
+    made = pam.simulate(file, {"b": 4, "a": 2.5})
+    assert np.array_equal(made["y"], np.full(made.time.shape, 10.0))

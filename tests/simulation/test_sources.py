@@ -138,37 +138,6 @@ def test_what_is_no_source_is_refused(source: Any, words: str) -> None:
     assert words in str(refused.value)
 
 
-@pytest.mark.parametrize(
-    "inputs",
-    [None, EXPECTED, pam.Inputs(TIME, EXPECTED.values, "previous")],
-    ids=["none", "linear", "held"],
-)
-def test_fmpy_makes_the_same_run(inputs: pam.Inputs | None) -> None:
-    settings = {} if inputs else {"p_supply": "150 kPa"}
-    kept = {"outputs": ["valve.inlet.m_flow"], "stop_time": 3.0, "interval": "10 ms"}
-    own, other = (
-        pam.simulate(BENCH, settings, inputs, engine=engine, **kept) for engine in ("own", "fmpy")
-    )  # type: ignore[arg-type]
-    assert list(own.values) == list(other.values) and own.units == other.units
-    # at a time where an input jumps FMPy may give the value before: these rows aside
-    away = (
-        (np.abs(own.time - 1.0) > 0.02) & (own.time < 2.99)
-        if inputs
-        else np.ones(own.time.shape, bool)
-    )
-    for name in own.values:
-        scale = np.abs(own[name]).max()
-        assert (
-            np.abs(own[name] - np.interp(own.time, other.time, other[name]))[away].max()
-            < 2e-3 * scale
-        )
-
-
-def test_no_such_engine() -> None:
-    with pytest.raises(pam.InputError, match="no engine 'fmpi'"):
-        pam.simulate(BENCH, engine="fmpi")
-
-
 def test_a_run_goes_elsewhere(reference: pam.Trajectory, tmp_path: Path) -> None:
     frame, data = reference.to_frame(), reference.to_xarray()
     assert np.array_equal(frame["p"], reference["p"]) and frame.attrs["units"]["p"] == "Pa"

@@ -43,7 +43,6 @@ def simulate(
         ),
     ] = None,
     keep: KeepOption = None,
-    engine: Annotated[str, typer.Option(help="own, or fmpy: FMPy drives the same FMU.")] = "own",
     plot: Annotated[Path | None, typer.Option(help="Draw the outputs as PNG.")] = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
@@ -59,7 +58,6 @@ def simulate(
         outputs=keep or [],
         stop_time=stop_time,
         interval=interval,
-        engine=engine,
         files=files or [],
         timeout=timeout,
     )

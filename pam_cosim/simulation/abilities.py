@@ -1,0 +1,35 @@
+"""What an FMU can do beside a step."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from fmpy.model_description import ModelDescription
+
+
+@dataclass(frozen=True)
+class Abilities:
+    """What an FMU says it can do beside a step.
+
+    Attributes:
+        saves: it can save its state and go back to it.
+        serialises: a saved state can be turned into bytes and back.
+        slopes: inputs may be given with their slopes.
+        any_step: the distance of communication points may change.
+    """
+
+    saves: bool
+    serialises: bool
+    slopes: bool
+    any_step: bool
+
+
+def abilities_of(description: ModelDescription, slopes: bool) -> Abilities:
+    """What a model description declares; ``slopes`` where the binary has been asked."""
+    flags = description.coSimulation
+    return Abilities(
+        bool(flags.canGetAndSetFMUstate),
+        bool(flags.canGetAndSetFMUstate and flags.canSerializeFMUstate),
+        slopes,
+        bool(flags.canHandleVariableCommunicationStepSize),
+    )
