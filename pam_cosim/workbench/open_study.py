@@ -78,9 +78,9 @@ class OpenStudy:
             raise
 
     def _begin(self, model: str | None) -> None:
-        data = self.source.read(model)
+        data, known = self.source.read(model)
         self.benches = self.catalogue.benches(data.model)
-        self.first = self.state = State(data, data.model_for(model))
+        self.first = self.state = State(data, data.model_for(model), known=known)
         self.back(self.state)
 
     def close(self) -> None:
@@ -90,6 +90,11 @@ class OpenStudy:
             self._open.close()
             self._open = None
         shutil.rmtree(self.scratch, ignore_errors=True)
+
+    @property
+    def bench(self) -> str:
+        """The base model, as the data set is read for it."""
+        return self.state.data.unmapped or self.state.data.model
 
     @property
     def opened(self) -> Opened:

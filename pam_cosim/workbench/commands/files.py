@@ -132,10 +132,10 @@ def load(study: StudyWithJobs) -> None:
         # it can be repeated from the first state, though it began with another model
         steps = (Step("choose", {"model": state.model}), *state.steps)
         state = replace(state, steps=steps, loaded=len(steps))
-    if state.cuts or state.starts or state.model != first.model:
+    if state.chosen or state.model != first.model:
         model = first.data.unmapped if state.model == first.model else ""
-        data = study.source.read_again(state.data, state.cuts, state.starts, model or state.model)
-        state = replace(state, data=data)
+        data, known = study.source.read(model or state.model, state.chosen)
+        state = replace(state, data=data, known=known)
     before = study.state
     study.back(state)
     study.remember(before)

@@ -8,6 +8,7 @@ from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
 from pam_cosim.workbench.checks import names_of, text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
+from pam_cosim.workbench.source import OF_RUNS
 from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.steps import Step
 
@@ -50,12 +51,15 @@ def choose(study: StudyWithJobs, model: str) -> None:
     if "/" in name or "\\" in name or name.startswith("."):
         raise InputError("choose wants the name of a bench or of a Modelica class")
     state = study.state
-    data = study.source.read_again(state.data, state.cuts, state.starts, name)
+    chosen = {key: value for key, value in state.chosen.items() if key in OF_RUNS}
+    data, known = study.source.read(name, chosen)
     same = data.signals.keys() == state.data.signals.keys()
     study.enter(
         state.after(
             Step("choose", {"model": name}),
             data=data,
+            known=known,
+            chosen=chosen,
             model=name,
             effects=(),
             values={},
