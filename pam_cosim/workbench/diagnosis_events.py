@@ -8,17 +8,15 @@ from collections.abc import Sequence
 import numpy as np
 
 from pam_cosim.diagnosis import (
-    BaseFitted,
     Candidate,
     CandidateTried,
     Diagnosis,
     FailedTrial,
     Judged,
     LedgerKept,
-    SearchRestarted,
 )
-from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.verdict import explained
+from pam_cosim.diagnosis.judgement.verdict_sentences import family_cells, small_effects
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import BalanceEntry, Ledger, binned
 from pam_cosim.model.domain import Domain
@@ -45,61 +43,44 @@ from pam_cosim.reporting.account import (
     unit_text,
     words,
 )
+from pam_cosim.reporting.live import Tried
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.curves import rounded
 from pam_cosim.workbench.protocol import Json, event, selected
+from pam_cosim.workbench.state import label_of
+from pam_cosim.workbench.state_events import rung_of
 
 MOST_POINTS = 800  # of a missing term over a variable
 _AGAINST = 2  # variables that a missing term is drawn over
 
 
 class Following:
-    """Follows a diagnosis: keeps the models that were tried, and ranks them as they come.
+    """Follows a diagnosis: ranks the models that were tried as they come.
 
     Args:
         domain: of the model.
     """
 
     def __init__(self, domain: Domain) -> None:
-        self.domain = domain
-        self.base: Fit | None = None
-        self.tried: dict[tuple[str, ...], Candidate] = {}
-        self.failed: list[FailedTrial] = []
+        self.domain, self.tried = domain, Tried()
 
     def events(self, happening: object) -> list[Json]:
         """The events of what a diagnosis reports."""
+        self.tried.take(happening)
         match happening:
-            case BaseFitted():
-                self.base = happening.fit
-            case SearchRestarted():
-                self.tried.clear()
-                self.failed.clear()
             case CandidateTried():
-                self._keep(happening.attempt)
-                return [event("candidate", effects=happening.attempt.effects), self.ranking()]
+                return [event("candidate", effects=happening.attempt.effects), self._ranking()]
             case Judged():
-                return [
-                    ranking(
-                        happening.base, happening.candidates, happening.path, self.failed, True
-                    ),
-                    _judged(happening, self.domain),
-                ]
+                return [self._ranking(), _judged(happening, self.domain)]
             case LedgerKept():
                 return [ledger_event(happening.ledger)]
         return []
 
-    def ranking(self) -> Json:
-        """The models that were fitted so far, best first."""
-        assert self.base is not None
-        return ranking(self.base, rank(self.base, list(self.tried.values())), (), self.failed)
-
-    def _keep(self, attempt: Candidate | FailedTrial) -> None:
-        if isinstance(attempt, FailedTrial):
-            self.failed.append(attempt)
-            return
-        before = self.tried.get(attempt.effects)
-        if before is None or before.brief or not attempt.brief:
-            self.tried[attempt.effects] = attempt
+    def _ranking(self) -> Json:
+        tried = self.tried
+        assert tried.base is not None
+        final = tried.judged is not None
+        return ranking(tried.base, tried.ranked(), tried.path, tried.failed, final)
 
 
 def ranking(
@@ -112,7 +93,7 @@ def ranking(
     """The event of all models that were fitted, as rows."""
     rows = [
         candidate_row(base, c, path)
-        | selected(c, "effects brief", share=explained(base, c.fit), number=number)
+        | selected(c, "effects brief probability", share=explained(base, c.fit), number=number)
         for number, c in enumerate(candidates)
     ]
     reasons = {
@@ -134,6 +115,8 @@ def _judged(judged: Judged, domain: Domain, **more: object) -> Json:
         kind_name=kind_name(verdict.kind),
         probability=probability_sentence(verdict),
         probabilities=rows,
+        table=[row._asdict() for row in family_cells(verdict)],
+        small=small_effects(verdict),
         meaning=meaning(verdict, domain),
         families=[words(f) for f in verdict.families],
         effects=[c.effect for c in judged.path],
@@ -159,11 +142,17 @@ def diagnosis_events(d: Diagnosis) -> list[Json]:
         next=next_run(d.next_experiment),
         learned=learned_part(d),
         missing=missing_rows(d),
+        found=rung_of(found_label(d), d.final.comparison) if d.path else None,
     )
     events = [ranking(d.base, d.candidates, d.path, d.failed, True), verdict]
     if d.ledger is not None:
         events.append(ledger_event(d.ledger))
     return events
+
+
+def found_label(d: Diagnosis) -> str:
+    """What the model that a diagnosis found is called on the ladder."""
+    return f"found: {label_of(d.path[-1].effects)}"
 
 
 def ledger_event(ledger: Ledger) -> Json:

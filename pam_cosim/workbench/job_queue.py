@@ -12,7 +12,7 @@ from pam_cosim.diagnosis import EffectProbed, Message
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import FitProgress
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.diagnosis_events import Following, diagnosis_events
+from pam_cosim.workbench.diagnosis_events import Following, diagnosis_events, found_label
 from pam_cosim.workbench.job_process import Worker
 from pam_cosim.workbench.open_study import OpenStudy
 from pam_cosim.workbench.protocol import DIAGNOSIS, Json, event, selected
@@ -176,13 +176,16 @@ class StudyWithJobs(OpenStudy):
         """Sends that the events of a diagnosis are no longer those of the study."""
         self.windows.forget(*DIAGNOSIS)
         self.windows.tell(event("no_diagnosis"))
+        self.draw_beside("found", None)
 
     def tell_diagnosis(self) -> None:
         """Sends the verdict of the standing study, or that there is none."""
-        diagnosis = self.state.diagnosis
+        state, diagnosis = self.state, self.state.diagnosis
         self.clear_diagnosis()
         for told in [] if diagnosis is None else diagnosis_events(diagnosis):
             self.windows.tell(told)
+        if diagnosis and diagnosis.path and len(state.effects) == len(state.diagnosed):
+            self.draw_beside("found", diagnosis.final.comparison, found_label(diagnosis))
 
     def _over(self, job: Job, end: str) -> None:
         self.job = None

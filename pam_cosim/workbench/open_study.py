@@ -227,12 +227,15 @@ class OpenStudy:
         """Sends what changes seldom."""
         self.windows.tell(self.shown_study())
         self.tell_starts()
-        before = self.state.before
-        if before is not None:
-            curves = model_curves(before.runs, self.source.whole(self.state.data))
-            self.windows.send(frame("reference", self.version, curves, "before"), "reference")
-        elif self.windows.forget("reference"):
-            self.windows.send(frame("reference", self.version, []))
+        self.draw_beside("reference", self.state.before, "before")
+
+    def draw_beside(self, kind: str, comparison: Comparison | None, label: str = "") -> None:
+        """Draws another model beside the standing one; None: it is there no longer."""
+        if comparison is not None:
+            curves = model_curves(comparison.runs, self.source.whole(self.state.data))
+            self.windows.send(frame(kind, self.version, curves, label), kind)
+        elif self.windows.forget(kind):
+            self.windows.send(frame(kind, self.version, []))
 
     def tell_starts(self) -> None:
         """Sends where runs begin."""

@@ -25,7 +25,7 @@ from pam_cosim.fmu.c_text import c_string
 from pam_cosim.fmu.compile import compile_library
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.platforms import native_platform
-from pam_cosim.reporting import plot_trajectory
+from pam_cosim.reporting import draw
 from pam_cosim.simulation import Simulator, Trajectory
 from pam_cosim.simulation.failure import RunFailure
 
@@ -133,7 +133,7 @@ def test_trajectories_and_pictures_take_them(name: str, place: Path) -> None:
         run = simulator.run(np.linspace(0, 1, 11))
     again = Trajectory.from_csv(run.to_csv(place / "out.csv"))
     assert list(again.values) == list(run.values)
-    plot_trajectory(run, place / "out.png")
+    draw(run, place / "out.png")
     assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", "out.csv", "out.png"]
 
 

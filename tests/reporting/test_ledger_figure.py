@@ -10,7 +10,7 @@ import pytest
 from pam_cosim.ledger import BalanceEntry, Ledger, TermSeries
 from pam_cosim.reporting.account.ledger_words import telling_entries
 from pam_cosim.reporting.figures.ledger import ledger_figure
-from pam_cosim.reporting.style import balance_colours, drawing, png
+from pam_cosim.reporting.style import balance_colours, drawing, image
 from tests.field import DOMAIN
 
 
@@ -32,7 +32,7 @@ def _ledger(places: bool = True) -> Ledger:
 @pytest.mark.full
 def test_same_ledger_same_picture() -> None:
     with drawing():
-        first, second = (png(ledger_figure(_ledger())) for _ in range(2))
+        first, second = (image(ledger_figure(_ledger())) for _ in range(2))
     assert first == second and first.startswith(b"\x89PNG")
 
 

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
-from pam_cosim.workbench.checks import names_of, text_of
+from pam_cosim.workbench.checks import is_number, names_of, text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
 from pam_cosim.workbench.source import OF_RUNS
 from pam_cosim.workbench.state import label_of
@@ -113,12 +113,14 @@ def take_candidate(study: StudyWithJobs, chosen: Candidate) -> None:
             before=study.comparison,
         )
     )
+    study.draw_beside("found", None)
 
 
-def undo(study: StudyWithJobs) -> None:
-    """Takes the last step back."""
+def undo(study: StudyWithJobs, count: int = 1) -> None:
+    """Takes the last steps back."""
     study.make_room()
-    if not study.past:
+    if not is_number(count) or not 0 < count <= len(study.past):
         raise InputError("there is no step to take back")
-    study.back(study.past.pop())
+    study.back(study.past[-int(count)])
+    del study.past[-int(count) :]
     study.tell_diagnosis()

@@ -14,6 +14,8 @@ export function verdictParts(v, take, addLearned) {
     said(v.instrument),
     said(v.error),
     said(v.probability),
+    families(v.table),
+    said(v.small, "p", { class: "soft" }),
     probabilities(v.probabilities),
     said([v.reason, v.compared, v.disagreement].filter(Boolean).join(" ")),
     ...(v.doubts ?? []).map((doubt) => said(`LOOK FIRST: ${doubt}`, "p", { class: "caution" })),
@@ -31,6 +33,13 @@ export function verdictParts(v, take, addLearned) {
       missing(v.missing),
     ].filter(Boolean),
   };
+}
+
+/** The families that may be missing, each whatever else is: as in the terminal and in the report. */
+function families(rows) {
+  if (!rows?.length) return "";
+  const heads = ["may be missing", "#probability", "worth"];
+  return table(heads, rows.map((row) => [row.families, row.probability, row.worth]), { class: "family-table" });
 }
 
 /** A bar for each thing that may be missing; what the verdict names stands out. */
