@@ -161,6 +161,8 @@ def _fonts() -> tuple[str, ...]:
 @cache
 def _substitute(letter: str) -> str:
     """The letter, or a question mark where no font has it."""
+    if letter.isspace():
+        return letter
     files = (findfont(FontProperties(family=name)) for name in _fonts())
     return letter if any(get_font(file).get_char_index(ord(letter)) for file in files) else "?"
 

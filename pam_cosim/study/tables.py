@@ -23,10 +23,7 @@ _MOST_ROWS = 30  # of a planned run that are printed
 
 
 def write_next_run(path: Path, plan: NextExperiment) -> None:
-    """Writes the inputs of a next experiment as a run's CSV; what else to set stands in comments above.
-
-    Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
-    it is read as straight lines or as steps.
+    """Writes the inputs of a next experiment as a run's CSV.
 
     Args:
         path: the file.
@@ -35,6 +32,15 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
     Raises:
         InputError: the file cannot be written.
     """
+    write_text(path, next_run_text(plan))
+
+
+def next_run_text(plan: NextExperiment) -> str:
+    """The inputs of a next experiment as a run's CSV; what else to set stands in comments above.
+
+    Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
+    it is read as straight lines or as steps.
+    """
     rows = list(zip(*plan.table.values(), strict=True))
     if plan.interpolation == "previous":
         rows = _with_steps(rows)
@@ -42,7 +48,7 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
         f"run {_line(plan.run)}, {_line(plan.change)}",
         *_settings(plan.parameters, plan.units),
     ]
-    write_text(path, _text_of_run(remarks, list(plan.table), rows, plan.units))
+    return _text_of_run(remarks, list(plan.table), rows, plan.units)
 
 
 def write_planned_runs(

@@ -35,7 +35,6 @@ from pam_cosim.reporting.account import (
     next_run,
     not_tried_sentence,
     parameter_rows,
-    percent,
     probability_rows,
     probability_sentence,
     summary_rows,
@@ -45,7 +44,6 @@ from pam_cosim.reporting.account import (
 )
 from pam_cosim.reporting.live import Tried
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.curves import rounded
 from pam_cosim.workbench.protocol import Json, event, selected
 from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.state_events import rung_of
@@ -54,33 +52,18 @@ MOST_POINTS = 800  # of a missing term over a variable
 _AGAINST = 2  # variables that a missing term is drawn over
 
 
-class Following:
-    """Follows a diagnosis: ranks the models that were tried as they come.
-
-    Args:
-        domain: of the model.
-    """
-
-    def __init__(self, domain: Domain) -> None:
-        self.domain, self.tried = domain, Tried()
-
-    def events(self, happening: object) -> list[Json]:
-        """The events of what a diagnosis reports."""
-        self.tried.take(happening)
-        match happening:
-            case CandidateTried():
-                return [event("candidate", effects=happening.attempt.effects), self._ranking()]
-            case Judged():
-                return [self._ranking(), _judged(happening, self.domain)]
-            case LedgerKept():
-                return [ledger_event(happening.ledger)]
+def events_of(happening: object, tried: Tried, domain: Domain) -> list[Json]:
+    """The events of what a diagnosis reports; the models that were ``tried`` are ranked as they come."""
+    tried.take(happening)
+    if isinstance(happening, LedgerKept):
+        return [ledger_event(happening.ledger)]
+    if tried.base is None or not isinstance(happening, CandidateTried | Judged):
         return []
-
-    def _ranking(self) -> Json:
-        tried = self.tried
-        assert tried.base is not None
-        final = tried.judged is not None
-        return ranking(tried.base, tried.ranked(), tried.path, tried.failed, final)
+    final = isinstance(happening, Judged)
+    ranked = ranking(tried.base, tried.ranked(), tried.path, tried.failed, final)
+    if isinstance(happening, Judged):
+        return [ranked, _judged(happening, domain)]
+    return [event("candidate", effects=happening.attempt.effects), ranked]
 
 
 def ranking(
@@ -93,28 +76,24 @@ def ranking(
     """The event of all models that were fitted, as rows."""
     rows = [
         candidate_row(base, c, path)
-        | selected(c, "effects brief probability", share=explained(base, c.fit), number=number)
-        for number, c in enumerate(candidates)
+        | selected(c, "effects brief probability", share=explained(base, c.fit))
+        for c in candidates
     ]
-    reasons = {
-        c.effects: {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure}
+    reasons = [
+        selected(c, "reason=failure", effect=" + ".join(c.effects), family=words(c.family))
         for c in failed
-    }
-    return event("ranking", candidates=rows, failed=list(reasons.values()), final=final)
+    ]
+    return event("ranking", candidates=rows, failed=reasons, final=final)
 
 
 def _judged(judged: Judged, domain: Domain, **more: object) -> Json:
     verdict = judged.verdict
-    rows = [
-        selected(row, "what named share=probability", percent=percent(row.probability))
-        for row in probability_rows(verdict)
-    ]
     return event(
         "verdict",
         **selected(verdict, "kind reason"),
         kind_name=kind_name(verdict.kind),
         probability=probability_sentence(verdict),
-        probabilities=rows,
+        probabilities=[row._asdict() for row in probability_rows(verdict)],
         table=[row._asdict() for row in family_cells(verdict)],
         small=small_effects(verdict),
         meaning=meaning(verdict, domain),
@@ -181,7 +160,7 @@ def _against(entry: BalanceEntry, name: str) -> Json:
     return {
         "name": name,
         "unit": unit_text(unit),
-        "points": [rounded(x[kept], 5), rounded(y[kept], 5)],
+        "points": [x[kept], y[kept]],
         "at": [(b.low + b.high) / 2 * across for b in bands],
         "mean": mean * factor,
         "low": (mean - 2 * reach) * factor,

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from pam_cosim import study
 from pam_cosim.drafting import NewDataSet
@@ -19,14 +20,15 @@ from pam_cosim.drafting.values import is_geometry
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.measurement import any_text
+from pam_cosim.measurement.experiment_tables import CheckedTable
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
-from pam_cosim.workbench.checks import names_of, text_of
-from pam_cosim.workbench.curves import rounded, shown_instants
+from pam_cosim.workbench.checks import names_of
 from pam_cosim.workbench.paths import free_name, inside, safe_name
 from pam_cosim.workbench.protocol import Json, event, failure, selected
+from pam_cosim.workbench.saved import Name, Text, complaint
 from pam_cosim.workbench.state_events import short_name
 
 MOST_BYTES = 200_000_000  # of one file
@@ -178,30 +180,28 @@ class Drop:
         )
 
 
+class Wishes(CheckedTable):
+    """What a page may say, by the options of ``study.new``."""
+
+    title: Text = ""
+    model: Text = ""
+    muscle: Text = ""
+    columns: dict[Name, Text] = {}
+    parameters: dict[Name, Text] = {}
+    recording: dict[Name, Text] = {}
+    roles: dict[Name, Text] = {}
+
+
 def _checked(wishes: Mapping[str, Any]) -> Json:
-    """What a page may say, checked: texts, and texts by name."""
-    stray = next((key for key in wishes if key not in (*_TEXTS, *_BY_NAME)), None)
-    if stray is not None:
-        raise InputError(f"a draft knows no {shown(stray)}")
-    said = {key: value for key, value in wishes.items() if value not in (None, "", {})}
-    made: Json = {key: text_of(said[key], key) for key in _TEXTS if key in said}
-    made |= {key: _texts_by_name(said[key], key) for key in _BY_NAME if key in said}
-    if "model" in made and any(c in made["model"] for c in "/\\"):
+    try:
+        said = Wishes.model_validate(dict(wishes))
+    except ValidationError as error:
+        raise InputError(complaint(error)) from None
+    if any(c in said.model for c in "/\\"):
         raise InputError(
             "a bench is named, or a Modelica class; files are given where the workbench is started"
         )
-    return made
-
-
-_TEXTS = ("title", "model", "muscle")
-_BY_NAME = ("columns", "parameters", "recording", "roles")
-
-
-def _texts_by_name(value: Any, key: str) -> dict[str, str]:
-    said = [*value, *value.values()] if isinstance(value, Mapping) else [value]
-    if not isinstance(value, Mapping) or not all(isinstance(one, str) for one in said):
-        raise InputError(f"{key} wants texts by name")
-    return {name: text for name, text in value.items() if text}
+    return said.model_dump(exclude_defaults=True)
 
 
 def _quantities(interface: Interface) -> Json:
@@ -222,20 +222,13 @@ def _quantity(variable: Variable, **others: object) -> Json:
 
 def _curves(made: NewDataSet) -> list[Json]:
     """Signals of the runs, as they are read, few points each."""
-    curves = []
+    signals, curves = made.data.signals, list[Json]()
     for run in made.data.runs:
         kept = np.unique(np.linspace(0, len(run.time) - 1, min(len(run.time), _POINTS)).astype(int))
         for name, values in run.measurements.items():
-            unit = made.data.signals[name].unit
-            curves.append(
-                {
-                    "run": run.name,
-                    "signal": name,
-                    "unit": unit_text(unit),
-                    "time": shown_instants(run.time[kept]),
-                    "values": rounded(values[kept] * readable_factor(unit), 6),
-                }
-            )
+            shown_values = values[kept] * readable_factor(signals[name].unit)
+            curve = {"signal": name, "time": run.time[kept], "values": shown_values}
+            curves.append(curve | {"unit": unit_text(signals[name].unit)})
     return curves
 
 

@@ -34,7 +34,7 @@ dropped: files: name, bytes, header, rows (their first cells; none where a file 
 draft: failed and excerpt (the cells around the wrong one), or both null; title, model, guesses, starts, to_check, runs,
     names, parameters, benches, toml, curves: the data set that the files make, or what can be said of it.
 
-A level of a signal has rms, noise, chi2 (reduced), text and noise_text; a rung of the ladder has label, fit, holdout
+A level of a signal has rms and text; a rung of the ladder has label, fit, holdout
 (levels by signal), chi2_fit and chi2_holdout.
 
 A frame of curves is one binary message: the length of a header (unsigned, 4 bytes, little-endian), the header (JSON,

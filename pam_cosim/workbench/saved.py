@@ -26,7 +26,6 @@ from pydantic import (
     ValidationError,
     model_validator,
 )
-from pydantic_core import ErrorDetails
 
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.errors import InputError
@@ -121,10 +120,19 @@ Product = Annotated[Name, AfterValidator(partial(_file, ending=".npz", kind="pro
 
 
 class SetStep(CheckedTable):
-    """Values were set by hand [SI]."""
+    """Values were set by hand [SI]; of start values those that ``moved``, and the others of their runs stayed."""
 
-    do: Literal["set"]
+    do: Literal["set", "start"]
     values: Values
+    moved: Names = []
+    dragged: bool = False
+
+    @model_validator(mode="after")
+    def _has_its_values(self) -> SetStep:
+        stray = next((name for name in self.moved if name not in self.values), None)
+        if stray is not None:
+            raise ValueError(f"values lacks {shown(stray)}")
+        return self
 
 
 class SwitchStep(CheckedTable):
@@ -202,23 +210,8 @@ class ChosenStep(CheckedTable):
     values: Values
 
 
-class StartStep(CheckedTable):
-    """Start values were set by hand [SI]; ``moved``: these, and the others of their runs stayed where they were."""
-
-    do: Literal["start"]
-    values: Values
-    moved: Names
-
-    @model_validator(mode="after")
-    def _has_its_values(self) -> StartStep:
-        stray = next((name for name in self.moved if name not in self.values), None)
-        if stray is not None:
-            raise ValueError(f"values lacks {shown(stray)}")
-        return self
-
-
 AnyStep = Annotated[
-    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | ChosenStep | StartStep,
+    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | ChosenStep,
     Field(discriminator="do"),
 ]  # fmt: skip
 
@@ -227,10 +220,7 @@ class SavedLevel(CheckedTable):
     """One signal on a rung of the ladder."""
 
     rms: Number | None
-    noise: Number | None
-    chi2: Number | None
     text: Text
-    noise_text: Text
 
 
 class SavedRung(CheckedTable):
@@ -271,7 +261,7 @@ def checked_content(content: Any, models: Collection[str]) -> SavedContent:
     try:
         made = SavedContent.model_validate(content)
     except ValidationError as error:
-        raise ValueError(_complaint(error)) from None
+        raise ValueError(complaint(error)) from None
     if made.model not in models:
         try:
             _bench(made.model)
@@ -280,25 +270,12 @@ def checked_content(content: Any, models: Collection[str]) -> SavedContent:
     return made
 
 
-def _complaint(error: ValidationError) -> str:
+def complaint(error: ValidationError) -> str:
+    """What is wrong, and where."""
     worst = min(error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden")
     place = ".".join(part if isinstance(part, str) else str(part + 1) for part in worst["loc"])
-    return f"{shown(place)[1:-1]}: {_words(worst)}" if place else _words(worst)
-
-
-def _words(error: ErrorDetails) -> str:
-    match error["type"]:
-        case "extra_forbidden":
-            return "unknown key"
-        case "missing":
-            return "is missing"
-        case "value_error":
-            return str(error["ctx"]["error"])
-        case "literal_error" | "union_tag_invalid":
-            expected = error["ctx"].get("expected") or error["ctx"].get("expected_tags")
-            found = error["ctx"].get("tag", error["input"])
-            return f"{shown(found)} is not possible; it is one of {expected}"
-    return f"{shown(error['input'])}: {error['msg']}"
+    words = str(worst.get("ctx", {}).get("error", worst["msg"]))
+    return f"{shown(place)[1:-1]}: {words}" if place else words
 
 
 def lean(diagnosis: Diagnosis) -> Diagnosis:

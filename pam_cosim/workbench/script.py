@@ -74,7 +74,7 @@ class _Script:
                 ]
             case "diagnose":
                 self.diagnosed = self.effects
-                options = _stated(a, *(name for name in _DIAGNOSED if a.get(name) not in _NOTHING))
+                options = _stated(a, *(name for name in _DIAGNOSED if a.get(name)))
                 return [
                     f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)",
                     "print(diagnosis)",
@@ -126,7 +126,6 @@ class _Script:
 
 
 _DIAGNOSED = ("time_limit", "exclude", "expect", "free", "start")  # if they were stated
-_NOTHING: tuple[Any, ...] = (None, [], (), {}, "")
 
 
 def _stated(arguments: Mapping[str, Any], *names: str) -> str:

@@ -44,7 +44,7 @@ class Session(StudyWithJobs):
         """
 
         def begin() -> Callable[[], None]:
-            self.windows.keep(self.shown_study())
+            self.windows.tell(self.shown_study())
             return self.windows.subscribe(listener)
 
         return self._thread.submit(begin)

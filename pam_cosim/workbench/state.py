@@ -52,9 +52,9 @@ class State:
     file: str | None = None
     before: Comparison | None = None
 
-    def after(self, step: Step, *, dragged: bool = False, **changes: object) -> State:
-        """The state after a step; values that are ``dragged`` are one step with those before."""
-        steps = with_step(self.steps, step, self.loaded, dragged)
+    def after(self, step: Step, **changes: object) -> State:
+        """The state after a step."""
+        steps = with_step(self.steps, step, self.loaded)
         return replace(self, steps=steps, **changes)  # type: ignore[arg-type]
 
 

@@ -132,17 +132,11 @@ def rung_of(label: str, comparison: Comparison) -> Json:
 
 
 def _levels(scores: Mapping[str, SignalScore], data: DataSet) -> Json:
-    levels = {}
-    for name, s in scores.items():
-        unit = data.signals[name].unit
-        levels[name] = {
-            "rms": s.rmse * readable_factor(unit),
-            "noise": s.noise_rmse * readable_factor(unit),
-            "chi2": s.chi2_reduced,
-            "text": quantity_text(s.rmse, unit),
-            "noise_text": quantity_text(s.noise_rmse, unit),
-        }
-    return levels
+    units = {name: data.signals[name].unit for name in scores}
+    return {
+        name: selected(s, "rms=rmse", units[name], text=quantity_text(s.rmse, units[name]))
+        for name, s in scores.items()
+    }
 
 
 def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> Json:

@@ -51,16 +51,11 @@ def _numbers(values: Mapping[str, float]) -> str:
     return ", ".join(f"{name} = {value:.4g}" for name, value in values.items())
 
 
-def with_step(
-    steps: Sequence[Step], step: Step, closed: int = 0, dragged: bool = False
-) -> tuple[Step, ...]:
-    """The steps and one more; ``dragged`` values of the same names are one step, but for the first ``closed``."""
-    last = steps[-1] if dragged and len(steps) > closed else None
-    names = step.arguments.get("moved", step.arguments.get("values"))
-    if (
-        last is None
-        or last.do != step.do
-        or {*last.arguments.get("moved", last.arguments["values"])} != {*names}
-    ):
-        return (*steps, step)
-    return (*steps[:-1], step)
+def with_step(steps: Sequence[Step], step: Step, closed: int = 0) -> tuple[Step, ...]:
+    """The steps and one more; values of the same names that are dragged are one step, but for the first ``closed``."""
+    last = steps[-1] if len(steps) > closed else step
+    told, names = last.arguments, step.arguments.get("moved", step.arguments.get("values", ()))
+    dragged = step.arguments.get("dragged") and told.get("dragged") and last is not step
+    if dragged and {*told.get("moved", told["values"])} == {*names}:
+        return (*steps[:-1], step)
+    return (*steps, step)

@@ -32,9 +32,11 @@ def panels(
         draw: draws one panel.
         what: the label of a row, ``{}`` stands for the signal.
     """
-    columns = max(min(len(runs), 2 if is_narrow() else COLUMNS), 1)
+    narrow = is_narrow()
+    columns = max(min(len(runs), COLUMNS // 2 if narrow else COLUMNS), 1)
     blocks = pages(runs, columns)
-    height = len(blocks) * (_MARGIN + _HEIGHT * len(signals) * (1.25 if columns <= 2 else 1.0))
+    row = _HEIGHT * (0.75 if narrow else 1.25 if columns <= 2 else 1.0)
+    height = len(blocks) * (_MARGIN + row * len(signals))
     figure = new_figure(WIDTH if columns > 1 else 0.75 * WIDTH, height)
     parts = figure.subfigures(len(blocks), 1, squeeze=False)[:, 0]
     for part, block in zip(parts, blocks, strict=True):

@@ -17,6 +17,7 @@ from pam_cosim.reporting.style import (
     BAND,
     FURTHER,
     INK,
+    is_narrow,
     legend_outside,
     letters_in,
     new_figure,
@@ -55,8 +56,9 @@ def plan_figure(plan: RunPlan) -> Figure:
     ]
     note = Patch(color=BAND, label="Δ: difference to the first; band: ±2 σ of the noise")
     legend_outside(figure, [*lines, note], "outside lower center")
-    title = fill(plan.expectation, letters_in(float(figure.get_size_inches()[0])))
-    figure.suptitle(title, fontsize="medium")
+    if not is_narrow():  # the caption of a paper says it
+        title = fill(plan.expectation, letters_in(float(figure.get_size_inches()[0])))
+        figure.suptitle(title, fontsize="medium")
     figure.align_ylabels()
     return figure
 

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
 from pam_cosim.workbench.checks import is_number, names_of, text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
@@ -75,31 +74,14 @@ def choose(study: StudyWithJobs, model: str) -> None:
     study.tell_diagnosis()
 
 
-def candidate_of(study: StudyWithJobs, effects: Sequence[str]) -> Candidate | None:
-    """The model of the last ranking with just these effects."""
-    diagnosis = study.state.diagnosis
-    candidates = diagnosis.candidates if diagnosis else ()
-    return next((c for c in candidates if c.effects == tuple(effects)), None)
-
-
-def take(study: StudyWithJobs, candidate: Sequence[str] | int) -> None:
-    """Makes a model of the ranking the standing one, at the values that were fitted: its effects, or its number."""
+def take(study: StudyWithJobs, candidate: Sequence[str]) -> None:
+    """Makes a model of the ranking, named by its effects, the standing one, at the values that were fitted."""
     study.make_room()
-    diagnosis = study.state.diagnosis
-    if diagnosis is None:
-        raise InputError("there is no ranking to take a model from: diagnose first")
-    if isinstance(candidate, int) and not isinstance(candidate, bool):
-        chosen = dict(enumerate(diagnosis.candidates)).get(candidate)
-    else:
-        chosen = candidate_of(study, names_of(candidate, "take"))
+    state, wanted = study.state, tuple(names_of(candidate, "take"))
+    candidates = state.diagnosis.candidates if state.diagnosis else ()
+    chosen = next((c for c in candidates if c.effects == wanted), None)
     if chosen is None:
-        raise InputError("the ranking has no such model")
-    take_candidate(study, chosen)
-
-
-def take_candidate(study: StudyWithJobs, chosen: Candidate) -> None:
-    """Makes a model of the ranking the standing one."""
-    state = study.state
+        raise InputError("the ranking of the last diagnosis has no such model")
     effects = (*state.diagnosed, *chosen.effects)
     kept, fitted = _kept(study, ()), chosen.fit.values
     study.enter(

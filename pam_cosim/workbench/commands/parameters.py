@@ -22,28 +22,28 @@ def set_values(study: StudyWithJobs, values: Mapping[str, Any], dragged: bool = 
     """
     study.check_free()
     interface = study.opened.simulator.interface
+    settable = {**interface.parameters, **interface.inputs}
     moved, stated, starts = dict[str, float](), dict[str, float | None](), dict[str, float]()
     for name, value in values.items():
         if name in study.opened.parameters:
             moved[name] = _number(study, study.opened.parameters[name], value)
             continue
         owner = name.rpartition("@")[0]
-        state, held = interface.start_values.get(owner), interface.settable.get(owner or name)
+        state, held = interface.start_values.get(owner), settable.get(owner or name)
         if state is not None:
             starts[name] = value_of(in_si(name, value, state.unit), state)
         elif held is None:
-            one_of(
-                name, {**study.opened.parameters, **interface.parameters}, "parameter", " to set"
-            )
+            one_of(name, {**study.opened.parameters, **settable}, "parameter", " to set")
         else:
             stated[name] = None if value is None else value_of(in_si(name, value, held.unit), held)
+    hand = {"dragged": True} if dragged else {}
     if moved:
-        _move(study, Step("set", {"values": moved}), dragged)
+        _move(study, Step("set", {"values": moved} | hand))
     if starts:  # the other states of these runs begin where they did
         begins = dict[str, float]()
         for run in dict.fromkeys(name.rpartition("@")[2] for name in starts):
             begins |= study.start_values_of(run)
-        _move(study, Step("start", {"values": begins | starts, "moved": list(starts)}), dragged)
+        _move(study, Step("start", {"values": begins | starts, "moved": list(starts)} | hand))
     if stated:
         study.make_room()
         state_values(study, stated)
@@ -58,9 +58,9 @@ def reset(study: StudyWithJobs, names: Sequence[str] | None = None) -> None:
     _move(study, Step("set", {"values": starts}))
 
 
-def _move(study: StudyWithJobs, step: Step, dragged: bool = False) -> None:
+def _move(study: StudyWithJobs, step: Step) -> None:
     values = {**study.state.values, **step.arguments["values"]}
-    study.enter(study.state.after(step, dragged=dragged, values=values, milestone=""), moved=True)
+    study.enter(study.state.after(step, values=values, milestone=""), moved=True)
 
 
 def _number(study: StudyWithJobs, free: Free, value: Any) -> float:

@@ -193,7 +193,7 @@ function columns(draft, evidence, wishes, change, answer, files) {
   const row = (n) => {
     const taken = draft.columns[n.name],
       guess = evidence.get(n.name);
-    const now = taken?.formula ?? taken?.column;
+    const now = taken?.formula ?? taken?.column ?? heads.find((head) => head === n.name);
     const unit = [n.unit, n.kind ?? (n.input ? "driven" : "measured")].filter(Boolean).join(", ");
     return make(
       "tr",
@@ -208,7 +208,7 @@ function columns(draft, evidence, wishes, change, answer, files) {
           placeholder: now ? String(now) : "a column, or a formula",
         }),
       ),
-      make("td", {}, zero(n, taken, wishes, change)),
+      make("td", {}, zero(n, taken ?? (now && { column: now }), wishes, change)),
       make("td", {}, guess?.why ? advice(guess.why.replace(/^guessed: /, ""), answer) : n.description),
     );
   };
@@ -216,7 +216,7 @@ function columns(draft, evidence, wishes, change, answer, files) {
   const time = { name: "time", unit: "s", kind: "", input: true, description: "the clock of the rows" };
   return section(
     "What each quantity is read from",
-    choices("heads", new Set(seen).values().map((name) => [name])),
+    choices("heads", [...new Set(seen)].map((name) => [name])),
     make(
       "div",
       { class: "scroll" },

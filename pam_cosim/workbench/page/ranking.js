@@ -4,7 +4,7 @@ import { make, table } from "./element.js";
 
 const SHOWN = 12; // rows before the rest is folded
 
-/** Elements of the ranking; `how`: whether it is `running`, the `latest` model, `busy`, and `take(number)`. */
+/** Elements of the ranking; `how`: whether it is `running`, the `latest` model, `busy`, and `take(effects)`. */
 export function ranking(ranked, how) {
   const rows = ranked.candidates.map((c) => row(c, how));
   const rest = rows.slice(SHOWN);
@@ -58,7 +58,7 @@ function row(c, { running, latest, busy, take }) {
         {
           type: "button",
           disabled: busy,
-          onclick: () => take(c.number),
+          onclick: () => take(c.effects),
           "aria-label": `Take ${c.effect} into the model`,
         },
         "Take",

@@ -42,6 +42,8 @@ function families(rows) {
   return table(heads, rows.map((row) => [row.families, row.probability, row.worth]), { class: "family-table" });
 }
 
+const percent = (share) => `${share > 0 && share < 0.005 ? "< 1" : Math.round(100 * share)} %`;
+
 /** A bar for each thing that may be missing; what the verdict names stands out. */
 function probabilities(rows) {
   if (!rows?.length) return "";
@@ -55,8 +57,8 @@ function probabilities(rows) {
       "tr",
       { class: row.named ? "named" : "" },
       make("th", { scope: "row" }, row.what),
-      make("td", {}, bar(row.share)),
-      make("td", { class: "n" }, row.percent),
+      make("td", {}, bar(row.probability)),
+      make("td", { class: "n" }, percent(row.probability)),
     );
   return make(
     "table",
