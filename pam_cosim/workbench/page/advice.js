@@ -16,7 +16,7 @@ export function advice(sentence, answer) {
   const parts = [];
   let at = 0;
   for (const found of words.matchAll(OPTION)) {
-    parts.push(words.slice(at, found.index), button(found[1], bare(found[2]), answer));
+    parts.push(words.slice(at, found.index), button(found[1], bare(found[2]), answer), found[2] ? "" : " ");
     at = found.index + found[0].length;
   }
   return [...parts, words.slice(at)];

@@ -2,6 +2,7 @@
 
 import { drawAxis, drawNames } from "./axis-charts.js";
 import { lower } from "./drawing.js";
+import { moment } from "./numbers.js";
 import { drawSignal } from "./signal-chart.js";
 
 const HEAD = 18; // px for the name of a signal
@@ -127,7 +128,7 @@ export function csvOf({ view, signals, frames }) {
         : [lower(time, view.from - run.shift), lower(time, view.to - run.shift + 1e-9)];
       for (let i = first; i < last; i++)
         lines.push(
-          [quoted(run.name), signal.name, signal.unit, time[i], value(values[i]), value(model?.values?.[i]), value(model?.residual?.[i])].join(),
+          [quoted(run.name), signal.name, signal.unit, moment(time[i], run.span), value(values[i]), value(model?.values?.[i]), value(model?.residual?.[i])].join(),
         );
     }
   return `${lines.join("\n")}\n`;
