@@ -80,4 +80,4 @@ def _column(name: str, table: Table, run: RunTable, interface: Interface) -> Rig
     if not np.isfinite(gain) or gain == 0 or not np.isclose(third - second, gain):
         return None
     shown = stated[name].unit if stated and stated[name].unit and not source.unit else source.unit
-    return RigColumn(source.heading or source.name, shown or "", gain, float(first))
+    return RigColumn(source.name, shown or "", gain, float(first))

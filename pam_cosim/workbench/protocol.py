@@ -24,7 +24,8 @@ candidate: effects, of the model of a diagnosis that was tried last.
 ranking: candidates (rows as the report has them, with effects, share, brief, probability), failed, final.
 verdict: kind, kind_name, families, effects, reason, probability, meaning, instrument, probabilities as rows of
     what, probability, named, and the table of families, small; complete: whether the diagnosis has ended,
-    with headline, error, compared, disagreement, not_tried, doubts, summary, parameters, next, learned, missing as the report has
+    with headline, error, compared, disagreement, not_tried, doubts, summary, parameters, next, learned, missing as the
+    report has
     them, and found, a rung.
 ledger: sentence, rows, meanings, readings, notes as the report has them; courses: missing terms over their variables.
 no_diagnosis: ranking, verdict and ledger are no longer those of the study.
@@ -45,7 +46,8 @@ padded with spaces so that what follows begins at a multiple of 4 bytes), then 3
 [{"name": signal, "n": count, "values_at": place, ...}]}]}``, places in floats. In a frame of kind "measured" a signal
 has ``time_at`` too, of all that was recorded, counted from the time that its run has as ``from``: 32 bits hold the time
 since 1970 to two minutes only. In a frame of kind "model", "reference" (the model before the last step) or
-"found" (by a diagnosis), it has ``residual_at``; one of the last two without runs: there is no such model any more. The values are those
+"found" (by a diagnosis), it has ``residual_at``; one of the last two without runs: there is no such model any more. The
+values are those
 at the times of the measured ones; missing samples, and the model where a run was cut, are NaN.
 """
 
