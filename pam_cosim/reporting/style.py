@@ -182,7 +182,7 @@ def letters_in(width: float) -> int:
 
 
 def legend_outside(
-    figure: Figure, handles: Sequence[Any], loc: str = "outside upper center"
+    figure: Figure, handles: Sequence[Any], loc: Any = "outside upper center"
 ) -> None:
     """A legend beside the axes, in as many columns as the figure is wide, long labels in lines."""
     room = letters_in(figure.get_size_inches()[0])

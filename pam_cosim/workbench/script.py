@@ -104,7 +104,7 @@ class _Script:
         lines = [f"data = pam.read(folder, model={self.base!r}, files=files{options})"]
         if "signals" in said:
             lines.append(f"data = data.with_signals({said['signals']!r})")
-        stated = {name: said[name] for name in ("values", "free") if name in said}
+        stated: dict[str, Any] = {name: said[name] for name in ("values", "free") if name in said}
         if stated:
             lines.append(
                 f"data = pam.problem(data, {self.base!r}, {_stated(stated, *stated)}files=files).data"

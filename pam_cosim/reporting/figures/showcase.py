@@ -26,7 +26,7 @@ def showcase(
     figure = new_figure(9.0, 9.0 if narrow else 3.9 + 0.25 * max(len(rungs) - 2, 0))
     share = 0.5 if len(rungs) > 3 else 0.42 if len(rungs) > 2 else 0.36
     shape = {"height_ratios": [1, 1]} if narrow else {"width_ratios": [1 - share, share]}
-    above, below = figure.subplots(*((2, 1) if narrow else (1, 2)), **shape)  # type: ignore[misc]
+    above, below = figure.subplots(*((2, 1) if narrow else (1, 2)), **shape)
     above.grid(True)
     every = -(-run.run.sample_count(signal.name) // _DOTS)
     draw_curves(above, run, signal, layers, every)

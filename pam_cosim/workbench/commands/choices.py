@@ -141,7 +141,7 @@ def _choose(
 ) -> None:
     """Reads the data set anew with more that is chosen; the ladder begins anew where it would compare other samples."""
     state = study.state
-    chosen, kept = state.chosen | more, dict(state.values if values is None else values)
+    chosen, kept = {**state.chosen, **more}, dict(state.values if values is None else values)
     data, known = study.source.read(study.bench, chosen)
     step = Step(do, {"text": text, "chosen": chosen, "values": kept})
     rungs = state.rungs if do in ("free", "state") else ()

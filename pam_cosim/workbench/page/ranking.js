@@ -8,7 +8,7 @@ const SHOWN = 12; // rows before the rest is folded
 export function ranking(ranked, how) {
   const rows = ranked.candidates.map((c) => row(c, how));
   const rest = rows.slice(SHOWN);
-  const body = (part) => make("table", { class: "ranking" }, heads(), make("tbody", {}, part));
+  const body = (part) => make("div", { class: "scroll" }, make("table", { class: "ranking" }, heads(), make("tbody", {}, part)));
   return [
     make("h2", {}, how.running ? "Effects as they are tried" : "Which effects explain it"),
     how.running && !rows.length
