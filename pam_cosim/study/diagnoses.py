@@ -74,6 +74,7 @@ def check(
     free: Sequence[str] | None = None,
     files: Paths = (),
     say: Callable[[Message], None] = lambda message: None,
+    progress: Listener | None = None,
     workers: int | None = None,
 ) -> Check:
     """What ``data`` can and cannot tell about ``model`` (default: its bench) before any fit; see ``diagnosis.check``.
@@ -84,7 +85,12 @@ def check(
     """
     problem = as_problem(data, model, files, values=parameters, free=free)
     return _check(
-        problem.data, problem.model, files=problem.files, say=say, workers=checked_workers(workers)
+        problem.data,
+        problem.model,
+        files=problem.files,
+        say=say,
+        progress=progress,
+        workers=checked_workers(workers),
     )
 
 
