@@ -35,7 +35,8 @@ def test_every_value_and_signal_is_changed_and_taken_back(opened: Open, muscle: 
         until(page, lambda: fitted.is_enabled())
         was = fitted.is_checked()
         fitted.click()
-        until(page, lambda: page.get_by_label("Fit T", exact=True).is_checked() is not was)
+        until(page, lambda: page.locator(".steps li code").count() == 3)
+        assert page.get_by_label("Fit T", exact=True).is_checked() is not was
         for _ in range(3):
             steps = page.locator(".steps li code").count()
             page.get_by_role("button", name="Undo").click()
