@@ -218,7 +218,7 @@ class SearchCriteria:
     rounds: int = 8
     """rounds | of fits of models with one effect, with two and with three, at most"""
     starts: int = 12
-    """models | that other effects are added to by prediction, and effects combined to two"""
+    """models | that other effects are added to by prediction"""
     step: float = 0.6
     """of the excess | largest predicted remainder with another effect that is tried"""
     most_effects: int = 8

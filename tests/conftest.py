@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import gc
 import os
+import zlib
 from collections.abc import Callable, Generator
 from pathlib import Path
 
@@ -14,6 +15,16 @@ from pam_cosim import study
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption("--full", action="store_true", help="also run the tests marked 'full'")
+    parser.addoption(
+        "--tenth",
+        type=int,
+        choices=range(10),
+        help="run this tenth of the tests marked 'full' alone",
+    )
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    config.option.full |= config.option.tenth is not None
 
 
 @pytest.hookimpl(wrapper=True)
@@ -31,11 +42,18 @@ def pytest_collection() -> Generator[None, object, object]:
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     for item in items:  # before xdist looks for the groups
         item.add_marker(pytest.mark.xdist_group(_group(item)))
-    if config.getoption("--full"):
+    tenth = config.getoption("--tenth")
+    if config.getoption("--full") and tenth is None:
         return
-    slow = [item for item in items if item.get_closest_marker("full")]
-    items[:] = [item for item in items if not item.get_closest_marker("full")]
-    config.hook.pytest_deselected(items=slow)
+    left_out = [item for item in items if _tenth(item) != tenth]
+    items[:] = [item for item in items if _tenth(item) == tenth]
+    config.hook.pytest_deselected(items=left_out)
+
+
+def _tenth(item: pytest.Item) -> int | None:
+    """Of the full tests, by the group whose tests share what they keep; none for a quick test."""
+    slow = item.get_closest_marker("full")
+    return zlib.crc32(_group(item).encode()) % 10 if slow else None
 
 
 def _group(item: pytest.Item) -> str:

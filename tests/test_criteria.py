@@ -85,10 +85,6 @@ DECIDE_NOTHING = {
     "diagnosis/search/predicted_evidence": ("keeps a logarithm finite", "_TINY"),
     "diagnosis/search/reach": ("any place between the bounds will do", "_SHARES"),
     "diagnosis/search/selection": ("how many moves are tried at once", "_FEW"),
-    "diagnosis/search/step_times": (
-        "accuracy of times and slopes",
-        "_ROUNDS _INSIDE DIFFERENCE_TOLERANCE",
-    ),
     "diagnosis/search/trial": ("time of a compiler", "MOST_ROWS_UNCOMPILED"),
     "fitting/combinations": (
         "names parameters that the data confuse",
@@ -111,25 +107,6 @@ DECIDE_NOTHING = {
 ARITHMETIC = (0, 0.5, 1, 2, 3, 12)
 ROUNDING = 1e-9  # what is smaller is about the last digits of numbers, and divisions by zero
 TABLE = criteria_table()
-QUOTED = (
-    ("fitting.md", "{:g} are named", "fitting.fit.STRONG_CORRELATION"),
-    ("fitting.md", "by {:g} the 95 % interval ends", "fitting.profile.INTERVAL_RISE"),
-    ("how-it-works.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("results.md", "{:d} fitted rows", "simulation.models.MOST_ROWS_UNCOMPILED"),
-    ("planning.md", "{:d} are", "diagnosis.planning.design._DRAWN_COURSES"),
-    ("planning.md", "{:d} made out of these", "diagnosis.planning.design._IMPROVED_COURSES"),
-    ("planning.md", "{:g} of the best", "diagnosis.planning.design._EQUIVALENT_SHARE"),
-    *(
-        (page, "{:g} s of processor time and {:g} s more", "simulation.simulator.LONGEST_RUN")
-        for page in ("own-fmu.md", "runs.md", "trust.md")
-    ),
-    ("planning.md", "{:g} times as wide", "fitting.parameter_posterior._WIDTH"),
-    ("planning.md", "{:g} of equal weight", "fitting.predictive_bands._LEAST_EFFECTIVE"),
-    ("runs.md", "{:g} of its change", "sweeps.scalars._SETTLED_CHANGE"),
-    ("runs.md", "{:g} of the run", "sweeps.scalars._STEADY_PART"),
-    ("data-sets.md", "{:g} of its range has not turned", "measurement.curves._TURN_RANGE"),
-    ("data-sets.md", "{:g} of its range are one level", "measurement.curves._LEVEL"),
-)
 LINK = re.compile(r"\[([^\]]+)\]\(criteria\.md#([\w.]+)\)")
 
 
@@ -153,46 +130,6 @@ def test_no_number_decides_elsewhere(file: Path) -> None:
     names = sorted([*constants(tree), *imported_numbers(tree)])
     assert names == sorted(DECIDE_NOTHING.get(name_of(file), ("", ""))[1].split())
     assert numbers_compared(tree) == []
-
-
-def test_only_modules_that_decide_are_listed() -> None:
-    assert {*DECIDE_NOTHING} <= {name_of(file) for file in DECIDING}
-
-
-def test_an_imported_number_is_seen() -> None:
-    text = "from pam_cosim.measurement.free_parameter import INTERVAL, FreeParameter"
-    assert imported_numbers(ast.parse(text)) == ["INTERVAL"]
-
-
-@pytest.mark.parametrize(
-    ("text", "decides"),
-    [
-        ("def f(s):\n    return s > 0.37", True),
-        ("def f(s, noise):\n    return s > 0.37 * noise", True),
-        ("def f(s):\n    return min(s, 0.37) < s", True),
-        ("def f(s):\n    return -0.37 < s < 1", True),
-        ("def f(s):\n    limit = 0.37\n    return s > limit", True),
-        ("def f(s):\n    limit: float = 0.37\n    return s > 2 * limit", True),
-        ("def f(s):\n    low, high = 0.37, 1\n    return low < s", True),
-        ("def f(s, limit=0.37):\n    return s > limit", True),
-        ("def f(s, *, limit=0.37):\n    return s > limit", True),
-        ("f = lambda s, limit=0.37: s > limit", True),
-        (
-            "class A:\n    limit: float = 0.37\n    def f(self, s):\n        return s > self.limit",
-            True,
-        ),
-        ("LIMIT = 0.37", True),
-        ("LIMIT: float = 0.37", True),
-        ("def f(s, n):\n    return s > 2 * n - 0.5 and s[7] > 0", False),
-        ("def f(s):\n    return s > 1 + 1e-12", False),
-        ("def f(s):\n    width = 0.37 * s\n    return width", False),
-        ("LIMIT = CRITERIA.fit.dead / 7", False),
-        ("NODES = 7", True),
-    ],
-)
-def test_a_number_that_decides_is_seen(text: str, decides: bool) -> None:
-    tree = ast.parse(text)
-    assert bool(constants(tree) or numbers_compared(tree)) is decides
 
 
 def constants(tree: ast.Module) -> list[str]:
@@ -297,11 +234,3 @@ def test_documents_quote_the_numbers_in_force() -> None:
             assert text == TABLE[name][0], f"{page.name} says {text} for {name}"
             quoted += 1
     assert quoted > 10
-
-
-@pytest.mark.parametrize(("page", "text", "name"), QUOTED)
-def test_documents_quote_the_constants_in_force(page: str, text: str, name: str) -> None:
-    module, _, constant = name.rpartition(".")
-    value = getattr(importlib.import_module(f"pam_cosim.{module}"), constant)
-    written = text.format(*(value if isinstance(value, tuple) else (value,)))
-    assert re.search(rf"(?<![\d.]){re.escape(written)}", (ROOT / "docs" / page).read_text())

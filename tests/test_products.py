@@ -13,7 +13,6 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.diagnosis import BaseFitted, CandidateTried
 from pam_cosim.exports import Tabular
 from pam_cosim.fitting import HoldoutUncertainty
 from pam_cosim.study.products import _KINDS
@@ -99,41 +98,6 @@ def test_every_kind_of_product_prints_itself() -> None:
         assert kind.__repr__ is Printed.__repr__, kind
 
 
-def test_every_product_is_one_short_line_in_a_record() -> None:
-    vessel, diagnosis = "VesselOrifice", PRODUCTS["ambiguous"]
-    linear = pam.linearise(vessel, at=1.0)
-    with pam.start(vessel) as rig:
-        shown = [rig, rig.step(0.1), rig.save()]
-    products = [
-        *(
-            *PRODUCTS.values(),
-            *shown,
-            linear,
-            linear.point,
-            pam.linearise_along(vessel, times=[0.5]),
-        ),
-        *(pam.describe(vessel), *pam.effects()[:3], *pam.rig_parts()[:3], diagnosis.data),
-        *(diagnosis.verdict, diagnosis.base, *diagnosis.candidates, pam.check(DATA, "Isotonic")),
-        pam.Inputs(np.linspace(0.0, 1.0, 3), {"u": np.zeros(3)}),
-        BaseFitted(diagnosis.base),
-        CandidateTried(diagnosis.candidates[0]),
-    ]
-    for product in products:
-        assert repr(product).startswith(type(product).__name__)
-        assert len(repr(product)) <= 200 and "\n" not in repr(product)
-        assert str(product).strip() and product._repr_html_().startswith("<pre>")
-
-
-def test_the_line_of_a_product_has_its_result() -> None:
-    diagnosis = PRODUCTS["ambiguous"]
-    assert repr(diagnosis) == f"Diagnosis: {str(diagnosis.verdict).splitlines()[0]}"
-    assert diagnosis.verdict.reason in str(diagnosis.verdict)
-    assert repr(PRODUCTS["comparison"]).startswith(
-        "Comparison of PneumaticMuscle.Benches.Isotonic with 'a rig': p "
-    )
-    assert repr(PRODUCTS["fit"]).startswith("Fit of M to 'a rig': reduced chi-square fit ")
-
-
 def test_every_product_with_rows_becomes_a_frame() -> None:
     assert not {
         kind.__name__
@@ -153,25 +117,6 @@ def test_every_product_with_rows_becomes_a_frame() -> None:
     data = diagnosis.to_xarray()
     np.testing.assert_array_equal(data["delta_bic"], [c.delta_bic for c in diagnosis.candidates])
     assert data["delta_bic"].attrs == {"units": "1"} and data["family"].attrs == {}
-
-
-def test_the_frame_of_a_table_has_names_and_units() -> None:
-    linear = pam.linearise("VesselOrifice", at=1.0)
-    frame = linear.to_frame()
-    assert list(frame.columns) == [*linear.states, *linear.inputs]
-    assert frame.attrs["units"] == {name: linear.units[name] for name in frame.columns}
-    np.testing.assert_array_equal(frame.to_numpy()[0], [*linear.A[0], *linear.B[0]])
-
-
-def test_a_condition_table_has_a_row_for_each_cell() -> None:
-    runs = [
-        replace(run, parameters={"load.m": 2.0, "f": float(i)}) for i, run in enumerate(DATA.runs)
-    ]
-    table = make_comparison(replace(DATA, runs=tuple(runs)), 2.0).table("f", "load.m", "x")
-    frame = table.to_frame()
-    assert list(frame.index) == [0.0, 1.0, 2.0] and set(frame["load.m"]) == {2.0}
-    np.testing.assert_array_equal(frame["rmse"], table.rmse.ravel())
-    assert frame.attrs["units"]["rmse"] == "m"
 
 
 @pytest.mark.parametrize(("method", "library"), [("to_frame", "pandas"), ("to_xarray", "xarray")])

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import csv
-import json
 import math
 import tomllib
 from dataclasses import replace
@@ -11,24 +10,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.integrate import solve_ivp
 from scipy.signal import lsim
 
-from rig.catalogue.creep import Creep
 from rig.catalogue.dead_volume import DeadVolume
-from rig.catalogue.dry_friction import Coulomb, Dahl
+from rig.catalogue.dry_friction import Coulomb
 from rig.catalogue.elasticity import LinearSpring, MooneyRivlin
-from rig.catalogue.end_shape import TonduEnds
-from rig.catalogue.friction_heat import FrictionHeat
 from rig.catalogue.gas_energy import GasEnergy
 from rig.catalogue.leak import LaminarLeak
-from rig.catalogue.moving_mass import HangingMass
-from rig.catalogue.pressure_offset import PressureGain
 from rig.catalogue.thermocouple_lag import ThermocoupleLag
-from rig.catalogue.valve_area import BackPressure
-from rig.catalogue.valve_dynamics import ValveDeadTime, ValveLag
-from rig.catalogue.wall_heat import WarmWall
-from rig.effect import Now, Rest
 from rig.flow import (
     FLOW_CONSTANT,
     P_ATM,
@@ -40,19 +29,7 @@ from rig.flow import (
     flow_function,
     mass_flow,
 )
-from rig.measurement import (
-    SIZES,
-    TRUTH,
-    Noise,
-    effect_size,
-    main,
-    measure,
-    simulate_plan,
-    write_data_set,
-)
 from rig.muscle import MuscleParameters, simulate_muscle
-from rig.named import EFFECTS, effect_name, effect_of
-from rig.plan import default_plan, random_plan
 from rig.quadrature import Approach
 from rig.schedule import Phase, Schedule
 from rig.tank import Vessel, orifice_port, simulate_vessel, valve_ports
@@ -90,13 +67,6 @@ def printed_test():  # noqa: ANN201
 )
 def test_muscle_reproduces_the_printed_values(printed_test, signal, t, printed, half_digit):
     assert getattr(printed_test, signal)[round(100 * t)] == pytest.approx(printed, abs=half_digit)
-
-
-def test_a_sharp_step_is_what_moves_the_printed_venting_pressure():
-    sharp = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
-    # printed: 82.1 kPa; the ramp between two samples explains it
-    assert sharp.p[600] == pytest.approx(82.405e3, abs=2)
-    assert sharp.x[700] == pytest.approx(39.5485e-3, abs=1e-6)
 
 
 @pytest.mark.parametrize(
@@ -183,11 +153,6 @@ def test_adiabatic_filling_with_energy_balance_has_the_textbook_temperature():
     assert full.temperature == pytest.approx(exact, rel=1e-6)
 
 
-def test_vessel_refuses_effects_of_a_muscle():
-    with pytest.raises(ValueError, match="elasticity"):
-        simulate_vessel(Vessel(), valve_ports(207e3, 0.699), TIMES, effects=[LinearSpring()])
-
-
 # --- muscle ------------------------------------------------------------------------------------------------
 
 
@@ -223,16 +188,6 @@ def test_steady_state_balances_the_forces():
 
 # --- effects -----------------------------------------------------------------------------------------------
 
-FORCES = [
-    kind for kind in EFFECTS if kind.family in ("elasticity", "dry_friction", "rate_friction")
-]
-
-
-@pytest.mark.parametrize("kind", [k for k in FORCES if k is not Dahl], ids=effect_name)
-def test_forces_oppose_contraction(kind):
-    assert kind().force((), 0.05, 0.02, 1e5) > 1.0
-    assert kind().force((), 0.0, 0.0, 1e5) == pytest.approx(0.0, abs=1e-9)
-
 
 def test_mooney_rivlin_is_the_slope_of_its_energy():
     tube = MooneyRivlin()
@@ -259,36 +214,6 @@ def test_coulomb_friction_holds_a_band_of_rest_positions():
     ]
     assert moves[0] > 0.5e-3
     assert moves[1] < 0.05e-3
-
-
-@pytest.mark.parametrize("speed", [0.01, -0.03])
-def test_dahl_friction_builds_up_exponentially_with_travel(speed):
-    dahl = Dahl(f_c=8.0, stiffness=2e4)
-    travel = speed * 0.02
-
-    def rate(t: float, q: np.ndarray) -> tuple[float, ...]:
-        return dahl.rates(q, Now(0.0, speed, 0.0, T_ATM, (0.0, 0.0), 0.0, 0.0))
-
-    q = solve_ivp(
-        rate, (0.0, 0.02), dahl.initial(Rest(0.0, 1e-4, T_ATM, (0.0, 0.0))), rtol=1e-9, atol=1e-14
-    ).y[:, -1]
-    expected = math.copysign(8.0 * (1 - math.exp(-2e4 * abs(travel) / 8.0)), speed)
-    assert dahl.force(q, 0.0, speed, 0.0) == pytest.approx(expected, rel=1e-6)
-
-
-def test_dead_time_shifts_the_whole_filling():
-    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
-    late = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveDeadTime(dead_time=0.05)])
-    assert late.x[5:] == pytest.approx(plain.x[:-5], abs=1e-7)
-
-
-def test_a_fast_lag_comes_close_to_a_dead_time_of_the_same_length():
-    late = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [ValveDeadTime(dead_time=0.004)])
-    lag = simulate_muscle(
-        MuscleParameters(), 207e3, FILL, TIMES, [ValveLag(tau=0.004 * 0.214 / 0.35)]
-    )
-    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
-    assert np.abs(lag.p - late.p).max() < np.abs(plain.p - late.p).max()
 
 
 def test_leak_lets_a_closed_muscle_down():
@@ -321,58 +246,6 @@ def test_gas_energy_keeps_the_mass_of_gas_in_a_closed_muscle():
     assert np.ptp(mass) / mass[0] < 1e-7
 
 
-def test_creep_that_never_relaxes_is_a_spring():
-    spring = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [LinearSpring(k=250.0)])
-    creep = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [Creep(k=250.0, tau=1e7)])
-    assert creep.x == pytest.approx(
-        spring.x, abs=2e-5
-    )  # the creep's spring is slack at the stop, not at 0
-
-
-def test_creep_that_relaxes_at_once_is_viscous_only_for_a_moment():
-    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
-    creep = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [Creep(k=400.0, tau=0.2)])
-    assert plain.x[100] - creep.x[100] > 0.2e-3
-    assert creep.x[-1] == pytest.approx(plain.x[-1], abs=1e-6)
-
-
-def test_end_effect_of_tondu_scales_the_contraction_in_the_balance():
-    muscle = MuscleParameters()
-    end = simulate_muscle(muscle, 207e3, FILL, TIMES, [TonduEnds(k=1.06)])
-    pull = end.p[-1] * (muscle.volume_slope(1.06 * end.x[-1]) - muscle.mu_fb * muscle.fibre_area)
-    assert pull == pytest.approx(muscle.load * G, abs=0.02)
-
-
-def test_hanging_mass_is_more_load():
-    extra = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [HangingMass(m=0.8)])
-    heavier = simulate_muscle(MuscleParameters(load=2.27 + 0.8), 207e3, STEP, TIMES)
-    assert extra.x == pytest.approx(heavier.x, abs=1e-9)
-
-
-def test_warm_wall_has_the_base_model_and_an_insulated_one_as_limits():
-    cold = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES)
-    massive = simulate_muscle(MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e6)])
-    assert massive.p == pytest.approx(cold.p, abs=2.0)
-    hot = simulate_muscle(
-        MuscleParameters(), 207e3, STEP, TIMES, [WarmWall(capacity=1e-3, g_out=0.0)]
-    )
-    insulated = simulate_muscle(MuscleParameters(h_film=1e-6), 207e3, STEP, TIMES)
-    assert np.abs(hot.p - insulated.p).max() < 0.1 * np.abs(cold.p - insulated.p).max()
-
-
-def test_friction_heat_raises_the_pressure_while_the_muscle_moves():
-    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
-    heated = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [FrictionHeat(share=1.0)])
-    assert (heated.p - plain.p)[50:100].min() > 200.0
-
-
-def test_pressure_gain_changes_the_reading_alone():
-    plain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES)
-    gain = simulate_muscle(MuscleParameters(), 207e3, FILL, TIMES, [PressureGain(gain=1.05)])
-    assert gain.p == pytest.approx(1.05 * plain.p, abs=1e-6)
-    assert (gain.x == plain.x).all()
-
-
 @pytest.mark.parametrize("dead", [0.0, 2e-5])
 def test_choked_filling_keeps_the_energy_of_gas_and_dead_volume(dead):
     tight = MuscleParameters(h_film=1e-6)
@@ -390,40 +263,7 @@ def test_choked_filling_keeps_the_energy_of_gas_and_dead_volume(dead):
     assert stored + np.trapezoid(p, volume) == pytest.approx(enthalpy, rel=1e-5)
 
 
-def test_back_pressure_narrows_the_choked_valve_by_its_share():
-    short = np.array([0.0, 1e-3])
-    wide, narrow = (
-        simulate_muscle(MuscleParameters(), 207e3, FILL, short, effects).p[-1]
-        for effects in ((), [BackPressure(beta=0.15)])
-    )
-    assert narrow / wide == pytest.approx(1 - 0.15 * P_ATM / (207e3 + P_ATM), rel=1e-3)
-
-
-def test_names_carry_parameters_and_unknown_ones_are_refused():
-    assert effect_of("elasticity:linear:k=123") == LinearSpring(k=123.0)
-    assert effect_of("none").family == "none"
-    with pytest.raises(ValueError, match="no effect 'elasticity:sponge'"):
-        effect_of("elasticity:sponge")
-    with pytest.raises(ValueError, match="no parameter"):
-        effect_of("elasticity:linear:q=1")
-
-
 # --- data sets ---------------------------------------------------------------------------------------------
-
-
-@pytest.mark.full
-@pytest.mark.parametrize("name", ["elasticity:linear", "dry_friction:dahl", "leak:orifice"])
-def test_recorded_effect_sizes_are_current(name):
-    recorded = json.loads(SIZES.read_text())["effects"][name]["base at truth"]
-    assert effect_size(default_plan(), [effect_of(name)]) == pytest.approx(recorded, abs=0.02)
-
-
-@pytest.mark.parametrize("kind", [k for k in EFFECTS[1:] if k is not FrictionHeat], ids=effect_name)
-def test_default_strengths_stand_out_of_the_noise(kind):
-    # friction heat cannot: all of the friction's power is 2 standard deviations
-    sizes = json.loads(SIZES.read_text())["effects"][effect_name(kind)]["base at truth"]
-    judged = [sizes["T"]] if kind is ThermocoupleLag else [sizes["p"], sizes["x"]]
-    assert 5 <= max(judged) <= 40
 
 
 def read(folder: Path) -> tuple[dict, list[list[dict[str, str]]]]:
@@ -433,76 +273,3 @@ def read(folder: Path) -> tuple[dict, list[list[dict[str, str]]]]:
         with (folder / run["file"]).open() as file:
             tables.append(list(csv.DictReader(file)))
     return experiment, tables
-
-
-def test_data_set_has_the_agreed_form(tmp_path):
-    measured = measure(default_plan(), [LinearSpring()], seed=3)
-    write_data_set(tmp_path, measured)
-    experiment, tables = read(tmp_path)
-    assert [run["role"] for run in experiment["runs"]] == ["fit"] * 4 + ["holdout"] * 2
-    assert experiment["model"] == "PneumaticMuscle.Benches.Isotonic"
-    assert experiment["fit"]["valve.C_A"] == {"min": 0.5, "max": 0.9}
-    assert experiment["signals"]["x"]["sigma"] == "0.2 mm"
-    assert experiment["runs"][1]["parameters"]["load.m"] == "3 kg"
-    assert [*tables[0][0]] == [
-        "time [s]", "u_in [A]", "u_out [A]", "p_supply [kPa]", "p [kPa]", "x [mm]", "T [degC]",
-    ]  # fmt: skip
-    assert len(tables[0]) == 1001
-    assert float(tables[0][500]["p [kPa]"]) == pytest.approx(measured[0].signals["p"][500] / 1e3)
-    assert float(tables[0][500]["T [degC]"]) == pytest.approx(
-        measured[0].signals["T"][500] - 273.15
-    )
-    assert (tables[0][349]["u_in [A]"], tables[0][350]["u_in [A]"]) == ("0.35", "0")
-
-
-def test_steps_can_be_two_rows(tmp_path):
-    write_data_set(tmp_path, measure(default_plan()[:1], seed=3), step_rows=True)
-    experiment, (rows,) = read(tmp_path)
-    assert "interpolation" not in experiment["runs"][0]
-    time = np.array([float(row["time [s]"]) for row in rows])
-    assert (np.diff(time) > 0).all()
-    before = [k for k, row in enumerate(rows) if row["p [kPa]"] == ""]
-    assert [round(time[k], 3) for k in before] == [3.5, 5.0]
-    assert (rows[before[0]]["u_in [A]"], rows[before[0] + 1]["u_in [A]"]) == ("0.35", "0")
-
-
-def test_noise_is_seeded_and_of_the_stated_size():
-    plan = default_plan()[:1]
-    clean, one, again, other = (
-        simulate_plan(plan)[0], measure(plan, seed=1)[0], measure(plan, seed=1)[0], measure(plan, seed=2)[0],
-    )  # fmt: skip
-    for name, sigma in Noise().as_dict().items():
-        assert (one.signals[name] == again.signals[name]).all()
-        assert (one.signals[name] != other.signals[name]).any()
-        # 1001 samples: the estimate of sigma scatters by 2.2 %
-        assert np.std(one.signals[name] - clean.signals[name]) == pytest.approx(sigma, rel=0.1)
-
-
-def test_true_parameters_lie_off_the_defaults():
-    assert MuscleParameters().calibration != TRUTH.calibration
-    assert MuscleParameters().mu_fb != TRUTH.mu_fb
-
-
-@pytest.mark.full
-@pytest.mark.parametrize("seed", range(5))
-def test_random_plans_fill_ten_seconds_and_lift_their_load(seed):
-    plan = random_plan(seed)
-    assert plan == random_plan(seed)
-    for one in simulate_plan(plan):
-        assert sum(phase.duration for phase in one.run.phases) == pytest.approx(10.0)
-        assert 100e3 <= one.run.p_supply <= 300e3
-        assert 1.0 <= one.run.load <= 8.0
-        assert one.signals["x"].max() > 0.02
-
-
-@pytest.mark.full
-def test_command_line_writes_the_same_bytes_again(tmp_path, capsys):
-    for name in ("a", "b"):
-        assert main([str(tmp_path / name), "--effect", "elasticity:linear", "--seed", "1"]) == 0
-    told = json.loads(capsys.readouterr().out.split("}\n{")[0] + "}")
-    assert told["families"] == ["elasticity"]
-    files = sorted(path.name for path in (tmp_path / "a").iterdir())
-    assert len(files) == 7
-    assert all(
-        (tmp_path / "a" / f).read_bytes() == (tmp_path / "b" / f).read_bytes() for f in files
-    )

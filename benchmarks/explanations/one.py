@@ -43,7 +43,7 @@ def _explained(truth: Truth, folder: Path) -> dict[str, Any]:
     subject = subject_of(study.read(folder), None, (), 0, _silent)
     with subject.simulator() as simulator:
         effects = subject.effects(simulator.interface)
-        data, base, _ = fit_base_model(simulator, subject.data, _silent)
+        data, base = fit_base_model(simulator, subject.data, _silent)
     effort = Effort(simulations=SEARCH)
     search = Search(subject.tree, subject.name, effects, data, subject.sources, effort=effort)
     fitted = processor_seconds()

@@ -12,7 +12,6 @@ from pam_cosim.diagnosis.judgement.events import (
     LedgerKept,
     Listener,
     Remark,
-    SearchRestarted,
 )
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.missing_term import LeftInSignal, MissingTerm
@@ -32,7 +31,6 @@ __all__ = [
     "Posterior",
     "ConfusedPair",
     "BaseFitted",
-    "SearchRestarted",
     "Candidate",
     "CandidateTried",
     "Check",

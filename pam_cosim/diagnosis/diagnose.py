@@ -43,11 +43,9 @@ from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
 from pam_cosim.diagnosis.search.searches import (
     fit_base_model,
-    refit_by_role,
-    search_all_runs,
-    search_fit_runs,
     with_effects,
 )
+from pam_cosim.diagnosis.search.selection import select_effects
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Columns, Tabular
@@ -82,7 +80,6 @@ class Diagnosis(Printed, Tabular):
         untried: effects of the models that promised to be better when a limit ended the search.
         simulations: runs that were simulated until the verdict stood, with sensitivities or without.
         not_tried: families that were not looked for, with the reason.
-        step_times: steps of commands that stand between two samples, to which the search gave a time.
         means: where very many rows became means, which are in ``data``: a sentence on it.
         rivals: effects of each model that is left, best first: of an ambiguous verdict those that it names, of an
             unknown one those that come nearest; see ``rival_models``.
@@ -90,7 +87,7 @@ class Diagnosis(Printed, Tabular):
 
     json_keys = (
         "title=data.title base=_base where=base.comparison.where balance candidates=_candidates "
-        "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers step_times rivals "
+        "verdict final=_final folds=verdict.folds doubts=final.comparison.doubts outliers rivals "
         "next_experiment missing_term=_missing untried simulations not_tried ledger=_ledger disagreement"
     )
 
@@ -110,7 +107,6 @@ class Diagnosis(Printed, Tabular):
     untried: tuple[tuple[str, ...], ...] = ()
     simulations: int = 0
     not_tried: dict[str, str] = field(default_factory=dict)
-    step_times: int = 0
     means: str = ""
     rivals: tuple[tuple[str, ...], ...] = ()
 
@@ -141,16 +137,12 @@ class Diagnosis(Printed, Tabular):
     @property
     def changes_of_data(self) -> tuple[str, ...]:
         """What was changed in the samples before models were judged by them, in sentences."""
-        steps = (
-            f"{self.step_times} steps of commands came between two samples: each was given the time in its interval "
-            "that leaves least; log commands when they change, or faster"
-        )
         outliers = (
             f"{n} single {'samples' if n > 1 else 'sample'} of {name} {'are' if n > 1 else 'is'} set aside"
             for name, n in self.outliers.items()
             if n
         )
-        return tuple(filter(None, [*outliers, self.means, steps * bool(self.step_times)]))
+        return tuple(filter(None, [*outliers, self.means]))
 
     def frame_columns(self) -> Columns:
         """A row for each candidate, best first; ``final.to_frame()`` has the parameters."""
@@ -295,7 +287,7 @@ def diagnose(
     with effort.counting(), subject.simulator() as simulator:
         available = subject.effects(simulator.interface)
         excluded, expected = _excluded_and_expected(available, subject.data, exclude, expect)
-        data, base, outliers = fit_base_model(simulator, subject.data, say)
+        data, base = fit_base_model(simulator, subject.data, say)
     search = Search(
         library,
         subject.name,
@@ -306,28 +298,25 @@ def diagnose(
         workers,
         expected=expected,
         effort=effort,
+        recorded=subject.data,
     )
-    result = search_fit_runs(subject, search, base, outliers)
-    all_runs_result = search_all_runs(subject, result)
-    judged = all_runs_result or result
-    verdict, plans = _verdict(judged, subject.sources, all_runs_result is not None)
-    if all_runs_result is not None:
-        result = refit_by_role(result, all_runs_result)
-    elif verdict.leaves_structure and result.path and not effort.spent:
-        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
+    result = select_effects(search, base)
+    verdict, plans = _verdict(result, subject.sources)
+    if verdict.leaves_structure and result.path and not effort.spent:
+        folds = folds_of(result.search, result.path[-1].effects, result.last)
         if folds is not None:
-            result = judged = with_effects(result, folds.named)
-            verdict, plans = _verdict(result, subject.sources, False)
+            result = with_effects(result, folds.named)
+            verdict, plans = _verdict(result, subject.sources)
             verdict = replace(verdict, folds=folds)
     search, base, simulations = result.search, result.base, effort.simulations
-    candidates = _ranked(judged, search.data)
+    candidates = tuple(rank(base, result.tried))
     tell(Judged(verdict, base, candidates, result.path))
     ledger = _ledger_of_base(search, base, verdict, tell) if explain else None
     learned = None
     if explain and verdict.leaves_structure and not effort.spent:
         effects = [c.effect for c in result.path]
         learned = described(search, ledger, base, effects, result.last)
-    balance = _balance(judged.base, [c for c in judged.tried if len(c.effects) == 1])
+    balance = _balance(base, [c for c in result.tried if len(c.effects) == 1])
     return Diagnosis(
         data=search.data,
         model=subject.name,
@@ -337,7 +326,7 @@ def diagnose(
         balance=balance,
         verdict=verdict,
         failed=tuple(search.failed),
-        outliers=dict(result.outliers),
+        outliers=result.search.outliers,
         next_experiment=plans[0][1] if plans else None,
         missing_term=missing_term(result.last, balance) if verdict.leaves_structure else None,
         ledger=ledger,
@@ -345,9 +334,8 @@ def diagnose(
         untried=result.untried,
         simulations=simulations,
         not_tried=_not_tried(available, excluded, result),
-        step_times=result.step_times,
         means=subject.means,
-        rivals=_models_left(verdict, judged, [c for c, _ in plans]),
+        rivals=_models_left(verdict, result, [c for c, _ in plans]),
     )
 
 
@@ -360,24 +348,14 @@ def _models_left(
     return tuple(c.effects for c in models.nearest) if verdict.kind == "unknown" else ()
 
 
-def _verdict(
-    result: SearchResult, sources: Sequence[Path], all_runs_searched: bool
-) -> tuple[Verdict, list[RivalPlan]]:
+def _verdict(result: SearchResult, sources: Sequence[Path]) -> tuple[Verdict, list[RivalPlan]]:
     """The verdict, and the rivals with the run that would decide where either may be right."""
     plans: list[RivalPlan] = []
     if result.path and leaves_structure(result.last):
         plans = [(c, None) for c in result.rivals]
     elif result.path:
         plans = distinguishable_rivals(result.search.data, result.path[-1], result.rivals, sources)
-    return judge(result, [c for c, _ in plans], all_runs_searched=all_runs_searched), plans
-
-
-def _ranked(result: SearchResult, data: DataSet) -> tuple[Candidate, ...]:
-    """Every model that was tried, best first by what it was fitted to; with residuals by the roles in the data."""
-    ranked = rank(result.base, result.tried)
-    if result.search.data is not data:
-        ranked = [replace(c, fit=c.fit.against(data)) for c in ranked]
-    return tuple(ranked)
+    return judge(result, [c for c, _ in plans]), plans
 
 
 def _excluded_and_expected(

@@ -12,7 +12,6 @@ from pam_cosim.measurement.recording import Recording, read_recording
 from pam_cosim.measurement.rig_columns import RigColumn, rig_columns
 from pam_cosim.measurement.signal import Signal, StatedSignal
 from pam_cosim.measurement.start import START_MODES, Start, StartMode
-from pam_cosim.measurement.steps import between_samples, with_step_times
 from pam_cosim.measurement.text_file import any_text
 from pam_cosim.measurement.white_noise import estimate_noise
 from pam_cosim.measurement.write import write_data_set
@@ -36,7 +35,6 @@ __all__ = [
     "StatedSignal",
     "Transform",
     "any_text",
-    "between_samples",
     "complete_noise",
     "condensed",
     "error_in",
@@ -48,6 +46,5 @@ __all__ = [
     "read_recording",
     "rig_columns",
     "rows_of",
-    "with_step_times",
     "write_data_set",
 ]

@@ -15,11 +15,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from pam_cosim.arrays import Array
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.measurement.data_set import Run
 from pam_cosim.measurement.noise import record_step
 from pam_cosim.measurement.recording import Recording, locked
 from pam_cosim.measurement.signal import Averaged, StatedSignal
-from pam_cosim.measurement.steps import jumps as jumps_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
 
@@ -42,7 +42,7 @@ def resampled(recording: _Rows, interval: float, interpolation: Interpolation) -
     wanted = max(1, round((time[-1] - time[0]) / interval))
     if 2 * wanted > count:
         return recording
-    jumps = jumps_of(recording.inputs, wanted)
+    jumps = _jumps(recording.inputs, wanted)
     starts = _starts(time, jumps, interval)
     sizes = np.diff(starts, append=count)
     middle = np.add.reduceat(time, starts) / sizes
@@ -174,3 +174,13 @@ def _third(times: Array) -> NDArray[np.bool_]:
         if len(times) > 2
         else np.zeros(len(times), bool)
     )
+
+
+def _jumps(inputs: Mapping[str, Array], most: int) -> NDArray[np.int64]:
+    """Rows after which an input steps: differences far beyond the others, the largest ``most`` left out of these."""
+    steps = np.zeros(max((len(v) for v in inputs.values()), default=1) - 1, dtype=bool)
+    for values in inputs.values():
+        size = np.abs(np.diff(values))
+        usual = np.partition(size, len(size) - most)[: len(size) - most]
+        steps |= size > CRITERIA.noise.outlier_far * np.sqrt(float(np.mean(usual**2)))
+    return np.flatnonzero(steps)

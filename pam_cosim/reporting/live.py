@@ -17,7 +17,6 @@ from pam_cosim.diagnosis import (
     Event,
     FailedTrial,
     Judged,
-    SearchRestarted,
 )
 from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.verdict_sentences import (
@@ -53,9 +52,6 @@ class Tried:
         match event:
             case BaseFitted():
                 self.base = event.fit
-            case SearchRestarted():
-                self._tried.clear()
-                self.failed.clear()
             case CandidateTried(attempt=FailedTrial() as failed):
                 self.failed.append(failed)
             case CandidateTried(attempt=Candidate() as made):

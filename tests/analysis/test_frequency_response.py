@@ -97,21 +97,6 @@ def test_what_has_not_settled_is_said(bent: str) -> None:
     )
 
 
-@pytest.mark.full
-def test_saved_loaded_drawn_and_shown(bent: str, tmp_path: Path) -> None:
-    response = pam.frequency_response(bent, input="u", amplitude=0.5, frequencies=[0.1, 1.0])
-    again = pam.load(pam.save(response, tmp_path / "f.npz"))
-    assert again.as_dict() == response.as_dict() and str(again) == str(response)
-    pam.draw(response, tmp_path / "f.png")
-    assert (tmp_path / "f.png").read_bytes().startswith(b"\x89PNG")
-    assert "<pre>" in response._repr_html_()
-    assert (
-        response.to_csv(tmp_path / "f.csv")
-        .read_text()
-        .startswith("frequency [Hz],y gain,y phase [deg],y distortion,")
-    )
-
-
 @pytest.mark.parametrize(
     ("words", "message"),
     [

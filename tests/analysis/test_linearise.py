@@ -2,15 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pam_cosim as pam
-from tests.fmu import models
-from tests.simulation.misbehaving import hanging, patched, repacked
+from tests.simulation.misbehaving import repacked
 
 INTEGRATOR = """
 model Heater "A store that is heated and loses nothing"
@@ -22,19 +20,6 @@ equation
   C*der(x) = u;
   T = x;
 end Heater;
-"""
-PENDULUM = """
-model Pendulum "Upright at the start, and pushed a little"
-  input Real M(start=0, unit="N.m");
-  output Real angle(unit="rad");
-  parameter Real d(unit="1/s") = 0.4;
-  Real phi(start=3.1, fixed=true, unit="rad");
-  Real w(start=0, fixed=true, unit="rad/s");
-equation
-  der(phi) = w;
-  der(w) = -9.81*sin(phi) - d*w + M;
-  angle = phi;
-end Pendulum;
 """
 
 
@@ -79,25 +64,6 @@ def test_the_matrices_of_the_slides() -> None:
     )
     assert linear.static_gain[1, 0] == pytest.approx(-c_1 / (c_2 + k))
     assert linear.is_stable and "time constant 0.1 s (P 100%)" in str(linear)
-
-
-def test_a_law_without_states_has_gains_alone() -> None:
-    linear = pam.linearise("StaticForce", at={"p": "6 bar", "eps": "10 %"})
-    assert linear.point.outputs["F"] == pytest.approx(205.67, abs=5e-3)
-    assert linear.D[0, 0] == pytest.approx(5.7239e-4, rel=1e-4)
-    assert -linear.D[0, 1] / 0.3 == pytest.approx(8061.8, rel=1e-5)
-    np.testing.assert_array_equal(linear.static_gain, linear.D)
-    with pytest.raises(pam.InputError, match="no states"):
-        linear.to_scipy()
-
-
-def test_at_rest_nothing_changes_and_a_run_ends_there() -> None:
-    linear = pam.linearise("Isotonic", {"u_out": 0.25, "u_in": "0.3 A"})
-    assert linear.point.kind == "rest" and "settles" in linear.point.how
-    assert all(abs(rate) < 1e-2 for rate in linear.point.rates.values())
-    run = pam.simulate("Isotonic", {"u_out": 0.25, "u_in": 0.3}, stop_time=60)
-    assert linear.point.outputs["x"] == pytest.approx(run["x"][-1], rel=1e-6)
-    assert linear.point.outputs["p"] == pytest.approx(run["p"][-1], rel=1e-6)
 
 
 def test_small_steps_of_the_model_are_those_of_the_linear_one() -> None:
@@ -147,18 +113,6 @@ def test_differences_where_an_fmu_has_no_derivatives(tmp_path: Path) -> None:
         np.testing.assert_allclose(two, one, rtol=1e-6, atol=1e-7 * np.abs(one).max(initial=0.0))
 
 
-@pytest.mark.full
-def test_both_versions_of_fmi_say_the_same(tmp_path: Path) -> None:
-    path = pam.build("Isotonic", tmp_path / "three.fmu", fmi="3.0")
-    three, two = (
-        pam.linearise(str(path), at={"x": 0.03}),
-        pam.linearise("Isotonic", at={"x": 0.03}),
-    )
-    assert three.method == two.method and "directional" in two.method
-    np.testing.assert_array_equal(three.A, two.A)
-    np.testing.assert_array_equal(three.B, two.B)
-
-
 def test_along_a_run() -> None:
     times = [0.5, 1.0, 3.0]
     steps = pam.Inputs([0, 2, 2, 4], {"u_in": [0.35, 0.35, 0, 0], "u_out": [0, 0, 0.35, 0.35]})
@@ -173,19 +127,6 @@ def test_along_a_run() -> None:
     np.testing.assert_allclose(one.A, course[1].A, rtol=1e-5, atol=1e-3)
 
 
-def test_at_a_time_of_a_trajectory() -> None:
-    from pam_cosim.simulation.models import opened
-
-    with opened("Isotonic") as simulator:
-        run = simulator.run([0.0, 1.0], outputs=["muscle.gas.p", "load.s", "load.v", "u_in"])
-    linear = pam.linearise("Isotonic", at=(run, 1.0))
-    assert linear.point.states["load.s"] == run["load.s"][1]
-    with pytest.raises(pam.InputError, match="lacks muscle.gas.p"):
-        pam.linearise("Isotonic", at=(pam.simulate("Isotonic", stop_time=1), 0.5))
-    with pytest.raises(pam.InputError, match="without 7 s"):
-        pam.linearise("Isotonic", at=(run, 7.0))
-
-
 def test_no_rest(modelica) -> None:
     heater = modelica(INTEGRATOR)
     with pytest.raises(
@@ -195,44 +136,6 @@ def test_no_rest(modelica) -> None:
     linear = pam.linearise(heater, free=["u"])
     assert linear.point.inputs["u"] == pytest.approx(0, abs=1e-5) and "integrates" in str(linear)
     assert np.isnan(linear.static_gain).all() and not linear.is_stable
-
-
-CHAMBERS = """
-model Chambers "Two chambers that are joined by a throttle, and closed otherwise"
-  input Real u(start=0);
-  output Real p;
-  parameter Real V1=0.7;
-  parameter Real V2=0.3;
-  parameter Real C=1.1;
-  Real p1(start=1, fixed=true);
-  Real p2(start=1, fixed=true);
-equation
-  V1*der(p1) = C*(p2-p1) + u;
-  V2*der(p2) = C*(p1-p2);
-  p = p2;
-end Chambers;
-"""
-
-
-def test_two_chambers_without_an_outlet_have_no_static_gain(modelica) -> None:
-    """One pole is zero but for rounding, which falls to either side of it."""
-    linear = pam.linearise(modelica(CHAMBERS))
-    rng = np.random.default_rng(0)
-    for V1, V2, C in rng.uniform(0.1, 2, (200, 3)):
-        A, B = np.array([[-C / V1, C / V1], [C / V2, -C / V2]]), np.array([[1 / V1], [0]])
-        other = replace(linear, A=A, B=B)
-        assert np.isnan(other.static_gain).all() and not other.is_stable
-        assert other.modes[0].time_constant == np.inf and "integrates" in other.modes_text()[0]
-        assert other.modes[1].time_constant == pytest.approx(V1 * V2 / (C * (V1 + V2)))
-
-
-def test_a_rest_that_is_left_again(modelica) -> None:
-    pendulum = modelica(PENDULUM)
-    down = pam.linearise(pendulum)
-    assert down.point.states["phi"] == pytest.approx(0, abs=1e-6) and down.is_stable
-    up = pam.linearise(pendulum, at={"angle": np.pi}, free=["M"])
-    assert not up.is_stable and up.modes[1].time_constant > 0 > up.modes[0].time_constant
-    assert up.A[1, 0] == pytest.approx(9.81) and "grows" in str(up)
 
 
 def test_fewer_states_keep_the_static_gain() -> None:
@@ -266,23 +169,6 @@ def test_for_scipy_and_python_control() -> None:
     assert pam.linearise("Isotonic").to_control().state_labels[0] == "muscle_gas_p"
 
 
-@pytest.mark.full
-def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
-    linear = pam.linearise("LumpedLinear")
-    again = pam.load(pam.save(linear, tmp_path / "l.npz"))
-    assert again.as_dict() == linear.as_dict() and str(again) == str(linear)
-    pam.draw(linear, tmp_path / "l.png")
-    assert (tmp_path / "l.png").read_bytes().startswith(b"\x89PNG")
-    assert "<pre>" in linear._repr_html_() and "der(v) [m/s2]" in linear._repr_html_()
-    rows = linear.to_csv(tmp_path / "l.csv").read_text().splitlines()
-    assert rows[0] == ",P [Pa],l [m],v [m/s],p_in [Pa]" and rows[3].startswith(
-        "der(v) [m/s2],-0.00028619,"
-    )
-    along = pam.linearise_along("Isotonic", times=[0.5, 1])
-    pam.draw(along, tmp_path / "poles.png")
-    assert pam.load(pam.save(along, tmp_path / "a.npz")).as_dict() == along.as_dict()
-
-
 @pytest.mark.parametrize(
     ("words", "message"),
     [
@@ -302,19 +188,3 @@ def test_saved_loaded_drawn_and_shown(tmp_path: Path) -> None:
 def test_bad_input(words: dict, message: str) -> None:
     with pytest.raises(pam.InputError, match=message.replace("(", r"\(")):
         pam.linearise("Isotonic", **words)
-
-
-def test_an_fmu_without_model_exchange() -> None:
-    with pytest.raises(pam.InputError, match="no model exchange .*delays a signal"):
-        pam.linearise(str(models.fmu(models.delayed_lag)))
-
-
-@pytest.mark.full
-def test_an_fmu_that_crashes_or_hangs(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    start = "fmi2Status fmi2NewDiscreteStates(fmi2Component component, fmi2EventInfo *info) {"
-    crashing = patched(tmp_path, "pam_fmi2.c", start, start + " abort();")
-    with pytest.raises(pam.SimulationFailure, match=r"crashed its process \(signal SIGABRT\)"):
-        pam.linearise(str(crashing))
-    monkeypatch.setenv("HANG", "fmi2GetDerivatives")
-    with pytest.raises(pam.SimulationFailure, match="no progress for 2 s"):
-        pam.linearise(str(hanging(tmp_path)), timeout=2)

@@ -121,41 +121,6 @@ def test_who_is_too_sure_is_told(
     )
 
 
-@pytest.mark.full
-def test_missing_samples_and_a_file(
-    example: ModuleType, run: tuple[np.ndarray, pam.Trajectory], tmp_path: Path
-) -> None:
-    """Empty cells are no measurement; a foreign FMU says the same as the model that it was made from."""
-    recording = example.sampled(run[1], 20.0, seed=5)
-    rows = ["time [s],u_in [A],u_out [A],p [kPa],x [mm]"]
-    for i, t in enumerate(recording.time[:30]):
-        p = "" if i % 3 else f"{recording['p'][i] / 1e3!r}"
-        rows.append(
-            f"{t!r},{recording['u_in'][i]!r},{recording['u_out'][i]!r},{p},{recording['x'][i] * 1e3!r}"
-        )
-    path = tmp_path / "r.csv"
-    path.write_text("\n".join(rows).replace("np.float64(", "").replace(")", "") + "\n")
-    words = {
-        "noise": {"p": "0.5 kPa", "x": "0.2 mm"},
-        "unknown": {"F_ext": ("5 N", "5 N")},
-        "outputs": ["F"],
-    }
-    observation = pam.observe(MODEL, path, interpolation="previous", **words)
-    assert (
-        observation.sizes[:, 1].sum() == 40 and np.isnan(observation.innovations["p"]).sum() == 20
-    )
-    foreign = pam.build(MODEL, tmp_path / "foreign.fmu")
-    other = pam.observe(str(foreign), path, interpolation="previous", **words)
-    np.testing.assert_array_equal(other["F"], observation["F"])
-    assert pam.load(pam.save(observation, tmp_path / "o.npz")).as_dict() == observation.as_dict()
-    pam.draw(observation.with_truth({"F": observation["F"]}), tmp_path / "o.png")
-    assert (tmp_path / "o.png").read_bytes().startswith(b"\x89PNG")
-    assert (
-        observation.to_csv(tmp_path / "o.csv").read_text().startswith("time [s],muscle.gas.p [Pa],")
-    )
-    assert "<pre>" in observation._repr_html_()
-
-
 @pytest.mark.parametrize(
     ("words", "message"),
     [
@@ -180,37 +145,6 @@ def test_bad_input(words: dict, message: str) -> None:
     recording = pam.Trajectory(time, values, {"u_in": "A", "x": "m", "p": "Pa"})
     with pytest.raises(pam.InputError, match=message):
         pam.observe(MODEL, recording, **({"noise": {"x": 1e-3}} | words))
-
-
-def test_truth_of_something_else(lag: str) -> None:
-    time = np.array([0, 0.1])
-    observation = pam.observe(lag, pam.Trajectory(time, {"y": time}, {"y": "m"}), noise={"y": 1})
-    with pytest.raises(pam.InputError, match="'z' was not estimated"):
-        observation.with_truth({"z": time})
-    with pytest.raises(pam.InputError, match="'y' has 3 values for 2 times"):
-        observation.with_truth({"y": np.zeros(3)})
-
-
-@pytest.mark.full
-def test_a_recording_that_begins_in_the_middle(lag: str) -> None:
-    """The filter begins where the first samples lie, and says so; one that begins at rest says nothing."""
-    times, rng = np.linspace(0.0, 4.0, 401), np.random.default_rng(2)
-    force = 5.0 + np.sin(3.0 * times)
-    whole = pam.simulate(lag, inputs={"time": times, "u": force}, stop_time=4.0, interval=0.01)
-    noisy = {
-        "u": force,
-        "y": np.interp(times, whole.time, whole["y"]) + 0.01 * rng.standard_normal(401),
-    }
-    late = times >= 1.0
-    cut = pam.Trajectory(times[late], {n: v[late] for n, v in noisy.items()}, {"u": "N", "y": "m"})
-    observed = pam.observe(lag, cut, noise={"y": 0.01})
-    assert abs(observed["x"][0] - np.interp(1.0, whole.time, whole["y"])) < 0.01
-    assert observed.is_consistent
-    assert observed.begins.startswith("the recording begins at 4.")
-    assert observed.begins in str(observed)
-    assert not pam.observe(lag, cut, noise={"y": 0.01}, start={"x": 0.0}).is_consistent
-    from_rest = pam.Trajectory(times, noisy, {"u": "N", "y": "m"})
-    assert not pam.observe(lag, from_rest, noise={"y": 0.01}).begins
 
 
 def test_the_likelihood_is_that_of_all_readings_together(lag: str) -> None:

@@ -23,7 +23,6 @@ from rig.instruments import (
     fault_of,
     readings,
 )
-from rig.short import measure_light
 
 TIME = np.linspace(0.0, 2.0, 401)
 CLEAN = {"p": 2e5 * TIME, "x": 0.02 * TIME, "F": 100.0 * TIME, "T": 293.15 + 5.0 * TIME}
@@ -130,16 +129,3 @@ def test_what_is_no_fault_is_refused(text: str):
 def test_a_fault_in_a_signal_that_is_not_there_is_refused():
     with pytest.raises(ValueError, match="no signal 'F'"):
         disturbed([Offset("F", 1.0)], TIME, {"x": CLEAN["x"]})
-
-
-def test_light_data_through_faulty_instruments_differ_by_the_fault_alone():
-    plain, off = measure_light(seed=3), measure_light(seed=3, faults=[Offset("x", 2e-3)])
-    early = measure_light(seed=3, faults=[ClockOffset(-0.04)])
-    for a, b, c in zip(plain, off, early, strict=True):
-        assert b.signals["x"] == pytest.approx(a.signals["x"] + 2e-3, abs=1e-8)
-        assert b.signals["p"] == pytest.approx(a.signals["p"], abs=1.0)
-        noise_of_both = 500.0 * np.sqrt(2)
-        assert (c.signals["p"][:-2] - a.signals["p"][2:]).std() == pytest.approx(
-            noise_of_both, rel=0.15
-        )
-        assert (c.signals["p"] - a.signals["p"]).std() > 3 * noise_of_both

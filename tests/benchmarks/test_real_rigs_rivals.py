@@ -1,12 +1,10 @@
 """What rival methods get of a rig: whole stretches of samples, and the published formula of the wind tunnel."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from benchmarks.real_rigs import again, formulas
+from benchmarks.real_rigs import formulas
 from benchmarks.real_rigs.dynamic import WIDEST, measured_parts
 from benchmarks.real_rigs.rows import Course
 
@@ -40,20 +38,3 @@ def test_model_a2_is_what_its_equation_says() -> None:
     options = {"rtol": 1e-9, "atol": 1e-9, "max_step": 0.01}
     true = solve_ivp(rate, (0, 10), [formulas.IDLE], t_eval=TIME, **options).y[0]
     assert found == pytest.approx(true, rel=0.01)
-
-
-def test_the_course_of_an_equal_fan_has_its_load_in_the_place_of_this_one() -> None:
-    twin = formulas.of_twin(course(TIME, 1 + TIME, 2 + TIME, 3 + TIME))
-    assert np.array_equal(twin.inputs, np.column_stack([2 + TIME, 1 + TIME, 3 + TIME]))
-
-
-def test_all_is_made_again_in_order_and_rivals_only_where_they_can_be(tmp_path: Path) -> None:
-    def modules(rivals: Path | None) -> list[str]:
-        listed = again.steps(tmp_path, Path("mirror"), rivals)
-        return [command[2].rpartition(".")[2] for command in listed]
-
-    assert modules(None) == ["fetch", "tunnel", "ours", "table", "named", "bands"]
-    every = ["fetch", "tunnel", "ours", "rivals", "table", "pictures", "named", "bands"]
-    assert modules(Path("rivals/bin/python")) == every
-    first = next(again.steps(tmp_path, Path("mirror"), None))
-    assert first[-2:] == ["--mirror", "mirror"]

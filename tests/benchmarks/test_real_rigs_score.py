@@ -34,39 +34,11 @@ def test_errors_are_in_ranges_over_what_is_scored(tmp_path: Path) -> None:
     assert found["fitted"]["b"] == LOST  # a run that nobody predicted
 
 
-def test_first_samples_that_a_method_was_given_are_not_scored_but_later_gaps_are_lost(
-    tmp_path: Path,
-) -> None:
-    rows = read_rows(written(tmp_path))
-    begun = np.where(TIME < 0.15, np.nan, 10 * TIME + 2)
-    assert score(rows, {"fitted": {"a": begun}})["fitted"]["a"] == pytest.approx(0.1)
-    ended = np.where(TIME > 0.8, np.nan, 10 * TIME)
-    assert score(rows, {"fitted": {"a": ended}})["fitted"]["a"] == LOST
-    assert score(rows, {"fitted": {"a": 1e9 * TIME}})["fitted"]["a"] == LOST
-
-
 def test_repeatability_is_the_difference_of_repeats_over_the_root_of_two(tmp_path: Path) -> None:
     rows = read_rows(written(tmp_path))
     difference = np.sqrt(np.mean((2 * TIME) ** 2))
     assert rows.repeatability == pytest.approx(difference / np.sqrt(2) / 20)
     assert overall({"x": 3.0, "y": 4.0}) == pytest.approx(np.sqrt(12.5))
-
-
-@pytest.mark.parametrize(("outside", "met"), [(0.04, True), (0.06, False)])
-def test_the_goal_wants_half_of_the_best_rival_outside(outside: float, met: bool) -> None:
-    def result(within: float, beyond: float) -> dict[str, object]:
-        return {
-            "scores": {"within": {"a": within}, "outside": {"b": beyond}},
-            "repeatability": None,
-        }
-
-    results = {
-        "hose.verdict": result(0.02, outside),
-        "hose.NARX": result(0.02, 0.3),
-        "hose.formula": result(0.05, 0.1),
-    }
-    cells, reached = table.goal(results, "hose")
-    assert reached is met and cells[1] == "1.00 (NARX)" and cells[2].endswith("(formula)")
 
 
 def test_the_page_is_made_from_the_results_that_are_kept() -> None:
@@ -99,26 +71,3 @@ def test_the_verdicts_of_repeats_on_the_page_are_those_of_the_results() -> None:
     total = f"| {alike} of {every} ({100 * alike / every:.0f} %) | {families} of {every} "
     cells = [f"| {row[1]}, `" for row in rows] + [f"| {row[2]} |" for row in rows]
     assert absent([total, *cells], "real-rigs.md") == []
-
-
-def test_unknown_verdicts_are_alike_but_their_families_need_not_be() -> None:
-    def result(kind: str, families: str) -> dict[str, object]:
-        return {"reading": f"{kind}: {families}", "named": families.split("+")}
-
-    first, *others = table.REPEATS["jumps of the robot, three pairs"]
-    results = {f"{first}.verdict": result("unknown", "line")}
-    results |= {f"{name}.verdict": result("unknown", "valve") for name in others}
-    ((_, alike, families, said),) = table.verdicts(results)
-    assert (alike, families, said) == ("3 of 3", "2 of 3", "3 unknown")
-    results[f"{first}.verdict"] = result("identified", "valve")
-    ((_, alike, families, said),) = table.verdicts(results)
-    assert (alike, families) == ("2 of 3", "3 of 3")
-    assert said == "1 identified: valve; 2 unknown"
-
-
-def test_rivals_that_were_not_run_again_keep_their_results(tmp_path: Path) -> None:
-    (tmp_path / "results").mkdir()
-    before = json.loads(table.KEPT.read_text(encoding="utf-8"))
-    kept = table.collect(tmp_path)
-    assert kept == {name: r for name, r in before.items() if r["method"] in table.RIVALS}
-    assert "hose.formula" in kept and "hose.verdict" not in kept

@@ -6,9 +6,7 @@ import subprocess
 import sys
 from collections import Counter
 from dataclasses import replace
-from itertools import pairwise
 from pathlib import Path
-from typing import Any
 
 import numpy as np
 import pytest
@@ -16,10 +14,7 @@ import pytest
 import pam_cosim as pam
 from blind_cases import apart, many, table
 from blind_cases.beginnings import IN_THE_MIDDLE, MOVING, STARTS, begun, rates
-from blind_cases.cases import _draw_bench, _fitting_noise
-from blind_cases.noise import draw_sensors
 from blind_cases.setups import SIGNALS, Design, draw
-from blind_cases.sizes import Ruler, calibrated
 from rig.effect import Effect
 from rig.muscle import MuscleParameters
 
@@ -62,12 +57,6 @@ def test_nothing_but_the_set_itself_opens_the_archive() -> None:
     subprocess.run([sys.executable, "-c", code], check=True, env={"PYTHONPATH": path})
 
 
-def test_a_missing_archive_is_said(monkeypatch: pytest.MonkeyPatch, tmp_path: Path) -> None:
-    monkeypatch.setattr(apart, "ARCHIVE", tmp_path / "none.zip")
-    with pytest.raises(FileNotFoundError, match="checkout"):
-        apart.module("lines")
-
-
 # --- the forms --------------------------------------------------------------------------------
 
 
@@ -85,49 +74,6 @@ def test_forms_are_new_of_each_family_in_none_and_each_is_checked() -> None:
     assert not known & {(form.family, form.name) for form in NEW}
     for form, kind in zip(NEW, kinds, strict=True):
         assert (form.family, form.name) == (kind.family, kind.form) and not form.catalogue
-
-
-@pytest.mark.parametrize("number", range(len(NEW)))
-def test_the_rig_runs_at_the_bounds_of_a_strength(number: int) -> None:
-    form = NEW[number]
-    bench = _draw_bench(np.random.default_rng(2))
-    bench = replace(bench, plan=bench.plan[-1:])
-    at = form.make(np.random.default_rng(9), bench.muscle)
-    for strength in (form.low, form.high, *((-form.high,) if form.signed else ())):
-        effect = at(strength)
-        run = bench.simulate([effect])[0]
-        assert type(effect).pressure_shown is not Effect.pressure_shown or run["p"].min() > -2e4
-        assert run["x"].max() < 0.5 * bench.muscle.length
-        assert 180.0 < run["T"].min() <= run["T"].max() < 480.0
-
-
-@pytest.fixture(scope="module")
-def measured() -> tuple[Ruler, MuscleParameters]:
-    bench = _draw_bench(np.random.default_rng(77))
-    return Ruler(replace(bench, plan=(*bench.plan[:2], bench.plan[-1]))), bench.muscle
-
-
-@pytest.mark.parametrize("number", range(len(NEW)))
-def test_a_visible_size_is_reached(measured: tuple[Ruler, MuscleParameters], number: int) -> None:
-    """3 standard deviations, where the strength is bounded by instruments quieter or louder."""
-    ruler, muscle = measured
-    form, sensors = NEW[number], draw_sensors(np.random.default_rng(4))
-    at = form.make(np.random.default_rng(5), muscle)
-    size = calibrated(ruler, at, sensors.sigma, 3.0, form.low, form.high)[1]
-    assert _fitting_noise(sensors, size, 3.0)[1] == pytest.approx(3.0, rel=0.5)
-
-
-@pytest.mark.parametrize("bench", SIGNALS)
-def test_forms_run_on_each_bench_that_takes_them(bench: str) -> None:
-    signals = SIGNALS[bench][0][0]
-    setup = draw(np.random.default_rng(3), Design(bench, signals, 50.0, 1)).driven()
-    base = setup.simulate()[0]
-    taken = [form for form in NEW if setup.design.rig.takes(many._sample(form), signals)]
-    assert len({form.family for form in taken}) >= 3
-    for form in taken:
-        run = setup.simulate([form.make(np.random.default_rng(9), setup.muscle)(1.0)])[0]
-        assert all(np.isfinite(run[name]).all() for name in signals), NEW.index(form)
-        assert any(not np.array_equal(run[name], base[name]) for name in signals), NEW.index(form)
 
 
 # --- where recordings begin -------------------------------------------------------------------
@@ -164,30 +110,6 @@ def test_a_recording_begins_in_motion_with_what_the_whole_run_has(bench: str) ->
         assert rates(trial, whole[first])[trial.begin] >= MOVING
         assert all(np.array_equal(part[name], whole[name][trial.begin :]) for name in part)
     assert len(late.roles()) == sum(trial.samples - trial.begin for trial in late.plan)
-
-
-def _files(start: str, folder: Path) -> tuple[dict[str, Any], str, list[list[float]]]:
-    made = many.make(_small(start))
-    many.write(made, folder)
-    text = (folder / "experiment.toml").read_text()
-    times = [
-        [float(row.split(",")[0]) for row in file.read_text().splitlines()[1:]]
-        for file in sorted(folder.glob("*.csv"))
-    ]
-    return made.description, text, times
-
-
-def test_files_begin_where_the_description_says_and_some_say_so(tmp_path: Path) -> None:
-    told, text, times = _files("stated", tmp_path / "stated")
-    assert 'start = "estimated"' in text
-    begins = [run["begins"] for run in told["plan"]]
-    assert [run[0] for run in times] == pytest.approx(begins) and min(begins) > 0.0
-    assert all(a < b for run in times for a, b in pairwise(run))
-    _, silent, same = _files("unstated", tmp_path / "unstated")
-    assert "start" not in silent and same == times
-    at_rest, text, times = _files("rest", tmp_path / "rest")
-    assert "start" not in text and [run[0] for run in times] == [0.0] * 3
-    assert not any("begins" in run for run in at_rest["plan"])
 
 
 @pytest.mark.parametrize("start", IN_THE_MIDDLE)

@@ -13,7 +13,6 @@ import pytest
 
 import pam_cosim as pam
 from benchmarks.strangers.report import calibration, held_out, recall_and_precision, report
-from benchmarks.strangers.rivals import rival_errors
 from strangers.__main__ import make
 from strangers.loggers import record, write
 from strangers.notes import SPRING_RIG, draft
@@ -180,19 +179,3 @@ def test_the_score_counts_as_the_protocol_says() -> None:
     assert (
         "3 rigs, 1 without a verdict" in text and "better than the best regression: 0 of 2" in text
     )
-
-
-def test_ridge_learns_what_a_mean_of_the_command_tells() -> None:
-    class Run:
-        def __init__(self, seed: int) -> None:
-            draw = np.random.default_rng(seed)
-            self.time = np.linspace(0, 30, 601)
-            self.inputs = {"u_in": np.repeat(draw.uniform(size=61), 10)[:601]}
-            self.parameters = {"load.m": 2.0}
-            self.inputs["u_in"][:30] = 0  # nothing happened before
-            integral = np.concatenate([[0], np.cumsum(self.inputs["u_in"][:-1]) * 0.05])
-            mean = integral - np.interp(self.time - 1, self.time, integral)
-            self.measurements = {"p": 5 + 3 * mean**2 + 0.01 * draw.standard_normal(601)}
-
-    errors = rival_errors([Run(1), Run(2), Run(3)], [Run(4)])
-    assert errors["ridge"]["p"] < 0.1

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shlex
 import subprocess
 import sys
 from collections.abc import Callable
@@ -69,11 +70,11 @@ def data(place: Path) -> Path:
 
 @pytest.fixture
 def command(capsys: pytest.CaptureFixture[str]) -> Callable[..., Outcome]:
-    """Runs ``pam-cosim`` with these words in this process."""
+    """Runs ``pam-cosim`` with a line of words, and further ones, in this process."""
 
-    def call(*words: object) -> Outcome:
+    def call(line: object, *words: object) -> Outcome:
         capsys.readouterr()
-        status = main([str(w) for w in words])
+        status = main([*shlex.split(str(line)), *map(str, words)])
         return Outcome(status, *capsys.readouterr())
 
     return call
@@ -81,12 +82,12 @@ def command(capsys: pytest.CaptureFixture[str]) -> Callable[..., Outcome]:
 
 @pytest.fixture
 def process() -> Callable[..., Outcome]:
-    """Runs ``python -m pam_cosim`` with these words."""
+    """Runs ``python -m pam_cosim`` with a line of words, and further ones."""
 
-    def call(*words: object) -> Outcome:
+    def call(line: str, *words: object) -> Outcome:
         environment = {**os.environ, "PYTHONPATH": str(ROOT)}
         completed = subprocess.run(
-            [sys.executable, "-m", "pam_cosim", *map(str, words)],
+            [sys.executable, "-m", "pam_cosim", *shlex.split(line), *map(str, words)],
             capture_output=True,
             text=True,
             env=environment,

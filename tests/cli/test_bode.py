@@ -16,8 +16,10 @@ Command = Callable[..., Outcome]
 
 @pytest.mark.full
 def test_files(command: Command, place: Path) -> None:
-    done = command("bode", "LumpedLinear", "--by", "p_in", "--of", "F", "--amplitude", "0.5 bar", "--frequencies",
-                   "0.1:20:5", "--json", "b.json", "-o", "b.csv", "--plot", "b.png")  # fmt: skip
+    done = command(
+        "bode LumpedLinear --by p_in --of F --amplitude '0.5 bar' --frequencies "
+        "0.1:20:5 --json b.json -o b.csv --plot b.png"
+    )
     assert done.status == 0 and "which swings by 50 kPa" in done.out, done.err
     read = json.loads((place / "b.json").read_text())
     assert read["outputs"]["F"]["gain"] == pytest.approx(
@@ -41,6 +43,6 @@ def test_files(command: Command, place: Path) -> None:
 )
 def test_refused(command: Command, place: Path, words: list[str], message: str) -> None:
     amplitude = [] if "--amplitude" in words else ["--amplitude", "1 bar"]
-    done = command("bode", "LumpedLinear", "--by", "p_in", *amplitude, *words, "--json", "x.json")
+    done = command("bode LumpedLinear --by p_in", *amplitude, *words, "--json", "x.json")
     assert (done.status, done.out) == (2, "") and message in done.err
     assert not list(place.iterdir())

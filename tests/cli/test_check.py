@@ -6,8 +6,6 @@ import json
 from collections.abc import Callable
 from pathlib import Path
 
-import pytest
-
 from tests.cli.conftest import Outcome, everything
 
 Command = Callable[..., Outcome]
@@ -31,13 +29,6 @@ def test_it_says_what_the_data_can_tell_and_writes_it(
     assert {"gas_energy", "leak"} <= {e["family"] for e in content["effects"]}
     assert "elasticity" in content["no_place"]
     assert content["helps"][0]["what"]
-
-
-@pytest.mark.full
-def test_two_checks_say_the_same(command: Command, data: Path) -> None:
-    assert (
-        command("check", data, "--workers", "0").out == command("check", data, "--workers", "2").out
-    )
 
 
 def test_a_missing_folder_or_a_result_that_cannot_be_written_is_one_error(

@@ -91,10 +91,3 @@ def test_an_empty_word_and_one_too_many_are_refused(
     refused = command(*words)
     assert refused.status == 2 and said in refused.err and refused.err.count("\n") == 1
     assert everything(place) == []
-
-
-def test_an_option_of_several_values_is_repeated(
-    command: Callable[..., Outcome], place: Path
-) -> None:
-    words = ("simulate", "TankFilling", "--stop-time", "1", "--set", "u_in=0.1", "--set", "u_out=0")
-    assert command(*words, "--keep", "valve.C_A", "--keep", "tank.gas.p").status == 0

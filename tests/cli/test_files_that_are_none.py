@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 import zipfile
 from collections.abc import Callable
 from pathlib import Path
@@ -11,7 +10,6 @@ import pytest
 
 from tests.cli.conftest import Outcome
 from tests.cli.test_bad_input import refused
-from tests.cli.test_commands import done
 
 Command = Callable[..., Outcome]
 
@@ -23,12 +21,12 @@ def test_what_is_no_fmu_is_not_built(command: Command, place: Path, content: byt
         with zipfile.ZipFile(source, "w", zipfile.ZIP_DEFLATED) as archive:
             archive.writestr("modelDescription.xml", b" " * 30_000_000)
     elif content == "an FMU cut off":
-        assert command("build", "TankFilling", "-o", "x.fmu").status == 0
+        assert command("build TankFilling -o x.fmu").status == 0
         source.write_bytes(source.read_bytes()[:-100])
     else:
         assert isinstance(content, bytes)
         source.write_bytes(content)
-    refused(command("build", "x.fmu", "-o", "made/y.fmu"), ["x.fmu"])
+    refused(command("build x.fmu -o made/y.fmu"), ["x.fmu"])
     assert [p.name for p in place.iterdir()] == ["x.fmu"]
 
 
@@ -47,7 +45,6 @@ def test_a_folder_that_is_no_package(command: Command, data: Path, words: list[s
     refused(command(*words, "--file", "folder"), ["folder", "has no package.mo"])
 
 
-MODEL = "PneumaticMuscle.Benches.VesselOrifice"
 VALUES: dict[str, tuple[str, list[str]]] = {
     "beyond the range": ('{"orifice.C_d": 1e300}', ["orifice.C_d=1e+300", "must be"]),
     "of no parameter": ('{"tank.W": 1}', ["tank.W"]),
@@ -68,24 +65,3 @@ def test_values_in_a_file(command: Command, data: Path, words: list[str], name: 
     more = ["--to", "VesselOrifice", "-o", "Made.mo"] if words[0] == "add" else []
     refused(command(*words, "p.json", *more), ["p.json", *said])
     assert sorted(p.name for p in data.parent.iterdir()) == ["data", "p.json"]
-
-
-def test_values_of_another_model(command: Command, data: Path) -> None:
-    content = {"model": "Reservoir", "parameters": {"tank.n": {"value": 1.2, "unit": "1"}}}
-    Path("p.json").write_text(json.dumps(content))
-    refused(command("compare", "data", "--params", "p.json"), ["p.json", "are of Reservoir"])
-    done(command("compare", "data", "--params", "p.json", "--model", MODEL))
-    Path("p.json").write_text(json.dumps(content | {"model": MODEL}))
-    done(command("compare", "data", "--params", "p.json"))
-
-
-def test_values_that_have_no_place_are_told(command: Command, data: Path) -> None:
-    description = data / "experiment.toml"
-    description.write_text(description.read_text() + '[runs.parameters]\n"orifice.d" = "2.7 mm"\n')
-    Path("p.json").write_text('{"orifice.d": 0.002, "tank.n": 1.2}')
-    said = done(command("compare", "data", "--params", "p.json")).err
-    assert "the data set states orifice.d, and its value is used instead of that of p.json" in said
-    Path("p.json").write_text('{"tank.n": 1.2, "tank.n@run-99": 1.3, "tank.V/stated": 1.1}')
-    said = done(command("add", "--from", "p.json", "--to", "VesselOrifice", "-o", "A.mo")).err
-    assert "p.json: tank.V/stated: of the data and not of the model" in said
-    assert "tank.n@run-99 = 1.3" in Path("A.mo").read_text()

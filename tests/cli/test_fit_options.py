@@ -7,7 +7,7 @@ import sqlite3
 from collections.abc import Callable
 from pathlib import Path
 
-from tests.cli.conftest import Outcome, everything
+from tests.cli.conftest import Outcome
 
 Command = Callable[..., Outcome]
 
@@ -21,30 +21,6 @@ def test_resumed_command_says_the_same(command: Command, data: Path, place: Path
     again = command("fit", data, "--resume", "fit.progress", "-o", "q.json")
     assert again.status == 0 and again.out == first.out
     assert (place / "p.json").read_bytes() == (place / "q.json").read_bytes()
-
-
-def test_file_of_another_model_is_refused(command: Command, data: Path, place: Path) -> None:
-    assert command("fit", data, "--resume", "fit.progress").status == 0
-    (place / "Other.mo").write_text(
-        "model Other\n  extends PneumaticMuscle.Benches.VesselOrifice;\nend Other;\n"
-    )
-    before = everything(place)
-    refused = command(
-        "fit", data, "--model", "Other.mo", "--resume", "fit.progress", "-o", "p.json"
-    )
-    assert refused.status == 2 and "keeps another fit: model" in refused.err, refused.err
-    assert "remove it or name another file" in refused.err
-    assert everything(place) == before
-
-
-def test_starts(command: Command, data: Path, place: Path) -> None:
-    assert (
-        command("fit", data, "--method", "multi-start", "--starts", "3", "--json", "f.json").status
-        == 0
-    )
-    assert len(json.loads((place / "f.json").read_text())["convergence"]["descents"]) == 4
-    refused = command("fit", data, "--starts", "3")
-    assert refused.status == 2 and "starts are for the method multi-start" in refused.err
 
 
 def test_pictures_and_profiles(command: Command, data: Path, place: Path) -> None:

@@ -7,7 +7,6 @@ import signal
 import subprocess
 import sys
 import time
-from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 
@@ -15,7 +14,7 @@ import pytest
 
 from pam_cosim.simulation.isolated import TIME_LIMIT
 from tests.cli.conftest import ROOT, Outcome
-from tests.simulation.misbehaving import hanging, patched, processes_of
+from tests.simulation.misbehaving import hanging, processes_of
 
 Command = Callable[..., Outcome]
 PROMPT = (
@@ -36,22 +35,6 @@ def test_run_that_hangs_is_reported(
         in outcome.err
     )
     assert "Traceback" not in outcome.err and not (place / "run.csv").exists()
-
-
-@pytest.mark.full
-def test_sweep_goes_on(command: Command, place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv(
-        "HANG_ABOVE", "1"
-    )  # of which processes that wait for work know nothing: none is asked
-    here = ("--workers", "1", "-o", "sweep.csv")
-    outcome = command("sweep", hanging(place), "--vary", "tau=0.5,2,0.7", "--timeout", "2", *here)
-    assert outcome.status == 0 and "2 of 3 runs done" in outcome.out
-    assert "no progress for 2 s, fmi2SetReal" in outcome.err.replace("\n", " ")
-    rows = (place / "sweep.csv").read_text().splitlines()[1:]
-    counts = Counter(float(row.split(",")[0]) for row in rows)
-    assert (
-        counts[0.5] == counts[0.7] == 101 and counts[2.0] <= 1
-    )  # a line without values for the one that failed
 
 
 @pytest.mark.full
@@ -104,13 +87,3 @@ def _spinning(path: Path) -> int:
                 return pid
         time.sleep(0.05)
     raise AssertionError("the FMU was not loaded")
-
-
-def test_an_fmu_that_reads_finds_nothing(command: Command, place: Path) -> None:
-    """What it would read is not meant for it."""
-    step = "c->core.phase = INSTANTIATED;"
-    reading = patched(
-        place, "pam_lifecycle.c", step, step + " char b[8]; while (fread(b, 1, 8, stdin)) {}"
-    )
-    outcome = command("simulate", reading, "--timeout", "20")
-    assert (outcome.status, outcome.err) == (0, "")

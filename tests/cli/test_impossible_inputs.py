@@ -48,7 +48,7 @@ def test_inputs_of_a_single_run_are_refused_alike(
 ) -> None:
     (place / "one.csv").write_text("time [s],p [kPa]\n0,100\n3,-150\n")
     outcome = command(
-        "simulate", "QuasiStaticIsometric", "--input", source, "--stop-time", "5", "-o", "o.csv"
+        "simulate QuasiStaticIsometric --input", source, "--stop-time", "5", "-o", "o.csv"
     )
     assert outcome.status == 2 and "p is -150 kPa at " in outcome.err
     assert "below the least value -101 kPa that the model allows" in outcome.err
@@ -59,21 +59,3 @@ def test_inputs_of_a_single_run_are_refused_alike(
 def test_noise_at_the_limit_is_not(place: Path) -> None:
     (run,) = study.read(data_set(place, 1.0, dip=-103.0)).runs
     assert run.inputs["p"][0] == -103e3
-
-
-def test_a_new_data_set_is_written_all_the_same_and_says_it(place: Path) -> None:
-    (place / "one.csv").write_text((data_set(place, -1.0) / "one.csv").read_text())
-    made = study.new(
-        "new",
-        ["one.csv"],
-        model="QuasiStaticIsometric",
-        parameters={"branch": "1", "x": "0 mm"},
-    )
-    assert "one.csv: p is -150 kPa at 3 s of one" in made.to_check[0]
-
-
-def test_a_folder_that_is_not_there_is_not_called_something_else(
-    command: Command, place: Path
-) -> None:
-    outcome = command("compare", "nowhere")
-    assert outcome.status == 2 and "nowhere: does not exist" in outcome.err

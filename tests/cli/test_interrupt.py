@@ -20,7 +20,6 @@ import pytest
 from rig import measurement
 from rig.named import effect_of
 from rig.plan import default_plan
-from tests.simulation.misbehaving import hanging
 from tests.tiers import quick
 
 pytestmark = pytest.mark.skipif(not sys.platform.startswith("linux"), reason="reads /proc")
@@ -90,18 +89,10 @@ def simulating(running: Running) -> bool:
     return any(running.temporary.glob("*/pam-cosim-fmu-*/binaries"))
 
 
-def compiling(running: Running) -> bool:
-    return any("ziglang/zig" in command for command in running.family())
-
-
 def kept(running: Running) -> bool:
     return any(
         file.stat().st_size > 100_000 for file in running.temporary.parent.glob("*.partial*")
     )
-
-
-def isolated(running: Running) -> bool:
-    return any("simulation.worker" in command for command in running.family())
 
 
 def workers(running: Running) -> bool:
@@ -152,28 +143,6 @@ def test_nothing_is_left(place: Path, measured: Path, moment: str) -> None:
     assert (place / "out").read_text() == "old"
 
 
-@pytest.mark.full
-def test_an_fmu_that_hangs(place: Path) -> None:
-    running = Running(place, ["simulate", str(hanging(place)), "-o", "out"], HANG="fmi2DoStep")
-    running.wait_for(isolated)
-    assert running.interrupt() == (130, ["pam-cosim: interrupted; nothing was written"])
-    assert not (place / "out").exists()
-
-
-@pytest.mark.full
-def test_build_says_what_it_has_written(place: Path) -> None:
-    """The second FMU is being compiled: its model is new each time, so that no cache has it."""
-    model = "model Late Real x(start=1, fixed=true); parameter Real a = {}; equation der(x) = -a*x; end Late;"
-    (place / "Late.mo").write_text(model.format(int.from_bytes(os.urandom(4), "big")))
-    words = ["build", "VesselOrifice", "Late.mo", "-o", "fmus"]
-    running = Running(place, words)
-    running.wait_for(lambda _: (place / "fmus" / "VesselOrifice.fmu").exists())  # else made here
-    running.wait_for(compiling)
-    status, err = running.interrupt()
-    assert (status, err) == (130, ["pam-cosim: interrupted; written: fmus/VesselOrifice.fmu"])
-    assert sorted(p.name for p in (place / "fmus").iterdir()) == ["VesselOrifice.fmu"]
-
-
 def test_ending_by_another_signal(place: Path) -> None:
     running = Running(place, ["simulate", "Isotonic", "--stop-time", "3e4"])
     running.wait_for(loading)
@@ -183,11 +152,4 @@ def test_ending_by_another_signal(place: Path) -> None:
         143,
         "pam-cosim: interrupted; nothing was written\n",
     )
-    assert list(running.temporary.iterdir()) == [] and running.family() == []
-
-
-@pytest.mark.full
-def test_nothing_is_left_after_an_end_without_interrupt(place: Path) -> None:
-    running = Running(place, ["simulate", "VesselOrifice", "-o", "out.csv", "--plot", "out.png"])
-    assert running.process.wait(timeout=120) == 0
     assert list(running.temporary.iterdir()) == [] and running.family() == []

@@ -8,11 +8,9 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 import pam_cosim as pam
-from blind_cases import sets
 from tests.cli.conftest import Outcome
 from tests.cli.test_commands import done
 
@@ -59,7 +57,7 @@ def test_vessel(command: Command, started: Path, workers: int | None) -> None:
     document = check_loop(command, started, workers)
     assert document["final"]["fit"]["chi2_reduced"] <= document["base"]["chi2_reduced"]
     # the same by the values in the document, beside the model without them
-    done(command("add", "--from", "d.json", "-o", "Again.mo"))
+    done(command("add --from d.json -o Again.mo"))
     assert Path("Again.mo").read_text().replace("Again", "Better") == Path("Better.mo").read_text()
 
 
@@ -72,66 +70,6 @@ def test_in_python(started: Path, place: Path) -> None:
     again = pam.compare(pam.read(started, model=str(place / "Fitted.mo")))
     assert again.scores["all"] == fitted.comparison.scores["all"]
     assert pam.compare(data).scores["all"] != compared.scores["all"]
-
-
-def test_a_parameter_that_was_not_fitted_is_written_too(started: Path, place: Path) -> None:
-    data = pam.read(started)
-    fitted = pam.fit(data, free=["orifice.C_d"], start={"tank.n": 1.3})
-    text = pam.add(fitted, output=place / "Fitted.mo")
-    assert "n=1.3" in text
-    assert (
-        pam.compare(data, str(place / "Fitted.mo")).scores["all"] == fitted.comparison.scores["all"]
-    )
-
-
-@pytest.mark.full
-@pytest.mark.parametrize(
-    "number", [4, 9, 32, 39, 48, 54]
-)  # benches; nothing is found in 4, and 32 is unknown
-def test_benches(command: Command, place: Path, workers: int | None, number: int) -> None:
-    sets.main(["data", "--set", "tuning2", "--number", str(number)])
-    check_loop(command, place / "data", workers)
-
-
-def written_rig(folder: Path) -> Path:
-    """A rig put together from parts beside its recordings; a muscle with a term that it does not have, and noise."""
-    folder.mkdir()
-    rig = folder / "Rig.mo"
-    pam.bench("imposed-pressure", "spring", measure="x", output=rig)
-    pam.add(["KangEnds"], to=str(rig), output=folder / "Truth.mo")
-    times, rng = np.linspace(0, 6, 301), np.random.default_rng(3)
-    for number, top in enumerate((150e3, 250e3, 200e3)):
-        p = top * np.clip(np.interp(times, [0.2, 2.5, 3.5, 5.5], [0, 1, 1, 0]), 0, 1)
-        run = pam.simulate(str(folder / "Truth.mo"), inputs={"time": times, "p": p}, outputs=["x"])
-        x = np.interp(times, run.time, run["x"]) + 1e-4 * rng.standard_normal(len(times))
-        rows = [f"{t:.3f},{float(a)!r},{float(b)!r}" for t, a, b in zip(times, p, x, strict=True)]
-        (folder / f"run-{number}.csv").write_text(
-            "\n".join(["time [s],p [Pa],x [m]", *rows, ""]), encoding="utf-8"
-        )
-    (folder / "Truth.mo").unlink()
-    roles = ("fit", "fit", "holdout")
-    tables = [f'[[runs]]\nfile = "run-{i}.csv"\nrole = "{role}"\n' for i, role in enumerate(roles)]
-    (folder / "experiment.toml").write_text(
-        'model = "Rig.mo"\n[signals.x]\nsigma = "0.1 mm"\n'
-        + '[fit]\n"muscle.mu_fb" = { min = 0, max = 0.1, start = 0.05 }\n'
-        + "".join(tables),
-        encoding="utf-8",
-    )
-    return folder
-
-
-@pytest.mark.full
-def test_a_composed_rig_is_found_where_its_model_is_named(
-    command: Command, place: Path, workers: int | None
-) -> None:
-    folder = written_rig(place / "my-rig")
-    check_loop(command, folder, workers)
-    done(command("simulate", "Better.mo", "-o", "run.csv"))  # the file stands by itself
-    done(command("predict", "d.npz", "--run", "run-2", "--samples", 4))  # as the diagnosis does
-    done(command("plan", "d.npz", "--seconds", "2 s"))
-    check_loop(
-        command, folder, workers, "--file", folder / "Rig.mo"
-    )  # and beside what it was made from
 
 
 def test_values_of_another_model_are_refused_with_what_to_do(
@@ -167,6 +105,6 @@ def test_values_of_another_model_are_refused_with_what_to_do(
 )
 def test_damaged_products(command: Command, place: Path, content: object, said: str) -> None:
     Path("d.json").write_text(json.dumps(content))
-    refused = command("add", "--from", "d.json", "--to", "VesselOrifice", "-o", "Better.mo")
+    refused = command("add --from d.json --to VesselOrifice -o Better.mo")
     assert refused.status == 2 and said in refused.err and "d.json" in refused.err + "d.json"
     assert not Path("Better.mo").exists()

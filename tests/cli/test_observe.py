@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tests.analysis.test_observe import LAG
 from tests.cli.conftest import ROOT, Outcome
 from tests.pictures import drawn
 
@@ -41,17 +40,6 @@ def test_files(command: Command, recording: Path, place: Path) -> None:
     )
     assert len((place / "o.csv").read_text().splitlines()) == 21
     assert drawn(place / "o.png")
-
-
-def test_how_uncertain_a_state_is_at_first(command: Command, place: Path) -> None:
-    """Known to 0.3 m beforehand and to 0.4 m by its first reading: to 0.24 m by both."""
-    (place / "Lag.mo").write_text(LAG)
-    (place / "r.csv").write_text("time [s],u [N],y [m]\n0,0,0.1\n0.1,0,0\n")
-    told = ("--noise", "y=40 cm", "--spread", "x=30 cm", "--start", "x=0", "-o", "o.csv")
-    done = command("observe", "Lag.mo", "r.csv", *told)
-    assert done.status == 0, done.err
-    head, first, *_ = (line.split(",") for line in (place / "o.csv").read_text().splitlines())
-    assert float(first[head.index("x standard deviation [m]")]) == pytest.approx(0.24)
 
 
 @pytest.mark.parametrize(

@@ -22,7 +22,7 @@ PAGE = "adding-an-effect.md#A library of another field"
 
 def diagnosed(command: Callable[..., Outcome], hidden: str, *words: str) -> dict:  # type: ignore[type-arg]
     RIG["write"](Path("motor"), hidden)
-    done(command("diagnose", "motor", "--file", str(LIBRARY), "--json", "verdict.json", *words))
+    done(command("diagnose motor --file", str(LIBRARY), "--json", "verdict.json", *words))
     diagnosis: dict = json.loads(Path("verdict.json").read_text())  # type: ignore[type-arg]
     return diagnosis
 
@@ -82,19 +82,6 @@ def test_nothing_is_found_where_nothing_is_hidden(
     assert diagnosed(command, "none")["verdict"]["kind"] == "none_missing"
 
 
-def test_no_python_is_about_it() -> None:
-    words = {"DCMotor", "dcmotor"} | {file.stem for file in LIBRARY.rglob("*.mo")} - {"package"}
-    shared = {"Effect", "Domain", "Vocabulary"}  # what every library has
-    source = {file: file.read_text(encoding="utf-8") for file in (ROOT / "pam_cosim").rglob("*.py")}
-    told = {
-        (file.name, w)
-        for file, text in source.items()
-        for w in words - shared
-        if re.search(rf"\b{w}\b", text)
-    }
-    assert not told
-
-
 def test_a_domain_that_is_none_says_what_it_must_be(
     command: Callable[..., Outcome], place: Path
 ) -> None:
@@ -105,7 +92,7 @@ def test_a_domain_that_is_none_says_what_it_must_be(
         copy.write_bytes(file.read_bytes())
     (place / "DCMotor" / "Domain.mo").write_text(text.replace('{{"w", "i"}}', '{"w", "i"}'))
     RIG["write"](place / "motor", "none")
-    refused = command("compare", "motor", "--file", "DCMotor")
+    refused = command("compare motor --file DCMotor")
     assert refused.status == 2
     assert refused.err.strip().endswith(
         "DCMotor/Domain.mo:2: DCMotor.Domain: planes must be rows of 2 texts"

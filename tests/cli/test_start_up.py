@@ -6,17 +6,10 @@ import json
 import os
 import subprocess
 import sys
-from collections.abc import Callable
-from functools import partial
-from pathlib import Path
-from typing import Any
 
 import pytest
-from typer import BadParameter, Context
-from typer.main import get_command
 
 from pam_cosim import study
-from pam_cosim.cli.app import COMMANDS, app
 from tests.cli.conftest import ROOT
 
 SCRIPT = """
@@ -48,20 +41,6 @@ def loaded(*words: str) -> set[str]:
     return set(json.loads(completed.stderr.splitlines()[-1]))
 
 
-@pytest.mark.full
-@pytest.mark.parametrize("module", ["server", "worker"])
-def test_the_workbench_loads_no_pictures(module: str) -> None:
-    """Neither its server nor the process in which it fits; a report loads them when it is asked for."""
-    script = (
-        f"import json, sys, pam_cosim.workbench.{module}; print(json.dumps(sorted(sys.modules)))"
-    )
-    environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    told = subprocess.run(
-        [sys.executable, "-c", script], env=environment, capture_output=True, text=True, check=True
-    )
-    assert not {"matplotlib", "jinja2"} & set(json.loads(told.stdout))
-
-
 @pytest.mark.parametrize(
     ("words", "without", "most"),
     [
@@ -84,41 +63,3 @@ def test_a_command_loads_only_what_it_needs(words: list[str], without: set[str],
     modules = loaded(*(str(built) if word == FMU else word for word in words))
     assert not without & modules
     assert len(modules) < most
-
-
-@pytest.mark.parametrize("readable", [True, False])
-def test_values_are_those_that_typer_makes(
-    readable: bool, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """Of each parameter of each command, which go the short way where they are texts or paths."""
-    coercions = pytest.importorskip("typer._coercion")  # of typer 0.29
-    file = tmp_path / "3"
-    file.write_text("")
-    monkeypatch.chdir(tmp_path)
-    monkeypatch.setattr(os, "access", lambda *_: readable)
-    group: Any = get_command(app)
-    kinds = set()
-    for name in COMMANDS:
-        command = group.commands[name]
-        context = Context(command)
-        for parameter in command.get_params(context):
-            many = parameter.multiple or parameter.nargs == -1
-            for value in (None, "3", "4"):
-                given = value and ((value, value) if many or parameter.nargs == 2 else value)
-                made = [
-                    _made(partial(coercion.coerce, given, parameter, context))
-                    for coercion in (
-                        parameter.get_runtime_param(),
-                        coercions.build_runtime_param(parameter.type_descriptor),
-                    )
-                ]
-                assert made[0] == made[1] and type(made[0]) is type(made[1])
-                kinds.add(type(made[0]))
-    assert {str, type(file), list, float} <= kinds
-
-
-def _made(make: Callable[[], object]) -> object:
-    try:
-        return make()
-    except BadParameter as refusal:
-        return refusal.message

@@ -10,7 +10,6 @@ from pathlib import Path
 from types import ModuleType
 
 import numpy as np
-import pytest
 from scipy.optimize import brentq
 
 from tests.cli.conftest import ROOT, Outcome
@@ -18,20 +17,6 @@ from tests.documentation.pages import blocks
 
 Command = Callable[..., Outcome]
 EXAMPLE = ROOT / "examples" / "static-map"
-LOOP = """\
-title = "loops"
-model = "PneumaticMuscle.Benches.QuasiStaticIsotonic"
-kind = "static"
-[signals.x]
-sigma = "0.1 mm"
-[parameters]
-"muscle.mu_fb" = 0
-[fit]
-"muscle.D0" = { min = "15 mm", max = "25 mm" }
-[[runs]]
-file = "loop.csv"
-hold_out = { F = ["60 N"] }
-"""
 
 
 def loop(noise: int = 7) -> list[str]:
@@ -54,12 +39,6 @@ def loop(noise: int = 7) -> list[str]:
     return rows
 
 
-def written(folder: Path, rows: list[str], experiment: str = LOOP) -> None:
-    folder.mkdir(exist_ok=True)
-    (folder / "experiment.toml").write_text(experiment)
-    (folder / "loop.csv").write_text("\n".join(["p [kPa],F [N],x [mm],branch", *rows, ""]))
-
-
 def test_the_page(command: Command, place: Path) -> None:
     folder = place / "map"
     folder.mkdir()
@@ -78,84 +57,9 @@ def test_the_page(command: Command, place: Path) -> None:
     assert [run["role"] for run in runs].count("holdout") == 1
 
 
-def test_the_order_of_the_rows_changes_nothing(command: Command, place: Path) -> None:
-    rows, results = loop(), []
-    for order in (np.arange(len(rows)), np.random.default_rng(3).permutation(len(rows))):
-        written(place / "data", [rows[i] for i in order])
-        assert command("compare", "data", "--json", "c.json").status == 0
-        assert command("fit", "data", "-o", "f.json").status == 0
-        results.append((place / "c.json").read_text() + (place / "f.json").read_text())
-    assert results[0] == results[1]
-
-
-def test_a_wrong_word_is_one_message(command: Command, place: Path) -> None:
-    written(place / "data", ["80,20,1,up", "100,20,3,upp"])
-    outcome = command("compare", "data", "--json", "c.json")
-    assert outcome.status == 2
-    assert (
-        outcome.err.strip()
-        == "pam-cosim: data/loop.csv:3: column 'branch': 'upp' is none of up, down, none"
-    )
-    assert not (place / "c.json").exists()
-
-
-def test_a_bench_put_together_for_points_at_rest(command: Command, place: Path) -> None:
-    words = [
-        "--pneumatics",
-        "imposed-pressure",
-        "--mechanics",
-        "hanging-load",
-        "--static",
-        "-o",
-        "data/Hanging.mo",
-    ]
-    (place / "data").mkdir()
-    assert command("bench", *words).status == 0
-    experiment = LOOP.replace('"PneumaticMuscle.Benches.QuasiStaticIsotonic"', '"Hanging.mo"')
-    experiment = experiment.replace("hold_out = { F", "hold_out = { p").replace(
-        '["60 N"]', '["100 kPa"]'
-    )
-    written(place / "data", [], experiment.replace('mu_fb" = 0', 'mu_fb" = 0\n"load.m" = "2 kg"'))
-    rows = [row.split(",") for row in loop() if ",20," in row]
-    text = "\n".join(["p [kPa],x [mm],branch", *(f"{p},{x},{word}" for p, _, x, word in rows), ""])
-    (place / "data" / "loop.csv").write_text(text)
-    outcome = command("compare", "data")
-    assert outcome.status == 0, outcome.err
-    assert "holdout  x" in outcome.out
-
-
 def example() -> ModuleType:
     spec = importlib.util.spec_from_file_location("static_map", EXAMPLE / "run.py")
     assert spec is not None and spec.loader is not None
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
     return module
-
-
-@pytest.mark.full
-def test_a_printed_map_beats_formulas_with_as_many_parameters(
-    command: Command, place: Path
-) -> None:
-    """Held-out pressures of a fluidic muscle; see docs/data-sets.md."""
-    assert command("diagnose", EXAMPLE, "--json", "d.json", "--workers", 1).status == 0
-    result = json.loads((place / "d.json").read_text())
-    best = min(
-        c["holdout"]["signals"]["F"]["rmse"] for c in result["candidates"] if c.get("holdout")
-    )
-    script = example()
-    data = script.pam.read(EXAMPLE)
-    assert best < min(script.errors_of_formula(data, *formula)[1] for formula in script.FORMULAS)
-    assert result["not_tried"]["creep"] == "nothing that was fitted at rest shows them"
-
-
-@pytest.mark.full
-def test_a_loop_is_dry_friction_in_any_order(command: Command, place: Path) -> None:
-    rows, verdicts = loop(), []
-    for order in (np.arange(len(rows)), np.random.default_rng(3).permutation(len(rows))):
-        written(place / "data", [rows[i] for i in order])
-        assert command("diagnose", "data", "--json", "d.json", "--workers", 1).status == 0
-        result = json.loads((place / "d.json").read_text())
-        assert {"creep", "rate_friction", "leak", "gas_energy"} <= set(result["not_tried"])
-        verdicts.append(result["verdict"])
-    assert verdicts[0]["kind"] == "identified" and verdicts[0]["families"] == ["dry_friction"]
-    assert verdicts[0] == verdicts[1]

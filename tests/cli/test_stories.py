@@ -91,12 +91,12 @@ def test_temperature(command: Callable[..., Outcome], place: Path) -> None:
 def test_class_of_the_library_goes_by_its_shorter_name(
     command: Callable[..., Outcome], place: Path
 ) -> None:
-    done(command("add", "EnergyGas", "--to", "Examples.PrintedWallIsotonic", "-o", "Better.mo"))
+    done(command("add EnergyGas --to Examples.PrintedWallIsotonic -o Better.mo"))
     assert "extends PneumaticMuscle.Examples.PrintedWallIsotonic" in (
         place / "Better.mo"
     ).read_text(encoding="utf-8")
-    done(command("simulate", "Examples.PrintedWallEnergyGas", "-o", "run.csv"))
-    assert command("simulate", "Examples.NoSuchModel", "-o", "run2.csv").status == 2
+    done(command("simulate Examples.PrintedWallEnergyGas -o run.csv"))
+    assert command("simulate Examples.NoSuchModel -o run2.csv").status == 2
 
 
 @pytest.mark.full

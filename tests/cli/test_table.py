@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.cli.conftest import Outcome, everything
+from tests.cli.conftest import Outcome
 
 Command = Callable[..., Outcome]
 
@@ -48,23 +48,3 @@ def test_files(command: Command, four: Path, place: Path) -> None:
         .startswith("signal,statistic [unit],tank.V [m3],orifice.d = 0.00271 m")
     )
     assert (place / "t.png").read_bytes().startswith(b"\x89PNG")
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (
-            ["--table", "tank.V", "orifice.D"],
-            "no parameter 'orifice.D' to make a table by; did you mean 'orifice.d'",
-        ),
-        (["--table", "tank.V", "tank.V"], "'tank.V' on both sides"),
-        (["--table-csv", "t.csv"], "need --table ROWS COLUMNS"),
-    ],
-)
-def test_what_cannot_be_a_table(
-    command: Command, four: Path, place: Path, words: list[str], message: str
-) -> None:
-    before = everything(place)
-    refused = command("compare", four, *words, "--json", "c.json")
-    assert refused.status == 2 and message in refused.err, refused.err
-    assert everything(place) == before

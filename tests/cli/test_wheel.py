@@ -15,8 +15,6 @@ import numpy as np
 import pytest
 from hatchling.builders.wheel import WheelBuilder
 
-from pam_cosim.cli.app import main
-from pam_cosim.study import demonstration
 from rig import measurement
 from rig.named import effect_of
 from rig.plan import default_plan
@@ -57,14 +55,6 @@ def test_contents(wheel: Path) -> None:
     ]
     assert any(n.endswith("entry_points.txt") for n in held)
     assert "pam_cosim/py.typed" in held, "type checkers take the annotations only with it (PEP 561)"
-
-
-def test_metadata(wheel: Path) -> None:
-    with zipfile.ZipFile(wheel) as archive:
-        [name] = [n for n in archive.namelist() if n.endswith(".dist-info/METADATA")]
-        lines = archive.read(name).decode().splitlines()
-    assert "License-Expression: MIT" in lines
-    assert {"Classifier: Typing :: Typed", "Provides-Extra: docs"} <= set(lines)
 
 
 @pytest.mark.full
@@ -171,27 +161,6 @@ def test_demo_of_an_installed_wheel(installed: Path, tmp_path: Path) -> None:
     assert run("pam-cosim", "check", "shown/data").returncode == 0, (
         "the recordings are a data set like any other"
     )
-
-
-def test_demonstration_spares_other_folders(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    (tmp_path / "thesis.tex").write_text("years of work")
-    assert main(["demo", str(tmp_path)]) == 2
-    assert "thesis.tex" in capsys.readouterr().err
-    assert [file.name for file in tmp_path.iterdir() if file.is_file()] == ["thesis.tex"]
-
-
-def test_an_interrupted_demonstration_says_that_there_are_recordings(
-    tmp_path: Path, capsys: pytest.CaptureFixture[str], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def interrupted(*_: object, **__: object) -> None:
-        raise KeyboardInterrupt
-
-    monkeypatch.setattr(demonstration, "demonstrate", interrupted)
-    for _ in range(2):
-        assert main(["demo", str(tmp_path / "shown")]) == 130
-        assert f"interrupted; written: {tmp_path / 'shown' / 'data'}" in capsys.readouterr().err
 
 
 @pytest.mark.full

@@ -69,11 +69,6 @@ class LinearWorld(Search):
     asked: list[tuple[str, ...]] = field(default_factory=list)
     looks: list[tuple[tuple[str, ...], int]] = field(default_factory=list)
 
-    @property
-    def steps_between_samples(self) -> int:
-        """It has no commands."""
-        return 0
-
     def samples(self, role: str) -> Array:
         """(ROWS,) what is left of the samples by the base model at zero."""
         rng = np.random.default_rng(zlib.crc32(f"noise {role}".encode()))
@@ -153,8 +148,8 @@ class LinearWorld(Search):
         strongest = sorted(c.effects, key=lambda e: -strengths[e])[:most]
         return tuple(e for e in c.effects if e in strongest and strengths[e] > _NEEDED)
 
-    def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
-        return self, {}
+    def without_outliers(self, fit: Fit) -> LinearWorld:
+        return self
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         self.asked.extend(m.effects for m in models)

@@ -6,20 +6,16 @@ import math
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 from pam_cosim import study
-from pam_cosim.diagnosis.diagnose import _excluded_and_expected
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace, effects_named
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import write_data_set
 from pam_cosim.simulation import Simulator
-from rig.catalogue.leak import OrificeLeak
 from rig.short import write_light_data
-from tests.diagnosis.linear_world import KNOWN, SHELF
+from tests.diagnosis.linear_world import SHELF
 
 
 def test_expected_effects_are_chosen_from_among_themselves() -> None:
@@ -38,19 +34,6 @@ def test_a_family_or_an_effect_is_meant_by_its_name() -> None:
     assert effects_named(SHELF, "wrong_parameter") == frozenset()
     with pytest.raises(ValueError, match=r"no effect 'leek'; did you mean 'leak'"):
         effects_named(SHELF, "leek")
-
-
-def test_what_is_excluded_is_not_expected() -> None:
-    data: Any = SimpleNamespace(excluded=(), expected=())
-    assert _excluded_and_expected(SHELF, data, ["creep"], ["leak"])[1]
-    excluded, expected = _excluded_and_expected(SHELF, data, ["OrificeLeak"], ["leak"])
-    assert excluded < expected  # others of the family are left
-    for exclude, expect in (
-        (["leak"], ["elasticity", "OrificeLeak"]),
-        (["wrong_parameter"], ["wrong_parameter"]),
-    ):
-        with pytest.raises(InputError, match=f"{expect[-1]} is both excluded"):
-            _excluded_and_expected(SHELF, data, exclude, expect)
 
 
 @pytest.mark.parametrize(
@@ -103,22 +86,3 @@ def test_an_unknown_family_is_refused_where_it_stands(tmp_path: Path) -> None:
         study.diagnose(
             replace(study.read(tmp_path / "d"), excluded=()), workers=0, expect=["crepe"]
         )
-
-
-@pytest.mark.full
-def test_families_that_were_not_looked_for_are_named_with_the_reason(tmp_path: Path) -> None:
-    write_light_data(tmp_path / "d", [OrificeLeak(2e-4)], seed=3)
-    data = study.read(tmp_path / "d")
-    pressure = {name: signal for name, signal in data.signals.items() if name == "p"}
-    runs = tuple(replace(r, measurements={"p": r.measurements["p"]}) for r in data.runs)
-    diagnosis = study.diagnose(
-        replace(data, signals=pressure, runs=runs), workers=0, explain=False, exclude=["creep"]
-    )
-    assert diagnosis.not_tried["creep"] == "excluded"
-    assert diagnosis.not_tried["force_sensor"] == "the model has no place for them"
-    assert diagnosis.not_tried["thermocouple_lag"] == "nothing that was fitted shows them"
-    assert "leak" not in diagnosis.not_tried
-    assert "not looked for: creep: excluded" in str(diagnosis)
-    assert not any(
-        KNOWN[n].family == "creep" for c in diagnosis.candidates for n in c.effects if n in KNOWN
-    )

@@ -8,13 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim import study
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.selection import select_effects
-from pam_cosim.errors import InputError
 from pam_cosim.simulation import Simulator
-from rig.catalogue.leak import OrificeLeak
-from rig.short import write_light_data
 from tests.diagnosis.linear_world import world
 from tests.diagnosis.tasks import simulate_so_often
 
@@ -48,25 +44,3 @@ def test_a_limit_of_simulations_ends_the_search() -> None:
     pair.effort.most_simulations, pair.effort.simulations = 10, 10
     selection = select_effects(pair, pair.fitted(()))
     assert selection.untried and not pair.tried
-
-
-@pytest.mark.full
-def test_the_same_limit_gives_the_same_verdict_with_any_number_of_workers(tmp_path: Path) -> None:
-    write_light_data(tmp_path / "d", [OrificeLeak(diameter=0.0004)], seed=3)
-    data = study.read(tmp_path / "d")
-    free = study.diagnose(data, explain=False, workers=0)
-    limit = free.simulations // 2
-    one, two = (
-        study.diagnose(data, explain=False, workers=n, simulation_limit=limit) for n in (0, 2)
-    )
-    assert one.untried and not free.untried
-    assert limit <= one.simulations == two.simulations < free.simulations
-    assert one.as_dict() == two.as_dict()
-    assert f"A limit ended the search after {one.simulations} simulations" in str(one)
-
-
-@pytest.mark.parametrize("limit", [0, -1, True, 1.5])
-def test_a_limit_that_is_no_number_of_simulations(limit: int, tmp_path: Path) -> None:
-    write_light_data(tmp_path / "d", seed=3)
-    with pytest.raises(InputError, match="the limit of simulations must be a whole number from 1"):
-        study.diagnose(study.read(tmp_path / "d"), simulation_limit=limit)

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.diagnosis.search.elimination import needed_effects
-from pam_cosim.diagnosis.search.full_model import near_absence
-from pam_cosim.fitting import Free, Linear
+from pam_cosim.fitting import Linear
 
 ROWS = 400
 PARAMETERS = {"Leak": ("leak.G",), "Spring": ("spring.k", "spring.a"), "Lag": ("lag.tau",)}
@@ -44,23 +43,3 @@ def test_a_large_misfit_hides_small_effects_and_a_limit_keeps_the_largest() -> N
     both = linear({"leak.G": 2.0, "spring.k": -3.0})
     assert needed_effects(both, PARAMETERS, ABSENT, 1000.0, 9.0) == ()
     assert needed_effects(both, PARAMETERS, ABSENT, 1.0, 9.0, most=1) == ("Spring",)
-
-
-@pytest.mark.parametrize(
-    ("free", "absent", "starts_near", "logarithmic"),
-    [
-        (Free("k", 0.0, 2e4, 300.0), 0.0, 30.0, False),
-        (Free("gain", 0.5, 1.5, 1.05), 1.0, 1.005, False),
-        (Free("A", 2e-8, 5e-6, 3e-7), 5e-6, 3.77e-6, True),
-        (Free("tau", 0.1, 1e4, 2.0), None, 2.0, True),
-    ],
-    ids=["strength", "about one", "conductance in series", "shape"],
-)
-def test_an_effect_begins_near_its_absence(
-    free: Free, absent: float | None, starts_near: float, logarithmic: bool
-) -> None:
-    near = near_absence(free, absent)
-    assert near.start == pytest.approx(starts_near, rel=0.01)
-    assert near.prior is not None and near.prior.logarithmic == logarithmic == near.logarithmic
-    if absent is not None:
-        assert near.prior.mean == absent and near.low <= absent <= near.high

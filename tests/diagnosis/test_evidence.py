@@ -11,16 +11,13 @@ from pam_cosim.diagnosis.judgement.evidence import (
     NoiseScale,
     evidence_without_choice,
     information_criterion,
-    may_have_structure,
-    missed_signals,
-    noise_scale,
     rank,
     refuted_by_unfitted_signals,
 )
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.fitting import Estimate, Fit
 from pam_cosim.measurement import Prior
-from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted, statistics
+from tests.diagnosis.synthetic import KNOWN, LOST, candidate, fitted
 
 LOG = math.log(1000)
 
@@ -87,33 +84,11 @@ def test_rank_and_probabilities() -> None:
     assert [first.probability, second.probability] == pytest.approx(expected)
 
 
-def test_probabilities_of_overwhelming_evidence_do_not_overflow() -> None:
-    ranked = rank(fitted(1e6), [candidate("a", fitted(1.0)), candidate("b", fitted(1e5))])
-    assert [c.probability for c in ranked] == pytest.approx([1.0, 0.0])
-
-
 def test_correlated_residuals_count_for_fewer_samples() -> None:
     """The best model leaves residuals of which ten make one: the evidence shrinks to a tenth."""
     base = fitted(1.2, parameters=2, score=20.0, time=10.0)
     (only,) = rank(base, [candidate("a", fitted(1.0, parameters=3, score=20.0, time=10.0))])
     assert only.delta_bic == pytest.approx(math.log(100) - 100 * math.log(1.2))
-
-
-def test_evidence_is_weighed_by_the_noise_that_is_left() -> None:
-    """Noise of four times the stated variance makes the same gain a quarter of the evidence."""
-    (only,) = rank(fitted(4.4), [candidate("a", fitted(4.0))])
-    assert only.delta_bic == pytest.approx(-100.0)
-
-
-def test_nothing_tried_is_no_rank() -> None:
-    assert rank(fitted(1.0), []) == []
-
-
-def test_candidates_are_ranked_by_held_out_runs_too() -> None:
-    base = fitted(2.0, holdout=2.0)
-    good = candidate("good", fitted(1.1, holdout=1.1))
-    bent = candidate("bent", fitted(1.0, holdout=2.1))
-    assert [c.effect for c in rank(base, [bent, good])] == ["good", "bent"]
 
 
 def test_evidence_of_all_runs_and_what_it_pays_for() -> None:
@@ -127,27 +102,6 @@ def test_evidence_of_all_runs_and_what_it_pays_for() -> None:
     )
 
 
-def test_evidence_pays_for_a_parameter_that_the_data_do_not_determine() -> None:
-    limit = candidate("a", fitted(1.0, parameters=2, own={"tau": LOST}), own={"tau": LOST})
-    known = (NoiseScale(1.0, 1.0), ("a",), ModelSpace(10))
-    assert information_criterion(limit.fit, *known, limit) == pytest.approx(
-        information_criterion(limit.fit, *known) + LOG
-    )
-
-
-def test_what_is_quick_looks_white_and_is_seen_by_the_stated_noise() -> None:
-    """Effects are tried then; where no noise was stated, white residuals of any size may be that."""
-    quick = replace(statistics(2.8, score=3.1, samples=126), white_variance=2.0, noise_floor=2.0)
-    assert may_have_structure(replace(quick, level_score=14.0))
-    assert not may_have_structure(quick)
-    quiet = replace(statistics(1.1, score=3.1, samples=126), level_score=0.8)
-    assert not may_have_structure(quiet)
-
-
-def test_a_signal_nobody_fitted_is_missed_from_twice_its_noise_on() -> None:
-    assert missed_signals(fitted(1.0, shown={"T": 1.9, "F": 2.1})) == ("F",)
-
-
 @pytest.mark.parametrize(("ratios", "refuted"), [((9.0, 0.4), False), ((9.0, 0.5), True)])
 def test_signals_nobody_fitted_refute_by_their_geometric_mean(
     ratios: tuple[float, float], refuted: bool
@@ -156,17 +110,3 @@ def test_signals_nobody_fitted_refute_by_their_geometric_mean(
     best = fitted(1.0, shown={"T": 10.0, "F": 3.0})
     rival = fitted(1.0, shown={"T": 10.0 * ratios[0], "F": 3.0 * ratios[1]})
     assert refuted_by_unfitted_signals(rival, best) is refuted
-
-
-def test_noise_has_a_colour_where_some_model_leaves_no_more_than_a_drift() -> None:
-    """Where all leave more, of few samples, and at rest, squares count as they are."""
-    small, large = fitted(1.29, holdout=1.2, score=20.0), fitted(1.29, holdout=1.31, score=20.0)
-    assert noise_scale([small, fitted(1.0)]).coloured
-    assert noise_scale([large, small]).coloured
-    assert not noise_scale([large, fitted(2.0)]).coloured
-    few = replace(small, residuals={**small.residuals, "fit": statistics(1.0, samples=99)})
-    assert not noise_scale([few]).coloured
-    scale = noise_scale([small])
-    assert information_criterion(small, scale, (), ModelSpace(10)) == pytest.approx(
-        small.coloured_deviance(1.3 * 1.29) + scale.penalty(small) * small.freedom
-    )

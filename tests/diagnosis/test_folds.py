@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
@@ -10,14 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.folds import Folds
 from pam_cosim.diagnosis.judgement.verdict import Verdict
 from pam_cosim.diagnosis.search import folds as module
-from pam_cosim.diagnosis.search.folds import folds_of
+from pam_cosim.diagnosis.search.folds import FoldResult, folds_of
 from pam_cosim.measurement import DataSet, Run, Signal
-
-RATIO = "ratio(muscle.L0)"
 
 
 def data_of(count: int) -> DataSet:
@@ -28,39 +24,28 @@ def data_of(count: int) -> DataSet:
     return DataSet("t", Path("."), "Isotonic", {"F": Signal("F", "N", 1.0)}, {}, {}, runs)
 
 
-def fit_that_leaves(chi2: float, run: str = "r0") -> Any:
-    """A fit that leaves this of the force [N, noise 1 N] in the held-out run."""
-    runs = (SimpleNamespace(run=SimpleNamespace(name=run, role="holdout")),)
-    scores = {"holdout": {"F": SimpleNamespace(rmse=float(np.sqrt(chi2)))}}
-    return SimpleNamespace(
-        comparison=SimpleNamespace(runs=runs, scores=scores, chi2_reduced=lambda role: chi2)
-    )
-
-
 class World:
     """What models leave of the force [N, noise 1 N] on runs that are left out; a sum over the effects that lack."""
 
     def __init__(self, gains: dict[str, list[float]]) -> None:
-        self.gains, self.fold, self.asked = gains, 0, []
+        self.gains = gains
 
-    def left(self, data: DataSet, effects: tuple[str, ...]) -> Any:
-        (fold,) = {
-            i % CRITERIA.folds.most for i, run in enumerate(data.runs) if run.role == "holdout"
-        }
-        self.asked.append((fold, effects))
+    def result(self, fold: int, effects: tuple[str, ...]) -> FoldResult:
         chi2 = 4.0 + sum(gain[fold] for name, gain in self.gains.items() if name not in effects)
-        return fit_that_leaves(chi2, f"r{fold}")
+        without = {name: chi2 - 1.0 + self.gains[name][fold] for name in effects}
+        return FoldResult({"F": float(np.sqrt(chi2))}, (f"r{fold}",), chi2 - 1.0, without)
 
     def folds(
         self, monkeypatch: pytest.MonkeyPatch, runs: int = 10, **values: float
     ) -> Folds | None:
-        def left_out(subject: Any, search: Any, data: DataSet, models: Any, values: Any) -> Any:
-            return {effects: self.left(data, effects) for effects in models}
+        def results(
+            search: Any, data: Any, effects: tuple[str, ...], final: Any
+        ) -> list[FoldResult]:
+            return [self.result(fold, effects) for fold in range(len(data))]
 
-        monkeypatch.setattr(module, "_refitted", left_out)
+        monkeypatch.setattr(module, "fold_results", results)
         search: Any = SimpleNamespace(data=data_of(runs), say=lambda message: None)
-        final: Any = SimpleNamespace(values=values)
-        return folds_of(None, search, tuple(self.gains), final)  # type: ignore[arg-type]
+        return folds_of(search, tuple(self.gains), SimpleNamespace(values=values))  # type: ignore[arg-type]
 
 
 def test_an_effect_is_needed_in_most_folds_or_not_named(monkeypatch: pytest.MonkeyPatch) -> None:
@@ -75,16 +60,6 @@ def test_an_effect_is_needed_in_most_folds_or_not_named(monkeypatch: pytest.Monk
     assert "Once (1 of 5 folds)" in reason and "Idle (0 of 5 folds)" in reason
 
 
-def test_a_ruler_is_not_off_by_half(monkeypatch: pytest.MonkeyPatch) -> None:
-    world = World({"StiffWall": [9.0] * 5, "muscle.L0*": [9.0] * 5})
-    name = next(n for n in world.gains if n != "StiffWall")
-    monkeypatch.setattr(module, "is_ratio", lambda one: one == name)
-    for ratio, named in ((1.73, False), (0.6, False), (1.2, True)):
-        folds = world.folds(monkeypatch, **{name: ratio})
-        assert folds is not None and (name in folds.named) == named
-        assert (f"{ratio} times" in Verdict("unknown", folds=folds).reason) != named
-
-
 def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
     for runs, count in ((3, 3), (4, 4), (5, 5), (13, 5)):
         folds = list(module._folds(data_of(runs)))
@@ -95,23 +70,6 @@ def test_each_run_is_left_out_once(monkeypatch: pytest.MonkeyPatch) -> None:
     assert World({"A": [1.0] * 5}).folds(monkeypatch, runs=2) is None
 
 
-def test_a_model_that_breaks_down_with_an_effect_does_not_need_it() -> None:
-    good = fit_that_leaves(2.0)
-    assert module._is_needed(good, None) and not module._is_needed(None, good)
-    assert not module._is_needed(fit_that_leaves(0.9), fit_that_leaves(0.99))  # noise either way
-
-
-def test_what_it_is_good_for_is_said() -> None:
-    needed = {"StiffWall": 5, "Ends": 5, "Wall": 4, "Once": 2}
-    folds = Folds(5, needed, {}, {"F": 4.31}, {"F": (5.0, ("r3",))})
-    verdict = Verdict("unknown", units={"F": "N"}, folds=folds)
-    assert verdict.reason == (
-        "Good to 4.31 N of F on runs that were never fitted. "
-        "StiffWall, Ends are needed in every one of 5 folds of runs. Wall is needed in 4 of 5 folds of runs. "
-        "Not named, though it helped: Once (2 of 5 folds). "
-        "The residual has structure, and no listed effect explains it."
-    )
-    far = replace(folds, needed={"Once": 2}, worst={"F": (320.0, ("r0", "r5", "r6", "r7"))})
-    reason = replace(verdict, folds=far).reason
-    assert "No effect is needed in most of 5 folds" in reason
-    assert "4.31 N of F (but 320 N of r0, r5, 2 more, when left out)" in reason
+def test_what_is_noise_either_way_is_not_needed_and_what_cannot_be_absent_is() -> None:
+    result = FoldResult({}, (), 0.0, {"Noise": 0.0, "Little": 0.5})
+    assert not result.needs("Noise") and result.needs("Little") and result.needs("Law")

@@ -43,9 +43,3 @@ def test_the_likest_first_whatever_its_size_and_sign_and_what_the_base_model_can
     likest = likest_members(["Asked"], probes, BASE, others)["Asked"]
     assert likest[:3] == ["Same", "Rich", "Near"] and likest[-1] == "Silent"
     assert likest_members(["Asked"], probes, BASE, ["near"])["Asked"] == ["Near"]
-
-
-def test_an_effect_that_was_not_looked_at_is_like_none() -> None:
-    probes = [probe("Far", OTHER), probe("Silent", np.zeros(ROWS))]
-    likest = likest_members(["Asked", "Silent"], probes, BASE, ["far"])
-    assert likest == {"Asked": [], "Silent": []}

@@ -12,15 +12,9 @@ import pam_cosim as pam
 from pam_cosim.catalogue import effect_classes
 from pam_cosim.compiler import compile_model, read_library
 from pam_cosim.diagnosis.description.explanation import LearnedModel, described, suspected
-from pam_cosim.diagnosis.description.forms import Form, quantities, ramps
+from pam_cosim.diagnosis.description.forms import quantities, ramps
 from pam_cosim.diagnosis.description.learning import Description
 from pam_cosim.diagnosis.description.learning_text import Addend, TermPlace
-from pam_cosim.diagnosis.description.selection import (
-    FeltForms,
-    coefficients_of,
-    cross_validation_error,
-    select_forms,
-)
 from pam_cosim.diagnosis.diagnose import fit_base_model
 from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.search import Search
@@ -30,7 +24,6 @@ from pam_cosim.fitting import Fit
 from pam_cosim.ledger import BalanceEntry, Ledger, TermSeries
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.domain import Domain
-from pam_cosim.simulation import Simulator
 from rig.named import UNLISTED
 from rig.short import write_light_data
 from tests.reporting.synthetic import make_diagnosis
@@ -44,7 +37,7 @@ def learned(data: DataSet, effort: Effort | None = None) -> tuple[Fit, LearnedMo
     subject = subject_of(data, None, (), 1, lambda message: None)
     with subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
-        known, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
+        known, base = fit_base_model(simulator, subject.data, lambda message: None)
     search = Search(
         subject.tree,
         subject.name,
@@ -134,32 +127,6 @@ def test_the_model_with_the_term_is_one_file_that_stands_by_itself(tmp_path: Pat
     assert better.read_text() == text
 
 
-@pytest.mark.full
-def test_nothing_is_learned_where_nothing_is_missing(tmp_path: Path) -> None:
-    data = pam.read(write_light_data(tmp_path / "d", [], 1))
-    _, found = learned(data)
-    assert found is None
-
-
-@pytest.mark.full
-def test_an_explanation_takes_a_tenth_of_the_effort_of_the_search(tmp_path: Path) -> None:
-    data = pam.read(write_light_data(tmp_path / "d", [UNLISTED["coupled"]], 1))
-    counts = [Simulator.simulations]
-    for simulations in (0, 600):
-        _, found = learned(data, Effort(simulations=simulations))
-        counts.append(Simulator.simulations)
-    of_base, with_formula = np.diff(counts)
-    assert found is not None
-    # the step that reaches the limit is finished, and its result compared with all runs
-    assert 0 < with_formula - of_base < 60 + 4 * len(data.runs)
-
-
-def test_nothing_is_learned_without_effort(tmp_path: Path) -> None:
-    data = pam.read(write_light_data(tmp_path / "d", [UNLISTED["coupled"]], 1))
-    assert learned(data, Effort(simulations=0))[1] is None
-    assert learned(data, Effort(deadline=0.0, simulations=10**6))[1] is None
-
-
 _FORCE = TermPlace("force", "PneumaticMuscle.Unknowns.ForceTerm", "N", "Force against contraction")
 
 
@@ -185,21 +152,6 @@ def test_class_is_an_effect_like_any_other(tmp_path: Path) -> None:
     assert "max=50, nominal=5) = 0.51 " in weaker
 
 
-def test_a_form_that_a_free_parameter_imitates_explains_no_more() -> None:
-    """Least squares took the form and the parameter against each other, and the score came to one."""
-    rng, count = np.random.default_rng(1), 4000
-    imitated, own = 30.0 * rng.standard_normal((count, 1)), rng.standard_normal(count)
-    value = own + 2.0 * rng.standard_normal(count)
-    form, other = Form("x", (), "x"), Form("y", (), "y")
-    felt = {"x": imitated[:, 0] + 30 * own, "y": rng.standard_normal(count)}
-    rows = FeltForms(value, felt, imitated, np.repeat(np.arange(4), count // 4))
-    assert cross_validation_error(rows, [form]) == pytest.approx(4.0, rel=0.1)
-    assert cross_validation_error(rows, []) == pytest.approx(5.0, rel=0.1)
-    coefficients, left = coefficients_of(rows, [form])
-    assert coefficients == pytest.approx([1 / 30], rel=0.1) and left == pytest.approx(4.0, rel=0.1)
-    assert select_forms(rows, [other, form]) == [form]
-
-
 @pytest.mark.parametrize(
     ("failing", "notes", "asked"),
     [
@@ -223,33 +175,3 @@ def test_a_term_is_looked_for_where_the_ledger_fails(
 def make_course() -> TermSeries:
     time = np.linspace(0.0, 1.0, 5)
     return TermSeries("run", "fit", time, time, time, {})
-
-
-def test_ramps_are_lines_and_bends_inside_the_span() -> None:
-    z = np.concatenate([np.zeros(40), np.linspace(0, 2, 60)])
-    known = quantities({"x": z}, {"x": "m"})
-    library = ramps(known, {"x": z})
-    # a bend at the first value says nothing
-    assert [f.words for f in library][:2] == ["1", "x"] and len(library) == 4
-    bend = library[2]
-    values = bend.values({"x": np.array([0.0, 2.0])})
-    above = 1 - float(bend.words.split("- ")[1][:-1])
-    assert values[0] < 0.02 and values[1] == pytest.approx(above, abs=0.02)
-    assert [f.words for f in ramps(known, {"x": z}, ["x"])] == ["1", "x"]
-
-
-@pytest.mark.parametrize("middle", [-0.0, -0.3, 0.3])
-def test_a_bend_may_lie_on_either_side_of_zero_and_on_it(middle: float) -> None:
-    """A rate that is at rest half of the time has a quantile of minus zero."""
-    z = np.concatenate(
-        [np.linspace(-1.0, middle, 30), np.full(60, middle), np.linspace(middle, 1.0, 30)]
-    )
-    known = quantities({"v": z}, {"v": "m/s"})
-    values = np.array([form.values({"v": z}) for form in ramps(known, {"v": z})])
-    assert len(values) > 2 and np.isfinite(values).all()
-
-
-def test_variables_that_say_the_same_are_one() -> None:
-    x = np.random.default_rng(1).uniform(0, 0.07, 200)
-    known = quantities({"x": x, "v": x - 0.03, "rest": 0 * x, "w": x**9}, {})
-    assert [(q.name, q.signed) for q in known] == [("x", False), ("w", False)]

@@ -2,9 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-from pathlib import Path
-
 import numpy as np
 import pytest
 
@@ -13,13 +10,12 @@ from pam_cosim.catalogue import compose
 from pam_cosim.compiler import read_library
 from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.judgement.next_experiment import (
-    _varied,
     distinguishable_rivals,
     next_experiment,
 )
 from pam_cosim.diagnosis.judgement.prediction import Hypothesis
 from pam_cosim.fitting import Estimate, Fit
-from pam_cosim.measurement import DataSet, Run, Signal, read_data_set
+from pam_cosim.measurement import DataSet, read_data_set
 from rig.short import write_light_data
 
 
@@ -52,13 +48,6 @@ def test_creep_without_end_is_a_spring(data: DataSet) -> None:
     assert plan.between == ("elasticity", "creep")
 
 
-def test_the_simpler_of_two_stays_a_rival_of_the_richer(data: DataSet) -> None:
-    """Which of them leads is decided by evidence; a rival with fewer parameters is not dropped."""
-    slow = rival("MaxwellCreep", "creep", data, k=250.0, tau=1e4)
-    spring = rival("LinearBladder", "elasticity", data, k=250.0)
-    assert len(distinguishable_rivals(data, slow, [spring])) == 1
-
-
 def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:
     """Two strengths of one law differ by little more than what the data at hand forbid; two laws by far more."""
     a = rival("ViscousFriction", "rate_friction", data, c=300.0)
@@ -71,72 +60,6 @@ def test_what_a_refit_would_take_away_does_not_count(data: DataSet) -> None:
         second._information_root = np.zeros((1, len(second.free)))  # nothing measured yet
         free = second.refitted_miss(one, two)
     assert free < 0.02 * plain and free < measured < plain
-
-
-FIRST_ORDER = """model FirstOrder
-  input Real u(start=0);
-  parameter Real k(min=0, max=10) = 1;
-  output Real y;
-protected
-  Real s(start=0, fixed=true);
-equation
-  der(s) = k*u - s;
-  y = s;
-end FirstOrder;
-"""
-TIME = np.linspace(0.0, 5.0, 51)
-RISE = 1 - np.exp(-TIME)  # what y is for a unit of k and u
-
-
-def first_order(
-    k: float, signal: Signal, samples: np.ndarray, free: bool = True
-) -> tuple[Candidate, DataSet]:
-    """y = k u (1 - exp(-t)), and a recording of it with u = 1."""
-    run = Run("r", Path(), "fit", "linear", {}, TIME, {"u": np.ones(51)}, {"y": samples})
-    data = DataSet(Path(), "", "FirstOrder", {"y": signal}, {}, {}, (run,))
-    estimate = Estimate(k, k, k, at_bound=not free)
-    fit = Fit("FirstOrder", {"k": estimate}, None, {}, 1)  # type: ignore[arg-type]
-    return Candidate("", "", "", (), ("k",), fit, equations=FIRST_ORDER), data
-
-
-@pytest.mark.parametrize("taken", [slice(0, 51), slice(0, 51, 10), slice(0, 0)])
-def test_only_samples_that_were_taken_say_something_of_the_parameters(taken: slice) -> None:
-    samples = np.full(51, np.nan)
-    samples[taken] = RISE[taken]
-    with Hypothesis(*first_order(1.0, Signal("y", "1", 0.01), samples)) as known:
-        information = float(np.sum(known.information_root**2))
-    assert information == pytest.approx(np.sum((RISE[taken] / 0.01) ** 2), rel=1e-4)
-
-
-def test_a_signal_that_a_run_has_not_says_nothing() -> None:
-    candidate, data = first_order(1.0, Signal("y", "1", 0.01), RISE)
-    data = replace(data, runs=(replace(data.runs[0], measurements={}),))
-    with Hypothesis(candidate, data) as known:
-        assert not known.information_root.any()
-
-
-def test_samples_count_by_the_noise_of_their_readings() -> None:
-    """Noise of 0.001 and a tenth of the reading: at 20 it is 2, whatever it was in the recording."""
-    signal = Signal("y", "1", 0.05, sigma_of_reading=0.1, sigma_at_zero=0.001)
-    with Hypothesis(*first_order(1.0, signal, RISE)) as known:
-        information = float(np.sum(known.information_root**2))
-        run = replace(known.data.runs[0], inputs={"u": np.full(51, 20.0)})
-        truth = known.predict(run)
-    expected = RISE**2 / (0.001**2 + (0.1 * RISE) ** 2)
-    assert information == pytest.approx(np.sum(expected), rel=1e-4)
-    np.testing.assert_allclose(truth.sigma, np.hypot(0.001, 2 * RISE), rtol=1e-4)
-    with Hypothesis(*first_order(1.1, signal, RISE, free=False)) as other:
-        miss = other.refitted_miss(truth, other.predict(run))
-    expected = (2 * RISE) ** 2 / (0.001**2 + (2 * RISE) ** 2)
-    assert miss == pytest.approx(np.sum(expected), rel=1e-4)
-
-
-def test_a_parameter_that_one_run_does_not_state_varies(data: DataSet) -> None:
-    """An input that is constant in one run is a column in another."""
-    first, second, *others = data.runs
-    lacking = replace(second, parameters={})
-    for runs in ((first, lacking, *others), (lacking, first, *others)):
-        assert _varied(replace(data, runs=runs)) == ["load.m"]
 
 
 def test_the_run_can_be_made_as_printed(data: DataSet) -> None:

@@ -4,27 +4,22 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from dataclasses import replace
 
 import pytest
 
 from pam_cosim.criteria import CRITERIA
-from pam_cosim.diagnosis import Candidate, Verdict
+from pam_cosim.diagnosis import Candidate
 from pam_cosim.diagnosis.judgement.posterior import (
     DOUBTS,
     Posterior,
-    doubts_of,
     posterior,
     something_else,
 )
-from pam_cosim.reporting.account import probability_rows
 from tests.diagnosis.synthetic import candidate, fitted, judged, models_of
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 GOOD = candidate("Leak", fitted(1.0, holdout=1.0), "leak")
-FAR = candidate("Wall", fitted(3.0, holdout=3.0), "wall")
 SURE = frozenset[str]()
-FAMILY = {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}
 
 
 def near(effect: str, family: str, reduced: float = 1.003) -> Candidate:
@@ -63,49 +58,9 @@ def test_a_family_counts_once_by_its_best_member() -> None:
     assert twice.by_family == pytest.approx(once.by_family)
 
 
-def test_brief_fits_and_larger_sets_do_not_count() -> None:
-    brief = replace(near("Wall", "wall"), brief=True)
-    pair = candidate("Gauge", fitted(0.99, holdout=1.0), "gauge", before=("Leak",))
-    own = posterior(
-        models_of(
-            BASE,
-            [GOOD],
-            [GOOD, brief, pair],
-            {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"},
-            40,
-        ),
-        SURE,
-    )
-    assert set(own.by_family) == {"leak"}
-
-
-def test_a_family_that_is_in_several_sets_is_counted_with_all_of_them() -> None:
-    pair = candidate("Gauge", fitted(1.0, holdout=1.0), "gauge", before=("Leak",))
-    other = candidate("Wall", fitted(1.001, holdout=1.0), "wall", before=("Leak",))
-    own = posterior(
-        models_of(
-            BASE, [pair], [pair, other], {"Leak": "leak", "Wall": "wall", "Gauge": "gauge"}, 40
-        ),
-        SURE,
-    )
-    assert own.by_family["leak"] == pytest.approx(own.by_family["gauge"] + own.by_family["wall"])
-    assert next(iter(own.by_family)) == "leak"
-
-
 @pytest.mark.parametrize("doubt", DOUBTS)
 def test_every_doubt_makes_something_else_more_probable(doubt: str) -> None:
     assert 0 < something_else(SURE) < something_else({doubt}) < 1
-
-
-def test_doubts_of_answers() -> None:
-    assert doubts_of([GOOD], structure=False, form_open=False) == SURE
-    alone = candidate("Leak", fitted(1.0), "leak")  # nothing was held out
-    assert doubts_of([alone], structure=False, form_open=False) == {"unchecked"}
-    assert doubts_of([], structure=False, form_open=False) == {"nothing"}
-    assert doubts_of([GOOD], structure=True, form_open=True) == {"form_open"}
-    pair = replace(candidate("Gauge", GOOD.fit, "gauge", before=("Leak",)), general=True)
-    assert doubts_of([pair], structure=False, form_open=False) == {"several", "general"}
-    assert doubts_of([pair], structure=True, form_open=False) == {"structure"}
 
 
 def test_an_unknown_verdict_is_something_else_as_a_rule() -> None:
@@ -129,21 +84,3 @@ def test_the_probability_of_a_verdict_is_that_of_what_it_names() -> None:
     assert one.probability == pytest.approx(own["leak",])
     content = one.as_dict()["posterior"]
     assert isinstance(content, dict) and set(content["families"]) == {"leak", "wall", "gauge"}
-
-
-def test_the_bar_of_a_verdict() -> None:
-    tried = [GOOD, near("Wall", "wall", 1.0005), FAR]
-    family = {"Leak": "leak", "Wall": "wall"}
-    verdict = judged(BASE, [GOOD], [], tried, family, 40)
-    rows = probability_rows(verdict)
-    assert [row.what for row in rows] == ["leak", "wall", "something no effect describes"]
-    assert [row.named for row in rows] == [True, False, False]
-    assert sum(row.probability for row in rows) == pytest.approx(1.0, abs=0.006)
-
-
-def test_a_verdict_of_before_states_none() -> None:
-    """One that was saved without them."""
-    verdict = Verdict("identified", ("leak",), ("Leak",), probability=0.93)
-    assert "Otherwise" not in str(verdict) and probability_rows(verdict) == []
-    content = verdict.as_dict()["posterior"]
-    assert content == {"explanations": [], "families": {}, "something_else": None, "doubts": []}

@@ -53,36 +53,6 @@ def test_a_limit_is_found_between_where_it_does_harm_and_where_it_does_nothing()
     assert len(looks) <= 8
 
 
-def test_what_acts_the_wrong_way_is_given_up_soon() -> None:
-    assert len(looked(lambda s: s * SHAPE, -SHAPE)) <= 3
-    strengths = [s for s, _ in looked(lambda s: s * SHAPE, -SHAPE, signed=True)]
-    assert min(strengths) == pytest.approx(-1.0, rel=0.2)
-
-
-def test_parameters_follow_the_strength() -> None:
-    stiffness, ceiling, scale = (
-        Free("k", 0.0, 1e3, 5.0),
-        Free("high", -1.0, 1.0, 0.005),
-        Free("v", 0.1, 10.0, 2.0),
-    )
-    strengths = Strengths((stiffness, ceiling, scale), {"k": 0.0, "high": 1.0})
-    assert strengths.at(1.0) == pytest.approx({"k": 5.0, "high": 0.005, "v": 2.0})
-    assert strengths.at(0.0) == pytest.approx({"k": 0.0, "high": 1.0, "v": 2.0})
-    assert strengths.at(0.1) == pytest.approx({"k": 0.5, "high": 0.0478469, "v": 2.0})
-    assert strengths.at(-1.0)["k"] == 0.0
-    assert Strengths((scale,), {}).at(3.0) == {"v": 6.0}
-
-
-def test_nothing_is_sought_between_strengths_of_either_sign() -> None:
-    target, other = np.eye(2)
-    strong, weak = (
-        probing._StrengthTrial(1.0, other, 2 * other, 5.0),
-        probing._StrengthTrial(-0.3, other, 1e-4 * other, 1.001),
-    )
-    following = probing._next_strength([strong, weak], target, signed=True)
-    assert following is not None and 0 < following < 1
-
-
 @pytest.mark.parametrize("name", ["m/stated", "load.m/stated"])
 def test_a_stated_parameter_that_is_off_vanishes_where_it_is_right(name: str) -> None:
     """The name of a parameter in a component was cut, so that its ratio was looked at as a size: 0.5 at no strength."""

@@ -84,17 +84,3 @@ def test_a_coefficient_without_which_the_model_breaks_down_stays(
     assert asked == [{"a"}, {"c"}]
     assert not any(e.held for e in pruned_fit.parameters.values())
     assert pruned_fit.values["a"] == 0.1
-
-
-def test_correlations_of_fewer_parameters_are_not_taken_for_those_of_all(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    pruned_fit, _ = prune(monkeypatch, 1.0)
-    assert not pruned_fit.confused() and not pruned_fit.correlation.size
-
-
-def test_a_model_that_is_far_from_the_noise_is_left_as_it_is(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    pruned_fit, asked = prune(monkeypatch, 3.0)
-    assert not asked and not any(e.held for e in pruned_fit.parameters.values())

@@ -22,7 +22,7 @@ def looked_at(data: DataSet) -> tuple[Search, Fit]:
     subject = subject_of(data, None, [], 0, lambda message: None)
     with subject.simulator() as simulator:
         available_effects = subject.effects(simulator.interface)
-        data, base, _ = fit_base_model(simulator, subject.data, lambda message: None)
+        data, base = fit_base_model(simulator, subject.data, lambda message: None)
     return Search(
         subject.tree, subject.name, available_effects, data, subject.sources, workers=0
     ), base
@@ -58,13 +58,6 @@ def test_points_at_rest_tell_no_lag_of_a_load_cell_that_has_a_gain_too(
     assert left <= set(candidate.fit.parameters) and not set(general.inactive_parameters) & set(
         candidate.fit.parameters
     )
-
-
-def test_a_parameter_that_waits_for_another_is_no_idle_one(at_rest: tuple[Search, Fit]) -> None:
-    """The reach of a wall that takes nothing at first, and so moves nothing."""
-    search, base = at_rest
-    (bladder,) = search.probe(base, (), ["GeneralBladder"])
-    assert bladder.inactive_parameters == ()
 
 
 def test_a_thermometer_that_nobody_read_has_no_effect(tmp_path: Path) -> None:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import time
 from dataclasses import replace
-from itertools import combinations
 
 import pytest
 
@@ -79,19 +78,6 @@ def test_two_effects_of_one_family_are_not_taken_for_one_of_another() -> None:
     assert families(world({"LinearBladder": 5.0, "YoungBladder": 2.0})) >= {"elasticity"}
 
 
-def test_a_rich_law_that_a_few_steps_do_not_bring_far_is_found() -> None:
-    one = world({"GeneralLeak": 30.0}, slow="GeneralLeak")
-    (only,) = select_effects(one, one.fitted(())).path
-    assert only.effect == "GeneralLeak"
-
-
-@pytest.mark.full
-def test_few_models_are_fitted_where_nothing_explains_what_is_missing() -> None:
-    strange = world({}, strange=5.0)
-    select_effects(strange, strange.fitted(()))
-    assert len(strange.tried) < len(SHELF)
-
-
 @pytest.mark.parametrize(
     ("weak", "named"), [(0.4, False), (0.8, True)], ids=["measurable", "large enough"]
 )
@@ -136,24 +122,6 @@ def test_the_time_limit_ends_the_search_and_says_what_was_not_tried() -> None:
     assert len(selection.probes) == looks
 
 
-def test_what_stands_for_a_family_is_looked_at_first_where_time_is_short() -> None:
-    pair = world({"LinearBladder": 5.0})
-    every = select_effects(pair, pair.fitted(()))
-    pair.effort.deadline = time.monotonic() + 1e6
-    short = select_effects(pair, pair.fitted(()))
-    assert [
-        p.effect for p in short.probes[: len(pair.family_representatives)]
-    ] == pair.family_representatives
-    assert {p.effect for p in short.probes} == {p.effect for p in every.probes}
-
-
-@pytest.mark.full
-def test_the_same_answer_twice() -> None:
-    a, b = (world({"LinearBladder": 5.0, "ThermocoupleLag": 3.0}) for _ in range(2))
-    first, second = (select_effects(w, w.fitted(())) for w in (a, b))
-    assert [c.effects for c in first.tried] == [c.effects for c in second.tried]
-
-
 @pytest.mark.parametrize("superfluous", ["OrificeLeak", "GeneralLeak"])
 def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     """The set that the search came to by its expectations holds one too many; nobody fitted it without."""
@@ -167,84 +135,3 @@ def test_an_effect_that_is_chosen_but_not_needed_goes(superfluous: str) -> None:
     models.refine()
     answer = models.ranking.answer()
     assert answer is not None and set(answer.effects) == set(needed)
-
-
-def test_whatever_is_chosen_is_compared_with_all_that_lacks_one_of_its_effects() -> None:
-    triple = world({"LinearBladder": 8.0, "ThermocoupleLag": 5.0, "OrificeLeak": 3.0})
-    selection = select_effects(triple, triple.fitted(()))
-    tried = {frozenset(c.effects) for c in selection.tried}
-    assert {frozenset(two) for two in combinations(selection.path[-1].effects, 2)} <= tried
-
-
-def test_a_model_that_breaks_down_in_the_end_makes_place_for_the_next(
-    monkeypatch: pytest.MonkeyPatch,
-) -> None:
-    leaking = world({"GeneralLeak": 30.0})
-    models = _Models(leaking, leaking.fitted(()))
-    for names in (("GeneralLeak",), ("OrificeLeak",)):
-        models.fitted[names] = leaking.candidate(names)
-    models.ranking.update_scale()
-    whole = LinearWorld.fit_final
-    broken = staticmethod(
-        lambda effects, start: None if "GeneralLeak" in effects else whole(leaking, effects, start)
-    )
-    assert models.path()[-1].effects == ("GeneralLeak",)
-    monkeypatch.setattr(LinearWorld, "fit_final", broken)
-    assert models.path()[-1].effects == ("OrificeLeak",)
-
-
-def test_models_of_an_earlier_search_are_tried() -> None:
-    one = world({"LinearBladder": 20.0})
-    earlier = [one.candidate(("HangingMass", "KangEnds")), one.candidate(("LinearBladder",))]
-    tried = select_effects(one, one.fitted(()), earlier=earlier).tried
-    assert ("HangingMass", "KangEnds") in {c.effects for c in tried}
-    assert ("HangingMass", "KangEnds") not in {
-        c.effects for c in select_effects(one, one.fitted(())).tried
-    }
-
-
-@pytest.mark.parametrize("nature", ["alike", "masked"])
-def test_what_does_the_likest_to_the_samples_is_tried_in_the_place_of_an_effect(
-    nature: str,
-) -> None:
-    """Leaks do what a hanging mass does; or seem to, beside the base model, and then a look at one is enough."""
-    chosen = ("LinearBladder", "HangingMass")
-    pair = world(dict.fromkeys(chosen, 20.0), **{nature: "leak"})
-    models = _Models(pair, pair.fitted(()))
-    models.probe()
-    best, *less = (pair.candidate(names) for names in (chosen, chosen[:1], chosen[1:]))
-    models._record([best, *less])
-    models._try_imitations(best)
-    asked = {frozenset(effects) for effects in pair.asked}
-    leaks = {e.name for e in SHELF if e.family == "leak"}
-    laws = {e.name for e in SHELF if e.family == "leak" and not e.general}
-    tried = {name for name in leaks if frozenset({"LinearBladder", name}) in asked}
-    assert laws <= tried if nature == "alike" else len(tried) == 1
-    assert not any(frozenset({"HangingMass", name}) in asked for name in leaks)
-
-
-def test_a_set_that_stopped_in_another_valley_is_fitted_again_before_a_further_effect_counts() -> (
-    None
-):
-    pair, triple = ("LinearBladder", "OrificeLeak"), ("LinearBladder", "HangingMass", "OrificeLeak")
-    several = world(dict.fromkeys(pair, 20.0), stuck=frozenset(pair))
-    models = _Models(several, several.fitted(()))
-    models.probe()
-    for names in (pair, triple):
-        models._record(several.fit_completely([several.candidate(names)], models.base))
-    answer = models.ranking.answer()
-    assert answer is not None and answer.effects == triple  # since the pair does not leave noise
-    models.refine()
-    answer = models.ranking.answer()
-    assert answer is not None and answer.effects == pair
-
-
-def test_a_model_is_near_in_whichever_order_it_was_fitted() -> None:
-    chosen, other = ("LinearBladder", "HangingMass"), ("LinearBladder", "OrificeLeak")
-    pair = world(dict.fromkeys(chosen, 20.0), alike="leak")
-    models = _Models(pair, pair.fitted(()))
-    best = pair.candidate(chosen)
-    for order in (other, other[::-1]):
-        models.fitted.clear()
-        models._record([best, pair.candidate(order), pair.candidate(("LinearBladder",))])
-        assert models._is_near(other, "HangingMass", best)

@@ -10,7 +10,6 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.diagnosis.search.stated_parameters import stated_parameters
-from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
@@ -70,11 +69,6 @@ def test_what_every_run_states_and_no_fit_moves_may_be_wrong(tmp_path: Path) -> 
     assert {LENGTH, LOAD} <= names
     assert not names & {ratio_to_stated(n) for n in data.free_names}
     assert {h.family for h in hypotheses} == {WRONG_PARAMETER}
-
-
-def test_a_ratio_is_no_effect_that_could_be_added(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="correct it in the data set"):
-        study.add([LENGTH], "PneumaticMuscle.Benches.Isotonic")
 
 
 @pytest.mark.full

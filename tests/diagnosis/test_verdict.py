@@ -8,12 +8,12 @@ import pytest
 
 from pam_cosim.comparison import ResidualStatistics
 from pam_cosim.diagnosis.judgement.evidence import rank
-from pam_cosim.diagnosis.judgement.verdict import Verdict, explained
+from pam_cosim.diagnosis.judgement.verdict import explained
 from pam_cosim.diagnosis.judgement.verdict_sentences import meaning, probability_sentence
-from pam_cosim.fitting import Estimate, Fit, WithoutPriors
-from pam_cosim.measurement import Prior, Signal
+from pam_cosim.fitting import Fit
+from pam_cosim.measurement import Signal
 from pam_cosim.model.domain import Domain
-from tests.diagnosis.synthetic import LOST, candidate, fitted, judged, models_of, statistics
+from tests.diagnosis.synthetic import candidate, fitted, judged, models_of, statistics
 
 BASE = fitted(10.0, holdout=9.0, score=50.0)
 LOUD = fitted(100.0, holdout=100.0, score=50.0)
@@ -53,29 +53,6 @@ def test_several_effects_in_the_order_in_which_they_were_added() -> None:
     assert verdict.reason.startswith("Leak + Lag removes")
 
 
-@pytest.mark.parametrize(
-    "signal, taken",
-    [
-        (Signal("x", "m", 1e-3), "2 times the stated noise"),
-        (Signal("x", "m", 1e-3, sigma_of_reading=0.01), "2 times the stated noise"),
-        (
-            Signal("x", "m", 1e-3, estimated=True),
-            "2 times the noise that was estimated from the samples",
-        ),
-        (Signal("x", "m", 1e-3, repeatability=1e-3), "2 times the stated repeatability"),
-        (
-            Signal("x", "m", 1e-3, repeatability=1e-3, repeats=True),
-            "2 times the repeatability of repeated runs",
-        ),
-    ],
-)
-def test_loud_noise_is_said_by_whom_it_was_stated(signal: Signal, taken: str) -> None:
-    loud = candidate("Leak", fitted(4.0, holdout=4.0, measured=signal), "leak")
-    verdict = judged(fitted(40.0, holdout=40.0, score=50.0), [loud], [])
-    assert verdict.kind == "identified" and taken in verdict.reason
-    assert "times" not in judged(BASE, [GOOD], []).reason
-
-
 def test_a_signal_that_was_not_fitted_is_judged_too() -> None:
     """Nobody says "nothing else" beside a thermometer that is off."""
     seen = Signal("p", "Pa", 1.0)
@@ -109,65 +86,11 @@ def test_models_that_come_as_near_are_named_with_the_reason() -> None:
     assert "No effect of another family" not in said
 
 
-def test_what_only_an_unusual_instrument_would_explain_is_named() -> None:
-    """With its prior it is 25 worse than the best, without it as good; held where it is, it would not be."""
-    family = {"Leak": "leak", "Gauge": "gauge"}
-    best = candidate("Leak", fitted(1.0, holdout=1.0), "leak")
-    own = {"gauge.gain": Estimate(1.125, 1.1, 1.15, "1", prior=Prior(1.0, 0.025))}
-    held = candidate("Gauge", fitted(1.01, holdout=1.0, own=own), "gauge", own=own)
-    freed = replace(held, without_priors=WithoutPriors(10.0, {"gauge.gain": 1.3}))
-    for gauge, said in ((freed, True), (replace(held, without_priors=WithoutPriors()), False)):
-        verdict = judged(BASE, [best], [], [best, gauge], family)
-        assert bool(verdict.implausible) is said
-        assert not models_of(BASE, [best], [best, gauge]).rivals
-    verdict = judged(BASE, [best], [], [best, freed], family)
-    needs = "Gauge would fit as well, but gauge.gain would have to be about 1.3, where 0.951 to 1.05 is usual."
-    assert verdict.implausible == (needs,) and needs in meaning(verdict, Domain())
-
-
-def test_a_run_that_is_far_off_is_no_noise() -> None:
-    seen = Signal("x", "mm", 0.2)
-    runs = {"run-01": 0.2, "run-02": 0.21, "run-07": 1.4}
-    last = candidate("Leak", fitted(1.0, holdout=1.0, measured=seen, runs=runs), "leak")
-    assert "But not in every run: run-07 (1.4 mm of x) is off." in judged(BASE, [last], []).reason
-    pair = candidate(
-        "Leak", fitted(1.0, holdout=1.0, measured=seen, runs={"a": 0.2, "b": 1.4}), "leak"
-    )
-    assert "b (1.4 mm of x) is off" in judged(BASE, [pair], []).reason
-    even = candidate(
-        "Leak", fitted(1.0, holdout=1.0, measured=seen, runs=dict.fromkeys(runs, 0.2)), "leak"
-    )
-    assert "But not" not in judged(BASE, [even], []).reason
-
-
-def test_a_parameter_that_the_data_do_not_determine_is_no_caution() -> None:
-    lost = candidate("Leak", fitted(1.0, holdout=1.0, own={"tank.n": LOST}), "leak")
-    assert "Caution" not in judged(BASE, [lost], []).reason
-    ended = candidate(
-        "Leak", fitted(1.0, holdout=1.0, own={"tank.n": replace(LOST, determined=True)}), "leak"
-    )
-    assert "Caution: tank.n ended at a bound" in judged(BASE, [ended], []).reason
-
-
 def test_ambiguous_names_all() -> None:
     verdict = judged(BASE, [GOOD], [candidate("Offset", fitted(1.001, holdout=1.001), "offset")])
     assert verdict.kind == "ambiguous"
     assert verdict.families == ("leak", "offset") and verdict.effects == ("Leak", "Offset")
     assert "leak and offset" in verdict.reason
-
-
-def test_ambiguous_names_what_a_rival_has_instead_and_nothing_twice() -> None:
-    first = candidate("Creep", fitted(2.0, holdout=2.0), "creep")
-    best = candidate("Clock", fitted(1.0, holdout=1.02), "clock_offset", before=("Creep",))
-    rival = candidate(
-        "Clock", fitted(1.001, holdout=1.001), "clock_offset", before=("Spring", "Leak")
-    )
-    family = {"Spring": "elasticity", "Leak": "leak", "Creep": "creep", "Clock": "clock_offset"}
-    verdict = judged(BASE, [first, best], [rival], family=family)
-    assert verdict.kind == "ambiguous"
-    assert verdict.families == ("creep", "clock_offset", "elasticity", "leak")
-    assert verdict.effects == ("Creep", "Clock", "Spring", "Leak")
-    assert "cannot separate creep and elasticity + leak" in verdict.reason
 
 
 def test_unknown_without_and_with_effects() -> None:
@@ -211,22 +134,6 @@ def test_what_leaves_structure_is_unknown_whatever_its_rivals() -> None:
     assert judged(LOUD, [first, second], [dry]).families == ("elasticity", "rate_friction")
 
 
-def test_structure_in_the_holdout_runs_alone_makes_rivals_unknown() -> None:
-    dry = candidate("Dry", fitted(1.0, holdout=1.0), "dry_friction")
-    assert dry.fit is not None
-    dry.fit.residuals["holdout"] = LOUD.residuals["holdout"]
-    rate = candidate("Rate", fitted(1.0, holdout=1.0), "rate_friction")
-    assert judged(LOUD, [dry], [rate]).kind == "unknown"
-
-
-def test_one_family_beyond_doubt_has_no_rival() -> None:
-    one = candidate("Leak", fitted(1.3, holdout=1.3, score=30.0), "leak")
-    near = candidate("Offset", fitted(1.3, holdout=1.3, score=30.0), "offset")
-    assert judged(LOUD, [one], [], [one]).remainder
-    verdict = judged(LOUD, [one], [near], [one])
-    assert (verdict.kind, verdict.remainder) == ("unknown", False)
-
-
 @pytest.mark.parametrize(("fit", "holdout"), [(5.0, 1.3), (1.3, 5.0)])
 def test_it_takes_away_nearly_all_in_runs_of_both_roles(fit: float, holdout: float) -> None:
     one = candidate("Leak", fitted(fit, holdout=holdout, score=30.0), "leak")
@@ -259,36 +166,6 @@ def test_a_general_member_is_no_rival_of_a_law() -> None:
     anything, law = sorted(ranked, key=lambda c: not c.general)
     assert models_of(BASE, [law], ranked, every=2).rivals == []
     assert [c.effect for c in models_of(BASE, [anything], ranked, every=2).rivals] == [law.effect]
-
-
-def test_a_general_member_beside_a_law_is_no_rival_of_laws_either() -> None:
-    """Whichever of the two was added last, and whether or not it was ever tried alone."""
-    law = candidate("Lag", fitted(1.0, holdout=1.0), "lag", before=("Any",))
-    beside = replace(law, general_before=True)
-    family = {"Any": "line"}
-    assert models_of(BASE, [GOOD], [GOOD, law], family, 3).rivals
-    assert not models_of(BASE, [GOOD], [GOOD, beside], family, 3).rivals
-
-
-def test_where_none_leaves_noise_the_nearest_of_each_family_are_left() -> None:
-    fits = [
-        ("Spring", 3.0, "elasticity"),
-        ("Stiff", 2.9, "elasticity"),
-        ("Leak", 4.0, "leak"),
-        ("Offset", 2.5, "offset"),
-    ]
-    tried = [candidate(name, fitted(chi2, score=20.0), family) for name, chi2, family in fits]
-    brief = replace(candidate("Creep", fitted(1.0), "creep"), brief=True)
-    left = models_of(BASE, [], [*tried, brief], every=len(tried)).nearest
-    assert [c.effect for c in left] == ["Offset", "Stiff", "Leak"]
-
-
-def test_one_rival_of_a_family() -> None:
-    a, b = (
-        candidate(n, fitted(c, holdout=1.0), "offset")
-        for n, c in (("Worse", 1.004), ("Better", 1.002))
-    )
-    assert _rivals(a, b) == ["Better"]
 
 
 def test_holdout_runs_refute_a_rival() -> None:
@@ -326,15 +203,6 @@ def test_held_out_runs_that_uncertain_parameters_excuse_check_little() -> None:
     assert unsure < sure - 0.1
 
 
-def test_what_is_unknown_is_not_nothing() -> None:
-    """A verdict without families had the probability that nothing is missing."""
-    verdict = judged(BASE, [], [])
-    assert verdict.kind == "unknown" and verdict.families == ()
-    assert not verdict.names(()) and not verdict.names(("leak",))
-    assert verdict.probability == pytest.approx(verdict.posterior.something_else)
-    assert judged(fitted(1.0, holdout=1.02, score=1.0), [], []).names(())
-
-
 @pytest.mark.parametrize(
     ("kind", "families", "said"),
     [
@@ -351,13 +219,3 @@ def test_the_probability_is_of_what_the_verdict_says(
     """Of a complete model it was said to be that "this, and nothing else, is missing"."""
     verdict = replace(judged(BASE, [GOOD], []), kind=kind, families=families, probability=0.7)  # type: ignore[arg-type]
     assert probability_sentence(verdict) == said
-
-
-def test_a_part_of_what_was_identified_is_not_what_was_said() -> None:
-    both = Verdict("identified", ("leak", "valve"), ("Leak", "Lag"))
-    assert both.names(("valve", "leak"))
-    assert (
-        not both.names(("leak",)) and not both.names(()) and not both.names(("leak", "valve", "x"))
-    )
-    either = replace(both, kind="ambiguous")
-    assert either.names(("leak",)) and not either.names(()) and not either.names(("leak", "x"))

@@ -3,10 +3,6 @@
 from __future__ import annotations
 
 import os
-import signal
-import subprocess
-import sys
-import time
 from pathlib import Path
 
 import numpy as np
@@ -40,103 +36,12 @@ def test_results_keep_the_order_of_the_tasks() -> None:
     assert sorted(told) == [0, 81]
 
 
-def test_tasks_run_where_who_asks_is_now(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    for name in ("first", "second"):
-        folder = tmp_path / name
-        folder.mkdir()
-        monkeypatch.chdir(folder)
-        assert run_tasks(os.path.abspath, ["model.mo"], str, lambda _: None, 1) == [
-            str(folder / "model.mo")
-        ]
-
-
-def test_no_tasks() -> None:
-    assert run_tasks(square_or_die, [], lambda n: -1, lambda n: None) == []
-
-
 def test_tasks_run_in_other_processes_and_side_by_side(tmp_path: Path) -> None:
     results = run_tasks(
         process_beside_another, [str(tmp_path)] * 2, lambda _: -1, lambda _: None, 2
     )
     assert os.getpid() not in results
     assert len(dict.fromkeys(results)) == 2
-
-
-_STUDY = """
-import sys
-from pam_cosim.processes.workers import run_tasks
-from tests.diagnosis.tasks import tell_and_sleep
-run_tasks(tell_and_sleep, [sys.argv[1]], str, print, 1)
-"""
-
-
-@pytest.mark.full
-@pytest.mark.skipif(os.name != "posix", reason="an orphan does not tell")
-def test_workers_end_with_a_study_that_is_killed(tmp_path: Path) -> None:
-    file = tmp_path / "process"
-    study = subprocess.Popen(
-        [sys.executable, "-c", _STUDY, str(file)], cwd=Path(__file__).parents[2]
-    )
-    end = time.monotonic() + 60
-    while not (file.exists() and file.read_text()) and time.monotonic() < end:
-        time.sleep(0.1)
-    study.kill()
-    study.wait()
-    worker, end = int(file.read_text()), time.monotonic() + 30  # the task takes 60
-    while _lives(worker) and time.monotonic() < end:
-        time.sleep(0.1)
-    assert not _lives(worker)
-
-
-def _lives(process: int) -> bool:
-    try:
-        os.kill(process, 0)
-    except ProcessLookupError:
-        return False
-    status = Path(f"/proc/{process}/stat")
-    return not (status.exists() and status.read_text().rsplit(")", 1)[1].split()[0] == "Z")
-
-
-_LARGE = """
-import signal, sys
-from pam_cosim.processes.workers import run_tasks, stop_workers
-from tests.diagnosis.tasks import sleep_on
-
-if __name__ == "__main__":
-    # tests that run in the background of a shell have it ignored
-    signal.signal(signal.SIGINT, signal.default_int_handler)
-    try:
-        run_tasks(sleep_on, [(sys.argv[1], bytes(10_000_000))] * 20, print, print, 2)
-    except KeyboardInterrupt:
-        stop_workers()
-        print("stopped")
-"""
-
-
-@pytest.mark.full
-@pytest.mark.skipif(os.name != "posix", reason="signals of POSIX")
-def test_interrupted_tasks_clean_up_and_large_ones_in_the_queue_hold_nothing_up(
-    tmp_path: Path,
-) -> None:
-    process = subprocess.Popen(
-        [sys.executable, "-c", _LARGE, str(tmp_path)],
-        env={**os.environ, "PYTHONPATH": str(Path(__file__).parents[2])},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-    try:
-        end = time.monotonic() + 60
-        while len(list(tmp_path.iterdir())) < 2 and time.monotonic() < end:
-            time.sleep(0.02)
-        time.sleep(0.2)
-        os.killpg(process.pid, signal.SIGINT)
-        out, err = process.communicate(timeout=30)  # the tasks take 60
-    finally:
-        process.kill()
-    assert (process.returncode, out, err) == (0, "stopped\n", "")
-    assert list(tmp_path.iterdir()) == []
 
 
 def test_linear_algebra_keeps_to_one_thread_and_is_given_back_the_others() -> None:

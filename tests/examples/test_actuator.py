@@ -40,14 +40,6 @@ def test_a_muscle_does_not_push(muscle: Any) -> None:
     assert muscle.pull(0.0, 0.05) == 0.0
 
 
-def test_the_scene_has_the_coefficients(muscle: Any) -> None:
-    made = ElementTree.fromstring(muscle.xml(0.05)).find("actuator/general")
-    assert made is not None and made.get("dynprm") == "0.05"
-    numbers = f"{made.get('gainprm')} {made.get('biasprm')}".split()
-    g0, g1, b0, b1 = muscle.coefficients
-    assert [float(n) for n in numbers] == pytest.approx([g0, g1, 0.0, b0, b1, 0.0], rel=1e-8)
-
-
 def test_the_data_set_adds_the_values_that_it_states(
     tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -73,18 +65,3 @@ def test_mujoco_has_the_same_force(muscle: Any) -> None:
         mujoco.mj_forward(model, state)
         assert -state.actuator_force[0] == pytest.approx(float(muscle.pull(p, x)), rel=1e-6)
         assert state.qfrc_actuator[0] > 0.0, "it lifts"
-
-
-@pytest.mark.parametrize(
-    ("words", "message"),
-    [
-        (["--force", "G"], "no 'G' in N"),
-        (["--length", "ambient.T"], "no 'ambient.T' in m"),
-        (["--pressure", "p=1 bar"], "write NAME=FROM:TO"),
-        (["--contraction", "x=100 mm:120 mm"], "pulls at 0 of 625 points"),
-        (["--contraction", "x=0 m:5 m"], "muscle.L0 is 0.24 m"),
-    ],
-)
-def test_what_cannot_be_used(words: list[str], message: str) -> None:
-    with pytest.raises(SystemExit, match=message):
-        script.main(words)

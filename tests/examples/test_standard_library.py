@@ -51,15 +51,3 @@ def test_a_controller_of_standard_blocks_holds_the_contraction() -> None:
     made = run("Controlled", "fill.y")
     assert made["x"][-1] == pytest.approx(0.02, abs=5e-4)
     assert made["fill.y"].min() >= 0 and made["fill.y"].max() <= 0.35
-
-
-def test_two_muscles_turn_a_joint() -> None:
-    made = run("Joint", "muscle_1.flange_a.s", "muscle_2.flange_a.s")
-    assert made["phi"][-1] > 0.2
-    for name, sign in (("muscle_1", 1), ("muscle_2", -1)):
-        assert abs(made[f"{name}.flange_a.s"] - sign * 0.02 * made["phi"]).max() < 1e-9
-
-
-def test_a_wall_of_standard_parts_warms_up() -> None:
-    made = run("WarmWall", "T_wall")
-    assert 0.1 < made["T_wall"][-1] - made["T_wall"][0] < 5

@@ -9,8 +9,7 @@ from hypothesis import strategies as st
 from numpy.typing import NDArray
 from scipy.optimize import lsq_linear
 
-import pam_cosim.fitting.bounded_linear as module
-from pam_cosim.fitting.bounded_linear import bounded_least_squares, bounded_minimum
+from pam_cosim.fitting.bounded_linear import bounded_least_squares
 
 Array = NDArray[np.float64]
 Problem = tuple[Array, Array, Array, Array]
@@ -65,22 +64,6 @@ def test_it_is_within_bounds_and_as_low_as_scipys(problem: Problem) -> None:
         )
 
 
-@pytest.mark.full
-@settings(max_examples=200, deadline=None)
-@given(problems(), st.integers(0, 2**32 - 1))
-def test_no_other_point_of_the_box_is_lower(problem: Problem, seed: int) -> None:
-    _, right, low, high = problem
-    x = bounded_least_squares(*problem)
-    random = np.random.default_rng(seed)
-    for _ in range(20):
-        other = np.clip(
-            x + random.normal(size=len(x)) * 10.0 ** random.uniform(-6, 1) * (abs(x) + 1e-4),
-            low,
-            high,
-        )
-        assert cost(problem, x) <= cost(problem, other) + 1e-9 * float(right @ right)
-
-
 def test_a_bound_is_released_again() -> None:
     """Without bounds the second coordinate is beyond; once the first one is held, it is not."""
     matrix, right = np.array([[1.0, 0.9], [0.0, 0.5]]), np.array([1.0, -1.0])
@@ -89,54 +72,3 @@ def test_a_bound_is_released_again() -> None:
     assert free[0] > high[0] and free[1] < low[1]
     x = bounded_least_squares(matrix, right, low, high)
     assert x[0] == 1.0 and x[1] == pytest.approx(-0.5 / 1.06)
-
-
-def test_the_net_comes_to_the_same(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Where the guesses go in a circle: as if they did at once."""
-    random = np.random.default_rng(7)
-    matrix, right = random.normal(size=(12, 6)), random.normal(size=12)
-    low, high = np.full(6, -0.1), np.full(6, 0.05)
-    x = bounded_least_squares(matrix, right, low, high)
-    monkeypatch.setattr(module, "_ROUNDS", 0)
-    assert bounded_least_squares(matrix, right, low, high) == pytest.approx(x, abs=1e-12)
-
-
-def _scaled(problem: Problem) -> Problem:
-    """Columns of length one, none alike another, and bounds that are apart: what a quadratic form is given as."""
-    matrix, right, low, high = problem
-    size = np.linalg.norm(matrix, axis=0)
-    kept = (size > 0) & (low < high)
-    rows = np.vstack([matrix[:, kept] / size[kept], 1e-4 * np.eye(int(kept.sum()))])
-    whole = np.append(right, np.zeros(int(kept.sum())))
-    return rows, whole, low[kept] * size[kept], high[kept] * size[kept]
-
-
-@pytest.mark.full
-@settings(max_examples=300, deadline=None)
-@given(problems())
-def test_a_quadratic_form_comes_to_what_its_rows_come_to(problem: Problem) -> None:
-    rows, right, low, high = scaled = _scaled(problem)
-    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
-    assert np.all(x >= low - 1e-9 * abs(x)) and np.all(x <= high + 1e-9 * abs(x))
-    least = cost(scaled, bounded_least_squares(*scaled))
-    assert cost(scaled, x) == pytest.approx(least, abs=1e-7 * float(right @ right))
-
-
-def test_a_quadratic_form_has_the_same_net(monkeypatch: pytest.MonkeyPatch) -> None:
-    random = np.random.default_rng(8)
-    rows, right = random.normal(size=(12, 6)), random.normal(size=12)
-    low, high = np.full(6, -0.1), np.full(6, 0.05)
-    x = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
-    monkeypatch.setattr(module, "_ROUNDS", 0)
-    net = bounded_minimum(rows.T @ rows, rows.T @ right, low, high, 0.0)
-    assert net == pytest.approx(x, abs=1e-9)
-
-
-def test_nothing_to_move() -> None:
-    x = bounded_least_squares(
-        np.zeros((3, 2)), np.ones(3), np.array([-1.0, 2.0]), np.array([1.0, 3.0])
-    )
-    assert x.tolist() == [0.0, 2.0]
-    assert bounded_least_squares(np.zeros((3, 0)), np.ones(3), np.zeros(0), np.zeros(0)).shape == (
-        0,
-    )

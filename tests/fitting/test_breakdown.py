@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,11 +10,8 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting import FitOptions, fit
-from pam_cosim.fmu import build_model
+from pam_cosim.fitting import fit
 from pam_cosim.measurement import DataSet, FreeParameter
-from pam_cosim.measurement.start import Start
-from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import data_set, recording
 
@@ -76,42 +72,8 @@ def test_an_assertion_is_a_hole_like_any_other(start: float) -> None:
         assert "too fast at s = " in result.failures[0] and "a = " in result.failures[0]
 
 
-def test_truth_beside_the_edge(fragile: Simulator) -> None:
-    """The step of the derivative falls into the hole: it is taken the other way."""
-    result = fit(fragile, decay(5.95, 0.0, 100.0, 5.5))
-    estimate = result.parameters["a"]
-    assert estimate.low <= 5.95 <= estimate.high
-
-
 def test_no_usable_value_at_all_is_one_clear_failure(fragile: Simulator) -> None:
     with pytest.raises(
         SimulationFailure, match="no start value within the bounds can be simulated: .*finite"
     ):
         fit(fragile, decay(2.0, 7.0, 100.0, 50.0))
-
-
-def test_simulator_works_after_a_breakdown(fragile: Simulator) -> None:
-    with pytest.raises(SimulationFailure):
-        fit(fragile, decay(2.0, 7.0, 100.0, 50.0))
-    assert fit(fragile, decay(2.0, 0.0, 5.0, 1.0)).values["a"] == pytest.approx(2.0, abs=0.1)
-
-
-@pytest.mark.parametrize("evaluations", [6, 60])
-def test_a_breakdown_leaves_the_start_values_of_the_best_point(evaluations: int) -> None:
-    """The last trial broke down, and the fit was stated with the start value that this trial had left."""
-    time = np.linspace(0.0, 1.0, 61)
-    y = 2.5 * np.exp(-8.0 * time) + 0.01 * np.random.default_rng(0).standard_normal(len(time))
-    run = replace(recording(time, {"y": y}), start=Start(mode="estimated"))
-    data = data_set("Wall", [run], {"y": 0.01}, [FreeParameter("a", 0.0, 100.0, 2.0, "1")])
-    model = build_model(
-        str(Path(__file__).parent / "Wall.mo"), sensitivities=("a", START_VALUES), where_smooth=True
-    )
-    with Simulator(model) as simulator:
-        result = fit(
-            simulator, data, options=FitOptions(evaluations=evaluations, screened_starts=0)
-        )
-    decays = np.exp(-result.values["a"] * time)
-    assert result.starts["s@run"].value == pytest.approx(decays @ y / (decays @ decays), rel=1e-3)
-    assert result.residuals["fit"].chi2_reduced == pytest.approx(
-        result.convergence.chi2_reduced[-1], rel=0.05
-    )

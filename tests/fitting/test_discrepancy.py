@@ -55,19 +55,6 @@ def test_size_and_memory_beside_white_noise() -> None:
     assert not found.held_out and found.runs == tuple("012345")
 
 
-def test_missing_and_uneven_samples_change_little() -> None:
-    kept = np.sort(np.random.default_rng(8).choice(1500, 1100, replace=False))
-    runs = []
-    for i in range(6):
-        whole = compared(str(i), noisy(i))
-        error = whole.run.measurements["y"].copy()
-        error[::7] = np.nan
-        run = replace(whole.run, time=whole.run.time[kept], measurements={"y": error[kept]})
-        runs.append(RunComparison(run, {"y": np.zeros(len(kept))}))
-    found = discrepancies(runs, SIGNALS, 0)["y"]
-    assert found.sd == pytest.approx(SD, rel=0.1) and found.memory == pytest.approx(MEMORY, rel=0.3)
-
-
 def test_white_noise_alone_is_no_model_error() -> None:
     found = discrepancies([compared("a", noisy(1, share=0.0))], SIGNALS, 0)["y"]
     assert found.reach() < 0.4 * 1.96 * SIGNALS["y"].sigma
@@ -87,16 +74,6 @@ def test_held_out_runs_count_before_fitted_ones_and_the_predicted_one_not() -> N
     assert alone.runs == ("small",) and not alone.held_out
     assert discrepancies(runs[:1], SIGNALS, 0, "small")["y"].runs == ("small",)
     assert not discrepancies([], SIGNALS, 0)
-
-
-def test_what_was_fitted_has_taken_its_share() -> None:
-    runs = [compared("a", noisy(1, 300))]
-    free, spent = (discrepancies(runs, SIGNALS, k)["y"] for k in (0, 4))
-    assert spent.pieces == pytest.approx(free.pieces - 4)
-    assert spent.sd**2 == pytest.approx(free.sd**2 * free.pieces / spent.pieces)
-    assert spent.reach() > free.reach() > 1.96 * free.sd
-    held = discrepancies([compared("a", noisy(1, 300), "holdout")], SIGNALS, 4)["y"]
-    assert held.pieces == pytest.approx(free.pieces)
 
 
 @pytest.mark.parametrize("seconds", [0.05, 0.6, 6.0])

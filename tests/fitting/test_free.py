@@ -13,7 +13,7 @@ from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, base_parameters, fit
 from pam_cosim.measurement import FreeParameter
-from pam_cosim.model.interface import Interface, Variable
+from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import data_set, recording, vessel_data
 
@@ -39,27 +39,6 @@ def test_bounds_far_apart_are_searched_by_order_of_magnitude() -> None:
     assert wide.to_value((wide.to_z(1e-12) + wide.to_z(1e-8)) / 2) == pytest.approx(1e-10)
 
 
-def test_typical_range_holds_95_percent_of_a_prior_as_it_is_searched() -> None:
-    """Of the standard normal distribution 95 % lie within 1.96."""
-    gain, lag = (
-        Free("g", 0.5, 2.0, 1.0).with_typical_range(0.95, 1.05),
-        Free("t", 1e-4, 5.0, 0.1).with_typical_range(1e-3, 0.1),
-    )
-    assert (
-        gain.prior is not None
-        and not gain.prior.logarithmic
-        and gain.prior.mean == pytest.approx(1.0)
-    )
-    assert lag.prior is not None and lag.prior.logarithmic and lag.prior.mean == pytest.approx(0.01)
-    for prior, low, high in ((gain.prior, 0.95, 1.05), (lag.prior, 1e-3, 0.1)):
-        assert (prior.low, prior.high) == pytest.approx((low, high))
-        assert (prior.surprise(low), prior.surprise(high)) == pytest.approx((-1.96, 1.96))
-        step = 1e-6 * high
-        assert prior.slope(low) == pytest.approx(
-            (prior.surprise(low + step) - prior.surprise(low)) / step, rel=1e-3
-        )
-
-
 @pytest.mark.parametrize("start", [1e-3, 1.0, 3e4])
 def test_rate_is_found_over_seven_decades(start: float) -> None:
     time = np.linspace(0.0, 1.0, 101)
@@ -80,15 +59,3 @@ def test_unknown_parameter_names_the_file() -> None:
     with pytest.raises(InputError, match="Test has no parameter 'tank.m' to fit") as caught:
         base_parameters(data, Interface("Test"))
     assert caught.value.file == data.folder / "experiment.toml"
-
-
-@pytest.mark.parametrize(
-    ("default", "start", "expected"),
-    [(0.7, None, 0.7), (3.0, None, 1.0), (None, None, 0.5), (0.7, 0.2, 0.2)],
-)
-def test_first_guess(default: float | None, start: float | None, expected: float) -> None:
-    data = vessel_data(fit=(FreeParameter("a", 0.0, 1.0, start),))
-    (free,) = base_parameters(
-        data, Interface("Test", parameters={"a": Variable("a", start=default)})
-    )
-    assert free.start == expected

@@ -14,7 +14,7 @@ from pam_cosim import InputError
 from pam_cosim.fitting import Free, read_parameters, write_parameters
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
-from pam_cosim.measurement import Prior, read_data_set, write_data_set
+from pam_cosim.measurement import Prior
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import TRUE_C_D, N, discharge, vessel_data
 
@@ -89,15 +89,6 @@ def test_prior_of_the_logarithm_is_as_steep_as_the_fit_takes_it_for() -> None:
         assert here == pytest.approx(-np.log(1.25 / 1.1) / 0.05)
 
 
-def test_logarithm_changes_the_way_and_not_the_end() -> None:
-    data = vessel_data()
-    linear = pam.fit(data).values
-    logarithmic = pam.fit(
-        replace(data, fit={n: replace(f, transform="log") for n, f in data.fit.items()})
-    ).values
-    assert logarithmic == pytest.approx(linear, rel=1e-4)
-
-
 def test_run_has_a_parameter_of_its_own(tmp_path: Path) -> None:
     own = '[runs.fit]\n"orifice.C_d" = { min = 0.4, max = 1.1, transform = "log" }'
     truth = {"a": 0.84, "b": 0.6, "c": 0.84}
@@ -119,34 +110,6 @@ def test_run_has_a_parameter_of_its_own(tmp_path: Path) -> None:
     )
     with pytest.raises(InputError, match="no run 'd'"):
         pam.compare(data, parameters={"orifice.C_d@d": 0.6})
-
-
-def test_data_set_is_written_as_it_was_read(tmp_path: Path) -> None:
-    fit = (
-        '"tank.n" = { min = 1.0, max = 1.4, transform = "log", prior = { mean = 1.2, sd = 0.05 } }'
-    )
-    own = '[runs.fit]\n"tank.V" = { min = "16 l", max = "17 l", prior = { mean = "16.2 l", sd = "0.1 l" } }'
-    data = pam.read(write(tmp_path / "rig", fit, {"a": own, "b": ""}))
-    assert data.fit["tank.V@a"].prior == Prior(pytest.approx(0.0162), pytest.approx(1e-4))
-    assert "tank.V" not in data.runs[0].parameters and data.runs[1].parameters[
-        "tank.V"
-    ] == pytest.approx(0.0162)
-    interface = pam.describe(data.model)
-    again = write_data_set(tmp_path / "copy", data, interface)
-    assert list(again.fit) == list(data.fit)
-    for name, free in data.fit.items():
-        copy = again.fit[name]
-        assert (copy.transform, copy.run, copy.parameter) == (
-            free.transform,
-            free.run,
-            free.parameter,
-        )
-        assert [copy.min, copy.max, copy.prior.mean, copy.prior.sd] == pytest.approx(  # type: ignore[union-attr]
-            [free.min, free.max, free.prior.mean, free.prior.sd]  # type: ignore[union-attr]
-        )
-    assert read_data_set(tmp_path / "copy", lambda _: interface).runs[
-        0
-    ].parameters == pytest.approx(data.runs[0].parameters)
 
 
 HELD = 'role = "holdout"\n[runs.fit]\n"tank.n" = { min = 1.0, max = 1.4 }'
@@ -208,13 +171,3 @@ def test_what_cannot_be_is_one_message_with_its_line(
 def test_holdout_run_has_nothing_of_its_own_to_fit(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="free in a run that is never fitted"):
         pam.read(write(tmp_path / "rig", BOTH, {"a": "", "b": HELD}))
-
-
-def test_starts_are_followed_each_to_its_end() -> None:
-    fit = pam.fit(vessel_data(), method="multi-start", starts=5)
-    assert len(fit.convergence.descents) == 6
-    assert fit.convergence.descents.min() == pytest.approx(
-        fit.residuals["fit"].chi2_reduced, rel=1e-6
-    )
-    with pytest.raises(InputError, match="starts are for the method multi-start"):
-        pam.fit(vessel_data(), starts=5)

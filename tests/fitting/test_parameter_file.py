@@ -52,20 +52,6 @@ def test_json_carries_intervals_and_units(tmp_path: Path) -> None:
     assert entry["low"] == VALUES["tank.gas.h"] / 2 and entry["unit"] == "W/(m2.K)"
 
 
-def test_ssv_is_what_the_standard_says(tmp_path: Path) -> None:
-    """System Structure Parameter Values 1.0: ParameterSet/Parameters/Parameter/Real in its namespace."""
-    write_parameters(tmp_path / "p.ssv", FOUND)
-    root = ElementTree.parse(tmp_path / "p.ssv").getroot()
-    space = "{http://ssp-standard.org/SSP1/SystemStructureParameterValues}"
-    assert (
-        root.tag == f"{space}ParameterSet"
-        and root.attrib["version"] == "1.0"
-        and root.attrib["name"]
-    )
-    reals = root.findall(f"{space}Parameters/{space}Parameter/{space}Real")
-    assert [float(r.attrib["value"]) for r in reals] == list(VALUES.values())
-
-
 def test_ssv_is_valid_and_read_by_another_tool(tmp_path: Path) -> None:
     """FMPy validates against the schemas of SSP 1.0; every unit that is used is defined."""
     write_parameters(tmp_path / "p.ssv", FOUND)
@@ -77,11 +63,6 @@ def test_ssv_is_valid_and_read_by_another_tool(tmp_path: Path) -> None:
     assert units == {"1": {}, "W/(m2.K)": {"kg": "1", "s": "-3", "K": "-1"}}
 
 
-def test_plain_object_of_names_and_numbers(tmp_path: Path) -> None:
-    (tmp_path / "p.json").write_text('{"load.m": 5, "tank.n": 1.2}')
-    assert read_parameters(tmp_path / "p.json") == {"load.m": 5.0, "tank.n": 1.2}
-
-
 SSV = '<P xmlns:s="http://ssp-standard.org/SSP1/SystemStructureParameterValues">{}</P>'
 BAD = [
     ("p.json", "", "not JSON", 1),
@@ -89,23 +70,13 @@ BAD = [
     ("p.json", "[1, 2]", "must hold an object", None),
     ("p.json", '{"parameters": [1]}', "must hold an object", None),
     ("p.json", '{"a": "5 kg"}', "parameter 'a' has no number", None),
-    ("p.json", '{"a": {"low": 1}}', "parameter 'a' has no number", None),
-    ("p.json", '{"a": true}', "parameter 'a' has no number", None),
     ("p.json", '{"a": NaN}', "parameter 'a' is not a finite number", None),
-    ("p.json", '{"a": 1e999}', "parameter 'a' is not a finite number", None),
     ("p.json", '{"a": 1' + "0" * 400 + "}", "parameter 'a' is not a finite number", None),
     ("p.json", "[" * 100_000, "not JSON", None),
     ("p.ssv", "", "is not an SSV file", None),
-    ("p.ssv", "<a><b></a>", "is not an SSV file", None),
     (
         "p.ssv",
         SSV.format('<s:Parameter name="a"><s:Real value="x"/></s:Parameter>'),
-        "is not an SSV file",
-        None,
-    ),
-    (
-        "p.ssv",
-        SSV.format('<s:Parameter name="a"><s:Integer value="1"/></s:Parameter>'),
         "is not an SSV file",
         None,
     ),
@@ -136,21 +107,3 @@ def test_bad_file_is_one_clear_message(
         read_parameters(file)
     assert words in caught.value.message
     assert (caught.value.file, caught.value.line) == (file, line)
-
-
-def test_bytes_that_are_no_text(tmp_path: Path) -> None:
-    (tmp_path / "p.json").write_bytes(b"\xff\xfe{")
-    with pytest.raises(InputError, match="UTF-8"):
-        read_parameters(tmp_path / "p.json")
-
-
-@pytest.mark.parametrize("missing", ["none.json", "folder"])
-def test_missing_file(tmp_path: Path, missing: str) -> None:
-    (tmp_path / "folder").mkdir()
-    with pytest.raises(InputError, match="cannot be read"):
-        read_parameters(tmp_path / missing)
-
-
-def test_unwritable(tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="cannot be written"):
-        write_parameters(tmp_path / "no" / "p.json", FOUND)

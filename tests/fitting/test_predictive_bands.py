@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -11,14 +10,8 @@ import pytest
 
 from pam_cosim import study
 from pam_cosim.cli.app import main
-from pam_cosim.errors import InputError
 from pam_cosim.fitting import Fit
-from pam_cosim.fitting.parameter_posterior import ParameterPosterior
-from pam_cosim.fitting.predictive_bands import Band, predictive_bands
-from tests.comparison.fake import FakeSimulator
-from tests.comparison.fake import data_set as fake_data
-from tests.comparison.fake import run as recorded
-from tests.fitting.models import C_D, KNOWN, P_START, TIMES, N, discharge, vessel_data
+from tests.fitting.models import C_D, TIMES, N, discharge, vessel_data
 
 EARLY = np.linspace(0.0, 12.0, 13)
 
@@ -65,40 +58,6 @@ def test_the_truth_lies_within_the_band_as_often_as_promised() -> None:
     assert 17 <= inside <= 20  # 19 are expected; fewer than 17 come once in 60 times
 
 
-def test_a_recorded_run_stands_beside_its_band(fitted: Fit) -> None:
-    bands = study.predict(fitted, run="run")
-    assert bands.bands["p"].coverage >= 0.75 and "readings are within their band" in str(bands)
-
-
-def test_two_predictions_are_one(fitted: Fit) -> None:
-    one, two = (study.predict(fitted, stop_time=20, samples=20, seed=3).as_dict() for _ in range(2))
-    assert one == two
-
-
-def test_bad_questions(fitted: Fit) -> None:
-    with pytest.raises(InputError, match="no run 'rum' over time; did you mean 'run'"):
-        study.predict(fitted, run="rum")
-    with pytest.raises(InputError, match="inputs and parameters of its own"):
-        study.predict(fitted, run="run", stop_time=3)
-    with pytest.raises(InputError, match="of its own, and times; leave those out, or the run"):
-        study.predict(fitted, run="run", interval=1)
-    with pytest.raises(InputError, match="the number of samples must be a whole number from 2"):
-        study.predict(fitted, samples=1)
-    data = fitted.comparison.data
-    other = replace(
-        data.runs[0],
-        name="two",
-        parameters={**data.runs[0].parameters, "tank.p_start": P_START / 2},
-    )
-    two = replace(
-        fitted, comparison=replace(fitted.comparison, data=replace(data, runs=(*data.runs, other)))
-    )
-    with pytest.raises(InputError, match=r"state tank\.p_start of the run"):
-        study.predict(two, stop_time=10)
-    stated = study.predict(two, None, {"tank.p_start": "300 kPa"}, stop_time=10, samples=10)
-    assert stated.bands["p"].value[0] == pytest.approx(300e3)
-
-
 def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[str]) -> None:
     saved = study.save(fitted, tmp_path / "fit.npz")
     files = [tmp_path / name for name in ("p.csv", "p.png", "p.json")]
@@ -128,48 +87,3 @@ def test_the_command(tmp_path: Path, fitted: Fit, capsys: pytest.CaptureFixture[
     whole = json.loads((tmp_path / "run.json").read_text())
     assert whole["run"] == "run" and len(whole["time"]) == len(EARLY)
     assert whole["signals"]["p"]["discrepancy"] == content["discrepancy"]
-
-
-def test_what_a_fit_was_told_to_set_counts_in_its_prediction() -> None:
-    """The posterior and its runs had the model's own value."""
-    data = vessel_data(times=EARLY, sigma=5e3)
-    run = replace(data.runs[0], parameters={k: v for k, v in KNOWN.items() if k != "tank.V"})
-    free = replace(data, runs=(run,), parameters=dict(run.parameters))
-    stated = study.fit(free, parameters={"tank.V": KNOWN["tank.V"]})
-    of_data, of_call = study.fit(data), stated
-    bands = [
-        study.predict(one, run="run", samples=20, seed=1).bands["p"] for one in (of_data, of_call)
-    ]
-    assert of_call.values == pytest.approx(
-        of_data.values | {"tank.V": KNOWN["tank.V"]}
-        if "tank.V" in of_call.values
-        else of_data.values
-    )
-    np.testing.assert_allclose(bands[1].mean, bands[0].mean, rtol=1e-6)
-
-
-def level(drawn: list[float], weights: list[float]) -> Band:
-    """The prediction of a pressure that is a parameter, read with noise of 2 Pa at 0, 1 and 4 s."""
-    simulator = FakeSimulator(lambda times, given: {"p": given["level"] + 0 * times})
-    predicted = recorded("run", [0.0, 1.0, 4.0], p=[np.nan] * 3)
-    data = fake_data([predicted], {"p": 2.0})
-    samples = np.array(drawn)[:, None]
-    posterior = ParameterPosterior(("level",), {"level": "Pa"}, samples, np.array(weights), {})
-    made = predictive_bands(simulator, data, predicted, posterior, {"level": 2.0})  # type: ignore[arg-type]
-    return made.bands["p"]
-
-
-def test_noise_goes_out_of_a_mean_by_the_squares_of_its_weights() -> None:
-    """Weights 1/8, 1/2 and 3/8: noise variance 4 * 26/64, beside 3 of the parameter."""
-    band = level([8.0, 12.0], [0.25, 0.75])
-    assert (band.mean_low, band.mean_high) == pytest.approx(
-        (11 - 1.96 * np.sqrt(3 + 1.625), 11 + 1.96 * np.sqrt(3 + 1.625))
-    )
-    assert band.reading_high == pytest.approx([11 + 1.96 * np.sqrt(3 + 4)] * 3)
-    assert band.mean == 2.0
-
-
-def test_a_sample_stands_at_the_middle_of_its_weight() -> None:
-    """0, 1, 2, 3 and 4 stand at 0.01, 0.06, 0.45, 0.88 and 0.98 of the weight."""
-    band = level([4.0, 0.0, 2.0, 1.0, 3.0], [0.04, 0.02, 0.7, 0.08, 0.16])
-    assert band.low == pytest.approx([0.3] * 3) and band.high == pytest.approx([3.95] * 3)

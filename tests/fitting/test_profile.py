@@ -67,17 +67,3 @@ def test_fit_says_which_parameters_are_hardly_told_apart() -> None:
     )
     close = abs(fit.correlation[0, 1]) > 0.95
     assert bool(fit.confused()) == close == ("hardly told apart" in str(fit))
-
-
-def test_what_was_freed_and_set_for_a_fit_is_profiled() -> None:
-    """All parameters that the data set names were free, whatever the fit had freed."""
-    data = vessel_data()
-    fit = pam.fit(data, free=["orifice.C_d"], parameters={"tank.n": 1.25})
-    made = pam.profile(data, fit)
-    assert list(made.profiles) == ["orifice.C_d"]
-    profile, estimate = made.profiles["orifice.C_d"], fit.parameters["orifice.C_d"]
-    width = (
-        estimate.high - estimate.low
-    )  # a parabola nearly: its root is straight between two points
-    assert profile.low == pytest.approx(estimate.low, abs=0.01 * width)
-    assert profile.high == pytest.approx(estimate.high, abs=0.01 * width)

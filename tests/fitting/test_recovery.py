@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.fitting import fit, spread_starts
+from pam_cosim.fitting import fit
 from pam_cosim.fitting.free import base_parameters
 from pam_cosim.measurement import FreeParameter, read_data_set
 from pam_cosim.simulation import Simulator
@@ -136,50 +136,3 @@ def test_start_outside_the_bounds_begins_at_the_bound(vessel: Simulator, start: 
     assert first.start in (0.5, 1.1)
     result = fit(vessel, data, starts=[{"orifice.C_d": start * 10, "tank.n": -3.0}])
     assert result.values == pytest.approx(TRUE, rel=0.02)
-
-
-def test_start_default_of_the_model(vessel: Simulator) -> None:
-    data = vessel_data(
-        fit=(FreeParameter("orifice.C_d", 0.5, 1.1), FreeParameter("tank.n", 1.3, 1.4))
-    )
-    starts = [f.start for f in base_parameters(data, vessel.interface)]
-    assert starts == [vessel.interface.parameters["orifice.C_d"].start, 1.3]
-
-
-def test_fixed_values_are_kept(vessel: Simulator) -> None:
-    result = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": 1.4})
-    assert list(result.parameters) == ["orifice.C_d"]
-    wrong = result.comparison.chi2_reduced("fit")
-    right = fit(vessel, vessel_data(fit=(C_D,)), fixed={"tank.n": TRUE_N}).comparison.chi2_reduced(
-        "fit"
-    )
-    assert wrong > 3 * right
-
-
-def test_nothing_free_is_a_comparison(vessel: Simulator) -> None:
-    result = fit(vessel, vessel_data(fit=()), fixed=TRUE)
-    assert result.parameters == {} and result.freedom == 0
-    assert result.comparison.chi2_reduced("fit") == pytest.approx(1.0, abs=0.4)
-
-
-def test_fit_repeats_itself_to_the_last_bit(vessel: Simulator) -> None:
-    one, two = (fit(vessel, vessel_data(2)) for _ in range(2))
-    assert one.values == two.values
-
-
-def test_spread_starts_lie_within_the_bounds(vessel: Simulator) -> None:
-    free = base_parameters(vessel_data(), vessel.interface)
-    points = spread_starts(free)
-    assert len(points) == 16 and points == spread_starts(free)
-    for f in free:
-        values = np.array([p[f.name] for p in points])
-        assert values.min() >= f.low and values.max() <= f.high
-        assert np.ptp(values) > 0.8 * (f.high - f.low)
-
-
-def test_json_of_a_fit(vessel: Simulator) -> None:
-    content = fit(vessel, vessel_data()).as_dict()
-    parameters = content["parameters"]
-    assert isinstance(parameters, dict)
-    assert {"value", "low", "high", "unit"} <= set(parameters["tank.n"])
-    assert isinstance(content["comparison"], dict) and "signals" in content["comparison"]

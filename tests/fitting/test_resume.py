@@ -6,12 +6,10 @@ from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.fitting import Fit, FitProgress
-from pam_cosim.measurement import Signal
+from pam_cosim.fitting import FitProgress
 from pam_cosim.simulation import Simulator
 from tests.fitting.models import vessel_data
 
@@ -68,26 +66,3 @@ def test_another_fit_of_the_model_may_use_the_file(tmp_path: Path) -> None:
     hotter = replace(data, runs=(replace(run, measurements={"p": run.measurements["p"] + 1e3}),))
     for other in (wider, hotter):
         assert pam.fit(other, resume=file).values == pam.fit(other).values
-
-
-def test_standing_reads_as_a_person_would_say_it() -> None:
-    """Errors are of all fitted runs, also of signals that the last one does not have."""
-    told: list[FitProgress] = []
-    first = vessel_data()
-    (run,) = first.runs
-    last = replace(run, name="last", measurements={"T": np.full(len(run.time), 293.15)})
-    signals = {**first.signals, "T": Signal("T", "K", 30.0)}
-    data = replace(first, runs=(run, last), signals=signals)
-    result: Fit = pam.fit(data, progress=told.append)
-    assert (
-        str(FitProgress(23, 4.2, {"p": 1234.0}, {"p": "Pa"}))
-        == "23 simulations, p off by 1.23 kPa rms, chi2 4.2"
-    )
-    assert [s.evaluations for s in told] == list(range(1, len(told) + 1))
-    assert told[-1].rmse == {
-        name: pytest.approx(score.rmse, rel=1e-3)
-        for name, score in result.comparison.scores["fit"].items()
-    }
-    assert result.convergence.chi2_reduced[-1] == pytest.approx(
-        result.residuals["fit"].chi2_reduced, rel=1e-6
-    )

@@ -4,8 +4,6 @@ from __future__ import annotations
 
 import os
 import shutil
-import subprocess
-import sys
 import zlib
 from collections.abc import Callable
 from pathlib import Path
@@ -20,13 +18,10 @@ from pam_cosim.fmu import cached_fmu
 from pam_cosim.fmu.build import cached_lean_model, cached_taped_model
 from pam_cosim.fmu.odes import cached_ode
 from pam_cosim.simulation import Simulator
-from pam_cosim.simulation.native import prepare_driver
 from tests.fmu import models
-from tests.hostile.small_disk import disks_can_be_made, on_disk
 from tests.tiers import quick
 
 TIMES = np.linspace(0.0, 2.0, 21)
-ROOT = Path(__file__).parents[2]
 
 
 def _ode() -> Ode:
@@ -115,49 +110,3 @@ def test_what_is_no_file_is_said(cache: Path) -> None:
     (cache / "fmus").write_text("")
     with pytest.raises(InputError, match=r"folder cannot be made.*PAM_COSIM_CACHE"):
         cached_fmu("key", _ode)
-
-
-BUILD = """
-import sys
-from tests.hostile.test_caches import MAKE, _run
-from pam_cosim.errors import InputError
-try:
-    print(sum(_run(MAKE[sys.argv[1]]())))
-except InputError as problem:
-    sys.exit(f"pam-cosim: {problem}")
-"""
-
-
-@pytest.mark.full
-def test_eight_at_once(cache: Path) -> None:
-    command = [sys.executable, "-c", BUILD, "an FMU"]
-    running = [
-        subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) for _ in range(8)
-    ]
-    told = [process.communicate()[0] for process in running]
-    assert {process.returncode for process in running} == {0} and len(set(told)) == 1
-    sums = {".sums"}  # of a folder that is kept whole
-    left = {p.name for p in _files(cache) if p.name.startswith(".")} - sums
-    assert not left and all(is_whole(p) for p in _files(cache) if p.name.endswith(".sums"))
-
-
-@pytest.mark.full
-@pytest.mark.skipif(not disks_can_be_made(), reason="no disk can be made here")
-@pytest.mark.parametrize("how", ["full", "read-only"])
-def test_a_cache_that_takes_nothing(
-    cache: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch, how: str
-) -> None:
-    """One that has the model serves; one that does not says so."""
-    prepare_driver()
-    MAKE["an FMU"]()
-    disk, kept = tmp_path / "disk", tmp_path / "kept"
-    disk.mkdir()
-    shutil.copytree(cache, kept, symlinks=True)
-    monkeypatch.setenv("PAM_COSIM_CACHE", str(disk))
-    status, _, said = on_disk(disk, ["-c", BUILD, "an FMU"], 10_000, how, kept)
-    assert status == 0, said
-    shutil.rmtree(kept / "fmus")
-    shutil.rmtree(kept / "binaries")
-    status, files, said = on_disk(disk, ["-c", BUILD, "an FMU"], 100, how, kept)
-    assert status == 1 and said.startswith("pam-cosim: ") and said.count("\n") == 1, said
-    assert "PAM_COSIM_CACHE" in said and not [name for name in files if name.startswith(".")]

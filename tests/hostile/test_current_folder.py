@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from pam_cosim.processes.safe_path import safe_command, safe_environment, safe_path
+from pam_cosim.processes.safe_path import safe_command, safe_environment
 
 ROOT = Path(__file__).parents[2]
 HARM = "open({!r}, 'a').write(__name__)\nraise ImportError(__name__)\n"
@@ -82,13 +82,3 @@ def test_a_package_in_the_current_folder_of_the_user_is_found(
     places = safe_environment()["PYTHONPATH"].split(os.pathsep)
     assert str(ROOT) in places and "" not in places
     subprocess.run(words, cwd=tmp_path, env=safe_environment(), check=True, timeout=60)
-
-
-@pytest.mark.parametrize("before", [None, "0"])
-def test_the_environment_is_as_it_was(before: str | None, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.delenv("PYTHONSAFEPATH", raising=False)
-    if before is not None:
-        monkeypatch.setenv("PYTHONSAFEPATH", before)
-    with safe_path():
-        assert os.environ["PYTHONSAFEPATH"] == "1"
-    assert os.environ.get("PYTHONSAFEPATH") == before

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-import struct
 import tracemalloc
-import zlib
 from collections.abc import Callable
 from pathlib import Path
 
@@ -12,15 +10,10 @@ import h5py
 import numpy as np
 import pyarrow
 import pytest
-import scipy.io
-from nptdms import ChannelObject, TdmsWriter
 from pyarrow import parquet
 
-from pam_cosim import files
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import table
 from pam_cosim.measurement.formats import read_table
-from pam_cosim.measurement.matlab_table import _unpacked
 from pam_cosim.measurement.table import Layout
 
 MOST = 2_000_000  # bytes of Python's own memory to find out
@@ -62,15 +55,6 @@ def repeated_parquet(file: Path) -> Layout:
     return Layout()
 
 
-def compressed_structure(file: Path) -> Layout:
-    """A structure with one vector, whose element only says that it is long."""
-    scipy.io.savemat(file, {"run": {"time": np.arange(3.0)}}, do_compression=True)
-    element = zlib.compress(struct.pack("<II", 14, 2 * 10**9) + bytes(1000))
-    with file.open("ab") as out:
-        out.write(struct.pack("<II", 15, len(element)) + element)
-    return Layout()
-
-
 WRITERS = [
     ("run.h5", sparse_hdf5),
     ("run.mat", sparse_hdf5),
@@ -92,34 +76,3 @@ def test_more_values_than_can_be_taken(
         read_table(file, stated)
     assert caught.value.file == file and tracemalloc.get_traced_memory()[1] < MOST
     tracemalloc.stop()
-
-
-def few(file: Path) -> Layout:
-    values = np.arange(8.0)
-    match file.suffix:
-        case ".mat":
-            scipy.io.savemat(file, {"time": values, "p": values})
-        case ".tdms":
-            with TdmsWriter(file) as out:
-                out.write_segment([ChannelObject("run", n, values) for n in NAMES])
-        case ".csv":
-            file.write_text("time [s],p [kPa]\n" + "".join(f"{v},{v}\n" for v in values))
-    return Layout()
-
-
-@pytest.mark.parametrize("name", ["run.mat", "run.tdms", "run.csv"])
-def test_one_limit_for_all_kinds(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, name: str
-) -> None:
-    stated = few(tmp_path / name)
-    assert len(read_table(tmp_path / name, stated).columns) == 2
-    monkeypatch.setattr(table, "MOST_VALUES", 15)
-    with pytest.raises(InputError, match="it declares (16|28) values"):
-        read_table(tmp_path / name, stated)
-
-
-def test_a_compressed_structure_says_how_long_it_is(tmp_path: Path) -> None:
-    stated = compressed_structure(tmp_path / "run.mat")
-    with pytest.raises(InputError, match="can be taken|cannot be read"):
-        read_table(tmp_path / "run.mat", stated)
-    assert _unpacked(tmp_path / "run.mat") > 8 * files.MOST_VALUES

@@ -2,24 +2,15 @@
 
 from __future__ import annotations
 
-import json
-import re
-import subprocess
-import zipfile
 from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pam_cosim import study
-from pam_cosim.cli.app import main
 from pam_cosim.errors import InputError
-from pam_cosim.resources import modelica_root
-from pam_cosim.simulation import Inputs, IsolatedSimulator, RunFailure, Simulator
+from pam_cosim.simulation import Inputs, IsolatedSimulator, Simulator
 from tests.fmu import models
-from tests.hostile.reading import make
-from tests.openmodelica.compiler import OMC, WHY_NOT
-from tests.simulation.misbehaving import hanging, patched
+from tests.simulation.misbehaving import patched
 from tests.tiers import quick
 
 TIMES = np.linspace(0.0, 2.0, 21)
@@ -31,21 +22,6 @@ def failing(
 ) -> Path:
     """The lag, whose co-simulation fails half-way."""
     return patched(folder, "pam_cosimulation.c", STEP, f"{how} {STEP}")
-
-
-def exchange_only(source: Path, target: Path) -> Path:
-    """An FMU whose description knows model exchange alone."""
-    with zipfile.ZipFile(source) as old, zipfile.ZipFile(target, "w") as new:
-        for name in old.namelist():
-            content = old.read(name)
-            if name == "modelDescription.xml":
-                text, count = re.subn(
-                    rb"<CoSimulation[^>]*?(/>|>.*?</CoSimulation>)", b"", content, flags=re.DOTALL
-                )
-                assert count == 1
-                content = text
-            new.writestr(name, content)
-    return target
 
 
 def test_a_solver_that_fails_is_replaced_and_that_is_said(tmp_path: Path) -> None:
@@ -75,102 +51,3 @@ def test_inputs_that_rise_and_jump(tmp_path: Path, interpolation: str) -> None:
     with IsolatedSimulator(failing(tmp_path, "return PAM_ERROR;")) as simulator:
         run = simulator.run(TIMES, inputs=inputs, tolerance=1e-9)
     assert run.solver and run["y"] == pytest.approx(expected["y"], abs=1e-6)
-
-
-@pytest.mark.full
-def test_where_both_fail_the_first_reason_is_said(tmp_path: Path) -> None:
-    with (
-        IsolatedSimulator(failing(tmp_path)) as simulator,
-        pytest.raises(
-            RunFailure, match=r"^no  \[31m more \(simulated up to 1 s\); with x_start = 1e\+300"
-        ),
-    ):
-        simulator.run(
-            TIMES,
-            parameters={"x_start": 1e300},
-            inputs=Inputs([0.0, 1.5, 1.5], {"u": [0, 0, 1e308]}),
-        )
-
-
-@pytest.mark.parametrize("fmi", [pytest.param("2.0", marks=pytest.mark.full), "3.0"])
-def test_an_fmu_for_model_exchange_alone(tmp_path: Path, fmi: str) -> None:
-    fmu = study.build("Isotonic", fmi=fmi)
-    inputs = Inputs([0.0, 1.0, 2.0, 3.0], {"u_in": [0.2, 0.35, 0.35, 0.2]})
-    times = np.linspace(0.0, 3.0, 61)
-    with Simulator(study.build("Isotonic")) as simulator:
-        expected = simulator.run(times, inputs=inputs, tolerance=1e-8)
-    with IsolatedSimulator(exchange_only(fmu, tmp_path / "Only.fmu")) as simulator:
-        run = simulator.run(times, inputs=inputs, tolerance=1e-8)
-        assert (
-            not simulator.settles and run.solver == "Only.fmu is for model exchange: run with CVode"
-        )
-        with pytest.raises(InputError, match="no co-simulation interface"):
-            simulator.stepper().begin({})
-    for name in ("p", "x", "T"):
-        assert run[name] == pytest.approx(expected[name], abs=1e-6 * float(np.ptp(expected[name])))
-
-
-@pytest.mark.full
-def test_equations_that_hang_or_never_end(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setenv("HANG", "fmi2GetDerivatives")
-    only = exchange_only(hanging(tmp_path), tmp_path / "Only.fmu")
-    with (
-        IsolatedSimulator(only, 2.0) as simulator,
-        pytest.raises(RunFailure, match="no progress for 2 s, derivatives"),
-    ):
-        simulator.run(TIMES)
-    file = tmp_path / "Wave.mo"
-    file.write_text(
-        "model Wave output Real x(start = 0, fixed = true); equation der(x) = 1e6*cos(1e6*time); end Wave;"
-    )
-    only = exchange_only(study.build(str(file)), tmp_path / "Wave.fmu")
-    with (
-        IsolatedSimulator(only, 1.0) as simulator,
-        pytest.raises(RunFailure, match="longer than it may, 1 s"),
-    ):
-        simulator.run(np.linspace(0.0, 100.0, 10001))
-
-
-def told(fmu: Path, folder: Path, capfd: pytest.CaptureFixture[str], sentence: str) -> None:
-    """What the commands say of an FMU."""
-    data = make(folder / "data", {})
-    assert main(["simulate", str(fmu), "-o", str(folder / "run.csv")]) == 0
-    out, err = capfd.readouterr()
-    assert f"pam-cosim: {sentence}" in err and "x: from" in out
-    assert main(["compare", str(data), "--model", str(fmu), "--json", str(folder / "c.json")]) == 0
-    assert capfd.readouterr().out.count(sentence) == 1
-    assert json.loads((folder / "c.json").read_text())["runs"][0]["solver"].startswith(sentence)
-    assert main(["fit", str(data), "--model", str(fmu)]) == 0
-    assert capfd.readouterr().out.count(sentence) == 1
-
-
-@pytest.mark.full
-def test_the_commands_say_it(tmp_path: Path, capfd: pytest.CaptureFixture[str]) -> None:
-    fmu = exchange_only(study.build("Isotonic"), tmp_path / "Only.fmu")
-    told(fmu, tmp_path, capfd, "Only.fmu is for model exchange: run with CVode")
-
-
-@pytest.mark.full
-@pytest.mark.skipif(OMC is None, reason=WHY_NOT)
-def test_the_stiff_bench_as_openmodelica_exports_it(
-    tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    """Its co-simulation is an explicit Euler, whose pressures leave the domain of the equations."""
-    (tmp_path / "build.mos").write_text(
-        f'loadFile("{modelica_root()}/PneumaticMuscle/package.mo"); getErrorString();\n'
-        'buildModelFMU(PneumaticMuscle.Benches.Isotonic, version="2.0", fmuType="me_cs"); getErrorString();\n'
-    )
-    assert OMC is not None
-    subprocess.run([OMC, "build.mos"], cwd=tmp_path, capture_output=True, timeout=300, check=True)
-    fmu = tmp_path / "Isotonic.fmu"
-    told(
-        fmu,
-        tmp_path,
-        capfd,
-        "the co-simulation of Isotonic.fmu fails, so that its model exchange was run with CVode",
-    )
-    times = np.linspace(0.0, 10.0, 201)
-    with IsolatedSimulator(fmu) as theirs, Simulator(study.build("Isotonic")) as ours:
-        run, expected = theirs.run(times), ours.run(times)
-    for name in ("p", "x", "T"):
-        assert run[name] == pytest.approx(expected[name], abs=1e-4 * float(np.ptp(expected[name])))

@@ -100,27 +100,6 @@ def test_archives_that_leave_their_folder(fmu: Path, tmp_path: Path, name: str) 
     assert [p.name for p in tmp_path.iterdir()] == ["evil.fmu"]
 
 
-def test_two_descriptions(fmu: Path, tmp_path: Path) -> None:
-    file = changed(fmu, tmp_path / "evil.fmu")
-    with zipfile.ZipFile(file, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
-        archive.writestr(DESCRIPTION, "<x/>")
-    with pytest.raises(InputError, match="the archive has two files 'modelDescription.xml'"):
-        read_interface(file)
-
-
-def test_a_file_in_the_place_of_a_folder(
-    fmu: Path, tmp_path: Path, capfd: pytest.CaptureFixture[str]
-) -> None:
-    file = changed(fmu, tmp_path / "first.fmu", extra="resources/dl")
-    file = changed(file, tmp_path / "evil.fmu", extra="resources/dl/x.txt")
-    with (
-        IsolatedSimulator(file) as simulator,
-        pytest.raises(InputError, match="evil.fmu: the archive cannot be unpacked"),
-    ):
-        simulator.run([0.0, 1.0])
-    assert "Traceback" not in capfd.readouterr().err
-
-
 COMMANDS_OF_TERMINALS = "\u009b31m\u0085\u202e\u2066\u200b"
 
 

@@ -51,14 +51,6 @@ class Checkout:
         return list(self.made)
 
 
-def test_an_environment_is_made_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    checkout = Checkout(tmp_path / "a", monkeypatch)
-    assert checkout.set_up() == [str(checkout.root)]
-    assert checkout.set_up() == []
-    assert checkout.set_up("test") == [f"{checkout.root}[test]"]
-    assert checkout.set_up() == []
-
-
 @pytest.mark.parametrize("extra", ["", "test"])
 def test_a_moved_checkout_has_its_own(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, extra: str
@@ -69,17 +61,3 @@ def test_a_moved_checkout_has_its_own(
     assert moved.set_up(extra) != []
     assert (moved.home / "python").read_text() == str(moved.root)
     assert moved.set_up(extra) == []
-
-
-def test_a_link_to_another_checkouts_environment_is_no_more(
-    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """The other checkout keeps its own."""
-    first = Checkout(tmp_path / "a", monkeypatch)
-    first.set_up()
-    (tmp_path / "b").mkdir()
-    (tmp_path / "b" / ".venv").symlink_to(first.home, target_is_directory=True)
-    second = Checkout(tmp_path / "b", monkeypatch)
-    assert second.set_up() != []
-    assert not second.home.is_symlink()
-    assert (first.home / "python").read_text() == str(first.root)

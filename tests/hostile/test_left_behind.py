@@ -6,16 +6,10 @@ import os
 import subprocess
 import sys
 from pathlib import Path
-from types import SimpleNamespace
-from typing import Any
 
 import pytest
 
 from pam_cosim.cli.app import main
-from pam_cosim.errors import InputError
-from pam_cosim.measurement.table import Layout
-from pam_cosim.measurement.text_table import read_text_table
-from pam_cosim.workbench.commands.files import save
 from pam_cosim.workbench.saved import FILE
 from tests.hostile.reading import make
 
@@ -68,20 +62,3 @@ def test_a_model_makes_no_folder_a_package(
     )
     assert "name a file after the model" in capsys.readouterr().err
     assert not list(tmp_path.iterdir())
-
-
-def test_a_study_that_another_workbench_saved_is_not_overwritten(tmp_path: Path) -> None:
-    """It was opened where nothing was saved yet."""
-    study: Any = SimpleNamespace(check_free=lambda: None, folder=tmp_path, saved_file=None)
-    (tmp_path / FILE).write_text("of the other")
-    with pytest.raises(InputError, match="another workbench has saved this study"):
-        save(study)
-    assert (tmp_path / FILE).read_text() == "of the other"
-
-
-def test_a_text_of_too_many_lines(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr("pam_cosim.measurement.text_table._MOST_LINES", 1000)
-    file = tmp_path / "long.csv"
-    file.write_text("time [s],p [kPa]\n" + "1,2\n" * 1001)
-    with pytest.raises(InputError, match="it has 1002 lines, and 1000 of a text can be taken"):
-        read_text_table(file, Layout())

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import asyncio
-import json
 import socket
 import time
 from collections.abc import Iterator
@@ -27,28 +26,6 @@ from pam_cosim.workbench.server import application
 TOKEN = "a-token-of-a-test"
 HOME = "http://127.0.0.1:8123"
 PATIENCE = 60.0  # s for an answer
-BROKEN: dict[str, bytes] = {
-    "empty.csv": b"",
-    "zeros.csv": b"\0" * 5000,
-    "head.csv": b"time [s],p [kPa]",
-    "commas.csv": b"," * 1_000_000,
-    "quotes.csv": b'time [s],p [kPa]\n"' + b"1,2\n" * 1000,
-    "wide.csv": b"time [s],"
-    + b",".join(b"p%d [kPa]" % i for i in range(3000))
-    + b"\n"
-    + b"1," * 3000
-    + b"1\n",
-    "cut.txt": "time [s];p [kPa]\n0,0;1\n".encode("utf-16")[:-1],
-    "lone.csv": b"time [s],p [kPa]\n0,\xff\xfe\xfd\n1,2\n",
-    "not.mat": b"MATLAB 5.0 MAT-file" + b"x" * 200,
-    "zero.mat": b"MATLAB 5.0 MAT-file" + b" " * 105 + b"\x00\x01IM" + b"\0" * 64,
-    "not.h5": b"\x89HDF\r\n\x1a\n" + b"\xff" * 300,
-    "not.parquet": b"PAR1" + b"\xff" * 100 + b"PAR1",
-    "not.tdms": b"TDSm" + b"\xff" * 100,
-    "not.xlsx": b"PK\x03\x04" + b"\xff" * 100,
-    "picture.csv": b"\x89PNG\r\n\x1a\n" + bytes(range(256)) * 20,
-    "<img src=x>$(touch MADE).csv": b"time [s],p [kPa]\nx,y\n",
-}
 
 
 @pytest.fixture
@@ -104,13 +81,6 @@ def test_a_window_that_never_reads_is_given_up(workbench: Workbench, size: int, 
     assert count <= server.MOST_WAITING and letters <= server.MOST_WAITING_LETTERS
 
 
-def test_cookies_of_others_lock_nobody_out(client: TestClient) -> None:
-    (own,) = client.cookies.items()
-    for odd in ("a b=c", 'x="', "=;;=", "\u00e9=1", "{}", "a=b=c; ,"):
-        cookie = f"{odd}; {own[0]}={own[1]}; {odd}"
-        assert client.get("/", headers={"Cookie": cookie.encode()}).status_code == 200, odd
-
-
 def test_stalled_uploads_and_connections_are_given_up(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -147,17 +117,6 @@ def test_stalled_uploads_and_connections_are_given_up(
         assert last.recv(100) == b""
 
 
-def test_frames_that_are_no_text(client: TestClient) -> None:
-    with client.websocket_connect("ws://127.0.0.1:8123/socket", headers={"Origin": HOME}) as socket:
-        socket.send_bytes(b"\xff\0" * 100)
-        while True:
-            message = socket.receive()
-            told = json.loads(message["text"]) if message.get("text") else {}
-            if told.get("event") == "answer":
-                break
-        assert told["failed"]["text"] == "a command is a JSON object"
-
-
 def test_files_that_are_too_large(
     client: TestClient, workbench: Workbench, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -177,46 +136,3 @@ def test_files_that_are_too_large(
     with pytest.raises(InputError, match="together"):
         workbench.put("b.csv", b"x" * 101).result(PATIENCE)
     assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
-
-
-def test_a_file_of_which_only_a_part_comes(workbench: Workbench, client: TestClient) -> None:
-    """Whoever sends it goes away."""
-    parts = [
-        {"type": "http.request", "body": b"time", "more_body": True},
-        {"type": "http.disconnect"},
-    ]
-    cookies = "; ".join(f"{name}={value}" for name, value in client.cookies.items())
-    heads = {"host": "127.0.0.1:8123", "origin": HOME, "cookie": cookies}
-    scope = {
-        "type": "http", "method": "POST", "path": "/drop", "raw_path": b"/drop", "query_string": b"name=a.csv",
-        "headers": [(k.encode(), v.encode()) for k, v in heads.items()], "http_version": "1.1", "scheme": "http",
-        "server": ("127.0.0.1", 8123), "client": ("127.0.0.1", 1), "root_path": "",
-    }  # fmt: skip
-    said: list[Any] = []
-
-    async def send(message: Any) -> None:
-        said.append(message)
-
-    async def receive() -> Any:
-        return parts.pop(0)
-
-    asyncio.run(application(workbench, TOKEN)(scope, receive, send))
-    assert said[0]["status"] == 400
-    assert workbench.drop is not None and list(workbench.drop.place.iterdir()) == []
-
-
-def test_broken_files_are_answered_in_words(workbench: Workbench) -> None:
-    told: list[Any] = []
-    end = workbench.subscribe(told.append).result(PATIENCE)
-    for name, content in BROKEN.items():
-        told.clear()
-        workbench.put(name, content).result(PATIENCE)
-        workbench.do({"do": "draft", "wishes": {}}).result(PATIENCE)
-        drafts = [m for m in map(json.loads, told) if m["event"] == "draft"]
-        assert len(drafts) == 1 and drafts[0]["failed"]["text"], name
-        assert "should not" not in drafts[0]["failed"]["text"], drafts[0]["failed"]
-        workbench.do({"do": "remove", "names": [p.name for p in workbench.drop.recordings]}).result(
-            PATIENCE
-        )  # type: ignore[union-attr]
-    end()
-    assert not workbench.folder.exists() and not list(workbench.folder.parent.rglob("MADE"))

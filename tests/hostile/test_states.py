@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import random
 import struct
 from pathlib import Path
 
@@ -13,7 +12,6 @@ from tests.fmu import models
 
 HASH, HASHED = 64, 72  # where the hash stands (pam_snapshot.c), and what it is of begins
 REFUSED = "not one of this FMU, or it is damaged"
-TRIED = 150
 
 
 def hashed(state: bytes) -> bytes:
@@ -97,29 +95,3 @@ def test_a_history_that_cannot_be(path: Path) -> None:
 
 def _count(state: bytes, at: int) -> float:
     return float(struct.unpack("<d", state[at : at + 8])[0])
-
-
-def test_any_bytes(path: Path) -> None:
-    chance = random.Random(0)
-    numbers = [struct.pack("<d", v) for v in (float("nan"), float("inf"), -1e300, 0.0, 5e-324)]
-    with IsolatedSimulator(path, 20.0) as simulator:
-        state = taken(simulator)
-        ends = [
-            used(simulator, changed(state, chance.randrange(HASHED, len(state) - 8) & ~3, chance.choice(
-                [*numbers, chance.randbytes(4), b"\xff" * 4, b"\0" * 4]
-            )))
-            for _ in range(TRIED)
-        ]  # fmt: skip
-        assert used(simulator, state) == ""
-    assert any(REFUSED in end for end in ends) and any(not end for end in ends)
-
-
-@pytest.mark.full
-def test_the_state_of_another_model(path: Path) -> None:
-    with IsolatedSimulator(models.fmu(models.delayed_start)) as other:
-        stepper = other.stepper()
-        stepper.begin({"T": 0.3})
-        stepper.initialised()
-        foreign = stepper.freeze(stepper.save())
-    with IsolatedSimulator(path, 20.0) as simulator:
-        assert REFUSED in used(simulator, foreign)

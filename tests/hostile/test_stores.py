@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.sweeps import partial_of, same
+from pam_cosim.sweeps import same
 from tests.fitting.models import vessel_data
 
 Study = Callable[[Path, Callable[..., None] | None], Any]
@@ -158,32 +158,3 @@ def test_damaged_and_stopped_it_ends_equal_or_in_a_sentence(
     chance = random.Random(f"{study.__name__} {times}")
     ends = [attack(study, chance, tmp_path / str(i), whole(study, place)) for i in range(times)]
     assert ends.count("equal") > times // 3
-
-
-def test_advice_of_a_refusal_is_enough(tmp_path: Path) -> None:
-    """The file of somebody else, of another study, and of none are named and left; once removed, all goes well."""
-    result = tmp_path / "s.csv"
-    file = partial_of(result)
-    fitted(tmp_path / "fit.progress", None)
-    for content in (b"somebody's\n\0\xff", (tmp_path / "fit.progress").read_bytes()):
-        file.write_bytes(content)
-        with pytest.raises(
-            pam.InputError, match="keeps no sweep .* remove it or name another file"
-        ):
-            swept(file, None)
-        assert file.read_bytes() == content and not result.exists()
-    file.unlink()
-    swept(file, None)
-    assert result.exists() and not file.exists()
-
-
-def test_one_study_at_a_time_writes_a_file(tmp_path: Path) -> None:
-    file = tmp_path / "s.csv.partial"
-
-    def second(done: int, total: int) -> None:
-        with pytest.raises(pam.InputError, match="another sweep is writing this"):
-            swept(file, None)
-        raise Stopped
-
-    with pytest.raises(Stopped):
-        swept(file, second)

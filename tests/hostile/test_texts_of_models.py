@@ -4,29 +4,23 @@ from __future__ import annotations
 
 import ctypes
 import re
-import subprocess
-import sys
 import zipfile
 from pathlib import Path
 
 import fmpy
 import numpy as np
 import pytest
-import xarray
 from fmpy.validation import validate_fmu
 from lxml import etree
 
 from pam_cosim import study
-from pam_cosim.cli.app import main
 from pam_cosim.compiler import compile_model
-from pam_cosim.compiler.names import identifier, last, parent, parts
 from pam_cosim.errors import ModelError
 from pam_cosim.fmu.c_text import c_string
 from pam_cosim.fmu.compile import compile_library
 from pam_cosim.fmu.generate import model_source
 from pam_cosim.fmu.platforms import native_platform
-from pam_cosim.reporting import draw
-from pam_cosim.simulation import Simulator, Trajectory
+from pam_cosim.simulation import Simulator
 from pam_cosim.simulation.failure import RunFailure
 
 # The first two would make a file when the library is loaded, where their text became C.
@@ -127,16 +121,6 @@ def test_names_come_back_as_they_are(name: str, fmi: str, place: Path) -> None:
     assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", "made.fmu"]
 
 
-@pytest.mark.parametrize("name", NAMES.values(), ids=NAMES.keys())
-def test_trajectories_and_pictures_take_them(name: str, place: Path) -> None:
-    with Simulator(study.build(str(_write(place, name)))) as simulator:
-        run = simulator.run(np.linspace(0, 1, 11))
-    again = Trajectory.from_csv(run.to_csv(place / "out.csv"))
-    assert list(again.values) == list(run.values)
-    draw(run, place / "out.png")
-    assert sorted(p.name for p in place.iterdir()) == ["Hostile.mo", "out.csv", "out.png"]
-
-
 TEXTS = {
     "trigraph": '??/\\"};int system(const char*);//',
     "formats": "%s%n%s%n%s%n%100000000d",
@@ -165,14 +149,6 @@ def test_comments_and_messages_are_text(text: str, place: Path) -> None:
         pytest.raises(RunFailure, match="an assertion of the model fails at time"),
     ):
         simulator.run([0.0, 9.0])
-
-
-def test_a_message_comes_back_whole(place: Path) -> None:
-    text = '??/" %s %n \\ */ ä <b> {x}'
-    file = _write(place, "n", text.replace("\\", "\\\\").replace('"', '\\"'))
-    with Simulator(study.build(str(file))) as simulator, pytest.raises(RunFailure) as caught:
-        simulator.run([0.0, 9.0])
-    assert caught.value.reason.endswith(f"s: {text}")
 
 
 @pytest.mark.parametrize("character", ["\n", "\t", "\0", "\x1b", "\u202e", "\u200b", "\u2028"])
@@ -204,87 +180,3 @@ def test_source_of_a_hostile_model_holds_no_text_of_it(place: Path) -> None:
     )
     outside = re.sub(r'"[^"]*"', "", source)
     assert "??" not in source and "system" not in outside and "int x" not in outside
-
-
-@pytest.mark.full
-def test_files_of_a_folder_keep_to_the_folder(place: Path) -> None:
-    """The command builds it under a name of its own; what a class calls itself is no path."""
-    file = place / "Lib.mo"
-    file.write_text(
-        "package Lib\n model '../../escaped'\n  output Real y = 1;\n end '../../escaped';\nend Lib;\n"
-    )
-    words = ["build", "Lib.'../../escaped'", "--file", "Lib.mo", "-o", "deep/er"]
-    run = subprocess.run(
-        [sys.executable, "-m", "pam_cosim", *words],
-        capture_output=True,
-        text=True,
-        cwd=place,
-        check=False,
-    )
-    assert run.returncode == 0, run.stderr
-    made = [p.relative_to(place).as_posix() for p in place.rglob("*.fmu")]
-    assert len(made) == 1 and made[0].startswith("deep/er/") and "escaped" in made[0]
-
-
-def test_names_are_taken_apart_at_their_dots_only() -> None:
-    assert parts("A.'b.c'.d[1].e") == ["A", "'b.c'", "d[1]", "e"]
-    assert (last("A.'b.c'"), parent("A.'b.c'")) == ("'b.c'", "A")
-    assert parts("A..b") == ["A..b"] and parts("it's") == ["it's"]
-    assert (
-        identifier("Plain") == "Plain"
-        and identifier("end") == "'end'"
-        and identifier("a b") == "'a b'"
-    )
-    assert (
-        identifier("x; end x; model y") == "'x; end x; model y'"
-        and identifier("a'b\\c\n") == "'a_b_c_'"
-    )
-
-
-def test_effects_with_hostile_texts_are_composed(place: Path) -> None:
-    """Descriptions and names of a user's effect become Modelica text again, and nothing more."""
-    (place / "Drag.mo").write_text(
-        """model 'Drag "x" \\\\' "ends in a backslash \\\\"
-  extends PneumaticMuscle.Interfaces.ForceEffect(final family="rate_friction", final absent="c2=0");
-  parameter Real c2(unit="N.s2/m2", min=0, max=1e4, nominal=100) = 100 "Drag \\"; end x; model y \\"";
-equation
-  f = c2*v*sqrt(v^2 + 1e-8);
-end 'Drag "x" \\\\';
-"""
-    )
-    (place / "Base.mo").write_text(
-        "model 'my rig.v2' \"a \\\" b\\\\\"\n  extends PneumaticMuscle.Benches.Isotonic;\nend 'my rig.v2';\n"
-    )
-    files = [place / "Base.mo", place / "Drag.mo"]
-    text = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", place / "new; end x.mo", files=files)
-    assert text.startswith("model 'new; end x' \"")
-    ode = compile_model("'new; end x'", files=[*files, place / "new; end x.mo"])
-    assert any(name.endswith("c2") for name in ode.interface.parameters)
-    made = study.add(["'Drag \"x\" \\\\'"], "'my rig.v2'", files=files)
-    assert made.startswith("model 'my rig.v2WithDrag")
-
-
-@pytest.mark.parametrize("ending", ["nc", "parquet", "csv"])
-def test_names_with_slashes_are_written(ending: str, place: Path) -> None:
-    """In NetCDF a slash is a folder: another sign stands for it, and an attribute has the name."""
-    file = _write(place, "a/../b")
-    run = study.simulate(str(file))
-    run.save(place / f"run.{ending}")
-    study.sweep(str(file), {"'p a/../b'": [1.0, 2.0]}, output=place / f"sweep.{ending}")
-    assert sorted(p.name for p in place.iterdir()) == [
-        "Hostile.mo",
-        f"run.{ending}",
-        f"sweep.{ending}",
-    ]
-    if ending == "nc":
-        with xarray.open_dataset(place / "run.nc", engine="h5netcdf") as data:
-            (name,) = data.data_vars
-            assert "/" not in str(name) and data[name].attrs["modelica_name"] == "'y a/../b'"
-            np.testing.assert_array_equal(data[name], run["'y a/../b'"])
-
-
-def test_comments_that_command_a_terminal(place: Path, capsys: pytest.CaptureFixture[str]) -> None:
-    _write(place, "n", "a\u009b31m\u0085b\u202ec")
-    assert main(["describe", "Hostile.mo", "--all"]) == 0
-    said = capsys.readouterr().out
-    assert "a 31m b c" in said and all(line.isprintable() for line in said.split("\n"))

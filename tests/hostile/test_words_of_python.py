@@ -9,7 +9,6 @@ from typing import Any
 import pytest
 
 import pam_cosim as pam
-from tests.cli.conftest import EXPERIMENT, table
 from tests.fitting.models import vessel_data
 
 
@@ -38,20 +37,3 @@ def test_models_are_named_by_texts_or_paths(tmp_path: Path) -> None:
     assert pam.describe(file).inputs  # type: ignore[arg-type]
     with pytest.raises(pam.InputError, match="named by a text or a path, not by a int"):
         pam.simulate(3)  # type: ignore[arg-type]
-
-
-def test_samples_and_seeds_of_predictions() -> None:
-    fitted = pam.fit(vessel_data())
-    for wrong in ({"seed": -1}, {"samples": 10**9}, {"samples": 1}, {"samples": 2.5}):
-        with pytest.raises(pam.InputError, match="must be a whole number from"):
-            pam.predict(fitted, **wrong)  # type: ignore[arg-type]
-
-
-def test_before_of_what_is_no_input(tmp_path: Path) -> None:
-    """The sentence is whole also where the bench has no input."""
-    (tmp_path / "one.csv").write_text(table())
-    (tmp_path / "experiment.toml").write_text(
-        EXPERIMENT + 'before = { p_outside = "0 kPa", for = "1 s" }\n'
-    )
-    with pytest.raises(pam.InputError, match="'p_outside' is no input of .*; its inputs: none"):
-        pam.read(tmp_path)

@@ -12,18 +12,15 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.catalogue import effect_classes, unknown_terms
-from pam_cosim.compiler import read_library
 from pam_cosim.errors import InputError
-from pam_cosim.fmu import build_model, build_source, source_ode
+from pam_cosim.fmu import source_ode
 from pam_cosim.ledger import BalanceEntry, Ledger, binned, keep_ledger, mapped
 from pam_cosim.ledger.augmented import AugmentedModel
 from pam_cosim.ledger.explainer import Explainer
 from pam_cosim.ledger.ledger import TermSeries
 from pam_cosim.ledger.sensor import try_sensors
-from pam_cosim.measurement import DataSet, FreeParameter, Signal
+from pam_cosim.measurement import DataSet, FreeParameter
 from pam_cosim.model.domain import Domain
-from pam_cosim.simulation import Inputs, Simulator
 from rig.flow import P_ATM
 from rig.instruments import ClockOffset
 from rig.measurement import TRUTH
@@ -199,66 +196,12 @@ def test_summaries_and_plain_data() -> None:
     assert "courses" not in json.dumps(_ledger("elasticity:linear").as_dict(courses=False))
 
 
-@pytest.mark.full
-def test_missing_samples_are_no_obstacle() -> None:
-    data = _data("elasticity:linear")
-    runs = []
-    for run in data.runs:
-        x = run.measurements["x"].copy()
-        x[::3] = np.nan
-        runs.append(replace(run, measurements={**run.measurements, "x": x}))
-    assert keep_ledger(replace(data, runs=tuple(runs))).failing == ("force",)
-
-
-def test_unknown_terms_are_no_hypotheses() -> None:
-    tree = read_library()
-    assert unknown_terms(tree) and not {e.name for e in unknown_terms(tree)} & {
-        e.name for e in effect_classes(tree)
-    }
-
-
 def test_bad_input() -> None:
     data = _data("none")
     with pytest.raises(InputError, match="FMU"):
         keep_ledger(data, model="muscle.fmu")
     with pytest.raises(InputError, match="has no states"):
         keep_ledger(replace(data, model="PneumaticMuscle.Benches.StaticForce"))
-
-
-@pytest.mark.full
-@pytest.mark.parametrize(
-    ("effect", "failing"), [(None, ()), ("LinearBladder", ("force",)), ("OrificeLeak", ("mass",))]
-)
-def test_other_bench_with_faster_dynamics(effect: str | None, failing: tuple[str, ...]) -> None:
-    """The drive of the isometric bench is ten times faster than the samples: the grid must be refined by itself."""
-    ledger = keep_ledger(_isometric(effect))
-    assert ledger.failing == failing and ledger.closed, str(ledger)
-
-
-def _isometric(effect: str | None) -> DataSet:
-    time, rng = np.linspace(0, 10, 201), np.random.default_rng(1)
-    filling, venting = ((time >= a) & (time < b) for a, b in ((0, 3), (5, 10)))
-    inputs = {"u_in": 0.35 * filling, "u_out": 0.3 * venting, "s": 0.02 + 0.01 * np.sin(time)}
-    text = study.add([effect], "Isometric") if effect else ""
-    fmu = (
-        build_source(text.split()[1], text)
-        if effect
-        else build_model("PneumaticMuscle.Benches.Isometric")
-    )
-    signals = {
-        "p": Signal("p", "Pa", 500.0),
-        "F": Signal("F", "N", 1.0),
-        "T": Signal("T", "K", 0.3),
-    }
-    with Simulator(fmu) as simulator:
-        clean = simulator.run(time, inputs=Inputs(time, inputs)).values
-    noisy = {
-        n: clean[n] + (s.sigma or 0) * rng.standard_normal(len(time)) for n, s in signals.items()
-    }
-    run = recording(time, noisy, "fit", inputs)
-    return DataSet(
-        Path("rig"), "a rig", "PneumaticMuscle.Benches.Isometric", signals, {}, {}, (run,)
-    )
 
 
 @pytest.mark.parametrize("known", [True, False], ids=["known", "fitted by itself"])
@@ -293,11 +236,6 @@ def _course(value: list[float], deviation: list[float], **against: list[float]) 
     return TermSeries("run", "fit", time, np.array(value), np.array(deviation), columns)
 
 
-def test_outside_is_beyond_two_standard_deviations() -> None:
-    courses = (_course([0.0, 1.9, -2.1], [1.0] * 3), _course([4.1, -3.9], [2.0] * 2))
-    assert BalanceEntry("force", 0, 0, 0, courses=courses).outside == pytest.approx(2 / 5)
-
-
 def test_a_band_weighs_by_certainty_and_is_as_uncertain_as_its_runs_differ() -> None:
     """Weights 1 and 1/4, then 1/4 twice: 15/7 together, 1.4 and 4 alone, which differ by 2.6."""
     one, other = _course([1.0, 3.0], [1.0, 2.0]), _course([4.0, 4.0], [2.0, 2.0])
@@ -307,11 +245,3 @@ def test_a_band_weighs_by_certainty_and_is_as_uncertain_as_its_runs_differ() -> 
     assert band.scatter == pytest.approx(np.sqrt(1.5))
     (alone,) = binned(BalanceEntry("force", 0, 0, 0, courses=(one,)), "time", 1)
     assert alone.mean == pytest.approx(1.4) and alone.deviation == 1.0
-
-
-def test_a_cell_of_a_map_is_as_significant_as_its_mean_is_certain() -> None:
-    """The typical standard deviation of 1 and 3, means of 0.6 and 1, is 0.8: 2/0.8."""
-    course = _course([1.0, 3.0, -3.0], [0.6, 1.0, 2.0], v=[0.0, 0.1, 1.0], w=[0.0, 0.1, 1.0])
-    plane = mapped(BalanceEntry("force", 0, 0, 0, courses=(course,)), "v", "w", 2)
-    np.testing.assert_allclose(plane.value, [[2.0, np.nan], [np.nan, -3.0]])
-    np.testing.assert_allclose(plane.significance, [[2.5, np.nan], [np.nan, -1.5]])

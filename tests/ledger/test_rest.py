@@ -9,12 +9,10 @@ import numpy as np
 import pytest
 
 from pam_cosim import study
-from pam_cosim.arrays import Array
 from pam_cosim.compiler import compile_model
 from pam_cosim.fmu import build_source
 from pam_cosim.ledger.grid import make_grid
 from pam_cosim.ledger.model import Model
-from pam_cosim.ledger.rest import settled
 from pam_cosim.simulation import Inputs, Simulator
 from rig.short import write_light_data
 
@@ -52,11 +50,3 @@ def test_runs_begin_at_rest_and_where_they_are_told(tmp_path: Path) -> None:
             )
             for i, name in enumerate(states):
                 assert begins[run, i] == pytest.approx(theirs[name][0], rel=1e-6, abs=1e-9), name
-
-
-def test_without_a_rest_it_stays() -> None:
-    def rates(x: Array) -> tuple[Array, Array]:
-        return 1.0 + x**2, np.diag(2 * x)
-
-    begin = np.array([0.5])
-    assert settled(rates, begin, np.array([True]), np.ones(1)).tolist() == [0.5]

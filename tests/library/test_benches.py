@@ -24,22 +24,6 @@ def test_benches_extend_the_frame_that_rigs_of_parts_extend() -> None:
     assert not [c.name for b in outside for c in tree().components(b) if c.name == "ambient"]
 
 
-def test_a_channel_begins_as_all_of_its_bench_does() -> None:
-    """Who extends a reading says so; left out, a channel would begin at its start values in a bench at rest."""
-    for bench in benches():
-        for channel in (c for c in tree().components(bench) if c.name.startswith("channel_")):
-            said = {t for b in (bench, *tree().bases(bench)) for t in _said(b, channel.name)}
-            own = {"dynamics" if bench in WITHOUT_SURROUNDINGS else "ambient.dynamics"}
-            assert said == own, (bench, channel.name)
-
-
-def _said(name: str, channel: str) -> list[str]:
-    info = tree().classes[name]
-    own = [c.modifications.get("dynamics") for c in info.components if c.name == channel]
-    inherited = [base.modifications.get(f"{channel}.dynamics") for base in info.extends]
-    return [text for text in (*own, *inherited) if text]
-
-
 def test_another_muscle_takes_the_place_of_a_bench_s(tmp_path: Path) -> None:
     file = tmp_path / "Butyl.mo"
     file.write_text(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from pathlib import Path
 
 import numpy as np
@@ -105,12 +104,3 @@ def test_piece_of_a_coupled_system_is_translated_alone() -> None:
         "n": 1.2,
         "h_film": 20,
     }
-
-
-@pytest.mark.parametrize("every", [7, pytest.param(1, marks=pytest.mark.full)])
-def test_all_models_compile_soon(every: int) -> None:
-    """Without the C compiler; the limit is several times what they take: no work grows out of all bounds."""
-    before, models = time.process_time(), MODELS[::every]
-    for model in models:
-        compile_model(model)
-    assert time.process_time() - before < 3.0 * len(models)

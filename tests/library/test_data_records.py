@@ -60,15 +60,3 @@ def test_every_record_is_pinned() -> None:
 def test_record_holds_what_is_printed(record: str) -> None:
     own = values(f"parameter PneumaticMuscle.Muscles.Data.{record} it;", list(PRINTED[record]))
     assert in_degrees(own) == pytest.approx(PRINTED[record], rel=1e-12)
-
-
-def test_empirical_muscle_has_the_angle_of_the_slides() -> None:
-    """DY print no angle; the default is that of AM, with whose factor q it comes."""
-    with Simulator(
-        build_source(
-            "Hung", "model Hung extends PneumaticMuscle.Benches.VerticalLoad; end Hung;", brief=True
-        )
-    ) as bench:
-        parameters = bench.interface.parameters
-    assert degrees(parameters["muscle.alpha_0"].start or 0.0) == pytest.approx(23.0, rel=1e-12)
-    assert parameters["muscle.D0"].start == 0.02 and parameters["muscle.L0"].start == 0.3

@@ -2,17 +2,12 @@
 
 from __future__ import annotations
 
-from pam_cosim.compiler.builtins import BUILTINS
 from pam_cosim.compiler.library import Library
-from pam_cosim.compiler.syntax import ComponentDeclaration, Literal, Modification
+from pam_cosim.compiler.syntax import Literal, Modification
 from pam_cosim.resources import modelica_root
 
 LIBRARY = Library(modelica_root())
 CLASSES = list(LIBRARY.walk())
-GROUPS = {
-    "Geometry", "Load", "Gas", "Heat", "Flow", "Friction", "Mechanics", "Dynamics", "Law", "Effect", "Start",
-    "Surroundings", "Operation", "Operating point", "Signal", "Missing term",
-}  # fmt: skip
 
 
 def value(modification: Modification, *path: str) -> object:
@@ -25,22 +20,6 @@ def value(modification: Modification, *path: str) -> object:
     return modification.value.value if isinstance(modification.value, Literal) else None
 
 
-def settable(component: ComponentDeclaration) -> bool:
-    return component.variability == "parameter" and not component.prefixes & {"final", "protected"}
-
-
-PARAMETERS = [(node, c) for node in CLASSES for c in node.components.values() if settable(c)]
-
-
-def test_every_parameter_has_its_group() -> None:
-    groups = {
-        f"{n.qualified_name}.{c.name}": value(c.annotation, "Dialog", "group")
-        for n, c in PARAMETERS
-    }
-    assert len(groups) > 400
-    assert {name: group for name, group in groups.items() if group not in GROUPS} == {}
-
-
 def test_every_replaceable_model_offers_what_fits() -> None:
     replaceable = [n for n in CLASSES if "replaceable" in n.prefixes]
     assert len(replaceable) > 30
@@ -50,30 +29,3 @@ def test_every_replaceable_model_offers_what_fits() -> None:
         if value(n.annotation, "choicesAllMatching") is not True
     ]
     assert silent == []
-
-
-def test_what_is_looked_for_around_a_model_is_put_there_by_a_tool() -> None:
-    """One that drags it into a model, or misses it there."""
-    outer = {
-        (c.name, c.type.names[-1])
-        for n in CLASSES
-        for c in n.components.values()
-        if "outer" in c.prefixes
-    }
-    assert ("ambient", "Ambient") in outer
-    for name, of in outer:
-        definition = LIBRARY.find(f"PneumaticMuscle.{of}")
-        assert definition is not None
-        assert value(definition.annotation, "defaultComponentName") == name
-        assert value(definition.annotation, "defaultComponentPrefixes") == "inner"
-        assert "inner" in str(value(definition.annotation, "missingInnerMessage"))
-
-
-def test_no_name_hides_a_built_in_function() -> None:
-    assert "size" in BUILTINS
-    assert [
-        f"{n.qualified_name}.{b}"
-        for n in CLASSES
-        for b in BUILTINS
-        if b in n.components or b in n.classes
-    ] == []

@@ -8,6 +8,8 @@ import numpy as np
 import pytest
 
 from pam_cosim.simulation import Inputs, Simulator
+from rig import catalogue
+from rig.effect import Effect
 from rig.measurement import TRUTH
 from rig.muscle import simulate_muscle
 from rig.named import effect_of
@@ -17,7 +19,9 @@ from tests.library.shelf import BENCH, NOISE, built, effects, on_bench, values
 TIMES = np.linspace(0, 10, 501)
 RUN = default_plan()[2]  # fills, holds and vents in parts under a small load
 
-SAME = {
+WALL = TRUTH.t_wall / TRUTH.k_wall
+SHAPE = (TRUTH.length, TRUTH.fibre_squared, TRUTH.turns, TRUTH.fibre_area)
+SAME: dict[str | Effect, tuple[str, dict[str, float]]] = {
     "elasticity:linear": ("LinearBladder", {"k": 250}),
     "elasticity:cubic": ("PolynomialBladder", {"k1": 120, "k3": 5e4}),
     "elasticity:mooney_rivlin": ("MooneyRivlinBladder", {"C_10": 1.2e5, "C_01": 2e4}),
@@ -41,19 +45,39 @@ SAME = {
     "thermocouple_lag:first_order": ("ThermocoupleLag", {"tau": 0.15}),
     "pressure_offset:constant": ("PressureOffset", {"offset": 5e3}),
     "pressure_offset:gain": ("PressureGain", {"gain": 1.05}),
+    catalogue.elasticity.YoungTube(600000.0): ("YoungBladder", {"E": 600000.0}),
+    catalogue.dry_friction.MaxwellSlip(8.0, 0.002): ("MaxwellSlipFriction", {"F_c": 8, "d": 0.002}),
+    catalogue.rate_friction.LoadRate(0.5, *SHAPE[:3]): ("LoadRateFriction", {"ab": 0.5}),
+    catalogue.creep.Prony(300.0, 0.5, 0.8): ("PronyCreep", {"k_1": 300, "k_2": 150, "tau": 0.8}),
+    catalogue.end_shape.KerscherEnds(0.1, 0.1): ("KerscherEnds", {"c_3": 0.1, "eps_0": 0.1}),
+    catalogue.moving_mass.BalancedMass(3.0): ("BalancedMass", {"m": 3}),
+    catalogue.valve_area.CurrentOffset(0.01): ("CurrentOffsetArea", {"u_0": 0.01}),
+    catalogue.valve_area.UnequalAreas(0.85): ("UnequalAreas", {"r": 0.85}),
+    catalogue.supply_line.LongTube(5e-06, 4e-07): ("LongLine", {"A": 4e-07, "V": 5e-06}),
+    catalogue.supply_line.OrificeTube(2e-07, 4e-07): ("OrificeLine", {"A": 4e-07}),
+    catalogue.supply_line.LaminarTube(2e-07, 4e-09): ("LaminarLine", {"G": 4e-09}),
+    catalogue.gas_energy.StirredGas(8.0, WALL, 30.0): ("ConvectiveGas", {"h_0": 8, "h_1": 30}),
+    catalogue.wall_heat.StorageWall(0.4, 2.0, TRUTH.h_film, WALL / 2, *SHAPE): (
+        "StorageWall",
+        {"C": 0.4, "r": 2},
+    ),
+    catalogue.friction_heat.FibreHeat(1.0): ("FibreFrictionHeat", {"share": 1}),
+    catalogue.thermocouple_lag.Sheath(0.15, 0.3): ("ThermocoupleSheath", {"tau": 0.15, "r": 0.3}),
 }
 
 
-@pytest.mark.parametrize("form", SAME)
-def test_same_physics_same_curve(form: str) -> None:
-    name, own = SAME[form]
+@pytest.mark.parametrize("hidden", SAME, ids=lambda hidden: SAME[hidden][0])
+def test_same_physics_same_curve(hidden: str | Effect) -> None:
+    name, own = SAME[hidden]
     effect = next(e for e in effects() if e.name == name)
+    hidden = effect_of(hidden) if isinstance(hidden, str) else hidden
+    assert effect.family == hidden.family
     if name == "EnergyGas":  # the rig's film coefficient is that of the whole wall
         own = {"h": 2 / (1 / own["h"] - TRUTH.t_wall / TRUTH.k_wall)}
     parameters = values(effect, on_bench(name, BENCH), own)
     parameters |= {"valve.C_A": TRUTH.calibration, "muscle.mu_fb": TRUTH.mu_fb, "load.m": RUN.load}
     muscle = replace(TRUTH, load=RUN.load)
-    expected = simulate_muscle(muscle, RUN.p_supply, RUN.schedule, TIMES, [effect_of(form)])
+    expected = simulate_muscle(muscle, RUN.p_supply, RUN.schedule, TIMES, [hidden])
     with Simulator(built(BENCH, name)) as simulator:
         simulated = simulator.run(
             TIMES, parameters=parameters, inputs=_drive(), tolerance=1e-7

@@ -2,13 +2,10 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.optimize import minimize_scalar
 
-import pam_cosim as pam
 from pam_cosim.fmu import build_source
 from pam_cosim.simulation import Inputs, Simulator
 
@@ -61,41 +58,3 @@ def test_pull_is_the_derivative_of_the_least_energy(strain: float) -> None:
     assert modelled(p, eps, strain) == pytest.approx(expected, rel=2e-4, abs=0.05)
     inelastic = p * (3 * (L0 * (1 - eps)) ** 2 - FIBRE**2) / (4 * np.pi * TURNS**2)
     assert np.max(inelastic / expected) > 1 + 5 * strain  # the stretch is no small matter
-
-
-@pytest.mark.full
-def test_a_static_map_of_a_soft_braid_names_the_stretch(tmp_path: Path) -> None:
-    """Least energies with noise; three pressures fitted and two held out."""
-    noise = np.random.default_rng(11)
-    rows = [
-        (q, x, pull(L0 - x, 1e3 * q) + noise.normal(0, 1.0))
-        for q in (100, 180, 260, 350, 450)
-        for x in np.linspace(0.0, 0.045, 8)
-    ]
-    lines = [f"{q},{1e3 * x:.4f},{force:.3f}" for q, x, force in rows]
-    (tmp_path / "map.csv").write_text("\n".join(["p [kPa],x [mm],F [N]", *lines]) + "\n")
-    (tmp_path / "experiment.toml").write_text(
-        f"""title = "soft braid"
-model = "PneumaticMuscle.Benches.QuasiStaticIsometric"
-kind = "static"
-[signals.F]
-sigma = "1 N"
-[parameters]
-"muscle.L0" = "{L0} m"
-"muscle.D0" = "{D0} m"
-"muscle.mu_fb" = 0
-[fit]
-"muscle.turns" = {{ min = 1.0, max = 4.0 }}
-[[runs]]
-file = "map.csv"
-hold_out = {{ p = ["180 kPa", "450 kPa"] }}
-"""
-    )
-    verdict = pam.diagnose(pam.read(tmp_path), workers=0)
-    assert verdict.verdict.families == ("end_shape",), str(verdict)
-    assert [c.effect for c in verdict.path] == ["ElasticBraid"]
-    found = verdict.final.parameters["muscle.braid.e_f"]
-    assert found.low < STRAIN < found.high and found.high < 1.5 * STRAIN
-    assert (
-        verdict.final.comparison.scores["holdout"]["F"].rmse < 1.5
-    )  # N, at a pressure above the fitted ones too

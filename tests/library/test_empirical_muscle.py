@@ -10,17 +10,15 @@ from types import ModuleType
 
 import numpy as np
 import pytest
-from scipy.ndimage import binary_erosion
 
 from pam_cosim.catalogue import compose
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.simulation import Inputs, Simulator, Trajectory
-from tests.library.shelf import benches, composed, tree
+from pam_cosim.simulation import Inputs, Simulator
+from tests.library.shelf import tree
 
 EXAMPLE = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto"
 BASE = "PneumaticMuscle.Examples.ConstantFrictionLoad"
 EFFECT = "LoadFrequencyFriction"
-WEIGHT = 10 * 9.80665  # N, of the default load
 
 
 @cache
@@ -79,81 +77,6 @@ def test_constant_coefficient_and_effect_together_are_the_proposed_model() -> No
     with Simulator(build_model("VerticalLoad", brief=True)) as simulator:
         whole = simulator.run(times, parameters=own, inputs=course)
     assert np.abs(lone.values["x"] - whole.values["x"]).max() < 2e-6
-
-
-def test_effect_finds_a_place_only_where_load_and_frequency_are_said() -> None:
-    homes = {bench.rpartition(".")[2] for bench in (BASE, *benches()) if composed(bench, EFFECT)}
-    assert homes == {BASE.rpartition(".")[2], "VerticalLoad"}
-
-
-def at_rest(model: str, **parameters: float) -> Trajectory:
-    times = np.linspace(0, 3, 31)
-    changed = {name.replace("__", "."): value for name, value in parameters.items()}
-    with Simulator(build_model(model, brief=True)) as simulator:
-        return simulator.run(
-            times, parameters=changed, inputs=Inputs(times, {"p": 0 * times}, "linear")
-        )
-
-
-@pytest.mark.parametrize("length", [0.0, 0.3, 0.302, 0.295])
-def test_stretched_sleeve_carries_the_load_from_any_length(length: float) -> None:
-    """DY (12) with the cube over the whole stretch: K (stretch)^3 = M g."""
-    rest = at_rest("VerticalLoad", muscle__elasticity__L_o=length)
-    expected = 0.3 - (length or 0.3) - (WEIGHT / 1e10) ** (1 / 3)
-    assert rest.values["x"] == pytest.approx(np.full(31, expected), abs=1e-7)
-
-
-@pytest.mark.parametrize("length", [0.3, 0.2995])
-def test_printed_sleeve_carries_the_load(length: float) -> None:
-    """DY (12) as printed: K (L_o - L (1 - eps)^3) = -M g; for L_o = L a spring of three times K."""
-    rest = at_rest("PneumaticMuscle.Examples.PrintedSleeveLoad", muscle__elasticity__L_o=length)
-    eps = 1 - ((length + WEIGHT / 3e4) / 0.3) ** (1 / 3)
-    assert rest.values["eps"] == pytest.approx(np.full(31, eps), abs=1e-6)
-    if length == 0.3:
-        assert eps == pytest.approx(-WEIGHT / (3 * 3e4 * 0.3), rel=5e-3)
-
-
-def test_printed_sleeve_begins_without_a_jump_only_where_both_lengths_are_one() -> None:
-    def force(eps: float, l_o: float, length: float = 0.3) -> float:
-        return l_o - length * (1 - eps) ** 3 if eps <= (length - l_o) / length else 0.0
-
-    assert force(0.0, 0.3) == 0.0
-    for l_o in (0.28, 0.31):
-        begin = (0.3 - l_o) / 0.3
-        assert force(begin, l_o) == pytest.approx(l_o * (1 - (l_o / 0.3) ** 2))
-        assert (force(begin, l_o) > 0) == (
-            l_o < 0.3
-        )  # it pushes the load down where L_o is below L
-    assert force(1 - (0.28 / 0.3) ** (1 / 3), 0.28) == pytest.approx(0.0, abs=1e-15)
-
-
-def test_forces_of_figure_5_balance() -> None:
-    """DY (13)-(16): F_dyn = F_s - M g - F_elastic - F_hys, and F_dyn = M L eps_ddot."""
-    with Simulator(
-        build_model("PneumaticMuscle.Examples.Validation.ForceDynamics", brief=True)
-    ) as simulator:
-        run = simulator.run(np.linspace(0, 20, 8001), tolerance=1e-8)
-    v = run.values
-    for i, load in enumerate((5, 10, 20, 30), start=1):
-        assert v[f"F_s[{i}]"] - v[f"F_net[{i}]"] == pytest.approx(load * 9.80665)
-        left = v[f"F_net[{i}]"] - v[f"F_elastic[{i}]"] - v[f"F_hys[{i}]"]
-        assert v[f"F_dyn[{i}]"] == pytest.approx(left, abs=1e-6)
-        acceleration = 0.3 * np.gradient(np.gradient(v[f"eps[{i}]"], run.time), run.time)
-        swinging = binary_erosion((v[f"F_elastic[{i}]"] == 0) & (run.time > 2), iterations=10)
-        assert (load * acceleration)[swinging] == pytest.approx(
-            v[f"F_dyn[{i}]"][swinging], abs=0.05 * load
-        )
-        assert np.abs(v[f"F_dyn[{i}]"][swinging]).max() < 0.2 * load * 9.80665
-
-
-def test_longer_muscle_has_the_length_of_the_paper() -> None:
-    with Simulator(build_model("PneumaticMuscle.Examples.LongMuscle", brief=True)) as simulator:
-        parameters = simulator.interface.parameters
-        assert parameters["muscle.L0"].start == 0.53
-        run = simulator.run(np.linspace(0, 10, 101))
-    short = at_rest("VerticalLoad", muscle__L0=0.53)
-    assert short.values["x"] == pytest.approx(np.full(31, -((WEIGHT / 1e10) ** (1 / 3))), abs=1e-7)
-    assert run.values["x"][-1] == pytest.approx(0.53 * run.values["eps"][-1])
 
 
 TABLE_3 = {

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from pam_cosim.catalogue import EffectClass, effect_classes
-from pam_cosim.compiler import compile_model, read_library
+from pam_cosim.compiler import read_library
 from pam_cosim.errors import ModelError
 from pam_cosim.resources import modelica_root
 from tests.library.shelf import effects, tree
@@ -102,24 +102,3 @@ def test_what_is_annotated_wrongly_is_named_with_its_place(
     with pytest.raises(ModelError, match=said) as caught:
         annotated(entry, tmp_path)
     assert (caught.value.file, caught.value.line) == (tmp_path / "Drag.mo", 3)
-
-
-def test_a_class_that_has_moved_is_named_with_its_place(tmp_path: Path) -> None:
-    file = tmp_path / "Mine.mo"
-    file.write_text(f"model Mine\n  extends {EFFECTS}.LinearBladder;\nend Mine;")
-    with pytest.raises(
-        ModelError, match=rf"did you mean {EFFECTS}\.Elasticity\.LinearBladder\?"
-    ) as caught:
-        read_library(files=[file])
-    assert (caught.value.file, caught.value.line, caught.value.column) == (file, 2, 11)
-
-
-def test_a_law_that_has_moved_is_named_where_it_is_redeclared(tmp_path: Path) -> None:
-    file = tmp_path / "Mine.mo"
-    file.write_text("""model Mine
-  extends PneumaticMuscle.Benches.Isotonic(muscle(redeclare model Wall = PneumaticMuscle.Components.PrintedWall));
-end Mine;""")
-    with pytest.raises(
-        ModelError, match=r"did you mean PneumaticMuscle\.Laws\.Heat\.PrintedWall\?"
-    ):
-        compile_model(str(file))

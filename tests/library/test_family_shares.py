@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
@@ -17,7 +15,6 @@ from tests.library.family_shares import (
     END,
     ENOUGH,
     PAGE,
-    Share,
     data_of,
     fitted_base,
     fitted_with,
@@ -50,10 +47,6 @@ def left(effect: str, member: Effect) -> float:
     )
 
 
-def opening_that_lags() -> Effect:
-    return draw("valve_dynamics", list(PLACES["valve_dynamics"]).index("opening"))[1]
-
-
 def test_every_family_of_physics_is_drawn() -> None:
     assert (
         {e.family for e in effects() if e.balance != "sensor"}
@@ -70,15 +63,6 @@ def test_every_family_of_physics_is_drawn() -> None:
             )
 
 
-def test_an_opening_that_lags_is_met_behind_the_law_of_its_area() -> None:
-    assert left("OpeningLag", opening_that_lags()) < 1e-3
-
-
-@pytest.mark.full
-def test_an_opening_that_lags_is_not_met_by_a_current_that_lags() -> None:
-    assert left("ValveLag", opening_that_lags()) > ENOUGH
-
-
 def test_the_page_shows_what_was_measured() -> None:
     shown = PAGE.read_text().partition(BEGIN)[2].partition(END)[0].strip()
     assert shown == table(read_results())
@@ -90,15 +74,6 @@ def test_every_place_is_reached_by_some_member() -> None:
         best[s.family, s.place] = min(s.left, best.get((s.family, s.place), 1.0))
     assert set(best) == {(family, place) for family in FAMILIES for place in PLACES[family]}
     assert max(best.values()) < ENOUGH
-
-
-def test_a_table_tells_the_median_and_the_worst() -> None:
-    one = Share("leak", "gauge pressure", 0, 3.0, "GeneralLeak", 0.01, 1.0)
-    other = replace(one, number=5, left=0.03)
-    listed = replace(one, effect="LaminarLeak", left=0.5)
-    assert "| gauge pressure | 2 | 3.0 | 2 % | 3 % | LaminarLeak 50 % |" in table(
-        [one, other, listed]
-    )
 
 
 @pytest.mark.full

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from pam_cosim.fmu import build_model, build_source
-from pam_cosim.simulation import Inputs, Simulator, Trajectory
+from pam_cosim.simulation import Simulator, Trajectory
 from rig.flow import flow_function
 
 
@@ -22,22 +22,6 @@ def at(trajectory: Trajectory, name: str, time: float) -> float:
     return float(np.interp(time, trajectory.time, trajectory.values[name]))
 
 
-def static_force(p: float, eps: float) -> float:
-    course = np.array([0.0, 1.0])
-    inputs = Inputs(course, {"p": np.full(2, p), "eps": np.full(2, eps)})
-    with Simulator(build_model("StaticForce", brief=True)) as simulator:
-        return float(simulator.run(course, inputs=inputs).values["F"][0])
-
-
-def test_exponent_matters_for_the_steady_state_only_with_the_printed_wall() -> None:
-    trajectory = run("Examples.Validation.PolytropicExponent", 10)
-    x, printed = (
-        [at(trajectory, f"{name}[{i}]", 4.9) for i in (1, 2, 3)] for name in ("x", "x_printed")
-    )
-    assert x == pytest.approx([67.88e-3] * 3, rel=1e-3)
-    assert printed[0] > 1.25 * printed[1] > 1.25 * printed[2]
-
-
 def test_temperature_by_the_polytropic_law_is_far_above_the_printed_four_degrees() -> None:
     trajectory = run("Examples.Validation.PolytropicExponent", 10)
     for i, n in ((1, 1.0), (2, 1.2), (3, 1.4)):
@@ -45,12 +29,6 @@ def test_temperature_by_the_polytropic_law_is_far_above_the_printed_four_degrees
         ratio = 1 + float(trajectory.values[f"p[{i}]"].max()) / 101325
         assert rise == pytest.approx(293.15 * (ratio ** ((n - 1) / n) - 1), abs=1e-3)
     assert rise > 100
-
-
-def test_bladder_friction_moves_the_steady_contraction() -> None:
-    trajectory = run("Examples.Validation.BladderFriction", 10)
-    assert at(trajectory, "x[1]", 4.9) == pytest.approx(62.86e-3, abs=5e-5)
-    assert at(trajectory, "x[2]", 4.9) == pytest.approx(47.43e-3, abs=5e-5)
 
 
 def test_friction_slows_only_fast_filling_and_a_bladder_every_filling() -> None:
@@ -65,45 +43,6 @@ def test_friction_slows_only_fast_filling_and_a_bladder_every_filling() -> None:
     assert contraction(slow, 2) > 0.97 * contraction(slow, 1)
     assert contraction(fast, 3) < 0.5 * contraction(fast, 1)
     assert contraction(slow, 3) < 0.5 * contraction(slow, 1)
-
-
-def test_slides_linearisation_holds_but_for_a_power_of_ten() -> None:
-    slope = (static_force(6e5 + 50, 0.1) - static_force(6e5 - 50, 0.1)) / 100
-    stiffness = (static_force(6e5, 0.1 - 1e-4) - static_force(6e5, 0.1 + 1e-4)) / (2e-4 * 0.3)
-    assert slope == pytest.approx(10 * 5.7238e-5, rel=1e-4)
-    assert stiffness == pytest.approx(8061.8, rel=1e-5)
-
-
-def test_loops_of_the_empirical_muscle_widen_with_load_and_rate() -> None:
-    trajectory = run("Examples.Validation.LoadsAndRates", 20)
-
-    def width(i: int) -> float:
-        near = (np.abs(trajectory.values[f"p[{i}]"] - 2e5) < 5e3) & (trajectory.time > 2)
-        return float(np.ptp(trajectory.values[f"eps[{i}]"][near]))
-
-    assert width(2) > 1.3 * width(1) and width(4) > 2 * width(3) and width(4) > 1.5 * width(2)
-
-
-def test_butyl_pressure_hardly_depends_on_the_exponent_and_the_length_matters() -> None:
-    trajectory = run("Examples.Validation.ButylPressure", 10)
-    assert [at(trajectory, f"p[{i}]", 1.0) for i in (1, 2, 3)] == pytest.approx(
-        [96.64e3, 95.00e3, 93.78e3], rel=2e-3
-    )
-    assert [at(trajectory, f"x[{i}]", 4.9) for i in (1, 2, 3)] == pytest.approx(
-        [62.86e-3] * 3, rel=1e-3
-    )
-    assert at(trajectory, "x_long", 4.9) == pytest.approx(67.88e-3, rel=1e-3)
-
-
-def test_two_lengths_share_one_slow_loop_and_inertia_parts_them() -> None:
-    trajectory = run("Examples.Validation.TwoLengths", 10, 8001)
-
-    def width(i: int) -> float:
-        near = (np.abs(trajectory.values[f"p[{i}]"] - 3e5) < 3e3) & (trajectory.time > 5)
-        return float(np.ptp(trajectory.values[f"eps[{i}]"][near]))
-
-    assert width(1) == pytest.approx(width(2), rel=0.01)
-    assert width(3) > 2 * width(1) and width(4) > 1.15 * width(3)
 
 
 def test_area_by_the_flow_is_one_for_all_supplies_and_other_conversions_are_not() -> None:

@@ -12,18 +12,6 @@ from scipy.signal import lsim
 
 from pam_cosim.catalogue import EffectClass
 from pam_cosim.model.interface import Interface
-from rig.effect import Effect
-from rig.seen.creep import EyringCreep
-from rig.seen.dead_volume import Chamber
-from rig.seen.dry_friction import FallingFriction
-from rig.seen.friction_heat import DissipatedHeat, LateHeat, RisingHeat
-from rig.seen.gas_energy import FilmGas
-from rig.seen.moving_mass import Arm, Lever, WeightedLever
-from rig.seen.rate_friction import GrowingDamper
-from rig.seen.thermocouple_lag import Bead, Shares
-from rig.seen.valve_dynamics import LimitedRate
-from rig.seen.wall_heat import LayeredWall
-from tests.library.rig_spans import left_of
 from tests.library.shelf import (
     BENCH,
     base,
@@ -100,23 +88,11 @@ def mooney_rivlin(x: Array) -> Array:
 
 
 SPRINGS: dict[str, tuple[float, Form]] = {
-    "linear": (1e-4, lambda x: x),
-    "cubic": (0.01, lambda x: 120 * x + 5e4 * x**3),
-    "power 1.5": (0.02, lambda x: x**1.5),
     "power 4": (0.03, lambda x: x**4),
-    "exponential, 40 mm": (0.01, lambda x: np.expm1(x / 0.04)),
     "exponential, 15 mm": (0.01, lambda x: np.expm1(x / 0.015)),
-    "logarithmic, 20 mm": (0.01, lambda x: np.log1p(x / 0.02)),
     "logarithmic, 5 mm": (0.02, lambda x: np.log1p(x / 0.005)),
-    "square root": (0.02, lambda x: np.sqrt(x + 1e-3) - np.sqrt(1e-3)),
-    "arctan, 10 mm": (0.01, lambda x: np.arctan(x / 0.01)),
-    "tanh, 20 mm": (0.02, lambda x: np.tanh(x / 0.02)),
-    "sine": (0.01, lambda x: np.sin(x / 0.05)),
-    "softening cubic": (0.01, lambda x: x * (1 - (x / 0.12) ** 2)),
     "Mooney-Rivlin": (0.01, mooney_rivlin),
-    "stiff, then soft": (0.04, lambda x: np.minimum(x, 0.03) + 0.2 * np.maximum(x - 0.03, 0)),
     "locking at 80 mm": (0.05, lambda x: x / (1 - (x / 0.08) ** 2)),
-    "slack of 20 mm": (0.10, lambda x: np.maximum(x - 0.02, 0)),
     "slack of 30 mm": (0.13, lambda x: np.maximum(x - 0.03, 0)),
 }
 
@@ -131,18 +107,10 @@ def test_bladder_spans(name: str) -> None:
 V = np.geomspace(2e-4, 0.3, 200)  # m/s
 EVEN = np.sqrt(np.gradient(V) / V.mean())  # every speed counts alike
 FRICTIONS: dict[str, tuple[float, Form]] = {
-    "viscous": (1e-3, lambda v: v),
-    "quadratic": (1e-3, lambda v: v**2),
-    "square root": (0.01, np.sqrt),
     "power 0.3": (0.01, lambda v: v**0.3),
-    "viscous and quadratic": (0.01, lambda v: 30 * v + 400 * v**2),
     "Coulomb and viscous": (0.02, lambda v: 3 * np.tanh(v / 0.002) + 60 * v),
-    "Eyring, 10 mm/s": (0.01, lambda v: np.arcsinh(v / 0.01)),
     "Eyring, 2 mm/s": (0.01, lambda v: np.arcsinh(v / 0.002)),
-    "Carreau": (0.01, lambda v: v * (1 + (v / 0.02) ** 2) ** -0.25),
-    "saturating at 50 mm/s": (0.02, lambda v: np.tanh(v / 0.05)),
     "saturating at 20 mm/s": (0.04, lambda v: np.tanh(v / 0.02)),
-    "exponential": (0.05, lambda v: np.expm1(v / 0.1)),
     "Stribeck": (
         0.07,
         lambda v: np.tanh(v / 0.002) * (3 + 3 * np.exp(-((v / 0.02) ** 2))) + 30 * v,
@@ -163,17 +131,6 @@ def weighted_friction() -> Law:
     return Law("FlexibleRateFriction", "damper.f", {"load.v": V, "muscle.gas.p": P_ATM + 1e5}, EVEN)
 
 
-def test_rate_friction_spans_pressure() -> None:
-    v, p = (a.ravel() for a in np.meshgrid(np.linspace(2e-3, 0.2, 15), np.linspace(0.0, 2e5, 15)))
-    law = Law("FlexibleRateFriction", "damper.f", {"load.v": v, "muscle.gas.p": P_ATM + p})
-    for target, bound in (
-        (3e-3 * p * v, 0.01),
-        (np.sqrt(v) * (20 + 2e-4 * p), 0.01),
-        (100 * v * np.sqrt(0.1 + p / 1e5), 0.06),
-    ):
-        assert law.misses(target) < bound
-
-
 PG = np.linspace(500, 2.5e5, 200)  # Pa gauge
 
 
@@ -188,20 +145,11 @@ def orifice(p: Array) -> Array:
 
 
 LEAKS: dict[str, tuple[float, Form]] = {
-    "laminar": (1e-3, lambda p: p),
-    "compressible laminar": (0.01, lambda p: (p + P_ATM) ** 2 - P_ATM**2),
     "orifice": (0.02, orifice),
-    "orifice and laminar": (0.01, lambda p: 2 * orifice(p) + p),
-    "square root": (0.01, np.sqrt),
-    "power 1.5": (0.01, lambda p: p**1.5),
-    "square": (0.01, lambda p: p**2),
     "cubic": (0.01, lambda p: p**3),
     "Forchheimer": (0.01, lambda p: np.sqrt(1 + p / 5e3) - 1),
     "saturating": (0.02, lambda p: np.tanh(p / 5e4)),
     "a lip that pressure shuts": (1e-3, lambda p: p * np.exp(-p / 3.35e4)),
-    "a lip that pressure opens": (1e-3, lambda p: p * np.exp(p / 1e5)),
-    "from 20 kPa on": (0.02, lambda p: np.maximum(p - 2e4, 0)),
-    "from 50 kPa on": (0.04, lambda p: np.maximum(p - 5e4, 0)),
     "from 100 kPa on": (0.10, lambda p: np.maximum(p - 1e5, 0)),
 }
 
@@ -226,16 +174,9 @@ def cylinder(e: Array) -> Array:
 E, P = E[cylinder(E) * P * AREA > 8], P[cylinder(E) * P * AREA > 8]
 SLEEVES: dict[str, tuple[float, Array]] = {
     "Tondu": (1e-3, cylinder(1.1 * E)),
-    "Kang, 50 kPa": (0.02, cylinder((1 + 0.2 * np.exp(-P / 5e4)) * E)),
-    "Kang, 300 kPa": (0.02, cylinder((1 + 0.2 * np.exp(-P / 3e5)) * E)),
-    "Kerscher, 30 %": (0.02, cylinder(E) * (1 + 0.1 * np.exp(-E / 0.3))),
     "Kerscher, 10 %": (0.11, cylinder(E) * (1 + 0.1 * np.exp(-E / 0.1))),
-    "constant factor": (0.01, cylinder(E) * 1.1),
-    "factor by strain": (0.02, cylinder(E) * (1 - 0.5 * E)),
-    "factor by pressure": (0.01, cylinder(E) * (1 - 0.1 * np.exp(-P / 1e5))),
     "ends that close with pressure": (0.01, cylinder((1 + 0.15 * (1 - P / 3e5)) * E)),
     "factor by inverse pressure": (0.065, cylinder(E) * (1 - 3e3 / (P + 3e4))),
-    "caps that contract with the power 1.5": (0.02, cylinder(E) - 0.3 * E**1.5),
 }
 
 
@@ -259,15 +200,10 @@ PM = PM * PS
 R = (PM + P_ATM) / (PS + P_ATM)
 NOMINAL = 0.699 * (1.8e-6 * U - 2.61e-7)
 AREAS: dict[str, tuple[float, Array]] = {
-    "straight line in the ratio": (0.01, 1 - 0.2 * R),
     "Perry": (0.05, 1 - 0.3 * R**1.5),
     "square of the ratio": (0.09, 1 - 0.2 * R**2),
     "exponential of the ratio": (0.01, np.exp(-0.3 * R)),
-    "plunger against the drop": (0.01, 1 - 1.8e-7 * 0.1 * (PS - PM) / (1.8 * U - 0.261)),
-    "straight line in the drop": (0.01, 1 - 1e-6 * 0.1 * (PS - PM)),
-    "straight line in the supply": (0.02, 1 - 1e-6 * 0.1 * PS),
     "square law of current": (0.11, 1 + 0.5 * (U / 0.35 - 1) + 0.5 * (U / 0.35 - 1) ** 2),
-    "ratio and current": (0.01, (1 - 0.2 * R) * (1 + 0.3 * (U / 0.35 - 1))),
 }
 
 
@@ -303,13 +239,7 @@ def isentropic(p_a: Array, p_b: Array) -> Array:
 
 LINES: dict[str, tuple[float, Array]] = {
     "laminar": (0.01, PA**2 - PB**2),
-    "elliptic": (0.01, np.sqrt(PA**2 - PB**2)),
     "isentropic": (0.09, isentropic(PA, PB)),
-    "laminar and isentropic in series": (
-        0.07,
-        1 / (1 / isentropic(PA, PB) + 3e4 / (PA**2 - PB**2)),
-    ),
-    "Blasius": (0.04, (PA**2 - PB**2) ** (4 / 7)),
 }
 
 
@@ -361,26 +291,17 @@ EACH, OTHER = np.concatenate([PA, PB]), np.concatenate([PB, PA])
 V2, P2 = (a.ravel() for a in np.meshgrid(np.linspace(2e-3, 0.2, 15), np.linspace(0.0, 2e5, 15)))
 ONE_WAY = (EACH**2 - OTHER**2) * np.where(EACH > OTHER, 1.0, 0.4)
 GENERAL: dict[str, tuple[str, float, Array, Array | None]] = {
-    "slack of 20 mm": ("bladder", 0.03, 200 * np.maximum(X - 0.02, 0), None),
     "slack of 30 mm": ("bladder", 0.04, 200 * np.maximum(X - 0.03, 0), None),
-    "locking at 80 mm": ("bladder", 0.01, 50 * X / (1 - (X / 0.08) ** 2), None),
-    "leak pressed shut": ("leak", 0.01, 1e-10 * GAUGE * np.exp(-GAUGE / 5e4), None),
     "leak that stretching opens": ("leak", 0.01, 1e-11 * GAUGE * np.exp(STRETCH / 0.03), None),
-    "leak from 50 kPa on": ("leak", 0.03, 1e-11 * np.maximum(GAUGE - 5e4, 0), None),
-    "ends that fade with the inverse of pressure": (
-        "ends", 0.01, P * AREA * cylinder(E) * (1 - 3e3 / (P + 3e4)), P * AREA * cylinder(E) * 3e3 / (P + 3e4),
-    ),
     "short fillets": (
         "ends", 0.03, P * AREA * cylinder(E) * (1 + 0.1 * np.exp(-E / 0.1)),
         P * AREA * cylinder(E) * 0.1 * np.exp(-E / 0.1),
     ),
     "critical ratio 0.3": ("area", 0.01, NOMINAL * 0.5 * choked_below(0.3), NOMINAL * (1 - 0.5 * choked_below(0.3))),
-    "square of the ratio": ("area", 0.01, NOMINAL * (1 - 0.2 * R**2), NOMINAL * 0.2 * R**2),
     "square law of current": (
         "area", 0.01, NOMINAL * (1 + 0.5 * (U / 0.35 - 1) + 0.5 * (U / 0.35 - 1) ** 2), NOMINAL * 0.5 * (U / 0.35 - 1),
     ),
     "isentropic": ("line", 0.04, isentropic(PA, PB) * 1e-9, None),
-    "Blasius": ("line", 0.01, (PA**2 - PB**2) ** (4 / 7) * 1e-10, None),
     "one way": ("line both ways", 0.01, ONE_WAY * 1e-14, None),
     "film": ("friction", 0.01, 0.1 * np.sqrt(P2 * V2), None),
 }  # fmt: skip
@@ -434,12 +355,8 @@ def test_general_member_contains_the_others(pair: tuple[str, str]) -> None:
 AFTER = np.concatenate([[0.0, 0.001], np.linspace(0.02, 10, 200)])
 RELAXATIONS: dict[str, tuple[float, Form]] = {
     "Maxwell": (0.01, lambda t: np.exp(-t / 2)),
-    "Kohlrausch 0.5": (0.025, lambda t: np.exp(-np.sqrt(t))),
     "Kohlrausch 0.3": (0.025, lambda t: np.exp(-(t**0.3))),
-    "Kohlrausch 0.7": (0.025, lambda t: np.exp(-((t / 1.5) ** 0.7))),
     "logarithm": (0.025, lambda t: 1 - 0.1 * np.log1p(t / 0.1)),
-    "power": (0.025, lambda t: (1 + t / 0.3) ** -0.5),
-    "inverse": (0.025, lambda t: 1 / (1 + t)),
 }
 
 
@@ -471,9 +388,7 @@ def slips(travels: Array, path: Array) -> Array:
 
 LOOPS: dict[str, tuple[float, Array, Array]] = {
     "Coulomb": (0.03, np.array([2e-5]), np.full(len(CLOCK), 8.0)),
-    "Coulomb by pressure": (0.03, np.array([2e-5]), 8e-5 * RISING),
     "one element of 1 mm": (0.11, np.array([1e-3]), np.full(len(CLOCK), 8.0)),
-    "four elements to 4 mm": (0.07, 4e-3 * 0.5 ** np.arange(4), np.full(len(CLOCK), 8.0)),
     "ten elements, by pressure": (0.05, np.linspace(3e-4, 4e-3, 10), 4 + 4e-5 * RISING),
 }
 
@@ -510,10 +425,7 @@ def chased(up: float, down: float, rate: float = np.inf) -> Array:
 
 
 COURSES: dict[str, tuple[float, Array]] = {
-    "two lags in series": (0.01, chain(1.2, 30)),
     "second order, 0.7": (0.05, chain(0.7, 30)),
-    "lags that differ": (0.02, chased(0.08, 0.03)),
-    "slew rate": (0.02, chased(1e-3, 1e-3, 2.0)),
     "slew rate and lag": (0.02, chased(0.05, 0.05, 2.0)),
 }
 
@@ -526,54 +438,4 @@ def test_drive_spans(name: str) -> None:
 
 # Laws of the independent rig: what is left of them in the readings, in standard deviations of the noise.
 
-NEAR = {
-    "falling friction": {"F_0": 8.0, "F_p": 0.1, "d": 3e-4, "w_1": 0.1, "rise": 0.3},
-    "throttled chamber": {"V": 3e-5, "G": 1e-9},
-}
 """Where a fit begins, if not at the start values: a diagnosis tries ten times more and less of each."""
-
-UNLISTED: dict[str, tuple[str, float, Effect]] = {
-    "lever": ("FlexibleMass", 0.1, WeightedLever()),
-    "drum": ("FlexibleMass", 0.03, Lever(m=3.0, x_0=0.04)),
-    "arm": ("FlexibleMass", 0.1, Arm()),
-    "falling friction": ("FlexibleDryFriction", 0.5, FallingFriction()),
-    "friction that grows with contraction": ("UnevenFriction", 0.1, GrowingDamper()),
-    "friction mainly in contraction": (
-        "UnevenFriction",
-        0.05,
-        GrowingDamper(c=300, x_0=1e3, back=0.3),
-    ),
-    "thinning creep": ("FlexibleCreep", 0.1, EyringCreep()),
-    "throttled chamber": ("SideVolume", 0.3, Chamber()),
-    "throttled chamber that cools": ("SideVolume", 0.4, Chamber(ua=0.1)),
-    "limited rate": ("FlexibleDrive", 0.02, LimitedRate()),
-    "limited rate, half of it downwards": ("FlexibleDrive", 0.02, LimitedRate(down=0.5)),
-    "limited rate, rounded": ("FlexibleDrive", 0.05, LimitedRate(u_0=0.12)),
-    "blown bead": ("FlexibleThermocouple", 0.05, Bead(n=0, radiation=0, k=0.5)),
-    "bead that radiates": ("FlexibleThermocouple", 0.25, Bead()),
-    "bead in the jet": ("FlexibleThermocouple", 0.25, Bead(both_ways=False)),
-    "two shares": ("ThermocoupleStem", 0.02, Shares()),
-    "dense gas, stirred": ("FlexibleGas", 0.03, FilmGas()),
-    "dense gas, stirred for long": ("FlexibleGas", 0.03, FilmGas(tau=0.3)),
-    "another power of the flow": ("FlexibleGas", 0.5, FilmGas(k=0.6)),
-    "attraction": ("RealGas", 0.05, FilmGas(h_1=0, b=-3e-3)),
-    "volume of the molecules": ("RealGas", 0.05, FilmGas(h_1=0, b=3e-3)),
-    "two layers": ("FlexibleWall", 0.03, LayeredWall()),
-    "one layer, laminar free convection": (
-        "FlexibleWall",
-        0.03,
-        LayeredWall(ratio=1e-3, between=100),
-    ),
-    "heat in contraction alone": ("FlexibleFrictionHeat", 0.02, RisingHeat()),
-    "heat both ways": ("FlexibleFrictionHeat", 0.02, DissipatedHeat()),
-    "late heat": ("FlexibleFrictionHeat", 0.02, LateHeat()),
-}
-
-
-@pytest.mark.full
-@pytest.mark.parametrize("name", UNLISTED)
-def test_meets_an_unlisted_law(name: str) -> None:
-    effect, bound, law = UNLISTED[name]
-    left, size = left_of(law, effect, NEAR.get(name))
-    assert size > 10 * bound, "hardly anything to meet"
-    assert left < bound

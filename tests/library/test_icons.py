@@ -2,15 +2,12 @@
 
 from __future__ import annotations
 
-from itertools import combinations
-
 import numpy as np
 import pytest
 
-from pam_cosim.compiler.instance import Class
 from pam_cosim.compiler.syntax import Reference
-from pam_cosim.fmu.drawing import SQUARE, Pictures, Placed, diagram, gallery
-from tests.library.shelf import benches, check_each, tree
+from pam_cosim.fmu.drawing import Pictures, Placed
+from tests.library.shelf import check_each, tree
 
 PICTURES = Pictures()
 
@@ -25,8 +22,6 @@ CLASSES = [
     for n, c in tree().classes.items()
     if c.kind != "type" and _kind(n.rpartition(".")[0]) in ("", "package")
 ]
-FAMILIES = [n for n in CLASSES if n.startswith("PneumaticMuscle.Effects.") and n.count(".") == 2]
-MODELS = [name for name, info in tree().classes.items() if info.kind in ("model", "block")]
 SHAPES = {"Line", "Polygon", "Rectangle", "Ellipse", "Text"}
 """Modelica 3.6, section 18.6.5; without Bitmap, which would need a file."""
 
@@ -39,57 +34,6 @@ def test_every_class_has_an_icon() -> None:
 def _has_icon(name: str) -> None:
     kinds = {kind for kind, _ in PICTURES.shapes(PICTURES.of(name))}
     assert kinds and kinds <= SHAPES, kinds
-
-
-def test_every_family_has_a_picture_of_its_own() -> None:
-    pictures = {name: repr(PICTURES.shapes(PICTURES.of(name))) for name in FAMILIES}
-    assert len(set(pictures.values())) == len(FAMILIES) == 22
-    for name in FAMILIES:
-        for member in PICTURES.of(name).definition.classes.values():
-            shown = PICTURES.shapes(PICTURES.of(member.qualified_name))
-            own = PICTURES.shapes(PICTURES.of(name))
-            assert shown[-len(own) :] == own, member.qualified_name  # what is drawn last is seen
-
-
-def test_connectors_stand_on_the_edge_of_the_icon() -> None:
-    check_each(
-        _has_connectors_on_the_edge, (n for n in CLASSES if tree().classes[n].kind == "model")
-    )
-
-
-def _has_connectors_on_the_edge(name: str) -> None:
-    of = PICTURES.of(name)
-    unplaced: list[str] = []
-    places = [
-        part
-        for part in PICTURES.parts(of, unplaced, "Icon")
-        if part.of.definition.kind == "connector"
-    ]
-    for part in places:
-        assert np.abs(part.corners.mean(axis=0)).max() == 100, part.name
-    connectors = {c.name for c in tree().components(name) if _kind(c.type) == "connector"}
-    assert connectors <= {part.name for part in places}, unplaced
-
-
-def test_components_have_places_of_their_own() -> None:
-    composed = [name for name in MODELS if PICTURES.parts(PICTURES.of(name))]
-    assert len(composed) > 200
-    check_each(_has_everything_in_a_place_of_its_own, MODELS)
-
-
-def _has_everything_in_a_place_of_its_own(name: str) -> None:
-    of = PICTURES.of(name)
-    unplaced: list[str] = []
-    parts = [
-        part for part in PICTURES.parts(of, unplaced) if part.of.definition.kind != "connector"
-    ]
-    assert not unplaced, unplaced
-    low, high = PICTURES.extent(of)
-    for part in parts:
-        assert (part.corners[0] >= low).all() and (part.corners[1] <= high).all(), part.name
-    for one, other in combinations(parts, 2):
-        apart = (one.corners[1] <= other.corners[0]) | (other.corners[1] <= one.corners[0])
-        assert apart.any(), (one.name, other.name)
 
 
 def test_every_connection_is_drawn_from_connector_to_connector() -> None:
@@ -118,22 +62,3 @@ def _place(parts: dict[str, Placed], of: Reference) -> np.ndarray:
         middle = inner[connector].corners.mean(axis=0, keepdims=True)
     place: np.ndarray = parts[first].at(middle)[0]
     return place
-
-
-@pytest.mark.full
-def test_pictures_are_drawn() -> None:
-    figure = gallery(PICTURES, FAMILIES, columns=4)
-    assert len(figure.axes) == 22 and all(axes.patches for axes in figure.axes)
-    (axes,) = diagram(PICTURES, benches()[0]).axes
-    names = {text.get_text() for text in axes.texts}
-    parts = PICTURES.parts(PICTURES.of(benches()[0]))
-    assert {part.name for part in parts if part.of.definition.kind != "connector"} <= names
-
-
-def test_a_component_that_is_turned_is_drawn_turned() -> None:
-    of: Class = PICTURES.of("PneumaticMuscle.Mechanics.Components.Load")
-    turned = Placed("a", of, np.array([[-10, -20], [10, 20.0]]), np.array([5.0, 0]), 90)
-    assert turned.at(np.array([[100.0, 0]])) == pytest.approx(np.array([[5, 10.0]]))
-    assert turned.corners == pytest.approx(np.array([[-15, -10], [25, 10.0]]))
-    flipped = Placed("a", of, np.array([[10, -10], [-10, 10.0]]), np.zeros(2), 0)
-    assert flipped.at(np.array(SQUARE)) == pytest.approx(np.array([[10, -10], [-10, 10.0]]))

@@ -9,15 +9,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pam_cosim as pam
-from pam_cosim.catalogue import compose_on, rig_parts
-from pam_cosim.catalogue.bench_parts import chosen
+from pam_cosim.catalogue import compose_on
 from pam_cosim.compiler import read_library, read_structure
 from pam_cosim.errors import InputError, SimulationFailure
-from pam_cosim.fmu import build_model, build_source
+from pam_cosim.fmu import build_source
 from pam_cosim.simulation import Inputs, Simulator
-from tests.library.rigs import choices, held, rig, run, written
-from tests.library.shelf import tree
+from tests.library.rigs import held, rig, run, written
 
 TABLES = Path(__file__).parent / "isometric"
 Table = tuple[np.ndarray, np.ndarray, np.ndarray]
@@ -80,60 +77,6 @@ def test_the_air_muscle_pulls_what_the_slides_say_and_rubs_on_nothing() -> None:
     made = run(muscle, np.linspace(0, 1, 11), inputs=held(1.0, p=pressure, s=0.0))
     assert made.values["F"][-1] == pytest.approx(pull, abs=0.01)
     assert made.warnings == ()
-
-
-def test_fibres_that_do_not_fit_on_a_sleeve_are_warned_of() -> None:
-    muscle, times = (
-        rig("imposed-pressure", "imposed-length", "AirMuscle", "F"),
-        np.linspace(0, 1, 3),
-    )
-    own = {"muscle.fibres": 216.0, "muscle.mu_fb": 0.015, "muscle.mu_d": 0.8}
-    made = run(muscle, times, own, held(1.0, p=6e5, s=0.0))
-    assert made.values["F"][-1] == pytest.approx(342.45, abs=0.1)
-    assert len(made.warnings) == 1 and "148.338 cm2 of 94.2478 cm2" in made.warnings[0]
-
-
-def test_a_short_fluidic_muscle_pulls_as_its_makers_tool_says_and_not_as_it_was_measured() -> None:
-    """112 mm at 620 kPa: 499 N by the tool, 351 N measured, 335 N by the law of those who did."""
-    muscle = rig("imposed-pressure", "imposed-length", "DMSP10", "F")
-    made = run(
-        muscle, np.linspace(0, 1, 11), {"muscle.sleeve.L0": 0.112}, held(1.0, p=620e3, s=0.0)
-    )
-    assert made.values["F"][-1] == pytest.approx(503, abs=2)
-    assert pull(f"{LAWS}.Bolen", np.full(2, 620e3), np.zeros(2), 0.112)[0] == pytest.approx(
-        335.3, abs=0.3
-    )
-
-
-def test_a_muscle_is_meant_however_its_words_are_separated() -> None:
-    parts = rig_parts(tree())
-    for said in ("DMSP20", "dmsp20", "DMSP-20", "dmsp_20", "DMSP 20"):
-        assert chosen(parts, "muscle", said).qualified_name == "PneumaticMuscle.Muscles.DMSP20"
-    with pytest.raises(InputError, match="did you mean 'dmsp10'"):
-        chosen(parts, "muscle", "DMSP-11")
-
-
-@pytest.mark.full
-@pytest.mark.parametrize("muscle", choices("muscle"))
-def test_each_muscle_lifts_a_load_of_its_size(muscle: str) -> None:
-    lifted = run(
-        rig("regulator", "hanging-load", muscle, "p,x"),
-        np.linspace(0, 10, 201),
-        {"load.m": 2.0},
-        held(10.0, p_set=3e5),
-    )
-    assert 0.005 < lifted.values["x"][-1] < 0.25
-
-
-def test_the_wall_of_a_fluidic_muscle_is_no_gas() -> None:
-    """Inside diameter 20 mm."""
-    made = run(
-        rig("imposed-pressure", "imposed-length", "DMSP20", "F"),
-        np.linspace(0, 1, 11),
-        inputs=held(1.0, p=1e5, s=0.0),
-        outputs=["muscle.gas.V"],
-    )
-    assert made.values["muscle.gas.V"][-1] == pytest.approx(np.pi / 4 * 0.02**2 * 0.296, rel=1e-3)
 
 
 # ---- any measures that determine a sleeve ----------------------------------------------------------------------------
@@ -201,28 +144,9 @@ def test_measures_that_contradict_each_other_or_do_not_suffice(
         sleeve(**measures)
 
 
-def test_fittings_do_not_contract() -> None:
-    bare, with_ends = (
-        SLEEVE | {"b": 0.0, "turns": 0.0},
-        SLEEVE | {"b": 0.0, "turns": 0.0, "L0": 0.25, "fittings": 0.05},
-    )
-    assert sleeve(**with_ends) == pytest.approx(sleeve(**bare), rel=1e-9)
-
-
-def test_tondu_finds_fittings() -> None:
-    """A factor of 1.25 on the strain is a fifth of the length that does not contract."""
-    p, eps = np.full(5, 3e5), np.linspace(0, 0.2, 5)
-    with_ends = pull("PneumaticMuscle.Effects.EndShape.TonduEnds", p, eps, 0.25, k=1.25)
-    assert (
-        with_ends == pytest.approx(pull(f"{LAWS}.Gaylord", p, 1.25 * eps, 0.2), rel=1e-9)
-        and with_ends[-1] > 10
-    )
-
-
 # ---- laws of fluidic muscles -----------------------------------------------------------------------------------------
 
 LAWS = "PneumaticMuscle.Laws.Forces"
-ENDS = "PneumaticMuscle.Effects.EndShape.SarosiEnds"
 
 
 def pull(law: str, p: np.ndarray, eps: np.ndarray, L0: float, **geometry: float) -> np.ndarray:
@@ -274,61 +198,10 @@ def test_bolen_as_the_equations_have_it(L0: float, p: float, expected: float) ->
     )
 
 
-def test_bolen_ends_where_the_muscle_is_short() -> None:
-    p = np.full(2, 620e3)
-    rest = pull(f"{LAWS}.Bolen", p, np.array([0.0, 0.0]), 0.2)[0]
-    left = pull(f"{LAWS}.Bolen", p, np.array([0.17, 0.17]), 0.2)[0]
-    assert left / rest == pytest.approx(0.5682 * (np.exp(-4.254) - 1) + np.exp(-0.5597), abs=1e-3)
-    assert pull(f"{LAWS}.Bolen", p, np.array([0.2, 0.2]), 0.2)[0] < 0.01
-
-
 @pytest.mark.parametrize(("law", "left"), [("Hildebrandt", 4.3), ("Wickramatunge", 26.6)])
 def test_a_law_leaves_of_the_table_what_its_documentation_says(law: str, left: float) -> None:
     p, eps, pulls = grid(A1)
     assert left - 0.3 < rms(pull(f"{LAWS}.{law}", p, eps, 0.296) - pulls) < left
-
-
-@pytest.mark.parametrize(
-    ("of", "geometry", "coefficients", "left"),
-    [
-        (
-            A1,
-            {"L0": 0.296, "D0": 0.0236, "alpha_0": 28.527},
-            (1.0158, 3.4083, 0.0227, 0.4459, 0.7831, 0.0179),
-            4.5,
-        ),
-        (
-            A2,
-            {"L0": 0.25, "D0": 0.0136, "alpha_0": 28.5},
-            (1.0878, 3.4597, -0.0288, 0.4261, 1.9619, 0.0234),
-            1.5,
-        ),
-    ],
-)
-def test_sarosi_as_an_effect_meets_a_measured_table(
-    of: str, geometry: dict[str, float], coefficients: tuple[float, ...], left: float
-) -> None:
-    """With coefficients that SciPy fitted to the table; they are inside the bounds and near the effect's own values."""
-    p, eps, pulls = grid(of)
-    a_5, a_4, a_1, p_0, p_w, eps_w = coefficients
-    own = {
-        "a_5": a_5 + a_1,
-        "a_4": a_4,
-        "a_1": a_1,
-        "p_0": p_0 * 1e5,
-        "p_w": p_w * 1e5,
-        "eps_w": eps_w,
-    }
-    made = pull(
-        ENDS,
-        p,
-        eps,
-        geometry["L0"],
-        D0=geometry["D0"],
-        alpha_0=np.radians(geometry["alpha_0"]).item(),
-        **own,
-    )
-    assert rms(made - pulls) < left and made.min() > -0.01
 
 
 def test_the_wall_as_an_effect_holds_until_its_threshold_and_does_not_push() -> None:
@@ -354,20 +227,3 @@ def test_the_wall_as_an_effect_holds_until_its_threshold_and_does_not_push() -> 
     area = (2 * 0.24**2 - (2 * np.pi * 0.02) ** 2) / (16 * np.pi)
     assert made[1:] == pytest.approx([0, 0, 1.6e5 * area], abs=0.1)
     assert np.abs(pushed).max() < 0.1
-
-
-@pytest.mark.parametrize("muscle", ["fluidic", "fluidic-sleeve", "DMSP-20", "MAS-40"])
-def test_fibres_in_rubber_do_not_rub_unless_asked_for(tmp_path: Path, muscle: str) -> None:
-    """Same pull on the way up, on the way down and at rest; a slack muscle does not push."""
-    file = tmp_path / "Rig.mo"
-    pam.bench("imposed-pressure", "imposed-length", muscle, None, file, static=True)
-    with Simulator(build_model(str(file), [file], brief=True)) as simulator:
-        inputs = {
-            "p": np.full(6, 2e5),
-            "s": np.repeat([0.005, 0.05], 3),
-            "branch": np.tile([1.0, 0.0, -1.0], 2),
-        }
-        pull = simulator.equilibria(inputs)["F"].reshape(2, 3)
-        assert simulator.interface.parameters["muscle.mu_fb"].start == 0.0
-    np.testing.assert_allclose(pull, np.repeat(pull[:, 1:2], 3, axis=1), rtol=1e-9)
-    assert pull.min() > -0.1 and pull[0, 1] > 50.0

@@ -2,17 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
 from pathlib import Path
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
-from hypothesis import strategies as st
 
 from tests.library.ode import Model, Values
-from tests.library.shelf import BENCH, benches, on_bench, tree
-from tests.tiers import quick
+from tests.library.shelf import BENCH, on_bench, tree
 
 R, GAMMA = 287.05, 1.4
 MASS_OFF = (
@@ -191,58 +187,3 @@ def test_laws_of_the_pull_alone_are_known() -> None:
 
 # Finite everywhere: states in their range of operation, inputs from nothing to more than full, parameters within
 # their bounds.
-
-_RANGES = {
-    "Pa": (0.0, 6e5),
-    "m": (-0.002, 0.08),
-    "m/s": (-2.0, 2.0),
-    "K": (200.0, 500.0),
-    "rad": (-1.5, 1.5),
-    "rad/s": (-30, 30),
-}
-_INPUTS = {
-    "A": (0.0, 0.6),
-    "Pa": (0.0, 6e5),
-    "m": (0.0, 0.07),
-    "1": (0.0, 0.3),
-    "N": (-100.0, 2000.0),
-}
-_model = cache(Model)
-
-
-def _state(name: str, unit: str) -> st.SearchStrategy[float]:
-    low, high = _RANGES[unit]
-    if unit == "Pa" and name.endswith("gas.p"):
-        low, high = 9e4, 7e5  # absolute
-    corners = [c for c in (0.0, 101325.0, 101325.0 + 207e3, 293.15) if low <= c <= high]
-    return (
-        st.one_of(st.sampled_from(corners), st.floats(low, high))
-        if corners
-        else st.floats(low, high)
-    )
-
-
-@pytest.mark.parametrize(
-    "bench",
-    quick(benches(), "PneumaticMuscle.Benches.Isotonic", "PneumaticMuscle.Benches.TankFilling"),
-)
-@settings(max_examples=60, deadline=None, derandomize=True)
-@given(data=st.data())
-def test_rates_and_slopes_are_finite(bench: str, data: st.DataObject) -> None:
-    model = _model(bench)
-    x = np.array([data.draw(_state(s.name, s.unit), label=s.name) for s in model.ode.states])
-    u = np.array(
-        [data.draw(st.floats(*_INPUTS[v.unit]), label=n) for n, v in model.interface.inputs.items()]
-    )
-    changed = {}
-    for name, v in model.interface.parameters.items():
-        if (
-            v.min is not None
-            and v.max is not None
-            and data.draw(st.booleans(), label=f"change {name}")
-        ):
-            near = (max(v.min, 0.7 * (v.start or 0.0)), min(v.max, 1.4 * (v.start or 0.0)))
-            changed[name] = data.draw(st.floats(min(near), max(near)), label=name)
-    p = model.parameters(changed)
-    assert np.isfinite(model.everything(0, x, u, p).full()).all()
-    assert np.isfinite(model.slopes(0, x, u, p).full()).all()

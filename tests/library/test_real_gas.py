@@ -2,21 +2,17 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pam_cosim.simulation import Simulator
-from rig.flow import P_ATM, T_ATM
+from rig.flow import P_ATM
 from tests.library.ode import Model, Values
-from tests.library.shelf import built, effects, on_bench, values
 
 R, GAMMA = 287.05, 1.4
 LIBRARY = "PneumaticMuscle"
-VESSEL = "PneumaticMuscle.Benches.VesselOrifice"
 P_START = 800e3 - P_ATM  # gauge
 GASES = ("RealGas", "GeneralGas")
 COVERED = f"""model Covered "A vessel without heat"
@@ -99,31 +95,3 @@ def test_energy_balances_with_the_enthalpy_of_such_a_gas(
     )
     assert passed > 1e3
     assert stored(after) - stored(before) == pytest.approx(flowed, abs=1e-7 * passed)
-
-
-# The film at the start of a vessel that starts with 690 kPa gauge at 330 K: its coefficients are meant at ambient
-# pressure and temperature, whatever the polytropic law refers to.
-FILMS: dict[str, tuple[dict[str, float], Callable[[float, float, float], float]]] = {
-    "RealGas": ({"h": 10.0, "n_p": 0.5}, lambda p, t, d: 10 * p**0.5),
-    "FlexibleGas": (
-        {"h_0": 5.0, "h_1": 0.0, "n_p": 0.5, "n_T": 0.25},
-        lambda p, t, d: 5 * p**0.5 * d**0.25,
-    ),
-    "GeneralGas": (
-        {"h_0": 5.0, "h_1": 0.0, "n_p": 0.5, "n_d": 0.25, "n_T": 2.0, "n_V": 0.0},
-        lambda p, t, d: 5 * p**0.5 * d**0.25 * t**2,
-    ),
-}
-
-
-@pytest.mark.parametrize("gas", FILMS)
-def test_film_refers_to_the_surroundings(gas: str) -> None:
-    own, law = FILMS[gas]
-    effect = next(e for e in effects() if e.name == gas)
-    parameters = values(effect, on_bench(gas, VESSEL), own)
-    parameters |= {"tank.p_start": 690e3, "tank.T_start": 330.0}
-    with Simulator(built(VESSEL, gas)) as simulator:
-        run = simulator.run([0.0, 1.0], parameters=parameters, outputs=["tank.gas.h_wall"])
-    difference = np.hypot(330.0 - T_ATM, 1.0) / 10  # rounded over 1 K
-    expected = law((690e3 + P_ATM) / P_ATM, 330.0 / T_ATM, difference)
-    assert run["tank.gas.h_wall"][0] == pytest.approx(expected, rel=1e-6)

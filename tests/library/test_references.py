@@ -5,8 +5,6 @@ from __future__ import annotations
 import re
 from functools import cache
 
-import pytest
-
 from tests.library.shelf import check_each, tree
 
 BIBLIOGRAPHY = "PneumaticMuscle.UsersGuide.References"
@@ -74,23 +72,3 @@ def test_entries_are_whole() -> None:
             assert year.group() in place
             first = re.split(r",| and ", key.removesuffix(year.group()).strip())[0]
             assert first in authors
-
-
-@pytest.mark.parametrize(
-    ("text", "expected"),
-    [
-        ("the law of King 1914, DP (3)", ["King 1914", "DP"]),
-        ("after Tondu, Boitier and Lopez 1994.", ["Tondu, Boitier and Lopez 1994"]),
-        ("(Kang and others 2009)", ["Kang and others 2009"]),
-        ("typical 50 to 2000 N/m", []),
-    ],
-)
-def test_citations_are_read(text: str, expected: list[str]) -> None:
-    assert cited(text) == expected
-
-
-@pytest.mark.parametrize(
-    "text", ["Source: P. R. Dahl, a model", "(J. A. Perry, 1949)", "of H. Eyring's", "King (1914)"]
-)
-def test_loose_citations_are_seen(text: str) -> None:
-    assert any(pattern.search(text) for pattern in LOOSE.values())

@@ -2,23 +2,20 @@
 
 from __future__ import annotations
 
-import re
 from collections.abc import Callable
-from itertools import combinations, product
+from itertools import product
 
 import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from pam_cosim.catalogue import compose_on, rig_parts
-from pam_cosim.catalogue.place import is_signal
+from pam_cosim.catalogue import compose_on
 from pam_cosim.compiler import compile_model, read_library, read_structure
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
-from pam_cosim.fmu.drawing import Pictures
 from pam_cosim.simulation import Inputs, Simulator
 from tests.library.rigs import choices, held, rig, run, written
-from tests.library.shelf import effects, tree
+from tests.library.shelf import effects
 
 G = 9.80665
 ALL = [*product(choices("pneumatics"), choices("mechanics"), ("physical", "empirical"))]
@@ -49,21 +46,6 @@ def drive(end: float) -> Inputs:
     times = np.array([0, 0.4, 0.4, 0.6, 0.6, 1]) * end
     currents = {"u_in": [0.35, 0.35, 0, 0, 0, 0], "u_out": [0, 0, 0, 0, 0.35, 0.35]}
     return Inputs(times, {n: np.array(v, dtype=float) for n, v in currents.items()}, "linear")
-
-
-def test_there_are_the_parts_of_common_rigs() -> None:
-    parts = {(part.role, part.name) for part in rig_parts(tree())}
-    assert {n for r, n in parts if r == "pneumatics"} >= {
-        "valves", "switched-valves", "regulator", "tank", "imposed-pressure",
-        "proportional-pressure-valve", "proportional-directional-valve",
-    }  # fmt: skip
-    assert {n for r, n in parts if r == "mechanics"} >= {
-        "hanging-load", "spring", "lever", "imposed-length", "imposed-force", "antagonistic-pair", "platform",
-    }  # fmt: skip
-    assert [p.name for p in rig_parts(tree()) if p.usual] == ["physical"]
-    assert all(
-        part.parameters for part in rig_parts(tree()) if part.role in ("mechanics", "muscle")
-    )
 
 
 @pytest.mark.parametrize("combination", FEW, ids="+".join)
@@ -124,49 +106,9 @@ def test_the_rig_of_a_bench_has_its_trajectory(
         assert made.values[name][0] == pytest.approx(expected[0], abs=STOP)
 
 
-def test_the_empirical_muscle_moves_as_on_its_bench() -> None:
-    """There it stores no gas; here a regulator that hardly droops fills it: 4e-5 m at ten times this droop."""
-    times = np.linspace(0, 5, 501)
-    made = run(
-        rig("regulator", "hanging-load", "empirical"),
-        times,
-        {"regulator.tau": 2e-3, "regulator.droop": 1e3, "load.m": 10.0},
-    )
-    with Simulator(build_model("PneumaticMuscle.Benches.VerticalLoad", brief=True)) as simulator:
-        there = simulator.run(times)
-    assert np.ptp(there.values["x"]) > 0.02
-    assert np.abs(made.values["x"] - there.values["x"]).max() < 1e-5
-
-
-@pytest.mark.full
-def test_the_antagonistic_pair_swings_as_on_its_bench() -> None:
-    times, per_muscle = (
-        np.linspace(0, 8, 401),
-        {"u_in_1": 0.35, "u_out_1": 0.0, "u_in_2": 0.25, "u_out_2": 0.25},
-    )
-    ours = held(8.0, **per_muscle, p_supply_1=207e3, p_supply_2=207e3)
-    made = run(rig("valves", "antagonistic-pair", None, "p,x_1"), times, inputs=ours)
-    with Simulator(build_model("PneumaticMuscle.Benches.Antagonistic", brief=True)) as simulator:
-        there = simulator.run(times, inputs=held(8.0, **per_muscle, p_supply=207e3))
-    assert np.ptp(there.values["x"]) > 0.01
-    assert made.values["x_1"] - 0.03 == pytest.approx(there.values["x"], abs=1e-7)
-    assert made.values["p_2"] == pytest.approx(there.values["p_2"], abs=1.0)
-
-
 # ---- what the parts do -----------------------------------------------------------------------------------------------
 
 TIMES = np.linspace(0, 10, 501)
-
-
-def test_a_spring_carries_what_the_muscle_pulls() -> None:
-    made = run(
-        rig("imposed-pressure", "spring", None, "x,F"),
-        TIMES,
-        {"spring.k": 3000.0, "spring.F_0": 8.0},
-    )
-    x, force = made.values["x"], made.values["F"]
-    assert force[-1] == pytest.approx(8 + 3000 * (x[-1] - x[0]), rel=1e-4)
-    assert 0.02 < x[-1] < 0.07
 
 
 def test_a_pressure_valve_holds_what_a_voltage_commands_and_no_more_than_its_supply() -> None:
@@ -192,13 +134,6 @@ def test_a_directional_valve_fills_a_muscle_of_constant_length_as_its_opening_sa
     assert made.values["muscle.port.m_flow"][choked] == pytest.approx(expected, rel=1e-3)
     shut = run(of, TIMES, own, held(10.0, u=5.3, p_supply=6e5, s=0.0)).values["p"]
     assert np.abs(shut).max() < 1e-3 * made.values["p"][-1]
-
-
-def test_a_lever_multiplies_its_mass_by_its_arms() -> None:
-    own = {"lever.m": 2.0, "lever.l": 0.3, "lever.r": 0.12}
-    made = run(rig("imposed-pressure", "lever", None, "x,F"), TIMES, own, outputs=["lever.phi"])
-    assert made.values["F"][-1] == pytest.approx(2 * G * 0.3 / 0.12, rel=1e-4)
-    assert 0.12 * np.sin(made.values["lever.phi"]) == pytest.approx(made.values["x"], abs=1e-9)
 
 
 def test_an_imposed_force_is_what_the_load_cell_reads() -> None:
@@ -366,42 +301,12 @@ def test_effects_find_their_places(combination: tuple[str, str, str]) -> None:
     check_places(combination)
 
 
-@pytest.mark.full
-@pytest.mark.parametrize("combination", ALL, ids="+".join)
-def test_effects_find_their_places_in_every_combination(combination: tuple[str, str, str]) -> None:
-    check_places(combination)
-
-
 def test_a_fault_of_an_instrument_finds_no_place_where_it_is_not_read() -> None:
     there = families(("regulator", "spring", "physical"), "x")
     assert "position_sensor" in there
     assert there.keys().isdisjoint(
         {"pressure_offset", "force_sensor", "thermocouple_lag", "temperature_sensor"}
     )
-
-
-@pytest.mark.full
-@pytest.mark.parametrize(
-    "combination",
-    [
-        ("valves", "spring", "physical"),
-        ("imposed-pressure", "imposed-length", "physical"),
-        ("regulator", "lever", "empirical"),
-        ("tank", "hanging-load", "physical"),
-    ],
-    ids="+".join,
-)  # fmt: skip
-def test_every_effect_compiles_in_its_place(
-    combination: tuple[str, str, str], tmp_path_factory: pytest.TempPathFactory
-) -> None:
-    file = written(rig(*combination))
-    with_rig, structure = read_library(files=[file]), read_structure(str(file))
-    for effect in effects():
-        composed = compose_on(with_rig, structure, [effect.qualified_name])
-        if composed is not None:
-            own = tmp_path_factory.mktemp("with") / f"{composed.name}.mo"
-            own.write_text(composed.text)
-            compile_model(str(own), files=[file])
 
 
 def test_an_effect_lies_beside_each_muscle_of_a_pair() -> None:
@@ -415,12 +320,6 @@ def test_an_effect_lies_beside_each_muscle_of_a_pair() -> None:
 
 
 # ---- what is asked for -----------------------------------------------------------------------------------------------
-
-
-def test_signals_are_read_in_the_order_asked_for() -> None:
-    assert rig("regulator", "spring", None, "F, p").outputs == ("F", "p")
-    assert rig("regulator", "antagonistic-pair", None, "x,p_2").outputs == ("x_1", "x_2", "p_2")
-    assert rig("valves", "platform").inputs[:4] == ("u_in_1", "u_out_1", "p_supply_1", "u_in_2")
 
 
 @pytest.mark.parametrize(
@@ -438,51 +337,3 @@ def test_signals_are_read_in_the_order_asked_for() -> None:
 def test_a_bad_choice_is_said(words: tuple[str, ...], said: str) -> None:
     with pytest.raises(InputError, match=said):
         rig(*words)
-
-
-def test_parts_are_chosen_by_class_too() -> None:
-    by_name = rig("regulator", "hanging-load").text
-    assert rig("PneumaticMuscle.Pneumatics.Regulator", "HangingLoad").text == by_name
-
-
-@pytest.mark.parametrize(
-    "of", [("valves", "spring", None, "p,x,F,T"), ("regulator", "platform", None, "p,x,F")]
-)
-def test_the_diagram_has_everything_in_its_place_and_lines_that_meet_connectors(
-    of: tuple[str, ...],
-) -> None:
-    made = rig(*of)
-    declared = r"^  (PneumaticMuscle\.\S+) (\w+)(?:\(.*\))? \".*\"\n.*extent=\{\{(-?\d+),(-?\d+)\}"
-    placed = {
-        name: (kind, (float(x), float(y)))
-        for kind, name, x, y in re.findall(declared, made.text, re.MULTILINE)
-    }
-    signals = {name: at for name, (kind, at) in placed.items() if is_signal(tree(), kind)}
-    parts = {name: placed[name] for name in placed.keys() - signals}
-    assert signals.keys() == {*made.inputs, *made.outputs} and len(parts) > 6
-    for (x, y), (a, b) in combinations(signals.values(), 2):
-        assert abs(x - a) >= 20 or abs(y - b) >= 20
-    for (_, (x, y)), (_, (a, b)) in combinations(parts.values(), 2):
-        assert abs(x - a) >= 40 or abs(y - b) >= 40
-    lines = re.findall(r"connect\((\w+)\.(\w+), (\w+)\.(\w+)\)\n.*points=\{(.*)\}\)\);", made.text)
-    assert len(lines) == made.text.count("connect(") > 4
-    for one, at_one, other, at_other, text in lines:
-        points = np.array(
-            [[float(v) for v in p.split(",")] for p in re.findall(r"\{(.*?)\}", text)]
-        )
-        ends = [place(*parts[one], at_one), place(*parts[other], at_other)]
-        assert points[[0, -1]] == pytest.approx(np.array(ends))
-        assert (np.diff(points, axis=0) == 0).any(axis=1).all()  # level or upright
-
-
-def place(of: str, corner: tuple[float, float], connector: str) -> tuple[float, float]:
-    """Where a connector of a part of 40 by 40 stands."""
-    (position,) = [c.position for c in tree().components(of) if c.name == connector]
-    assert position is not None
-    return corner[0] + 20 + position[0] / 5, corner[1] + 20 + position[1] / 5
-
-
-def test_the_parts_have_icons_with_their_connectors() -> None:
-    pictures = Pictures()
-    for part in rig_parts(tree()):
-        assert pictures.shapes(pictures.of(part.qualified_name)), part.name

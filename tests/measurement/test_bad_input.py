@@ -27,7 +27,6 @@ def refusal(folder) -> InputError:
 # (name, text replaced, replacement, line or None, column, words of the message)
 CSV_FAULTS = [
     ("wrong unit", "p [kPa]", "p [kg]", 1, "p", ["'kg'", "'Pa'", "kPa"]),
-    ("unknown unit", "p [kPa]", "p [kPascal2x9]", 1, "p", ["unknown"]),
     ("missing unit", "x [mm]", "x", 1, "x", ["unit is missing", "mm", "'x [unit]'"]),
     ("unknown column", "u_in [A]", "u_inn [A]", 1, "u_inn", ["did you mean 'u_in'", "p_supply"]),
     (
@@ -38,33 +37,18 @@ CSV_FAULTS = [
         "load.m",
         ["is a parameter", "[runs.parameters]"],
     ),
-    ("duplicate column", "x [mm]", "p [Pa]", 1, "p [kPa]", ["no input or output 'p [kPa]'"]),
     ("no time", "time [s]", "eps", 1, None, ["'time [s]'"]),
-    ("misspelt time", "time [s]", "Time [s]", 1, "Time", ["did you mean 'time'"]),
     ("bad heading", "x [mm]", "x [mm", 1, "x [mm", ["'name [unit]'"]),
     ("empty heading", "x [mm]", "", 1, "column 6", ["column 6", "ignore"]),
-    (
-        "control character in a heading",
-        "x [mm]",
-        "x\x00 [mm]",
-        1,
-        None,
-        ["column 6", "'name [unit]'"],
-    ),
     ("no header", RUN_01.split("\n")[0] + "\n", "", 1, None, ["header"]),
     ("text in a number", "1.25", "1.25mm", 5, "x", ["'1.25mm'", "not a number"]),
-    ("underscore in a number", "1.25", "1_25", 5, "x", ["not a number"]),
     ("not a number", "1.25", "NaN", 5, "x", ["not a finite number", "leave the cell empty"]),
-    ("infinite", "1.25", "-inf", 5, "x", ["not a finite number"]),
     ("overflow", "1.25", "1e999", 5, "x", ["too large"]),
-    ("overflow in conversion", "1.6,", "1e307,", 4, "p", ["too large"]),
     ("decimal comma in quotes", "1.25", '"1,25"', 5, "x", ["decimal comma"]),
     ("time back", "0.2,", "0.05,", 5, "time", ["time goes back", "0.1 s", "0.05 s"]),
     ("third row at a time", "0.2,", "0.1,", 5, "time", ["third row"]),
-    ("time missing", "0.2,", ",", 5, "time", ["empty"]),
     ("input missing", "0.1,0.35", "0.1,", 4, "u_in", ["empty", "inputs"]),
     ("ragged row", "1.25,", "", 5, None, ["6 cells", "has 7"]),
-    ("long row", "1.25,", "1,25,", 5, None, ["8 cells", "has 7"]),
     ("open quote", "1.25", '"1.25', 5, None, ["separated by commas"]),
 ]
 
@@ -81,16 +65,11 @@ def test_faults_in_a_recording(make, case):
 
 CSV_FILES = [
     ("empty", b"", None, "empty"),
-    ("only comments", b"# nothing\n\n", None, "empty"),
     ("only header", b"time [s],p [kPa]\n", 1, "no rows"),
     ("one row", b"time [s],p [kPa]\n0,1\n", 2, "only one row"),
-    ("no duration", b"time [s],p [kPa]\n1,1\n1,2\n", 2, "no duration"),
-    ("semicolons, one row", b"time [s];p [kPa]\n0,5;1,5\n", 2, "only one row"),
     ("decimal commas", b"time [s],p [kPa]\n0,5,1,5\n", 2, "decimal points"),
     ("not UTF-8", b"time [s],p [kPa]\n0,1\n1,\xb0\n", 3, "not a number"),
-    ("UTF-16", "time [s],p [kPa]\n0,1\n".encode("utf-16"), 2, "only one row"),
     ("UTF-16 without mark", "time [s],p [\u00b0]\n0,1\n".encode("utf-16-le"), 1, "UTF-8"),
-    ("zero bytes", b"time [s],p [kPa]\n0,1\n1,\x00\n", 3, "not a number"),
     ("a picture", b"\x89PNG\r\n\x1a\n\x00\x00", 2, "UTF-8"),
 ]
 
@@ -111,9 +90,6 @@ SIGNAL = "[signals.p]"
 TOML_FAULTS = [
     ("syntax", "title = ", "title := ", "title := ", ["not valid TOML"]),
     ("unknown key", "title =", "titel =", "titel", ["unknown key 'titel'", "did you mean 'title'"]),
-    ("unknown key of a run", "role =", "rolle =", "rolle", ["'rolle'", "did you mean 'role'"]),
-    ("unknown key of a signal", 'sigma = "0.2', 'sigm = "0.2', "sigm =", ["did you mean 'sigma'"]),
-    ("unknown key of a bound", "min = 0.5", "mini = 0.5", "mini", ["did you mean 'min'"]),
     ("missing bound", "min = 0.5, ", "", '"valve.C_A"', ["'min' is missing"]),
     (
         "missing file",
@@ -124,13 +100,6 @@ TOML_FAULTS = [
     ),
     ("unquoted name", '"load.m" = "2.27', 'load.m = "2.27', "load.m", ["quotes"]),
     (
-        "unquoted free name",
-        '"valve.C_A" = {',
-        "valve.C_A = {",
-        "valve.C_A",
-        ['"valve.C_A"', "quotes"],
-    ),
-    (
         "one run table",
         EXPERIMENT[EXPERIMENT.index("[[runs]]") :],
         '[runs]\nfile="run-01.csv"',
@@ -138,8 +107,6 @@ TOML_FAULTS = [
         ["[[runs]]"],
     ),
     ("role", '"holdout"', '"test"', "role", ["'test'", "'fit' or 'holdout'"]),
-    ("interpolation", '"previous"', '"cubic"', "interpolation", ["'cubic'", "'previous'"]),
-    ("number as title", '"latex muscle, steps"', "5", "title", ["not a text"]),
     ("signals as value", '[signals.p]\nsigma = "0.5 kPa"', "[signals]\np = 5", "p = 5", ["table"]),
     ("truth as value", '"2.27 kg"', "true", '"load.m"', ["number"]),
     (
@@ -157,30 +124,12 @@ TOML_FAULTS = [
         "load.mm",
         ["'load.mm'", "did you mean 'load.m'"],
     ),
-    (
-        "unknown free parameter",
-        '"valve.C_A"',
-        '"valve.CA"',
-        "valve.CA",
-        ["did you mean 'valve.C_A'"],
-    ),
-    (
-        "unknown parameter of a run",
-        '"load.m" = "5',
-        '"lod.m" = "5',
-        "lod.m",
-        ["did you mean 'load.m'"],
-    ),
     ("unknown signal", "signals.x", "signals.y", "signals.y", ["no output 'y'", "eps"]),
-    ("input as signal", "signals.x", "signals.u_in", "signals.u_in", ["'u_in' is an input of"]),
     ("number without unit", '"2.27 kg"', "2.27", '"load.m"', ["needs a unit", '"2.27 kg"']),
-    ("text without unit", '"2.27 kg"', '"2.27"', '"load.m"', ["needs a unit", '"2.27 kg"']),
     ("text without number", '"2.27 kg"', '"heavy"', '"load.m"', ["'heavy'", '"0.7 kg"']),
     ("decimal comma", '"2.27 kg"', '"2,27 kg"', '"load.m"', ["decimal comma"]),
     ("wrong dimension", '"2.27 kg"', '"2.27 N"', '"load.m"', ["'N'", "'kg'"]),
     ("unit on a pure number", '"10 %"', '"10 mm"', '"muscle.mu_fb" = {', ["without dimension"]),
-    ("infinite", "= 0.015", "= inf", '"muscle.mu_fb"', ["finite"]),
-    ("nan bound", "min = 0.5", "min = nan", '"valve.C_A"', ["finite"]),
     ("huge integer", "= 0.015", "= 1" + "0" * 400, '"muscle.mu_fb"', ["too large"]),
     (
         "outside the range",
@@ -189,9 +138,7 @@ TOML_FAULTS = [
         '"load.m"',
         ["'-2.27 kg'", "range, 0 to inf kg"],
     ),
-    ("bound outside the range", "max = 0.9", "max = 9", '"valve.C_A"', ["range, 0.1 to 2"]),
     ("reversed bounds", "min = 0.5", "min = 0.95", '"valve.C_A"', ["reversed"]),
-    ("equal bounds", "min = 0.5", "min = 0.9", '"valve.C_A"', ["reversed or equal"]),
     (
         "start outside",
         "max = 0.9",
@@ -199,7 +146,6 @@ TOML_FAULTS = [
         '"valve.C_A"',
         ["start value", "outside"],
     ),
-    ("known value outside", "= 0.015", "= 0.5", '"muscle.mu_fb" = 0.5', ["start value", "outside"]),
     ("start twice", '"10 %"', '"10 %", start = 0.01', '"muscle.mu_fb" = {', ["keep one"]),
     (
         "free and fixed in a run",
@@ -209,23 +155,11 @@ TOML_FAULTS = [
         ["free"],
     ),
     ("sigma zero", '"0.5 kPa"', '"0 kPa"', 'sigma = "0 kPa"', ["greater than zero"]),
-    ("sigma negative", '"0.5 kPa"', '"-1 Pa"', 'sigma = "-1 Pa"', ["greater than zero"]),
     ("sigma in a wrong unit", '"0.5 kPa"', '"0.5 mm"', 'sigma = "0.5 mm"', ["sigma of p", "'mm'"]),
-    ("sigma without unit", '"0.5 kPa"', "500", "sigma = 500", ["sigma of p", "needs a unit"]),
     ("no such run", "run-02.csv", "run-03.csv", "run-03.csv", ["does not exist"]),
     ("folder up", "run-02.csv", "../run-02.csv", "../run-02.csv", ["leaves the folder"]),
-    (
-        "folder up in Windows",
-        '"run-02.csv"',
-        r"'..\run-02.csv'",
-        "run-02.csv",
-        ["leaves the folder"],
-    ),
     ("absolute", "run-02.csv", "/etc/passwd", "/etc/passwd", ["leaves the folder"]),
-    ("the folder", "run-02.csv", ".", 'file = "."', ["leaves the folder"]),
-    ("no name", "run-02.csv", "", 'file = ""', ["leaves the folder"]),
     ("zero byte", "run-02.csv", "\\u0000", "u0000", ["not visible"]),
-    ("very long name", "run-02.csv", "x" * 5000, "xxx", ["cannot be found"]),
     ("listed twice", "run-02.csv", "./run-01.csv", "./run-01.csv", ["listed twice"]),
     *(
         (f"{key} {name}", SIGNAL, f"[{table}]\n{key} = {value}\n{SIGNAL}", f"{key} =", words)
@@ -244,31 +178,7 @@ TOML_FAULTS = [
                 "[1]",
                 ["names must be a list", "'1' is not in quotes"],
             ),
-            (
-                "recording",
-                "missing",
-                "as number",
-                "-999",
-                ['missing must be a list of texts such as ["-"'],
-            ),
-            (
-                "recording",
-                "missing",
-                "of a number",
-                "[-999]",
-                ["missing must be", "'-999' is not in quotes"],
-            ),
-            ("recording", "ignore", "as text", '"raw"', ["ignore must be a list of texts"]),
-            (
-                "recording",
-                "ignore",
-                "of a hidden letter",
-                r'["\u001b"]',
-                ["'ignore': the character"],
-            ),
             ("recording", "header_line", "as text", '"3"', ["'3' is not a whole number"]),
-            ("recording", "units_line", "zero", "0", ["'0' is too small; the least is 1"]),
-            ("effects", "exclude", "as text", '"leak"', ["exclude must be a list of texts"]),
             (
                 "effects",
                 "expect",
@@ -289,13 +199,6 @@ TOML_FAULTS = [
         )
     ),
     ("truth in words", "title =", 'periodic = "no"\ntitle =', "periodic", ["write true or false"]),
-    (
-        "one value to hold out",
-        "role =",
-        "hold_out = { p = 3 }\nrole =",
-        "hold_out",
-        ["p must be a list of values"],
-    ),
     ("loggers as a value", "role =", "loggers = 3\nrole =", "loggers", ["[[runs.loggers]]"]),
     (
         "table of a text",
@@ -303,13 +206,6 @@ TOML_FAULTS = [
         '[recording]\ntable = "rig"\n[signals.p]',
         "table =",
         ["table chooses one of several", "run-01.csv is one by itself"],
-    ),
-    (
-        "table of one text",
-        "[runs.parameters]",
-        '[runs.recording]\ntable = "rig"\n[runs.parameters]',
-        "table =",
-        ["run-02.csv is one by itself"],
     ),
     (
         "no fit run",
@@ -337,13 +233,6 @@ def test_a_syntax_error_has_a_column(make):
     assert refusal(make((TOML, "title = ", "title := "))).column == 7
 
 
-def test_deep_nesting_and_long_numbers_are_refused(make):
-    folder = make()
-    for value in ("[" * 5000, "1" * 5000):
-        (folder / TOML).write_text(f"title = {value}")
-        assert refusal(folder).file == folder / TOML
-
-
 def test_a_model_error_stays_one_and_names_the_line(make):
     error = refusal(make((TOML, "Rig.Benches.Isotonic", "Nothing")))
     assert isinstance(error, ModelError)
@@ -363,12 +252,6 @@ def test_a_signal_nobody_measured(make):
     assert "no run has a sample" in error.message
 
 
-def test_names_of_runs_differ(make):
-    folder = make((TOML, "run-02.csv", "run-01.txt"))
-    (folder / "run-01.txt").write_text(RUN_01)
-    assert "called 'run-01'" in refusal(folder).message
-
-
 @pytest.mark.skipif(not hasattr(os, "symlink"), reason="needs symbolic links")
 def test_a_link_out_of_the_folder(make, tmp_path):
     (tmp_path / "secret.csv").write_text(RUN_01)
@@ -378,16 +261,6 @@ def test_a_link_out_of_the_folder(make, tmp_path):
     error = refusal(folder)
     assert error.line == line(EXPERIMENT, "run-02.csv")
     assert "leaves the folder" in error.message
-
-
-def test_a_link_to_itself_and_a_folder(make):
-    folder = make()
-    (folder / TWO).unlink()
-    (folder / TWO).symlink_to(folder / TWO)
-    assert refusal(folder).line == line(EXPERIMENT, "run-02.csv")
-    (folder / TWO).unlink()
-    (folder / TWO).mkdir()
-    assert "is not a file" in refusal(folder).message
 
 
 def test_no_data_set_there(tmp_path):

@@ -146,26 +146,6 @@ def test_a_run_of_a_data_set(tmp_path):
     np.testing.assert_allclose(run.measurements["x"], X / 1000)
 
 
-def test_a_table_may_be_stated_for_some_of_the_files(tmp_path):
-    """What is stated of all files chooses within those that have several tables; a text has one."""
-    matlab(tmp_path / "run.mat")
-    (tmp_path / "more.csv").write_text("time [ms],p [kPa],x [mm]\n0,1,1\n1,2,1\n")
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n[recording]\ntable = "rig"\n'
-        '[columns]\ntime = { unit = "ms" }\np = { unit = "kPa" }\nx = { unit = "mm" }\n'
-        '[[runs]]\nfile = "run.mat"\n[[runs]]\nfile = "more.csv"\n'
-    )
-    with pytest.raises(InputError, match="run.mat"):  # which has no such variable
-        read_data_set(tmp_path, describe)
-    text = (tmp_path / "experiment.toml").read_text()
-    own = '[runs.recording]\ntable = "rig"\n'
-    (tmp_path / "experiment.toml").write_text(
-        text.replace('[recording]\ntable = "rig"\n', "") + own
-    )
-    with pytest.raises(InputError, match="more.csv is one by itself"):
-        read_data_set(tmp_path, describe)
-
-
 def refusal(file: Path, stated: Layout | None = None) -> InputError:
     with pytest.raises(InputError) as caught:
         read_table(file, stated)
@@ -218,36 +198,6 @@ def test_what_must_be_stated_is_named(tmp_path):
     assert list(read_table(file, Layout(ignore=("rem*",))).columns) == ["time"]
 
 
-def test_rows_are_named_where_there_are_no_lines(tmp_path):
-    pandas.DataFrame({"time [s]": TIME[::-1], "p [kPa]": P}).to_parquet(tmp_path / "run.parquet")
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n[[runs]]\nfile = "run.parquet"\n'
-    )
-    with pytest.raises(InputError) as caught:
-        read_data_set(tmp_path, describe)
-    assert caught.value.column == "time" and "row 2: time goes back" in caught.value.message
-
-
-def test_links_out_of_a_file_are_not_followed(tmp_path):
-    hdf5(tmp_path / "other.h5")
-    with h5py.File(tmp_path / "run.h5", "w") as out:
-        out["far"] = h5py.ExternalLink(str(tmp_path / "other.h5"), "/rig/run 1")
-        out["p"] = h5py.ExternalLink(str(tmp_path / "other.h5"), "/rig/run 1/p")
-        out["x"] = h5py.SoftLink("/far/x")
-    assert "there is none" in refusal(tmp_path / "run.h5").message
-    assert "no group 'far'" in refusal(tmp_path / "run.h5", Layout(table="far")).message
-
-
-def test_named_types_and_empty_data_sets_are_no_columns(tmp_path: Path) -> None:
-    file = tmp_path / "run.h5"
-    with h5py.File(file, "w") as out:
-        for name, values in zip(NAMES, (TIME, P, X), strict=True):
-            out[name] = values
-        out["mytype"] = np.dtype("f8")
-        out["nothing"] = h5py.Empty("f8")
-    assert set(read_table(file).columns) == {"time", "p", "x"}
-
-
 def structures(kind: str) -> dict[str, object]:
     """The same recording as programs nest it."""
     p, x = ({"values": v, "label": n, "rank": 1} for v, n in ((P, "p [kPa]"), (X, "x [mm]")))
@@ -278,28 +228,3 @@ def test_structures_within_structures(tmp_path: Path, kind: str, names: list[str
     assert list(columns) == names
     for column, values in zip(columns.values(), (TIME, P, X), strict=True):
         np.testing.assert_array_equal(column.values, values)
-
-
-def test_what_is_within_a_structure_that_is_a_table_is_no_column(tmp_path: Path) -> None:
-    file = tmp_path / "a.mat"
-    scipy.io.savemat(file, {"time": TIME, "p": P, "setup": {"gains": [1.0, 2.0], "p": X}})
-    assert list(read_table(file).columns) == ["time", "p"]
-
-
-def test_a_structure_is_stated_by_its_path(tmp_path: Path) -> None:
-    file = tmp_path / "a.mat"
-    scipy.io.savemat(file, {"log": {"a": {"time": TIME, "p": P}, "b": {"time": TIME, "p": X}}})
-    read = read_table(file, Layout(table="log/b")).columns["p"]
-    np.testing.assert_array_equal(read.values, X)
-    with pytest.raises(InputError, match="no variable 'log/c'; .*log/a, .*log/b"):
-        read_table(file, Layout(table="log/c"))
-
-
-def test_a_file_without_vectors_says_what_it_holds(tmp_path: Path) -> None:
-    file = tmp_path / "a.mat"
-    scipy.io.savemat(file, {"data": MATRIX, "who": "me"})
-    with pytest.raises(InputError, match=r"data \(3 x 3 numbers\), who \(no numbers\); state"):
-        read_table(file)
-    scipy.io.savemat(file, {"log": {"data": MATRIX, "who": "me"}})
-    with pytest.raises(InputError, match=r"the file holds log \(structure of data, who\)"):
-        read_table(file)

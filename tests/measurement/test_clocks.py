@@ -7,8 +7,7 @@ import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set
-from pam_cosim.measurement.clocks import ClockError, estimate_offset, merged
-from pam_cosim.measurement.recording import Recording
+from pam_cosim.measurement.clocks import ClockError, estimate_offset
 from tests.measurement.bench import MODEL, describe
 
 
@@ -23,19 +22,6 @@ def two(seed: int, offset: float) -> tuple[tuple, tuple]:
     y = course(t) + rng.normal(0, 1.0, len(t))
     z = 0.9 * course(s) + 4 + rng.normal(0, 0.7, len(s))  # another gain and zero
     return (t, y), (s - offset, z)
-
-
-@pytest.mark.full
-def test_the_offset_is_met_within_its_spread():
-    errors, spreads = [], []
-    for seed in range(30):
-        one, other = two(seed, 0.4567)
-        estimate = estimate_offset(one, other)
-        errors.append(estimate.value - 0.4567)
-        spreads.append(estimate.sd)
-    assert abs(np.mean(errors)) < 3 * np.std(errors) / np.sqrt(30)
-    assert np.std(errors) == pytest.approx(np.mean(spreads), rel=0.35)
-    assert np.mean(spreads) < 0.005
 
 
 @pytest.mark.parametrize("what", ["constant", "periodic", "unlike"])
@@ -111,66 +97,3 @@ def test_faults(rig, logger, line, words):
     assert caught.value.line == line, caught.value
     for word in words:
         assert word in caught.value.message
-
-
-def test_what_a_run_states_of_gaps_holds_for_its_loggers(rig):
-    folder = rig('offset = "500 ms"')
-    head, *rows = (folder / "camera.csv").read_text().splitlines()
-    cells = [row.split(";") for row in rows]
-    for row in cells[100:]:  # its clock began anew
-        row[0] = f"{float(row[0].replace(',', '.')) - 4.0:.4f}".replace(".", ",")
-    (folder / "camera.csv").write_text("\n".join([head, *map(";".join, cells), ""]))
-    with pytest.raises(InputError, match='gaps = "split" or "through"'):
-        read_data_set(folder, describe)
-    experiment = folder / "experiment.toml"
-    text = experiment.read_text().replace('"rig.csv"\n', '"rig.csv"\ngaps = "through"\n')
-    experiment.write_text(text)
-    (run,) = read_data_set(folder, describe).runs
-    there = np.isfinite(run.measurements["x"])
-    assert there.sum() == len(cells)
-    np.testing.assert_allclose(run.time[there] - 1e3 * run.measurements["x"][there], 0.5, atol=2e-4)
-
-
-def at_rows(recording, *names: str) -> list[list[float]]:
-    columns = {**recording.inputs, **recording.measurements}
-    return [recording.time.tolist(), *(columns[name].tolist() for name in names)]
-
-
-def test_a_step_of_the_second_file_stays_one() -> None:
-    """Both of its rows were dropped where the first file has a sample at that time."""
-    time = np.array([0.0, 0.5, 1.0, 1.5, 2.0])
-    first = Recording(time, {}, {"p": time + 10.0})
-    steps, levels = np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0])
-    both = merged(first, Recording(steps, {"u": levels}, {"x": levels}), 0.0, "linear")
-    assert at_rows(both, "u")[:2] == [[0, 0.5, 1, 1, 1.5, 2], [0, 0, 0, 5, 5, 5]]
-    np.testing.assert_array_equal(both.measurements["p"], [10, 10.5, np.nan, 11, 11.5, 12])
-    np.testing.assert_array_equal(both.measurements["x"], [0, np.nan, 0, 5, np.nan, 5])
-
-
-def test_a_step_of_both_files_has_two_rows() -> None:
-    steps, levels = np.array([0.0, 1.0, 1.0, 2.0]), np.array([0.0, 0.0, 5.0, 5.0])
-    one, other = Recording(steps, {"u": levels}, {}), Recording(steps, {"v": -levels}, {})
-    both = merged(one, other, 0.0, "linear")
-    assert at_rows(both, "u", "v") == [steps.tolist(), levels.tolist(), (-levels).tolist()]
-
-
-@pytest.mark.parametrize("slow", ["first", "second"])
-def test_two_clocks_in_one_file_are_two_loggers(tmp_path, slow):
-    """The columns of the clock that ends before the other one have empty cells below."""
-    fast = [f"{0.01 * k:.2f},{k % 7}" for k in range(90)]
-    rare = [f"{0.03 * k:.2f},{k % 5}" for k in range(30)] + [","] * 60
-    u, x = (rare, fast) if slow == "first" else (fast, rare)
-    rows = [f"{a},{b}\n" for a, b in zip(u, x, strict=True)]
-    (tmp_path / "both.csv").write_text("t 1 [s],I [A],t 2 [s],Weg [mm]\n" + "".join(rows))
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n[recording]\nignore = ["t 2", "Weg"]\n'
-        '[columns]\ntime = { column = "t 1" }\nu_in = { column = "I" }\n'
-        '[[runs]]\nfile = "both.csv"\n[[runs.loggers]]\nfile = "both.csv"\noffset = "0 s"\n'
-        '[runs.loggers.recording]\nignore = ["t 1", "I"]\n'
-        '[runs.loggers.columns]\ntime = { column = "t 2" }\nx = { column = "Weg" }\n'
-    )
-    (run,) = read_data_set(tmp_path, describe).runs
-    read = np.isfinite(run.measurements["x"])
-    count, step, turn = (88, 0.01, 7) if slow == "first" else (30, 0.03, 5)
-    np.testing.assert_allclose(run.time[read], step * np.arange(count))
-    np.testing.assert_allclose(1e3 * run.measurements["x"][read], np.arange(count) % turn)

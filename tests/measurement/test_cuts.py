@@ -47,12 +47,6 @@ def test_whoever_reads_may_cut_elsewhere_or_not_at_all(read: Callable[..., DataS
     assert read(stated, cuts={"run": (None, None)}).runs[0].recorded is None
 
 
-def test_both_rows_of_a_step_are_kept(read: Callable[..., DataSet]) -> None:
-    rows = "0,0,1\n1,0,1\n1,1,1\n2,1,2\n"
-    assert read(rows=rows, cuts={"run": (1, None)}).runs[0].inputs["u"].tolist() == [0.0, 1.0, 1.0]
-    assert read(rows=rows, cuts={"run": (None, 1)}).runs[0].inputs["u"].tolist() == [0.0, 0.0, 1.0]
-
-
 def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
     read: Callable[..., DataSet],
 ) -> None:
@@ -63,26 +57,6 @@ def test_a_start_is_of_the_first_sample_that_it_was_stated_for(
     assert later.start.mode is None and later.sample_count("p") == len(later.time)
     shorter = read(stated, cuts={"run": (None, 1.0)}).runs[0]
     assert shorter.start.mode == "rest" and shorter.start.lead == 0.3
-
-
-def test_a_period_that_is_cut_is_none(read: Callable[..., DataSet]) -> None:
-    assert read('from = "0.5 s"\nperiodic = true').runs[0].start.periodic
-    assert not read("periodic = true", cuts={"run": (None, 1.0)}).runs[0].start.periodic
-
-
-def test_whoever_reads_may_say_how_a_run_begins(read: Callable[..., DataSet]) -> None:
-    assert read('start = "rest"', starts={"run": "measured"}).runs[0].start.mode == "measured"
-    run = read(
-        'before = { u = "1 A", for = "2 s" }\nlead = "0.3 s"', starts={"run": "estimated"}
-    ).runs[0]
-    assert (run.start.mode, run.start.seconds, run.start.lead) == ("estimated", 0.0, 0.3)
-    assert read("periodic = true", starts={"run": "rest"}).runs[0].start.periodic is False
-
-
-def test_a_piece_is_cut_by_its_own_name(read: Callable[..., DataSet]) -> None:
-    rows = ROWS + "".join(f"{t:g},0,100\n" for t in TIMES + 50)
-    runs = read('gaps = "split"', rows=rows, cuts={"run piece 2": (50.5, None)}).runs
-    assert [run.time[0] for run in runs] == pytest.approx([0.0, 50.5])
 
 
 @pytest.mark.parametrize(
@@ -111,11 +85,6 @@ def test_what_cannot_be_cut_is_refused_in_words(
         assert caught.value.line is not None
 
 
-def test_a_run_without_samples_is_none(read: Callable[..., DataSet]) -> None:
-    with pytest.raises(InputError, match="no sample"):
-        read(rows=ROWS + "2,0,\n2.1,0,\n", cuts={"run": (2, None)})
-
-
 def test_a_pattern_means_the_runs_that_match_it(read: Callable[..., DataSet]) -> None:
     run = read(cuts={"r*": ("0.5 s", None), "ru*": ("0.7 s", None)}, starts={"r*n": "steady"}).runs[
         0
@@ -137,31 +106,7 @@ def test_a_pattern_gives_roles_to_the_runs_without_an_own_one(read: Callable[...
         data.with_roles({"*": "holdout"})
 
 
-def test_a_star_stands_for_all_runs_that_are_not_named(read: Callable[..., DataSet]) -> None:
-    run = read(cuts={"*": ("0.5 s", None)}, starts={"*": "steady"}).runs[0]
-    assert run.time[0] == 0.5 and run.start.mode == "steady"
-    run = read(
-        cuts={"*": ("0.5 s", None), "run": ("0.7 s", None)}, starts={"*": "steady", "run": "rest"}
-    ).runs[0]
-    assert run.time[0] == 0.7 and run.start.mode == "rest"
-
-
 AGAIN = '[[runs]]\nfile = "run.csv"\nrole = "holdout"\n'
-
-
-def test_a_recording_is_fitted_at_first_and_held_out_then(read: Callable[..., DataSet]) -> None:
-    first, second = read(f'to = "1.2 s"\n{AGAIN}from = "1.2 s"').runs
-    assert (first.name, first.role) == ("run part 1", "fit")
-    assert (second.name, second.role) == ("run part 2", "holdout")
-    assert first.time[[0, -1]].tolist() == pytest.approx([0.0, 1.2])
-    assert second.time[[0, -1]].tolist() == pytest.approx([1.2, 1.9])
-
-
-def test_what_cuts_all_runs_cuts_each_part_within_its_own(read: Callable[..., DataSet]) -> None:
-    stated = f'to = "1.2 s"\n{AGAIN}from = "1.2 s"'
-    first, second = read(stated, cuts={"*": ("0.5 s", "1.7 s")}).runs
-    assert first.time[[0, -1]].tolist() == pytest.approx([0.5, 1.2])
-    assert second.time[[0, -1]].tolist() == pytest.approx([1.2, 1.7])
 
 
 @pytest.mark.parametrize(

@@ -47,33 +47,6 @@ def test_an_empty_cell_is_a_missing_date_and_another_text_an_error(tmp_path: Pat
         assert (caught.value.line, caught.value.column) == (5, "time")
 
 
-def test_dates_do_not_tell_the_decimal_sign(tmp_path: Path) -> None:
-    table = table_of(
-        tmp_path, "time;p [bar]\n2024-03-12 10:00:00.5;0,5\n2024-03-12 10:00:01.5;1,5\n"
-    )
-    np.testing.assert_allclose(table.columns["p"].values, [0.5, 1.5])
-
-
-def test_rows_of_words_for_missing_samples(tmp_path: Path) -> None:
-    text = "time [s],p [kPa],x [mm],F [N]\n" + "".join(f"{k},NaN,NaN,NaN\n" for k in range(3))
-    with pytest.raises(
-        InputError, match=r'no numbers, such as .NaN.*state missing = \["NaN"\]'
-    ) as caught:
-        table_of(tmp_path, text)
-    assert caught.value.line == 2
-    table = table_of(tmp_path, text, Layout(missing=frozenset(["nan"])))
-    assert np.isnan(table.columns["p"].values).all() and table.missing == ("NaN",)
-
-
-def test_numbers_that_may_be_grouped_by_thousands(tmp_path: Path) -> None:
-    grouped = 't [s],p [Pa]\n0,"1,500"\n1,"200,000"\n'
-    with pytest.raises(InputError, match=r"grouped by thousands.*write 1500 or 1\.500") as caught:
-        table_of(tmp_path, grouped)
-    assert "decimal =" not in caught.value.message
-    with pytest.raises(InputError, match='state decimal = ","'):
-        table_of(tmp_path, grouped + '2,"0,5"\n')
-
-
 @pytest.mark.parametrize("day", ["12.03.2024", "12.3.24", "2024.03.12", "12/03/2024", "2024-03-12"])
 def test_a_day_alone_is_text(tmp_path: Path, day: str) -> None:
     """It was called a number that is grouped by thousands."""

@@ -5,14 +5,11 @@ from __future__ import annotations
 import tempfile
 from pathlib import Path
 
-import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set
-from pam_cosim.toml_text import line_of
-from pam_cosim.units import UnitError, convert, parse_quantity
 from tests.measurement.bench import EXPERIMENT, MODEL, RUN_01, RUN_02, describe
 from tests.measurement.test_columns import COLUMNS
 from tests.measurement.test_columns import LAB as LINES
@@ -92,46 +89,3 @@ LAB = {
     "lab.csv": LINES,
     "two.csv": "time  x\n s  mm\n 0  1\n 1e0  2\n",
 }  # fmt: skip
-
-
-@pytest.mark.full
-@settings(max_examples=300, deadline=None, derandomize=True)
-@given(st.sampled_from(sorted(LAB)), EDITS)
-def test_mutated_files_of_a_lab(file, edits):
-    read_mutated(LAB, file, edits)
-
-
-@pytest.mark.full
-@settings(max_examples=200, deadline=None, derandomize=True)
-@given(st.text(max_size=70) | st.text(alphabet="mkgsPaKdegC0123456789.*/^()- %", max_size=30))
-def test_any_text_as_unit(text):
-    for target in ("Pa", "K", "1", "W/(m2.K)"):
-        for difference in (False, True):
-            try:
-                assert convert(1.0, text, target, difference=difference).shape == ()
-                assert isinstance(parse_quantity("1 " + text, target, difference=difference), float)
-            except UnitError as error:
-                assert str(error)
-
-
-@settings(max_examples=100, deadline=None, derandomize=True)
-@given(
-    st.lists(
-        st.sampled_from(
-            ["# c", "", "k{} = 1", "k{} = [\n 1, # [\n 2]", 'k{} = """\nx = 1\n"""', "[t{}]"]
-        )
-    )
-)
-def test_lines_of_keys(parts):
-    """Every key is found on the line on which it was written, past comments and values of several lines."""
-    text, places = "", {}
-    table = ()
-    for number, part in enumerate(parts):
-        if part.startswith("[t"):
-            table = (f"t{number}",)
-        if "{}" in part:
-            key = table if part.startswith("[t") else (*table, f"k{number}")
-            places[key] = text.count("\n") + 1
-        text += part.replace("{}", str(number)) + "\n"
-    for key, expected in places.items():
-        assert line_of(text, key) == expected

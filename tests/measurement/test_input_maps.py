@@ -3,8 +3,7 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 
 import numpy as np
@@ -14,12 +13,12 @@ from pam_cosim import study
 from pam_cosim.errors import InputError
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import read_data_set
-from pam_cosim.model.interface import Variable, sensitivity_name
+from pam_cosim.model.interface import sensitivity_name
 from pam_cosim.simulation import Simulator
 from rig.effect import Effect
 from rig.measurement import TRUTH
 from rig.short import write_light_data
-from tests.measurement.bench import BENCH, MODEL, describe
+from tests.measurement.bench import MODEL, describe
 
 GAIN, OFFSET = 0.045, 0.02
 """[A/V], [A] of the amplifier that the rig's commands pass."""
@@ -113,19 +112,6 @@ def test_a_supply_that_nobody_recorded_is_a_free_constant(tmp_path: Path) -> Non
     assert fit.comparison.chi2_reduced("holdout") < 1.2
 
 
-def test_an_error_about_a_constant_names_its_line(make: Callable[..., Path]) -> None:
-    constant = Variable("p_supply_constant", "Pa", min=0.0)
-    inputs = {name: one for name, one in BENCH.inputs.items() if name != "p_supply"}
-    parameters = {**BENCH.parameters, constant.name: constant}
-    interface = replace(BENCH, inputs=inputs, parameters=parameters)
-    stated = '[parameters]\np_supply = "-7 bar"\n'
-    folder = make(("experiment.toml", "[parameters]\n", stated))
-    with pytest.raises(InputError, match="outside the model's range") as caught:
-        read_data_set(folder, lambda _: interface)
-    lines = (folder / "experiment.toml").read_text().splitlines()
-    assert lines[(caught.value.line or 0) - 1] == 'p_supply = "-7 bar"'
-
-
 TEXT = f'model = "{MODEL}"\n[columns]\n%s\n[[runs]]\nfile = "a.csv"\n%s'
 
 
@@ -148,12 +134,3 @@ def test_what_is_no_map_is_one_error(tmp_path: Path, columns: str, run: str, mes
     with pytest.raises(InputError, match=message) as caught:
         read_data_set(tmp_path, describe)
     assert caught.value.file is not None and caught.value.line
-
-
-@pytest.mark.full
-def test_a_model_that_is_asked_for_gets_the_maps_of_the_data(tmp_path: Path) -> None:
-    columns = '[columns]\nu_in = { column = "u", gain = "45 mA/V", offset = "20 mA", fit = "gain" }'
-    folder = recorded_in_volts(tmp_path / "data", columns)
-    asked = study.read(folder, model="Isotonic")
-    assert asked.model == study.read(folder).model and asked.unmapped == "Isotonic"
-    assert study.compare(asked, "Isotonic").chi2_reduced("holdout") < 1.2

@@ -37,11 +37,6 @@ def test_times_follow_from_the_interval(tmp_path: Path, rows: str) -> None:
     assert np.isnan(read["Comment"]).all()
 
 
-def test_times_that_are_written_stay(tmp_path: Path) -> None:
-    read = table(tmp_path, "0.0\t0.1\n0.2\t0.2\n0.3\t0.3\n", "0.0", "0.01\t")
-    np.testing.assert_array_equal(read["X_Value"], [0.0, 0.2, 0.3])
-
-
 def test_channels_with_intervals_of_their_own_have_no_common_time(tmp_path: Path) -> None:
     rows = "\t0.1\t0.2\t0.5\t\n\t0.3\t0.4\t0.6\t\n"
     file = tmp_path / "a.lvm"

@@ -10,13 +10,11 @@ import pytest
 from pam_cosim.measurement import (
     DataSet,
     Run,
-    Signal,
     StatedSignal,
     complete_noise,
     estimate_noise,
     record_step,
 )
-from pam_cosim.measurement.data_set import Along
 
 N = 2000
 TIME = np.linspace(0.0, 4.0, N)
@@ -51,11 +49,6 @@ def test_quantised_readings_have_noise_and_rounding(quantum):
     )
 
 
-def test_a_staircase_has_at_least_the_error_of_rounding():
-    staircase = 0.01 * np.round(CURVES["slow exponential"] / 0.01)
-    assert estimate_noise(TIME, staircase) == pytest.approx(0.01 / np.sqrt(12), rel=0.1)
-
-
 def test_the_scale_of_the_unit_does_not_matter():
     values = 0.1 * np.round(10 * (20 * CURVES["slow exponential"] + white(3)))
     assert estimate_noise(TIME, 1e3 * values) == pytest.approx(
@@ -82,31 +75,8 @@ def test_missing_samples_uneven_times_and_double_rows():
     assert estimate_noise(double, values) == pytest.approx(0.01, rel=0.1)
 
 
-def test_rows_written_twice_and_a_coarse_clock_change_nothing():
-    signal = CURVES["oscillation"] + 0.01 * white(3)
-    twice = estimate_noise(np.repeat(TIME, 2), np.repeat(signal, 2))
-    assert twice == estimate_noise(TIME, signal)
-    coarse = np.repeat(TIME[::2], 2)  # a clock of half the pace
-    assert estimate_noise(coarse, signal) == pytest.approx(0.01, rel=0.1)
-
-
-def test_what_cannot_be_estimated_is_nan():
-    few = np.linspace(0, 1, 15)
-    uneven = np.logspace(-3, 1, 40)
-    assert np.isnan(estimate_noise(few, white(0, 15)))
-    assert np.isnan(estimate_noise(uneven, white(0, 40)))
-    assert np.isnan(estimate_noise(TIME, np.zeros(N)))
-    assert np.isnan(estimate_noise(TIME, np.full(N, np.nan)))
-    coarse = np.linspace(0, 4, 50)
-    assert np.isnan(estimate_noise(coarse, np.sin(4 * np.pi * coarse) + 1e-3 * white(0, 50)))
-
-
 def run(name: str, **measurements: np.ndarray) -> Run:
     return Run(name, Path(name), "fit", "linear", {}, TIME, {}, measurements)
-
-
-def completed(stated: StatedSignal, values: np.ndarray) -> Signal:
-    return complete_noise({stated.name: stated}, [run("a", **{stated.name: values})])[stated.name]
 
 
 def test_only_unknown_noise_is_filled_in():
@@ -124,11 +94,6 @@ def test_only_unknown_noise_is_filled_in():
     assert (filled["T"].estimated, filled["T"].assumed) == (True, True)
 
 
-def test_a_column_without_samples_has_a_noise_too():
-    nothing = completed(StatedSignal("x", "m"), np.full(len(TIME), np.nan))
-    assert nothing.assumed and nothing.sigma > 0
-
-
 @pytest.mark.parametrize("step", [0.25, 1.0])
 def test_steps_of_a_record_come_on_top_of_a_stated_noise(step: float):
     smooth = 20 * np.sin(TIME) + 0.1 * white(3)
@@ -144,59 +109,9 @@ def test_steps_of_a_record_come_on_top_of_a_stated_noise(step: float):
     assert complete_noise({"x": known.as_stated()}, runs)["x"] == known
 
 
-def test_fine_steps_and_none_leave_the_stated_noise():
-    smooth = 20 * np.sin(TIME) + 0.1 * white(3)
-    few = np.linspace(0.0, 7.0, 12)
-    for values in (
-        smooth,
-        0.01 * np.round(smooth / 0.01),
-        np.append(few, np.full(len(TIME) - 12, np.nan)),
-    ):
-        known = completed(StatedSignal("x", "m", 0.1), values)
-        assert (known.sigma, known.step, known.estimated) == (0.1, 0.0, False)
-
-
 @pytest.mark.parametrize(
     ("step", "digits"), [(0.02, 9), (0.0244140625, 3), (0.0244140625, 5), (0.3, 2)]
 )
 def test_steps_of_a_converter_are_seen_through_the_digits_of_the_file(step: float, digits: int):
     steps = step * np.round((20 * np.sin(TIME) + 0.01 * white(3)) / step)
     assert record_step(np.round(steps, digits)) == pytest.approx(step, rel=1e-3)
-
-
-def test_gaps_that_are_no_steps_are_none():
-    uneven = np.cumsum(1.0 + np.random.default_rng(1).random(200))
-    assert record_step(uneven) == 0.0
-    assert record_step(np.full(200, 3.0)) == 0.0
-
-
-def test_an_estimated_noise_holds_the_steps_already():
-    coarse = np.round(20 * np.sin(TIME) + white(3))
-    known = completed(StatedSignal("x", "m"), coarse)
-    assert known.sigma == estimate_noise(TIME, coarse) and known.step == pytest.approx(1.0)
-
-
-@pytest.mark.parametrize("rate", [200.0, 240.0, 500.0])
-def test_a_sensor_that_is_slower_than_its_logger(rate: float) -> None:
-    """Most differences were zero, and a noise of 20 um came out as 3 nm."""
-    rng, time = np.random.default_rng(5), np.arange(0.0, 10.0, 1e-3)
-    readings = 5e-3 * np.sin(np.arange(0.0, 10.1, 1 / rate)) + 2e-5 * rng.standard_normal(
-        len(np.arange(0.0, 10.1, 1 / rate))
-    )
-    held = np.round(readings[np.floor(time * rate).astype(int)], 8)
-    assert estimate_noise(time, held) == pytest.approx(2e-5, rel=0.1)
-
-
-@pytest.mark.parametrize("repeated", [False, True])
-def test_points_along_a_curve_tell_the_noise_itself_on_average(repeated: bool) -> None:
-    """Each miss is as large as that of a sample and of the neighbours that it is held against, together."""
-    estimates = []
-    for seed in range(150):
-        chance = np.random.default_rng([seed, 5])
-        at = np.sort(chance.uniform(0.0, 1.0, 300))
-        at = np.repeat(at[::5], 5) if repeated else at
-        values = {"x": 3.0 + 40.0 * at + 2.0 * chance.standard_normal(300)}
-        curve = Run("up", Path("up"), "fit", "linear", {}, at, {}, values, along=Along("p", "Pa"))
-        estimates.append(complete_noise({"x": StatedSignal("x", "m")}, [curve])["x"].sigma)
-    # where points are repeated, few are between others, and the lesser of two estimates is a little low
-    assert np.mean(estimates) == pytest.approx(2.0, rel=0.06 if repeated else 0.04)

@@ -9,7 +9,6 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-import pam_cosim as pam
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set, write_data_set
 from pam_cosim.model.interface import Interface, Variable
@@ -80,18 +79,6 @@ def test_branches_and_loads_are_curves(read: Read) -> None:
     )
 
 
-def test_the_order_of_the_rows_does_not_matter(read: Read) -> None:
-    rows = loop_rows()
-    one = read(table(rows))
-    shuffled = [rows[i] for i in np.random.default_rng(1).permutation(len(rows))]
-    other = read(table(shuffled))
-    assert [run.name for run in other.runs] == [run.name for run in one.runs]
-    for a, b in zip(one.runs, other.runs, strict=True):
-        np.testing.assert_array_equal(a.time, b.time)
-        for name, values in (a.inputs | a.measurements).items():
-            np.testing.assert_array_equal(values, (b.inputs | b.measurements)[name])
-
-
 def test_a_set_pressure_is_one_though_it_is_read_with_noise(read: Read) -> None:
     rng = np.random.default_rng(2)
     rows = [
@@ -104,15 +91,6 @@ def test_a_set_pressure_is_one_though_it_is_read_with_noise(read: Read) -> None:
     assert all(
         run.along is not None and run.along.name == "F" and len(run.time) == 10 for run in data.runs
     )
-
-
-def test_scattered_points_are_one_curve(read: Read) -> None:
-    rng = np.random.default_rng(3)
-    rows = [
-        f"{p:.4f},{f:.4f},{p / 10 - f / 20:.4f}" for p, f in rng.uniform([0, 0], [400, 90], (40, 2))
-    ]
-    (run,) = read(table(rows, "p [kPa],F [N],x [mm]")).runs
-    assert run.along is not None and run.along.name == "p" and run.name == "loops"
 
 
 @pytest.mark.parametrize("noise", [0.0, 2.0])
@@ -130,14 +108,6 @@ def test_the_direction_follows_from_the_order(read: Read, noise: float) -> None:
     }
 
 
-def test_rising_loads_are_a_branch_of_extension(read: Read) -> None:
-    rows = [f"200,{f},{20 - f / 10:g}" for f in (0, 20, 40, 60, 40, 20, 0)]
-    data = read(table(rows, "p [kPa],F [N],x [mm]"), EXPERIMENT + 'branch = "order"\n')
-    assert {run.name: sorted(run.inputs["F"]) for run in data.runs} == {
-        "loops up": [0, 20, 40], "loops down": [0, 20, 40, 60]
-    }  # fmt: skip
-
-
 def test_values_are_held_out(read: Read) -> None:
     held = EXPERIMENT + 'hold_out = { F = ["60 N"], p = ["2 bar"] }\n'
     data = read(table(loop_rows()), held)
@@ -146,13 +116,6 @@ def test_values_are_held_out(read: Read) -> None:
     assert roles["loops F = 20 N, up, held out"] == ("holdout", 1)
     assert roles["loops F = 60 N, down, held out"] == ("holdout", 5)
     assert "loops F = 60 N, up" not in roles
-
-
-def test_a_branch_is_stated_and_an_imposed_quantity_too(read: Read) -> None:
-    stated = EXPERIMENT + 'branch = "down"\n[runs.parameters]\nF = "30 N"\n'
-    (run,) = read(table(["0,0", "100,5", "200,12"], "p [kPa],x [mm]"), stated).runs
-    assert (run.name, run.parameters) == ("loops", {"F": 30.0})
-    np.testing.assert_allclose(run.inputs["branch"], -1.0)
 
 
 def test_noise_shows_in_repeated_points_and_along_curves(read: Read) -> None:
@@ -180,7 +143,6 @@ TOML, CSV = "experiment.toml", "loops.csv"
 NOT_STATIC = EXPERIMENT.replace('kind = "static"', "")
 AT_REST = EXPERIMENT.replace('kind = "static"', 'kind = "rest"')
 IMPOSED, TIMED = "p [kPa],x [mm]", "time [s],p [kPa],F [N],x [mm],branch"
-NO_BRANCH = replace(BENCH, inputs={n: v for n, v in BENCH.inputs.items() if n != "branch"})
 
 
 @pytest.mark.parametrize(
@@ -289,64 +251,3 @@ def test_what_is_wrong_is_said_once(
         read(text, whole)
     for word in words:
         assert word in str(error.value)
-
-
-def test_a_bench_without_a_direction_says_what_to_take(read: Read) -> None:
-    with pytest.raises(
-        InputError, match=r"experiment.toml:10.*no input 'branch'.*pam-cosim bench --static"
-    ):
-        read(
-            table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"),
-            EXPERIMENT + 'branch = "up"\n',
-            NO_BRANCH,
-        )
-
-
-def test_one_file_with_a_direction_asks_it_of_all(read: Read, tmp_path: Path) -> None:
-    (tmp_path / "other.csv").write_text(table(["0,20,1", "100,20,5"], "p [kPa],F [N],x [mm]"))
-    both = EXPERIMENT + '[[runs]]\nfile = "other.csv"\n'
-    with pytest.raises(
-        InputError, match=r"experiment.toml:10.*'other.csv' has no column 'branch'.*\"none\""
-    ):
-        read(table(ROWS), both)
-    assert read(table(ROWS), both + 'branch = "none"\n').runs[-1].inputs["branch"].tolist() == [
-        0.0,
-        0.0,
-    ]
-
-
-ISOMETRIC = 'model = "PneumaticMuscle.Benches.QuasiStaticIsometric"\nkind = "static"\n[[runs]]\nfile = "a.csv"\n'
-
-
-@pytest.mark.parametrize("what", ["levels", "as read"])
-def test_the_direction_is_of_what_the_curves_run_along(tmp_path: Path, what: str) -> None:
-    """Pressures of several loops of length were taken for what drives them, and both ways had one sign."""
-    rng = np.random.default_rng(2)
-    loop = np.array([0.0, 5, 10, 15, 20, 25, 30, 25, 20, 15, 10, 5, 0])
-    x = np.tile(loop, 2)
-    p = np.repeat([200.0, 300.0], len(loop))
-    if what == "as read":
-        x = x + rng.uniform(-0.3, 0.3, len(x))
-    rows = "".join(f"{a:.4f},{b:.3f},{400 - 9 * b:.2f}\n" for a, b in zip(p, x, strict=True))
-    (tmp_path / "a.csv").write_text("p [kPa],x [mm],F [N]\n" + rows)
-    (tmp_path / "experiment.toml").write_text(ISOMETRIC + 'branch = "order"\n')
-    runs = pam.read(tmp_path).runs
-    for run in runs:
-        assert run.along is not None and run.along.name == "x"
-        assert len(set(run.inputs["branch"])) == 1
-    up = sum(len(r.time) for r in runs if r.inputs["branch"][0] > 0)
-    assert up == 2 * (int(loop.argmax()) + 1)
-
-
-def test_rounding_of_a_held_pressure_turns_no_branch(tmp_path: Path) -> None:
-    force = [0, 50, 100, 150, 100, 50, 0]
-    turned = []
-    for last in ("300000", "300000.1"):
-        pressures = ["300000"] * 6 + [last]
-        rows = "".join(f"{p},{20 - f / 10:g},{f}\n" for p, f in zip(pressures, force, strict=True))
-        (tmp_path / "a.csv").write_text("p [Pa],x [mm],F [N]\n" + rows)
-        (tmp_path / "experiment.toml").write_text(
-            ISOMETRIC.replace("Isometric", "Isotonic") + 'branch = "order"\n'
-        )
-        turned.append([(r.name, r.inputs["F"].tolist()) for r in pam.read(tmp_path).runs])
-    assert turned[0] == turned[1]

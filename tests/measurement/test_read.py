@@ -66,29 +66,11 @@ def test_parameters_and_start_values(make):
     assert data.parameters_of(data.runs[0], {"muscle.mu_fb": 0.03})["muscle.mu_fb"] == 0.03
 
 
-def test_the_toml_file_itself_may_be_given(make):
-    assert read_data_set(make() / TOML, describe).title == "latex muscle, steps"
-
-
-def test_another_model_may_be_chosen(make):
-    folder = make((TOML, MODEL, "Nowhere"))
-    assert read_data_set(folder, describe, model=MODEL).model == MODEL
-
-
 def test_a_model_file_beside_the_experiment(make):
     folder = make((TOML, MODEL, "rig.mo"))
     (folder / "rig.mo").write_text("model rig end rig;")
     data = read_data_set(folder, lambda name: BENCH)
     assert data.model == str(folder / "rig.mo")
-
-
-def test_summary_says_what_matters(make):
-    text = str(read_data_set(make((TOML, 'role = "holdout"', 'role = "fit"')), describe))
-    for part in ("latex muscle", MODEL, "noise 500 Pa", "valve.C_A: 0.5 to 0.9", "no holdout run"):
-        assert part in text
-    assert "the noise of eps is not known: it is assumed" in text
-    assert "run-02: model defaults for the inputs p_supply" in text
-    assert "samples of p (4), x (3), T (3)" in text
 
 
 @pytest.mark.parametrize(
@@ -128,12 +110,6 @@ def test_one_recording_alone(make):
     assert list(recording.measurements) == ["p", "x", "T"]
 
 
-def test_columns_without_a_table_are_shown_but_not_fitted(make):
-    signals = read_data_set(make(), describe).signals
-    assert [n for n, s in signals.items() if s.fitted] == ["p", "x", "T"]
-    assert [n for n, s in signals.items() if not s.fitted] == ["eps"]
-
-
 def test_all_columns_are_fitted_where_no_signal_is_declared(make):
     folder = make()
     file = folder / TOML
@@ -147,9 +123,3 @@ def test_all_columns_are_fitted_where_no_signal_is_declared(make):
     file.write_text("\n".join(kept))
     signals = read_data_set(folder, describe).signals
     assert signals and all(s.fitted for s in signals.values())
-
-
-def test_a_table_without_a_noise_level_declares_the_signal(make):
-    signals = read_data_set(make((TOML, 'sigma = "0.5 kPa"', "")), describe).signals
-    assert [n for n, s in signals.items() if s.fitted] == ["p", "x", "T"]
-    assert signals["p"].stated is None and signals["x"].stated == pytest.approx(2e-4)

@@ -62,53 +62,7 @@ def test_runs_that_repeat_one_another_show_it(static: bool) -> None:
     )
 
 
-def test_noise_alone_stays_noise() -> None:
-    signal = completed(runs_of([0.0] * 4), StatedSignal("F", "N", NOISE))
-    assert (signal.sigma, signal.repeatability, signal.scatter) == (NOISE, 0.0, "noise")
-
-
 def test_different_tests_do_not_repeat_one_another() -> None:
     offsets = [0.0, 5.0, -5.0, 9.0]
     signal = completed(runs_of(offsets, load=[1.0, 2.0, 3.0, 4.0]), StatedSignal("F", "N", NOISE))
     assert signal.sigma == NOISE
-
-
-def _fed(feeds: list[float], noise: float) -> Signal:
-    """Runs that differ by a constant feed, and answer to it; the feed is recorded with noise."""
-    rng = np.random.default_rng(4)
-    time = np.linspace(0, 6, 240)
-    runs = []
-    for number, feed in enumerate(feeds):
-        inputs = {"p": 2e5 * np.sin(time), "feed": feed + rng.normal(0, noise, len(time))}
-        forces = {"F": 200.0 * np.sin(time) + 30.0 * feed + rng.normal(0, NOISE, len(time))}
-        runs.append(Run(f"r{number}", Path("r.csv"), "fit", "linear", {}, time, inputs, forces))
-    return completed(tuple(runs), StatedSignal("F", "N", NOISE))
-
-
-def test_a_small_feed_is_no_repetition_of_none_beside_a_large_one() -> None:
-    assert _fed([0.0, 0.1, 10.0], noise=0.0).scatter == "noise"
-    assert _fed([0.0, 0.1, 10.0], noise=0.01).scatter == "noise"
-
-
-def test_an_input_that_rests_in_both_and_is_recorded_with_noise_does_not_part_them() -> None:
-    rng = np.random.default_rng(4)
-    time, runs = np.linspace(0, 6, 240), []
-    for number, offset in enumerate([0.0, 3.0, -3.0, 0.0]):
-        feed = (10.0 if number == 3 else 0.0) + rng.normal(0, 0.05, len(time))
-        force = offset + 200.0 * np.sin(time) + rng.normal(0, NOISE, len(time))
-        inputs = {"p": 2e5 * np.sin(time), "feed": feed}
-        runs.append(
-            Run(f"r{number}", Path("r.csv"), "fit", "linear", {}, time, inputs, {"F": force})
-        )
-    assert completed(tuple(runs), StatedSignal("F", "N", NOISE)).scatter == "repeatability"
-
-
-def test_what_is_stated_counts() -> None:
-    runs = runs_of([0.0])
-    signal = completed(runs, StatedSignal("F", "N", NOISE, repeatability=SCATTER))
-    assert (signal.sigma, signal.source) == (SCATTER, "stated repeatability")
-    smaller = completed(runs, StatedSignal("F", "N", NOISE, repeatability=0.1))
-    assert (smaller.sigma, smaller.source) == (NOISE, "stated")
-    estimated = completed(runs, StatedSignal("F", "N", repeatability=SCATTER))
-    assert estimated.sigma == SCATTER and not estimated.estimated
-    assert estimated.as_stated() == StatedSignal("F", "N", repeatability=SCATTER)

@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-
 import numpy as np
-import pandas as pd
 import pytest
 
 from pam_cosim.errors import InputError
-from pam_cosim.measurement import DataSet, Run, StatedSignal, condensed, read_data_set
-from pam_cosim.measurement.condensing import MOST_ROWS
+from pam_cosim.measurement import read_data_set
 from pam_cosim.measurement.recording import Recording
-from pam_cosim.measurement.resampling import noise_of_mean, resampled, with_noise_of_means
-from pam_cosim.measurement.signal import Averaged
+from pam_cosim.measurement.resampling import resampled
 from tests.measurement.bench import MODEL, describe
 
 STEPS = (3.0005, 7.1235)  # [s], between samples
@@ -46,12 +41,6 @@ def test_steps_of_inputs_keep_time_and_value(held):
     assert (after.time[0], after.time[-1]) == (before.time[0], before.time[-1])
 
 
-def test_inputs_held_are_the_same_function_of_time():
-    before, after = recording(noisy=False), resampled(recording(noisy=False), 0.02, "previous")
-    at = np.searchsorted(after.time, before.time + 1e-9, side="right") - 1
-    np.testing.assert_allclose(after.inputs["u"][at], before.inputs["u"])
-
-
 def test_the_noise_of_means_is_what_is_said():
     after = resampled(recording(duration=60.0), 0.02, "linear")
     for name, samples in (("x", 20), ("y", 2)):
@@ -61,31 +50,6 @@ def test_the_noise_of_means_is_what_is_said():
         assert after.averaged[name].samples == samples
         assert np.std(error) == pytest.approx(1e-4 / np.sqrt(samples), rel=0.06)
         assert abs(np.mean(error)) < 1e-5
-
-
-def test_rounding_averages_out_only_where_noise_covers_it():
-    assert noise_of_mean(1.0, Averaged(100, 1.0)) == pytest.approx(np.sqrt((1 + 1 / 12) / 100))
-    assert noise_of_mean(0.1, Averaged(100, 1.0)) == pytest.approx(np.sqrt(0.01 / 100 + 1 / 12))
-    rng = np.random.default_rng(1)
-    level = rng.uniform(0, 10, (4000, 1))
-    for sigma in (1.0, 0.02):
-        means = np.round(level + rng.normal(0, sigma, (4000, 100))).mean(axis=1)
-        assert np.std(means - level[:, 0]) == pytest.approx(
-            noise_of_mean(sigma, Averaged(100, 1.0)), rel=0.08
-        )
-
-
-def test_a_quick_switching_input_becomes_its_mean():
-    time = np.arange(0.0, 10.0, 1e-3)
-    duty = Recording(time, {"u": (np.arange(len(time)) % 4 < 1).astype(float)}, {"x": np.sin(time)})
-    after = resampled(duty, 0.1, "linear")
-    assert len(after.time) < 130
-    np.testing.assert_allclose(after.inputs["u"][1:-1], 0.25, atol=0.02)
-
-
-def test_a_sparse_recording_stays_as_it_is():
-    sparse = recording(rate=20.0)
-    assert resampled(sparse, 0.05, "linear") is sparse
 
 
 def test_recorded_steps_of_two_rows_stay():
@@ -131,42 +95,6 @@ def test_in_a_data_set(tmp_path):
     assert (caught.value.line, caught.value.file) == (5, file)
 
 
-def long_data(tmp_path, u: np.ndarray, sigma: str = "") -> DataSet:
-    time = np.arange(len(u)) / 1000
-    x = 5e-3 * np.sin(time) + np.random.default_rng(3).normal(0, 1e-4, len(time))
-    rows = pd.DataFrame(
-        {"time [s]": time, "u_in [A]": u, "p_supply [kPa]": 200.0, "x [mm]": 1e3 * x}
-    )
-    rows.to_csv(tmp_path / "run.csv", index=False)
-    (tmp_path / "experiment.toml").write_text(
-        f'model = "{MODEL}"\n{sigma}[[runs]]\nfile = "run.csv"\n'
-    )
-    return read_data_set(tmp_path, describe)
-
-
-@pytest.mark.full
-def test_a_search_takes_means_of_very_many_rows(tmp_path):
-    time = np.arange(0.0, 120.0, 1e-3)
-    data = long_data(
-        tmp_path, np.where(time % 20 < 10, 0.35, 0.0), '[signals.x]\nsigma = "0.1 mm"\n'
-    )
-    means, said = condensed(data)
-    assert said.startswith("120000 rows are more than a search needs: it takes means over 0.004 s")
-    assert 0.9 * MOST_ROWS < len(means.runs[0].time) < 1.1 * MOST_ROWS
-    assert means.signals["x"].sigma == pytest.approx(1e-4 / 2)
-    assert len(np.flatnonzero(np.diff(means.runs[0].inputs["u_in"]))) == 11
-    assert condensed(means)[0] is means
-
-
-@pytest.mark.full
-def test_a_search_keeps_every_row_of_pulses_and_of_few_rows(tmp_path):
-    pulses = (np.arange(120_000) % 4 < 1) * 0.35
-    data = long_data(tmp_path, pulses)
-    assert condensed(data)[0] is data
-    data = long_data(tmp_path, pulses[:MOST_ROWS])
-    assert condensed(data)[0] is data
-
-
 @pytest.mark.parametrize("interval", [0.02, 0.05])
 @pytest.mark.parametrize("held", ["linear", "previous"])
 def test_a_slower_signal_keeps_its_times(interval: float, held: str) -> None:
@@ -182,54 +110,3 @@ def test_a_slower_signal_keeps_its_times(interval: float, held: str) -> None:
     there = np.isfinite(after.measurements["p"])
     assert np.abs(after.measurements["p"][there] - 1e5 * np.sin(after.time[there])).max() < 15.0
     assert (np.diff(after.time) >= 0).all() and np.unique(after.inputs["u"]).tolist() == [0, 1]
-
-
-@pytest.mark.parametrize("interval", ["20 ms", "100 ms"])
-def test_a_recording_is_split_before_its_means_are_taken(tmp_path: Path, interval: str) -> None:
-    """A clock that began anew was no pause any more beside means; a mean could go across it, and across a cut."""
-    once = np.arange(0.0, 5.0, 1e-3)
-    time, x = np.tile(once, 2), np.concatenate([np.zeros(5000), np.ones(5000)])
-    rows = "".join(f"{t:.3f},{v:g}\n" for t, v in zip(time, x, strict=True))
-    (tmp_path / "run.csv").write_text(f"time [s],x [mm]\n{rows}")
-    head = f'model = "{MODEL}"\ngaps = "split"\n[recording]\nresample = "{interval}"\n[[runs]]\nfile = "run.csv"\n'
-    (tmp_path / "experiment.toml").write_text(head)
-    first, second = read_data_set(tmp_path, describe).runs
-    for run, level in ((first, 0.0), (second, 1e-3)):
-        values = run.measurements["x"][np.isfinite(run.measurements["x"])]
-        assert len(values) < 300 and values == pytest.approx(np.full(len(values), level))
-    (tmp_path / "experiment.toml").write_text(
-        f'{head}from = "2.0005 s"\n'.replace("split", "through")
-    )
-    (run,) = read_data_set(tmp_path, describe).runs
-    half = int(interval.split()[0]) / 2e3
-    assert run.time[0] == pytest.approx(2.0005 + half, abs=1e-3)
-
-
-def test_the_stated_noise_of_means_is_that_of_the_fewest_samples() -> None:
-    def run(name: str, **averaged: Averaged) -> Run:
-        values = {signal: np.zeros(3) for signal in ("x", "y")}
-        return Run(
-            name, Path(name), "fit", "linear", {}, np.arange(3.0), {}, values, averaged=averaged
-        )
-
-    runs = [
-        run("a", x=Averaged(16), y=Averaged(9)),
-        run("b", x=Averaged(4)),
-        run("c", x=Averaged(9)),
-    ]
-    stated = {name: StatedSignal(name, "m", 2.0, sigma_of_reading=0.1) for name in ("x", "y")}
-    changed = with_noise_of_means(stated, runs)
-    assert (changed["x"].sigma, changed["x"].sigma_of_reading) == pytest.approx((1.0, 0.05))
-    assert changed["y"] == stated["y"]  # one run holds samples themselves
-
-
-def test_a_mean_of_fewer_than_half_as_many_samples_is_left_out() -> None:
-    """Of ten a mean as a rule, four are too few and five enough."""
-    time = np.arange(1000) * 1e-3
-    y = np.ones(1000)
-    y[100:106] = y[200:205] = np.nan
-    after = resampled(Recording(time, {"u": time}, {"y": y}), 0.01, "linear")
-    means = after.time[np.isfinite(after.measurements["y"])]
-    assert after.averaged["y"].samples == 10 and len(means) == 99
-    assert not np.any((means > 0.0995) & (means < 0.1095))
-    assert np.sum((means > 0.1995) & (means < 0.2095)) == 1

@@ -11,7 +11,7 @@ import pytest
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, read_data_set
 from pam_cosim.model.interface import Interface, Variable
-from pam_cosim.starts.run_start import first_samples, inputs_of_run, start_time
+from pam_cosim.starts.run_start import inputs_of_run, start_time
 
 BENCH = Interface("Bench", {"u": Variable("u", "A", start=0.0)}, {"p": Variable("p", "Pa")}, {})
 ROWS = "".join(f"{t:g},{t / 10:g},{100 + t:g}\n" for t in np.arange(0.0, 2.0, 0.1))
@@ -44,13 +44,6 @@ def test_what_was_before_is_held_before_the_first_row(read: Callable[..., DataSe
         0.2,
         0.0,
     ]
-
-
-def test_a_lead_is_not_scored_and_shows_where_the_run_begins(read: Callable[..., DataSet]) -> None:
-    run = read('lead = "0.5 s"').runs[0]
-    assert run.sample_count("p") == 15 and np.isnan(run.measurements["p"][:5]).all()
-    times, values = run.start.leading["p"]
-    assert times.tolist() == pytest.approx([0.0, 0.1, 0.2, 0.3, 0.4]) and values[0] == 100.0
 
 
 def test_a_periodic_run_is_repeated(read: Callable[..., DataSet]) -> None:
@@ -95,12 +88,6 @@ LATER = "".join(f"{t:g},0.1,{100 + t:g}\n" for t in np.arange(10.0, 11.0, 0.1))
 AGAIN = "".join(f"{t:g},0.1,{100 + t:g}\n" for t in np.arange(0.0, 1.0, 0.1))
 
 
-def test_a_pause_is_said(read: Callable[..., DataSet]) -> None:
-    [run] = read(rows=ROWS + LATER).runs
-    assert "pauses once, for 8.1 s after 1.9 s" in run.notes[-1]
-    assert read('gaps = "through"', rows=ROWS + LATER).runs[0].notes == ()
-
-
 def test_pieces_are_runs(read: Callable[..., DataSet]) -> None:
     first, second = read('gaps = "split"', rows=ROWS + LATER).runs
     assert (first.name, second.name) == ("run piece 1", "run piece 2")
@@ -119,22 +106,3 @@ def test_time_that_goes_back(read: Callable[..., DataSet]) -> None:
     assert "time goes back once, after 1.9 s: a piece of its own" in first.notes[-1]
     [run] = read('gaps = "through"', rows=ROWS + AGAIN).runs
     assert run.time[20] == pytest.approx(2.0) and (np.diff(run.time) > 0).all()
-
-
-def test_first_samples_end_where_the_signal_bends() -> None:
-    rng = np.random.default_rng(1)
-    t = np.arange(0.0, 2.0, 0.01)
-    y = np.where(t < 0.3, 5.0 * t, 1.5 - 20.0 * (t - 0.3)) + 0.01 * rng.standard_normal(len(t))
-    first = first_samples(t, y, 0.01, 0.0)
-    assert first is not None and first.moves
-    assert abs(first.value) < 4 * first.sd and abs(first.slope - 5.0) < 4 * first.slope_sd
-    still = first_samples(t, 0.01 * rng.standard_normal(len(t)), 0.01, 0.0)
-    assert still is not None and not still.moves and still.sd < 0.004
-
-
-def test_samples_that_come_after_a_pause_do_not_show_the_start() -> None:
-    t = np.arange(0.0, 2.0, 0.01)
-    late = np.where(t < 1.0, np.nan, 5.0 + 300.0 * (t - 1.0))  # nothing at first, then a steep rise
-    assert first_samples(t, late, 0.01, 0.0) is None
-    soon = np.where(t < 0.05, np.nan, 5.0 + 300.0 * t)
-    assert first_samples(t, soon, 0.01, 0.0) is not None

@@ -38,13 +38,6 @@ def test_one_unit_in_all_cells(tmp_path: Path, text: str, unit: str) -> None:
     assert text_columns(file, Layout()) == {}
 
 
-def test_missing_samples_have_no_unit(tmp_path: Path) -> None:
-    file = written(tmp_path, "t,p\n0,1 bar\n1,n/a\n2,\n3,2 bar\n")
-    column = read_table(file, Layout(missing=frozenset({"n/a"}))).columns["p"]
-    np.testing.assert_array_equal(column.values, [1, np.nan, np.nan, 2])
-    assert column.unit == "bar"
-
-
 def test_cells_of_several_units_are_text(tmp_path: Path) -> None:
     file = written(tmp_path, "t,p,note\n0,1,900 ms\n1,2,1 s\n2,2,late\n")
     assert list(text_columns(file, Layout())) == ["note"]

@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
-
 import numpy as np
 import pytest
 
-from pam_cosim.errors import InputError
 from pam_cosim.measurement import read_data_set, write_data_set
 from tests.measurement.bench import BENCH, describe
 
@@ -72,42 +69,3 @@ def test_what_is_stated_of_the_start_reads_back(make, tmp_path, stated, units):
         np.testing.assert_allclose(two.leading[name], leading, rtol=1e-8)
     for name, values in run.measurements.items():
         np.testing.assert_allclose(copy.measurements[name], values, rtol=1e-7)
-
-
-def test_a_lead_without_its_samples_is_not_scored_either(make, tmp_path):
-    last = 'file = "run-01.csv"'
-    data = read_data_set(make(("experiment.toml", last, f'{last}\nlead = "0.15 s"')), describe)
-    run, *others = data.runs
-    bare = replace(run, start=replace(run.start, leading={}))
-    copy = write_data_set(tmp_path / "copy", replace(data, runs=(bare, *others)), BENCH).runs[0]
-    assert copy.start.lead == 0.15
-    assert [copy.sample_count(name) for name in ("p", "x")] == [1, 1]
-    assert np.isnan(copy.start.leading["p"][1]).all()
-
-
-def test_titles_are_quoted(make, tmp_path):
-    title = 'a "quoted" \\ title\nwith ümlaut \t'
-    data = replace(read_data_set(make(), describe), title=title)
-    assert write_data_set(tmp_path / "copy", data, BENCH).title == title
-
-
-def test_other_files_stay(make):
-    folder = make()
-    (folder / "SOURCE.md").write_text("origin")
-    write_data_set(folder, read_data_set(folder, describe), BENCH, units=UNITS)
-    assert (folder / "SOURCE.md").read_text() == "origin"
-
-
-def test_nothing_is_written_when_something_is_wrong(make, tmp_path):
-    data = read_data_set(make(), describe)
-    one, two = data.runs
-    backwards = replace(one, time=one.time[::-1])
-    gap = replace(one, inputs={**one.inputs, "u_in": np.array([0.0, np.nan, 0.0, 0.0])})
-    outside = replace(one, name="../../outside")
-    foreign = replace(one, measurements={"F": one.time})
-    for bad in (backwards, gap, outside, foreign, replace(one, role="holdout")):
-        with pytest.raises(InputError):
-            write_data_set(tmp_path / "copy", replace(data, runs=(bad, two)), BENCH)
-    with pytest.raises(InputError):
-        write_data_set(tmp_path / "copy", data, BENCH, units={"p": "kg"})
-    assert sorted(item.name for item in tmp_path.iterdir()) == ["data"]

@@ -143,24 +143,11 @@ def test_every_function_refuses_an_unknown_name_alike(
             FUNCTIONS[function](pam.problem(data, **stated))
 
 
-def test_an_input_that_was_recorded_gives_way_to_a_constant(folder: Path) -> None:
-    data = pam.read(written(folder))
-    assert ends(pam.compare(data, parameters={"u": 3}).runs) == pytest.approx([3, 3], rel=1e-3)
-
-
 def test_a_stated_parameter_that_is_freed_is_fitted_from_where_it_was_stated(folder: Path) -> None:
     data = pam.read(written(folder, "k = 1.5"))
     fit = pam.fit(data, free=["k", "tau"])
     assert fit.parameters["k"].value == pytest.approx(2, abs=0.01)
     assert fit.parameters["tau"].value == pytest.approx(0.2, rel=0.05)
-
-
-def test_a_stated_parameter_without_bounds_is_fitted_around_its_value(folder: Path) -> None:
-    data = pam.read(written(folder, "b = 1.5"))
-    assert pam.fit(data, free=["b", "tau"]).parameters["b"].value == pytest.approx(1, abs=0.01)
-    bare = pam.read(written(folder))
-    with pytest.raises(InputError, match="'b' of Gain has no bounds: state them under"):
-        pam.fit(bare, free=["b"])
 
 
 @pytest.mark.parametrize("name", ["k/stated", "k@run-1"])
@@ -169,14 +156,6 @@ def test_the_advice_for_runs_that_state_several_values_works(folder: Path, name:
     with pytest.raises(InputError, match=rf"--free '{name}'"):
         pam.fit(data, free=["k"])
     assert pam.fit(data, free=[name]).parameters[name].determined
-
-
-def test_what_is_stated_is_held_and_what_is_not_named_free_too(folder: Path) -> None:
-    free = "k = {min = 1, max = 3, start = 2.5}\ntau = {min = 0.05, max = 0.25, start = 0.15}"
-    data = pam.read(written(folder, fit=free))
-    assert list(pam.fit(data, parameters={"k": 2}).parameters) == ["tau"]
-    fit = pam.fit(data, free=["k"], start={"tau": 0.2})
-    assert [run.parameters["tau"] for run in fit.comparison.data.runs] == [0.2, 0.2]
 
 
 def test_a_stated_initial_state_is_where_a_run_begins(folder: Path) -> None:
@@ -235,17 +214,6 @@ def test_the_loop_closes_for_values_in_place_of_stated_ones(
     assert pam.compare(data, model).scores["all"] == fit.comparison.scores["all"]
 
 
-def test_the_loop_closes_for_estimated_initial_states(folder: Path) -> None:
-    file = written(folder, "k = 2").joinpath("experiment.toml")
-    file.write_text(file.read_text().replace('"rest"', '"estimated"'))
-    data = pam.read(folder)
-    fit, model = better(folder, data)
-    assert "s@run-1" in fit.start_values
-    again = pam.compare(data, model)
-    assert again.scores["all"] == fit.comparison.scores["all"]
-    assert "s@run-1" in pam.fit(data, model).start_values
-
-
 def test_what_is_stated_afterwards_overrules_a_verdict_and_one_line_says_so(folder: Path) -> None:
     data = pam.read(written(folder, "k = 1.5"))
     _, model = better(folder, data, free=["k", "tau"])
@@ -277,14 +245,6 @@ def test_what_cannot_be_fitted_is_refused_with_the_reason(
         pam.problem(data, **stated)
 
 
-def test_a_value_that_is_held_and_fitted_is_refused_and_the_advice_works(folder: Path) -> None:
-    data = pam.read(written(folder))
-    for held in ({"k": 2}, {"k@run-1": 2, "k@run-2": 2}):
-        with pytest.raises(InputError, match="initial guess by --start"):
-            pam.fit(data, parameters=held, free=["k"])
-    assert pam.fit(data, free=["k"], start={"k": 1.5}).parameters["k"].determined
-
-
 def test_a_parameter_that_every_fitted_run_is_given_is_not_fitted(folder: Path) -> None:
     free = "k = {min = 1, max = 3}\ntau = {min = 0.05, max = 0.25}"
     data = pam.read(written(folder, fit=free))
@@ -310,27 +270,3 @@ def test_an_initial_state_of_one_run_leaves_the_others_as_they_begin(folder: Pat
     data = pam.read(folder)
     fit, model = better(folder, data, parameters={"s@run-1": 0.4})
     assert pam.compare(data, model).scores["all"] == fit.comparison.scores["all"]
-
-
-def test_values_of_runs_that_are_not_there_are_named(folder: Path) -> None:
-    data = pam.read(written(folder, "k = 1.5"))
-    _, model = better(folder, data, parameters={"k@run-2": 2.5})
-    (folder / "run-2.csv").rename(folder / "second.csv")
-    file = folder / "experiment.toml"
-    file.write_text(file.read_text().replace("run-2.csv", "second.csv"))
-    notes = str([run.notes for run in pam.problem(pam.read(folder), model).data.runs])
-    assert "has values of run-2, which are no runs of the data set" in notes
-
-
-def test_a_profile_is_of_the_problem_that_was_fitted(folder: Path) -> None:
-    data = pam.read(written(folder))
-    other = pam.problem(data, values={"k": 3})
-    with pytest.raises(InputError, match="the fit is of another problem"):
-        pam.profile(other, pam.fit(data))
-    assert pam.profile(other, pam.fit(other)).profiles
-
-
-@pytest.mark.parametrize("stated", [{"values": ["k=3"]}, {"fitted": "p.json"}])
-def test_values_that_are_no_mapping_are_refused(folder: Path, stated: dict[str, Any]) -> None:
-    with pytest.raises(InputError, match="mapping of values by name"):
-        pam.problem(pam.read(written(folder)), **stated)

@@ -5,16 +5,13 @@ import xml.etree.ElementTree as ElementTree
 from dataclasses import replace
 from functools import cache
 
-import numpy as np
 import pytest
 
 from pam_cosim.diagnosis.judgement.posterior import Explanation, Posterior
-from pam_cosim.measurement import Signal
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
 from pam_cosim.reporting.account import percent
-from tests.field import DOMAIN
 from tests.reporting.html_checks import checked
-from tests.reporting.synthetic import EQUATIONS, SIGNALS, make_data, make_diagnosis
+from tests.reporting.synthetic import EQUATIONS, make_data, make_diagnosis
 from tests.tiers import quick
 
 KINDS = ("none_missing", "identified", "ambiguous", "unknown")
@@ -46,33 +43,6 @@ def test_each_verdict_is_said_and_explained_in_its_own_words():
     assert "That does not prove the model complete" in texts["none_missing"]
     assert "Do not choose one by its small lead" in texts["ambiguous"]
     assert "do not trust them as physical values" in texts["unknown"]
-
-
-@pytest.mark.full
-@pytest.mark.usefixtures("without_pictures")
-def test_a_fault_of_an_instrument_is_not_called_physics():
-    diagnosis = make_diagnosis("identified")
-    families = {
-        (
-            "position_sensor",
-        ): "An instrument is at fault: the reading of the position is off, or comes late",
-        (
-            "elasticity",
-            "clock_offset",
-        ): "The model lacks elasticity, and an instrument is at fault: the record of all",
-        ("elasticity",): "The model lacks elasticity (StiffWall).",
-    }
-    data = replace(diagnosis.data, domain=DOMAIN)
-    for named, said in families.items():
-        one = replace(diagnosis, data=data, verdict=replace(diagnosis.verdict, families=named))
-        page, printed = checked(diagnosis_report(one)).text, diagnosis_text(one)
-        instrument = named != ("elasticity",)
-        assert said in page
-        assert ("This is said of an instrument" in page) is instrument
-        assert ("n instrument, not physics: " in printed) is instrument
-        assert ("Among these an instrument, not physics: " in printed) is (
-            instrument and "elasticity" in named
-        )
 
 
 def test_the_error_before_and_after_stands_first_in_readable_units():
@@ -143,24 +113,6 @@ def test_ranking_gives_the_evidence_and_marks_what_was_added():
     assert "Could not be fitted" in text
 
 
-def test_where_the_error_sits_is_a_table_too():
-    text = checked(report("identified")).text
-    assert "x filling, 40 kPa < p < 120 kPa 71 % 22 %" in text
-
-
-@pytest.mark.full
-def test_the_next_experiment_and_the_missing_term_are_told():
-    text = checked(report("ambiguous")).text
-    assert (
-        "run-2" in text
-        and "p_supply times 1.5" in text
-        and "12.3 noise standard deviations" in text
-    )
-    text = checked(report("unknown")).text
-    assert "those of the force balance come closest" in text
-    assert "p 5.00 kPa 7.07 p −0.61" in text
-
-
 @pytest.mark.full
 def test_titles_and_names_cannot_carry_markup():
     title = "<script>alert('x')</script> & \"friends\""
@@ -179,11 +131,6 @@ def test_the_final_model_can_be_read():
     assert "Modelica text" not in checked(report("none_missing")).text
 
 
-@pytest.mark.full
-def test_two_renderings_are_identical():
-    assert diagnosis_report(make_diagnosis("identified")) == report("identified")
-
-
 def test_pictures_are_complete_vector_pictures_without_outside_resources():
     page = checked(report("identified"))
     sources = [value for tag, name, value in page.attributes if (tag, name) == ("img", "src")]
@@ -193,94 +140,3 @@ def test_pictures_are_complete_vector_pictures_without_outside_resources():
         root = ElementTree.fromstring(base64.b64decode(source.split(",", 1)[1]))
         links = [v for e in root.iter() for n, v in e.attrib.items() if n.endswith("href")]
         assert all(link.startswith(("#", "data:")) for link in links)
-
-
-@pytest.mark.full
-def test_without_holdout_runs_nothing_is_said_of_them_but_the_note():
-    text = checked(diagnosis_report(make_diagnosis("identified", make_data(("fit", "fit"))))).text
-    assert "no holdout run: nothing checks a fit on data it has not seen" in text
-    assert "never fitted" not in text
-    assert "On the fitted runs the rms error of" in text
-
-
-@pytest.mark.full
-def test_fifteen_points_of_one_run_with_gaps():
-    data = make_data(("fit",), samples=15)
-    data.runs[0].measurements["T"][[3, 4, 9]] = np.nan
-    text = checked(diagnosis_report(make_diagnosis("identified", data))).text
-    assert "T 0.300 K estimated from the samples fitted 12 0" in text
-
-
-@pytest.mark.full
-def test_a_run_that_lacks_a_signal_and_a_signal_whose_noise_nobody_knows():
-    data = make_data()
-    short = make_data(leave_out=("x",)).runs[1]
-    unknown = Signal("T", "K", 0.3, estimated=True, fitted=False, assumed=True)
-    data = replace(
-        data, runs=(data.runs[0], short, data.runs[2]), signals={**SIGNALS, "T": unknown}
-    )
-    diagnosis = make_diagnosis("identified", data)
-    text = checked(diagnosis_report(diagnosis)).text
-    assert "the noise of T is not known" in text
-    assert (
-        "decides only between explanations that are as good without it: T, with an rms error of"
-        in text
-    )
-    assert "x 0.200 mm stated fitted 200 200" in text
-
-
-@pytest.mark.full
-def test_many_runs_go_to_further_figures():
-    few = checked(
-        diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 5 + ("holdout",), 25)))
-    )
-    many = checked(
-        diagnosis_report(make_diagnosis("identified", make_data(("fit",) * 6 + ("holdout",), 25)))
-    )
-    assert many.tags.count("img") == few.tags.count("img") + 2
-
-
-@pytest.mark.full
-def test_several_effects_make_a_longer_ladder():
-    diagnosis = make_diagnosis("identified")
-    first, second = diagnosis.path[0], diagnosis.candidates[1]
-    both = replace(second, effects=("StiffWall", "RoundEnds"))
-    diagnosis = replace(diagnosis, path=(first, both), candidates=(both, *diagnosis.candidates))
-    html = diagnosis_report(diagnosis)
-    assert "StiffWall + RoundEnds" in checked(html).text
-    assert html.count('<tr class="added">') == 2
-
-
-@pytest.mark.full
-def test_nothing_tried_and_nothing_free():
-    diagnosis = make_diagnosis("none_missing", candidates=(), balance={})
-    diagnosis = replace(diagnosis, base=replace(diagnosis.base, parameters={}, failures=()))
-    text = checked(diagnosis_report(diagnosis)).text
-    assert "No effect could be fitted." in text and "No parameter was free." in text
-
-
-@pytest.mark.full
-@pytest.mark.usefixtures("without_pictures")
-def test_a_family_whose_form_is_open_is_said_to_be_so() -> None:
-    plain = make_diagnosis("identified")
-    assert "in a form that is open" not in checked(diagnosis_report(plain)).text
-    text = checked(
-        diagnosis_report(replace(plain, verdict=replace(plain.verdict, remainder=True)))
-    ).text
-    assert "in a form that is open" in text
-
-
-@pytest.mark.full
-@pytest.mark.usefixtures("without_pictures")
-def test_families_that_were_not_looked_for_are_named():
-    known = {
-        "creep": "excluded",
-        "leak": "excluded",
-        "force_sensor": "the model has no place for them",
-    }
-    text = checked(diagnosis_report(replace(make_diagnosis("identified"), not_tried=known))).text
-    assert (
-        "Not looked for, and perhaps missing all the same: creep and leak (excluded); force sensor (the model has"
-        in text
-    )
-    assert "Not looked for" not in checked(diagnosis_report(make_diagnosis("identified"))).text

@@ -36,19 +36,6 @@ def test_chi_square_has_numbers_at_its_axis(chi2: list[float]) -> None:
     assert len([text for text in inside if text]) >= 2, labels
 
 
-def test_a_single_descent_has_no_panel_and_several_have_whole_numbers() -> None:
-    with drawing():
-        assert len(fit_figure(fitted([5.0, 2.0], [2.0])).axes) == 2
-        panel = drawn(fit_figure(fitted([5.0, 2.0], [2.0, 3.0]))).axes[1]
-        assert all(float(place).is_integer() for place in panel.get_xticks())
-
-
-def test_the_figure_names_data_and_model() -> None:
-    with drawing():
-        figure = fit_figure(fitted([5.0, 2.0], [2.0]))
-    assert figure.get_suptitle() == "a rig: M"
-
-
 def test_a_profile_shows_level_ends_and_estimate() -> None:
     values = np.linspace(0.0, 2.0, 9)
     profile = Profile("k", "N/m", 1.0, values, 8 * (values - 1) ** 2, 0.3, np.inf, {})

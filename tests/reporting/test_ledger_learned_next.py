@@ -12,9 +12,8 @@ from pam_cosim.diagnosis.description.explanation import disagreement
 from pam_cosim.diagnosis.description.learning import LearnedTerm
 from pam_cosim.ledger import BalanceEntry, Ledger, SensorReading, TermSeries
 from pam_cosim.reporting import diagnosis_report, diagnosis_text
-from pam_cosim.reporting.account.next_run import expectation, next_run
 from pam_cosim.reporting.figures.layer import Layer
-from pam_cosim.reporting.figures.residual_map import binned_residual, residual_map
+from pam_cosim.reporting.figures.residual_map import binned_residual
 from pam_cosim.study.tables import write_next_run
 from tests.reporting.html_checks import checked
 from tests.reporting.synthetic import (
@@ -83,35 +82,6 @@ def test_which_balance_fails_is_said_drawn_and_tabled():
     assert html == diagnosis_report(make_diagnosis("identified", ledger=ledger))
 
 
-@pytest.mark.full
-@pytest.mark.usefixtures("without_pictures")
-def test_a_ledger_that_does_not_close_or_finds_nothing_says_so():
-    def text(**changes):
-        return checked(
-            diagnosis_report(make_diagnosis("unknown", ledger=make_ledger(**changes)))
-        ).text
-
-    assert "something is missing elsewhere too" in text(closed=False)
-    assert "No balance is significantly violated" in text(failing=())
-    assert "may" not in diagnosis_text(
-        make_diagnosis("unknown", ledger=make_ledger(failing=(), notes=()))
-    )
-
-
-@pytest.mark.full
-@pytest.mark.usefixtures("without_pictures")
-def test_effects_of_another_balance_than_the_ledger_names_are_pointed_out():
-    diagnosis = make_diagnosis("identified", ledger=make_ledger(failing=("mass",)))
-    assert (
-        "The ledger disagrees: a free term in the mass balance explains" in diagnosis.disagreement
-    )
-    assert diagnosis.as_dict()["disagreement"] == diagnosis.disagreement
-    for shown in (checked(diagnosis_report(diagnosis)).text, diagnosis_text(diagnosis)):
-        assert diagnosis.disagreement in shown
-    agreed = make_diagnosis("identified", ledger=make_ledger())
-    assert not agreed.disagreement and "disagrees" not in checked(diagnosis_report(agreed)).text
-
-
 @pytest.mark.parametrize(
     ("balance", "failing", "said"),
     [
@@ -129,41 +99,6 @@ def test_a_verdict_says_where_the_ledger_fails_elsewhere(balance, failing, said)
     assert sentence.startswith(said) and bool(sentence) == bool(said)
 
 
-@pytest.mark.full
-def test_a_learned_term_is_shown_with_its_source_and_its_limits(request):
-    data = make_data()
-    diagnosis = make_diagnosis("unknown", data, learned=make_learned(data))
-    page = checked(diagnosis_report(diagnosis))  # with its pictures; what follows is about words
-    request.getfixturevalue("without_pictures")
-    assert "missing force = 5.1 N (exp(x/(40 mm)) - 1)" in page.text
-    assert (
-        "This term of the force balance explains 97 % of the model's mean square error" in page.text
-    )
-    assert "This is a description, not a cause" in page.text
-    assert diagnosis.learned.term.modelica_source in "".join(page.texts)
-    before = diagnosis.base.comparison.scores["holdout"]["p"].rmse / 1e3
-    after = diagnosis.learned.model.fit.comparison.scores["holdout"]["p"].rmse / 1e3
-    assert f"p holdout {before:.2f} kPa {after:.3f} kPa 0.500 kPa" in page.text
-    assert "stands beside" not in page.text
-    assert (
-        "What is missing, described"
-        not in checked(diagnosis_report(make_diagnosis("unknown"))).text
-    )
-    model = replace(diagnosis.learned.model, effects=("Leak", "LearnedForce"))
-    beside = replace(diagnosis, learned=replace(diagnosis.learned, model=model))
-    assert (
-        "It stands beside Leak: with these in the model" in checked(diagnosis_report(beside)).text
-    )
-
-
-@pytest.mark.full
-@pytest.mark.usefixtures("without_pictures")
-def test_outliers_are_among_the_notes():
-    text = checked(diagnosis_report(make_diagnosis("identified", outliers={"p": 3, "x": 1}))).text
-    assert "3 single samples of p are set aside" in text
-    assert "1 single sample of x is set aside" in text
-
-
 @pytest.mark.usefixtures("without_pictures")
 def test_the_next_run_is_ready_to_make():
     text = checked(diagnosis_report(make_diagnosis("ambiguous", next_experiment=PLAN))).text
@@ -172,20 +107,6 @@ def test_the_next_run_is_ready_to_make():
     assert "time [s] u_in [A] p_supply [kPa] 0 0.35 200 0.5 0 200 10 0 200" in text
     assert "each value holds until the next row" in text
     assert "after either is refitted to this run as well (chi-square 1250;" in text
-
-
-def test_a_long_run_is_cut_in_the_report_only(tmp_path):
-    n = 100
-    long = replace(PLAN, table={"time": list(range(n)), "u_in": [0.1] * n, "p_supply": [2e5] * n})
-    shown = next_run(long)
-    assert (len(shown["table"]), shown["left_out"]) == (40, 60)
-    write_next_run(tmp_path / "n.csv", long)
-    assert len((tmp_path / "n.csv").read_text().splitlines()) == 2 + 1 + n
-
-
-def test_an_experiment_that_decides_nothing_is_not_praised():
-    assert "not enough to decide" in expectation(replace(PLAN, evidence=4.0))
-    assert "not enough" not in expectation(PLAN)
 
 
 def test_the_terminal_gets_the_way_the_place_the_ledger_and_the_next_run():
@@ -237,24 +158,3 @@ def test_the_residual_map_is_the_mean_residual_where_the_run_was():
     cell = (model >= x_edges[0]) & (model < x_edges[1]) & (x >= y_edges[0]) & (x < y_edges[1])
     assert cell.any() and mean[0, 0] == pytest.approx(error[cell].mean())
     assert np.isnan(mean[-1, 0])  # never at a low pressure and a large travel
-
-
-def test_few_samples_make_no_map():
-    few, one = make_data(("fit",), samples=15), make_data(leave_out=("x", "T"))
-    for data in (few, one):
-        layers = (Layer("base model", make_comparison(data, 10.0), "black"),)
-        assert residual_map(layers, list(data.signals.values())) is None
-
-
-@pytest.mark.full
-def test_a_long_ranking_is_folded_but_never_what_was_added():
-    diagnosis = make_diagnosis("identified")
-    best, rival = diagnosis.candidates[:2]
-    many = tuple(
-        replace(rival, effect=f"Other{i:02}", effects=(f"Other{i:02}",)) for i in range(15)
-    )
-    html = diagnosis_report(replace(diagnosis, candidates=(*many, best)))
-    before, _, folded = html.partition("3 more, with less evidence")
-    assert folded and 'class="name">StiffWall' in before and 'class="name">StiffWall' not in folded
-    assert 'class="name">Other11' in before and 'class="name">Other12' in folded
-    checked(html)

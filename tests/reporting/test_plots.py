@@ -3,23 +3,20 @@ from __future__ import annotations
 import os
 import struct
 
-import matplotlib
 import numpy as np
 import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.reporting import (
-    comparison_report,
     draw,
     write_report,
 )
-from pam_cosim.reporting.diagnosis_page import layers_of, rungs_of
+from pam_cosim.reporting.diagnosis_page import rungs_of
 from pam_cosim.reporting.figures.ladder import draw_ladder
 from pam_cosim.reporting.figures.trajectory import trajectory_figure
-from pam_cosim.reporting.representative_run import most_telling
 from pam_cosim.reporting.style import drawing, new_figure
 from pam_cosim.simulation import Trajectory
-from tests.reporting.synthetic import SIGNALS, make_comparison, make_data, make_diagnosis
+from tests.reporting.synthetic import SIGNALS, make_data, make_diagnosis
 from tests.tiers import quick
 
 
@@ -64,36 +61,11 @@ def test_the_ladder_shows_the_errors_as_scored():
     assert axes.lines[-1].get_ydata()[0] == pytest.approx(0.2)
 
 
-def test_the_most_telling_course_is_a_holdout_run_where_there_is_one():
-    signals = list(SIGNALS.values())
-    run, _ = most_telling(layers_of(make_diagnosis("identified")), signals)
-    assert run.run.role == "holdout"
-    run, _ = most_telling(layers_of(make_diagnosis("identified", make_data(("fit",)))), signals)
-    assert run.run.role == "fit"
-
-
 @pytest.mark.parametrize("kind", quick(["identified", "none_missing"], "identified"))
 @pytest.mark.parametrize("samples", [15, 1000])
 def test_the_ladder_figure_is_a_png_of_1350_pixels(tmp_path, kind, samples):
     draw(make_diagnosis(kind, make_data(samples=samples)), tmp_path / "ladder.png")
     assert size(tmp_path / "ladder.png")[0] == 1350
-
-
-@pytest.mark.full
-def test_a_comparison_as_png(tmp_path):
-    data = make_data()
-    draw(make_comparison(data, 3.0), tmp_path / "c.png")
-    assert size(tmp_path / "c.png")[0] == 1650
-
-
-@pytest.mark.full
-def test_a_users_settings_neither_change_a_report_nor_are_changed_by_it():
-    comparison = make_comparison(make_data(("fit",), 15), 3.0)
-    html = comparison_report(comparison)
-    with matplotlib.rc_context({"font.size": 20, "lines.linewidth": 7}):
-        before = dict(matplotlib.rcParams)
-        assert comparison_report(comparison) == html
-        assert dict(matplotlib.rcParams) == before
 
 
 def test_a_report_is_written_whole(tmp_path):

@@ -5,15 +5,11 @@ import pytest
 from pam_cosim.fitting import Estimate
 from pam_cosim.reporting.account.wording import (
     estimate_texts,
-    fixed,
     number,
-    percent,
     quantity_text,
     remark,
-    shortened,
     unit_text,
 )
-from pam_cosim.wording import enumeration
 
 
 @pytest.mark.parametrize(
@@ -66,34 +62,7 @@ def test_the_interval_decides_the_digits():
     assert estimate_texts(Estimate(0.0, -1.0, 1.0, "Pa"))[0] == "0"
 
 
-def test_fixed_decimals_have_no_negative_zero():
-    assert [fixed(v) for v in (-4e-4, -5200.44, 12.0, float("nan"), None)] == [
-        "0.0",
-        "−5200.4",
-        "12.0",
-        "–",
-        "–",
-    ]
-
-
 def test_remarks():
     assert remark(Estimate(1, 0, 2)) == ""
     assert remark(Estimate(1, 0, 2, at_bound=True)) == "at its bound"
     assert remark(Estimate(1, 0, 2, determined=False)) == "not determined by these data"
-
-
-def test_shares():
-    assert [percent(s).replace("\u00a0", " ") for s in (0.713, 0.997, 1.0, -0.001, -0.2)] == [
-        "71 %", "99.7 %", "100 %", "0 %", "−20 %",
-    ]  # fmt: skip
-
-
-def test_lists_and_long_names():
-    assert [enumeration(["a", "b", "c"][:n]) for n in range(4)] == [
-        "",
-        "a",
-        "a and b",
-        "a, b and c",
-    ]
-    assert shortened("short") == "short"
-    assert len(shortened("x" * 100, 20)) == 20

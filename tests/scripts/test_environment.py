@@ -7,7 +7,6 @@ import sys
 import venv
 from pathlib import Path
 from types import SimpleNamespace
-from urllib.error import URLError
 
 import pytest
 
@@ -78,12 +77,6 @@ def test_one_whose_python_is_gone_is_made_anew(checkout: Checkout) -> None:
     assert checkout.made == 2 and not checkout.python.is_symlink()
 
 
-def test_one_that_leads_nowhere_is_made_anew(checkout: Checkout) -> None:
-    checkout.home.symlink_to("/nowhere/.venv", target_is_directory=True)
-    assert environment.main("") == 0
-    assert checkout.made == 1 and not checkout.home.is_symlink()
-
-
 def test_without_the_lock_it_is_installed_again(
     checkout: Checkout, monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -92,21 +85,3 @@ def test_without_the_lock_it_is_installed_again(
         assert environment.main("") == 0
         assert checkout.installed == (1, 2, 2, 3)[count]
     assert checkout.made == 1
-
-
-@pytest.mark.parametrize(
-    ("problem", "asked"),
-    [
-        (subprocess.CalledProcessError(1, "pip"), True),
-        (URLError("no route to host"), True),
-        (PermissionError(13, "Permission denied"), False),
-        (FileNotFoundError(2, "No such file or directory"), False),
-    ],
-)
-def test_the_package_index_is_asked_about_where_it_may_be_the_reason(
-    checkout: Checkout, capsys: pytest.CaptureFixture[str], problem: Exception, asked: bool
-) -> None:
-    checkout.problem = problem
-    assert environment.main("") == 1
-    said = capsys.readouterr().err
-    assert "setting up failed" in said and ("package index" in said) is asked

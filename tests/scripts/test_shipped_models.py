@@ -46,12 +46,6 @@ def test_a_bench_that_does_not_exist_is_refused(
     assert {file.name: file.read_bytes() for file in shipped.iterdir()} == before
 
 
-def test_one_bench_after_another(shipped: Path) -> None:
-    assert shipped_models.main(["Isotonic"]) == shipped_models.main(["TankFilling"]) == 0
-    assert found(shipped) == {"Isotonic": "Isotonic.xz", "TankFilling": "TankFilling.xz"}
-    assert archives(shipped) == {"Isotonic.xz", "TankFilling.xz"}
-
-
 def test_what_is_not_there_is_not_named_and_what_is_not_named_goes(shipped: Path) -> None:
     shipped_models.main(["Isotonic", "TankFilling"])
     (shipped / "Isotonic.xz").unlink()
@@ -59,12 +53,3 @@ def test_what_is_not_there_is_not_named_and_what_is_not_named_goes(shipped: Path
     shipped_models.main(["VerticalLoad"])
     assert set(found(shipped)) == {"TankFilling", "VerticalLoad"}
     assert archives(shipped) == {"TankFilling.xz", "VerticalLoad.xz"}
-
-
-def test_all_benches_leave_nothing_of_a_former_one(shipped: Path) -> None:
-    shipped_models.main(["Isotonic"])
-    (shipped / "Former.xz").touch()
-    (shipped / "index.json").write_text(json.dumps({"Former": "Former.xz"}))
-    assert shipped_models.main([]) == 0
-    assert "Former" not in found(shipped) and len(found(shipped)) >= 12
-    assert archives(shipped) == set(found(shipped).values())

@@ -4,12 +4,8 @@ from __future__ import annotations
 
 import os
 import shutil
-import signal
 import subprocess
 import sys
-import time
-from collections.abc import Callable
-from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -22,21 +18,6 @@ STARTER = "import os, signal, sys; signal.signal(signal.SIGINT, signal.SIG_DFL);
 SHELLS = [shell for shell in ("sh", "dash", "bash") if shutil.which(shell)]
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="a script for a POSIX shell")
-
-
-def wait_for(happened: Callable[[], bool]) -> None:
-    end = time.monotonic() + PATIENCE
-    while not happened():
-        assert time.monotonic() < end
-        time.sleep(0.01)
-
-
-def lives(process: int) -> bool:
-    """Whether it runs; one that has ended and that nobody has waited for does not."""
-    state = subprocess.run(
-        ["ps", "-o", "stat=", "-p", str(process)], capture_output=True, text=True
-    )
-    return state.stdout.strip() != "" and not state.stdout.startswith("Z")
 
 
 @pytest.fixture
@@ -66,24 +47,6 @@ def started(checkout: Path, shell: str, *words: str) -> subprocess.Popen[str]:
         stderr=subprocess.STDOUT,
         text=True,
     )
-
-
-@pytest.mark.parametrize("shell", SHELLS)
-def test_an_interrupt_leaves_nothing_behind(checkout: Path, shell: str) -> None:
-    (checkout / "slow").touch()
-    script = started(checkout, shell)
-    try:
-        wait_for(lambda: (checkout / "begun").exists() and (checkout / "mypy").exists())
-        checker = int((checkout / "mypy").read_text())
-        assert list((checkout / "temporary").iterdir())
-        os.killpg(script.pid, signal.SIGINT)
-        assert script.wait(PATIENCE) == 130
-        wait_for(lambda: not lives(checker))
-        assert not list((checkout / "temporary").iterdir())
-    finally:
-        with suppress(ProcessLookupError):
-            os.killpg(script.pid, signal.SIGKILL)
-        script.communicate()
 
 
 @pytest.mark.parametrize("shell", SHELLS)

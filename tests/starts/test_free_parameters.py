@@ -10,7 +10,6 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.measurement import DataSet, FreeParameter
 from tests.fitting.models import data_set, recording
-from tests.starts.test_starts import _folder
 
 TIME = np.linspace(0.0, 3.0, 61)
 RATE, LEVEL, BEGIN, SIGMA = 2.0, 0.2, 0.7, 0.01
@@ -57,39 +56,6 @@ def test_a_run_begins_at_the_start_value_that_is_fitted(tmp_path: Path, start: s
     assert (run.run.start.mode, run.run.start.reason) == ("rest", "") and not fit.starts
     assert fit.values[start] == pytest.approx(BEGIN, abs=3 * SIGMA)
     assert fit.values["rate"] == pytest.approx(RATE, rel=0.05)
-
-
-def test_a_parameter_that_is_named_as_a_start_is_one_whatever_depends_on_it(tmp_path: Path) -> None:
-    """As the reference of a polytropic gas is its start: the model returns to where it began."""
-    data = _data({"rate": (0.1, 10.0), "s_start": (-5.0, 5.0)}, begin=LEVEL)
-    text = MODEL.format(level=LEVEL, start="s_start", first=0.0, right="s_start")
-    fit = _fit(tmp_path, data, text)
-    assert not fit.starts
-    assert fit.values["s_start"] == pytest.approx(LEVEL, abs=3 * SIGMA)
-
-
-def test_a_parameter_that_also_drives_the_model_is_no_start(tmp_path: Path) -> None:
-    """The model begins at rest, at the level that is fitted; the recording began elsewhere."""
-    data = _data({"rate": (0.1, 10.0), "rest": (-5.0, 5.0)})
-    text = MODEL.format(level=0.0, start="rest", first=0.0, right="rest")
-    fit = _fit(tmp_path, data, text)
-    assert [run.run.start.mode for run in fit.comparison.runs] == ["estimated"]
-    assert fit.values["rest"] == pytest.approx(LEVEL, abs=3 * SIGMA)
-    assert fit.starts["s@run"].value == pytest.approx(BEGIN, abs=3 * SIGMA)
-    assert fit.comparison.chi2_reduced("fit") < 1.5
-
-
-@pytest.mark.parametrize(
-    "free", [["load.m/stated"], ["load.m@run-01"], ["load.m/stated", "muscle.L0", "muscle.D0"]]
-)
-def test_a_load_or_a_sleeve_that_is_fitted_is_no_start(tmp_path: Path, free: list[str]) -> None:
-    """The rest of the model moves with them: runs of a muscle under pressure began without any, 65 kPa off."""
-    data = pam.read(_folder(tmp_path, 2.5))
-    usual, freed = pam.compare(data), pam.fit(data, free=free).comparison
-    assert [run.run.start for run in freed.runs] == [run.run.start for run in usual.runs]
-    for run in freed.runs:
-        first = {name: run.residual(name)[0] for name in ("p", "x")}
-        assert abs(first["p"]) < 1e4 and abs(first["x"]) < 2e-3
 
 
 @pytest.mark.parametrize("is_free", [True, False])

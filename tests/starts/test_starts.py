@@ -7,30 +7,22 @@ from contextlib import contextmanager
 from dataclasses import replace
 from functools import cache
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 import pam_cosim as pam
 from pam_cosim.arrays import Array
-from pam_cosim.catalogue import compose
-from pam_cosim.compiler import read_library
-from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, with_starts
-from pam_cosim.fitting.chosen_starts import _offset_slopes
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import DataSet, Run
-from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
-from pam_cosim.starts import InitialState, StartProbe, eliminated_starts, measured_initial_state
+from pam_cosim.starts import InitialState, StartProbe, measured_initial_state
 from pam_cosim.starts.start_values import StartValues, eliminate
-from rig import short
 from rig.measurement import measure, write_data_set
 from rig.plan import default_plan
-from tests.fitting.models import data_set, recording
 
 CUT = 2.5  # s
 
@@ -81,17 +73,6 @@ def _settled(data: DataSet) -> Iterator[tuple[Objective, Array, Array]]:
         yield objective, z, at
 
 
-def test_a_point_that_is_asked_for_again_has_the_squares_that_it_had(
-    data: Callable[..., DataSet],
-) -> None:
-    """Start values that were looked for from elsewhere meanwhile would be a little different."""
-    with _settled(data()) as (objective, z, _):
-        first = objective.squares(z)
-        objective.squares(z + 0.01)
-        asked = objective.evaluations
-        assert objective.squares(z) == first and objective.evaluations == asked
-
-
 def test_a_whole_recording_begins_at_rest(data: Callable[..., DataSet]) -> None:
     compared = pam.compare(data(cut=0.0))
     assert {run.start.mode for run in compared.data.runs} == {"rest"}
@@ -105,16 +86,6 @@ def test_a_cut_recording_is_told_first(data: Callable[..., DataSet]) -> None:
     assert [line.split(" begins at ")[0].strip() for line in told] == ["run-01", "run-02", "run-03"]
     assert all(line.endswith(": estimated") for line in told)
     assert compared.as_dict()["runs"][0]["start"] == "estimated"  # type: ignore[index]
-
-
-def test_whoever_reads_may_cut_as_the_file_could_be(tmp_path: Path) -> None:
-    """The rows that are left say the same, and each run has its start chosen anew."""
-    whole = _folder(tmp_path / "whole", 0.0)
-    runs = [run.name for run in pam.read(whole).runs]
-    read = pam.compare(pam.read(whole, cuts={run: (f"{CUT} s", None) for run in runs}))
-    file = pam.compare(pam.read(_folder(tmp_path / "cut", CUT)))
-    assert read.data.starts == file.data.starts
-    assert read.chi2_reduced("fit") == pytest.approx(file.chi2_reduced("fit"), rel=1e-6)
 
 
 def test_a_run_begins_at_start_values_that_are_given_with_its_name(
@@ -146,12 +117,6 @@ def test_cut_and_whole_have_the_same_parameters_and_leave_noise(
 
 def test_at_rest_a_cut_recording_is_wrong(data: Callable[..., DataSet]) -> None:
     assert _chi2(pam.fit(data(start="rest")), "fit") > 1000
-
-
-def test_measured_is_near(data: Callable[..., DataSet]) -> None:
-    fit = pam.fit(data(start="measured"))
-    assert _chi2(fit, "fit") < 2.0
-    assert not fit.starts
 
 
 def _measured_starts(
@@ -213,43 +178,11 @@ def test_a_reading_through_states_of_the_instrument_shows_what_it_reads(
         assert read == pytest.approx(run.measurements["p"][0], rel=0.05, abs=2e3)
 
 
-def test_a_record_that_is_early_begins_where_its_first_samples_are(
-    data: Callable[..., DataSet], tmp_path: Path
-) -> None:
-    """Its first samples are of a time after the start: a pressure that fills quickly was extrapolated to 290 kPa."""
-    early = compose(read_library(), "PneumaticMuscle.Benches.Isotonic", ["ClockOffset"])
-    (tmp_path / "early.mo").write_text(early.text)
-    data_set = data(start="measured")
-    with Simulator(build_model(str(tmp_path / "early.mo"))) as simulator:
-        for run in data_set.runs:
-            own = data_set.parameters_of(run, {})
-            begins = [
-                measured_initial_state(
-                    StartProbe(simulator, data_set, run, {**own, "recorder.shift": shift})
-                )
-                for shift in (0.0, -0.04)
-            ]
-            assert begins[0].values and begins[0] == begins[1]
-
-
 def test_steady_is_right_where_the_rig_rested(data: Callable[..., DataSet]) -> None:
     """At 3.3 s the muscle has been at the pressure of the supply for some time, with the inlet still open."""
     data_set = data(cut=3.3, start="steady")
     first = replace(data_set, runs=(replace(data_set.runs[0], role="fit"),))
     assert _chi2(pam.fit(first), "fit") < 1.2
-
-
-def test_two_runs_with_a_ruler_that_is_off_begin_at_rest(tmp_path: Path) -> None:
-    """An offset of the ruler explains both runs, beside the free parameters, better than starts that they forget."""
-    words = [str(tmp_path / "ruler"), "--fault", "offset:signal=x,offset=1.5e-3", "--seed", "1"]
-    assert short.main(words) == 0
-    compared = pam.compare(pam.read(tmp_path / "ruler"))
-    assert [run.start.mode for run in compared.data.runs] == ["rest", "rest"]
-
-
-def test_an_unknown_start_is_refused(data: Callable[..., DataSet]) -> None:
-    with pytest.raises(InputError, match="'start': 'sitting' is not possible"):
-        data(start="sitting")
 
 
 def test_slopes_with_the_start_following_are_those_of_the_whole(
@@ -314,44 +247,6 @@ def test_an_offset_of_an_instrument_is_the_same_in_all_runs(
     assert [one.run.start.mode for one in compared.runs] == [mode] * 3
 
 
-def test_one_linear_step_leaves_what_an_estimate_leaves_beside_the_same_model(
-    data: Callable[..., DataSet],
-) -> None:
-    """From starts that settled: nearly the same there and a little farther, and the starts stay."""
-    with _settled(data()) as (whole, z, settled):
-        begins = whole.starts.settings
-        first = Objective(
-            whole.simulator,
-            whole.data,
-            whole.runs,
-            whole.free,
-            begins,
-            1e-9,
-            starts_to_first_order=True,
-        )
-        samples = slice(whole.size)
-        _know_alike(first, whole, z)
-        here = first.residuals(z)[samples]
-        far = z * [1.05, 1.0]
-        one, other = first.residuals(far)[samples], whole.residuals(far)[samples]
-        change = np.linalg.norm(other - settled[samples])
-        assert np.linalg.norm(here - settled[samples]) < 1e-3 * np.linalg.norm(settled[samples])
-        by_known_slopes = first.plain_residuals(z * [1.04, 1.0])[samples]
-        by_own = first.residuals(z * [1.04, 1.0])[samples]
-        assert np.linalg.norm(by_known_slopes - by_own) < 1e-3 * change
-        assert change > 0.1 * np.linalg.norm(settled[samples])
-        assert np.linalg.norm(one - other) < 0.1 * change
-        assert first.starts.settings == begins != whole.starts.settings
-
-
-def _know_alike(one: Objective, other: Objective, z: Array) -> None:
-    """Knows of starts beforehand what another objective knows, not that they are where they are given."""
-    own, known = one.starts.place(one.values(z)), other.starts.by_run
-    for i, start in own.items():
-        assert start.names == known[i].names
-        start.mean, start.sd = known[i].mean, known[i].sd
-
-
 def _one_start(bound: float) -> StartValues:
     """One state that is known to be zero, give or take one."""
     return StartValues(
@@ -365,78 +260,6 @@ def _one_start(bound: float) -> StartValues:
     )
 
 
-def test_starts_that_samples_tell_together_alone_have_deviations() -> None:
-    """Of a pressure and an opening samples tell a sum, very exactly; what is known beforehand shares it out."""
-    sd = np.array([1e5, 1e-2])
-    start = replace(_one_start(1.0), names=("p", "y"), mean=np.zeros(2), sd=sd, values=np.zeros(2))
-    start.slopes = start.with_prior_slopes(1e9 * np.array([[1.0, 1.0], [1.0, 1.0 + 1e-12]]) / sd)
-    np.testing.assert_allclose(start.deviations(), sd / np.sqrt(2.0), rtol=1e-6)
-
-
-def test_a_trial_looks_for_starts_where_the_descent_is(
-    data: Callable[..., DataSet], monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """And not where a trial before it was led astray; nor does a point that was seen get others."""
-    with _settled(data()) as (objective, z, _):
-        objective.triangle(z)
-        here, begun = objective.starts.settings, []
-        led = {
-            name: value
-            for i, one in objective.starts.by_run.items()
-            for name, value in replace(
-                one, values=objective.starts.expected(z + 0.01, one)
-            ).settings().items()
-        }  # fmt: skip
-
-        def astray(of: StartValues, simulate: Callable[[], tuple[object, Array, Array]]) -> object:
-            begun.append(of.settings())
-            result = eliminate(of, simulate)
-            of.values = of.mean + 0.1 * of.sd
-            return result
-
-        monkeypatch.setattr(eliminated_starts, "eliminate", astray)
-        for step in (0.02, 0.01):
-            objective.squares(z + step)
-        began = {n: v for one in begun[-len(begun) // 2 :] for n, v in one.items()}
-        assert began == led
-        assert objective.starts.settings != here
-        monkeypatch.undo()
-        objective.squares(z)
-        assert objective.starts.settings == pytest.approx(here, rel=1e-3)
-
-
-def test_another_start_of_a_fit_has_starts_of_its_own(data: Callable[..., DataSet]) -> None:
-    with _settled(data()) as (objective, z, _):
-        other = z - 0.2
-        assert objective.starts.settings
-        objective.start_afresh(other)
-        own = Objective(
-            objective.simulator, objective.data, objective.runs, objective.free, tolerance=1e-9
-        )
-        for i, one in own.starts.place(own.values(other)).items():
-            assert objective.starts.by_run[i].begin == pytest.approx(one.values, rel=1e-6)
-
-
-def test_a_trial_looks_for_its_starts_where_the_slopes_of_the_descent_lead(
-    data: Callable[..., DataSet],
-) -> None:
-    """Within a tenth of how far they move; and no farther than those slopes are trusted."""
-    with _settled(data()) as (objective, z, _):
-        objective.triangle(z)
-        near = z + 0.005
-        expected = {
-            i: objective.starts.expected(near, one) for i, one in objective.starts.by_run.items()
-        }
-        begin = {i: one.begin for i, one in objective.starts.by_run.items()}
-        objective.residuals(near)
-        for i, one in objective.starts.by_run.items():
-            moved = np.abs(one.values - begin[i]) / one.sd
-            assert np.max(moved) > 1e-3
-            assert np.max(np.abs(one.values - expected[i]) / one.sd) < 0.1 * np.max(moved)
-            far = objective.starts.expected(z + 100.0, one)
-            assert np.max(np.abs(far - begin[i]) / one.sd) < 1.0 + 1e-9
-
-
 def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
     """Held-out runs ended on the way: each step went as far as it was known, and there are eight of them."""
     one = _one_start(1e3)
@@ -446,55 +269,3 @@ def test_a_start_that_lies_far_from_what_is_known_of_it_is_reached() -> None:
 
     eliminate(one, simulate)
     assert one.values == pytest.approx([40.0], rel=1e-3)
-
-
-@pytest.mark.parametrize(("falls", "runs"), [(0.0, 2), (5.0, 2), (300.0, 3)])
-def test_what_is_not_worth_a_run_is_not_run(falls: float, runs: int) -> None:
-    """Beside a model that is far off: a step that gains nothing, little, or enough to take another one."""
-    one = _one_start(9.0)
-    counted = []
-
-    def simulate() -> tuple[str, Array, Array]:
-        """Squares of 1e4 that fall once the state moves, and slopes that promise next to nothing."""
-        counted.append(float(one.values[0]))
-        left = 1e4 - falls * (len(counted) > 1)
-        return "run", np.array([np.sqrt(left), 0.5]), np.array([[0.0], [-1.0]])
-
-    eliminate(one, simulate)
-    assert len(counted) == runs
-
-
-def test_offsets_of_signals_that_are_read_at_different_times() -> None:
-    """A row for each sample, zero where one is missing: nothing is condensed."""
-    often, seldom = np.array([True] * 6), np.array([True, False, False] * 2)
-    objective = SimpleNamespace(series=[(0, "p"), (0, "T")], kept=[often, seldom], size=8)
-    slopes = _offset_slopes(objective)  # type: ignore[arg-type]
-    assert slopes.shape == (12, 2)
-    assert slopes[6:, 0].tolist() == seldom.tolist() and slopes[:6, 1].all()
-    assert slopes.sum() == objective.size
-
-
-@pytest.mark.parametrize("share", [0.01, 0.1])
-def test_slopes_by_differences_are_the_exact_ones_where_starts_are_eliminated(share: float) -> None:
-    """They were compared with residuals from which the start values had taken their part away."""
-    time = np.linspace(0.0, 2.0, 61)
-    y = np.exp(-2.5 * time) + share * np.exp(-0.5 * time)
-    y += 0.01 * np.random.default_rng(0).standard_normal(len(time))
-    run = replace(recording(time, {"y": y}), start=Start(mode="estimated"))
-    data, at = data_set("TwoDecays", [run], {"y": 0.01}), np.array([2.0])
-    free = [Free("a", 0.0, 100.0, 2.0, "1", nominal=1.0)]
-    fixed = {"g": share, "s@run": 1.0, "w@run": 1.0}
-    found = []
-    for sensitivities in (("a", START_VALUES), (START_VALUES,)):
-        model = build_model(
-            str(Path(__file__).parent / "TwoDecays.mo"),
-            sensitivities=sensitivities,
-            where_smooth=True,
-        )
-        with Simulator(model) as simulator:
-            objective = Objective(
-                simulator, data, data.fit_runs, free, fixed, starts_to_first_order=True
-            )
-            found.append(objective.jacobian(at, objective.residuals(at))[: objective.size, 0])
-    exact, differences = found
-    assert np.linalg.norm(differences - exact) < 0.01 * np.linalg.norm(exact)

@@ -4,19 +4,17 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import replace
-from pathlib import Path
 
 import numpy as np
 import pytest
 
-from pam_cosim.fitting import FitOptions, FitProgress, Free, fit
+from pam_cosim.fitting import Free, fit
 from pam_cosim.fitting.objective import Objective
 from pam_cosim.fmu import build_model
 from pam_cosim.measurement import Run
 from pam_cosim.measurement.start import Start
 from pam_cosim.model.references import START_VALUES
 from pam_cosim.simulation import Simulator
-from pam_cosim.starts.eliminated_starts import horizons
 from rig.benches import BENCHES
 from rig.schedule import Course
 from rig.trial import Trial
@@ -65,32 +63,3 @@ def test_a_fit_from_another_diameter_finds_both_swings(objective: Objective) -> 
     found = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
     assert found.parameters["muscle.D0"].value == pytest.approx(TRUE["muscle.D0"], rel=1e-3)
     assert found.residuals["fit"].chi2_reduced < 1.2
-
-
-def test_no_first_samples_are_asked_once_a_limit_is_reached(objective: Objective) -> None:
-    before = Simulator.simulations
-    fit(objective.simulator, objective.data, FREE, fixed=TRUE, options=FitOptions(simulations=20))
-    assert Simulator.simulations - before < 100  # start values of two runs, once and for the result
-
-
-def test_a_fit_that_is_resumed_finds_them_too(objective: Objective, tmp_path: Path) -> None:
-    """Wherever it stops, also before other starts were found."""
-    plain = fit(objective.simulator, objective.data, FREE, fixed=TRUE)
-
-    def stop(standing: FitProgress) -> None:
-        if standing.evaluations == after:
-            raise InterruptedError
-
-    for after in (2, 7, 30):
-        file = tmp_path / f"{after}.progress"
-        with pytest.raises(InterruptedError):
-            fit(objective.simulator, objective.data, FREE, fixed=TRUE, resume=file, progress=stop)
-        kept = fit(objective.simulator, objective.data, FREE, fixed=TRUE, resume=file)
-        assert kept.values == plain.values and kept.evaluations == plain.evaluations
-        assert kept.residuals["fit"] == plain.residuals["fit"]
-
-
-def test_horizons_double(objective: Objective) -> None:
-    run = objective.runs[0]
-    assert horizons(run, ["x"], 3) == [6, 12, 24, 48, 96, 192]
-    assert horizons(run, ["x"], len(run.time)) == []

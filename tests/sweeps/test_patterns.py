@@ -102,23 +102,6 @@ def test_results_have_the_names_of_the_patterns(step: Path, tmp_path: Path, kind
         assert list(read["inputs [1]"]) == names
 
 
-def test_a_list_takes_pattern_and_value_run_by_run(step: Path) -> None:
-    vary = {"inputs": [step, {"u_in": rising}], "p_supply": [138e3, 207e3]}
-    swept = pam.sweep(MODEL, vary, design="list", scalars=SCALARS, stop_time=4, workers=1)
-    assert len(swept) == 2
-    assert (
-        swept.column("last")[1]
-        == pam.simulate(MODEL, {"p_supply": 207e3}, {"u_in": rising}, stop_time=4)["p"][-1]
-    )
-
-
-def test_the_longest_pattern_says_when_runs_end(step: Path) -> None:
-    swept = pam.sweep(
-        MODEL, {"inputs": [step, {"time": [0, 6], "u_in": [0.3, 0.3]}]}, scalars=SCALARS, workers=1
-    )
-    assert swept.time[-1] == 6.0
-
-
 @pytest.mark.parametrize(
     ("change", "message"),
     [
@@ -139,18 +122,3 @@ def test_what_cannot_be_varied(step: Path, change: dict[str, Any], message: str)
     } | change
     with pytest.raises(InputError, match=message):
         pam.sweep(MODEL, **asked)
-
-
-def test_a_sweep_with_other_patterns_is_another_sweep(step: Path, tmp_path: Path) -> None:
-    """What a stopped sweep left is not taken for the runs of one whose file has changed since."""
-
-    def stop(done: int, total: int) -> None:
-        if done:
-            raise KeyboardInterrupt
-
-    asked: dict[str, Any] = {"scalars": SCALARS, "output": tmp_path / "result.csv", "workers": 1}
-    with pytest.raises(KeyboardInterrupt):
-        pam.sweep(MODEL, {"inputs": [step]}, progress=stop, **asked)
-    step.write_text(STEP.replace("0.3", "0.25"))
-    with pytest.raises(InputError, match="another sweep"):
-        pam.sweep(MODEL, {"inputs": [step]}, **asked)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from concurrent.futures import Executor, Future, ThreadPoolExecutor
+from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from threading import Event
 from typing import Any
@@ -17,7 +17,6 @@ import xarray
 import pam_cosim as pam
 from pam_cosim.sweeps import executors, partial_of, same
 from tests.fmu import models
-from tests.pictures import drawn
 
 VARY: dict[str, Any] = {"u_in": np.linspace(0.25, 0.35, 4), "p_supply": ["138 kPa", "207 kPa"]}
 SCALARS = {"last pressure": "final(p)", "peak temperature": "max(T)"}
@@ -64,23 +63,6 @@ def test_processes_make_the_same_numbers(reference: pam.Sweep, workers: int | No
     assert same(reference, swept(scalars=SCALARS, trajectories=True, workers=workers))
 
 
-class _Counting(Executor):
-    """Somebody's executor: it has ``submit`` and counts."""
-
-    def __init__(self) -> None:
-        self.pool, self.count = ThreadPoolExecutor(1), 0
-
-    def submit(self, *args: Any, **kwargs: Any) -> Any:
-        self.count += 1
-        return self.pool.submit(*args, **kwargs)
-
-
-def test_any_executor_makes_the_same_numbers(reference: pam.Sweep) -> None:
-    executor = _Counting()
-    assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=executor))
-    assert executor.count
-
-
 @pytest.mark.full
 def test_a_dask_cluster_makes_the_same_numbers(reference: pam.Sweep, tmp_path: Path) -> None:
     from distributed import Client, LocalCluster
@@ -95,14 +77,6 @@ def test_a_dask_cluster_makes_the_same_numbers(reference: pam.Sweep, tmp_path: P
         assert same(
             reference, swept(scalars=SCALARS, trajectories=True, executor=cluster.scheduler_address)
         )
-
-
-@pytest.mark.full
-def test_nobody_at_the_address() -> None:
-    with pytest.raises(pam.InputError, match="no Dask scheduler at 'tcp://127.0.0.1:9'"):
-        swept(executor="tcp://127.0.0.1:9")
-    with pytest.raises(pam.InputError, match="executor of concurrent.futures"):
-        swept(executor=3)
 
 
 def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:
@@ -135,17 +109,6 @@ def test_what_is_written_reads_back(reference: pam.Sweep, tmp_path: Path) -> Non
     assert [p.name for p in sorted(tmp_path.iterdir())] == ["s.csv", "s.nc", "s.parquet"]
 
 
-def test_runs_over_time_as_a_table(tmp_path: Path) -> None:
-    made = swept(outputs=["valve.inlet.m_flow"], output=tmp_path / "s.parquet")
-    table = pandas.read_parquet(tmp_path / "s.parquet")
-    assert len(table) == 8 * len(made.time)
-    first = made[0].trajectory
-    assert first is not None
-    assert np.array_equal(
-        table["valve.inlet.m_flow [kg/s]"][: len(made.time)], first["valve.inlet.m_flow"]
-    )
-
-
 @pytest.mark.full
 def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
     path = models.fmu(models.breaks_down)
@@ -165,18 +128,6 @@ def test_a_run_that_fails_is_a_row_with_its_reason(tmp_path: Path) -> None:
             np.isnan(read["y"].sel(floor=0.6)).all()
             and np.isfinite(read["y"].sel(floor=-1e6)).all()
         )
-
-
-def test_a_list_keeps_its_order() -> None:
-    points = [
-        {"u_in": 0.3, "p_supply": 2e5},
-        {"u_in": 0.25, "p_supply": 1e5},
-        {"u_in": 0.3, "p_supply": 2e5},
-    ]
-    made = pam.sweep(MODEL, points, design="list", stop_time=1.0, scalars=["final(p)"], workers=1)
-    assert [point.parameters for point in made] == points
-    assert made.column("final(p)")[0] == made.column("final(p)")[2] != made.column("final(p)")[1]
-    assert dict(made.to_xarray().sizes) == {"run": 3}
 
 
 class _Stop(Exception):
@@ -244,28 +195,6 @@ def test_runs_of_another_sweep_are_not_gone_on_with(
     with pytest.raises(pam.InputError, match=words):
         swept(**(base | change))
     assert partial_of(tmp_path / "s.csv").read_bytes() == before
-
-
-@pytest.mark.full
-def test_pictures(reference: pam.Sweep, tmp_path: Path) -> None:
-    pam.draw(reference, tmp_path / "lines.png")
-    pam.draw(swept(), tmp_path / "courses.png")
-    ranges = {"u_in": (0.25, 0.35), "p_supply": ("1 bar", "2 bar"), "tank.V": ("1 l", "2 l")}
-    made = pam.sweep(
-        MODEL, ranges, design="latin-hypercube", runs=5, scalars=SCALARS, stop_time=1.0, workers=1
-    )
-    pam.draw(made, tmp_path / "points.png")
-    assert [path.name for path in tmp_path.glob("*.png") if not drawn(path)] == []
-    assert len(list(tmp_path.iterdir())) == 3
-
-
-def test_it_tells_what_it_holds(reference: pam.Sweep) -> None:
-    first = str(reference).splitlines()[0]
-    assert first.startswith(
-        "8 runs of PneumaticMuscle.Benches.TankFilling (grid): u_in from 0.25 A to 0.35 A"
-    )
-    assert "last pressure: from" in str(reference)
-    assert reference._repr_html_().startswith("<pre>8 runs") and "<table" in reference._repr_html_()
 
 
 @pytest.mark.parametrize("workers", [1, pytest.param(2, marks=pytest.mark.full)])

@@ -3,21 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import replace
 from math import pi
 from pathlib import Path
 from typing import Any
 
-import numpy as np
 import pytest
 
 from pam_cosim import Diagnosis, study
-from pam_cosim.measurement import DataSet, FreeParameter
 from rig.named import UNLISTED, effect_of
-from rig.schedule import Phase, Schedule
 from rig.short import write_light_data
-from rig.tank import Vessel, simulate_vessel, valve_ports
-from tests.fitting.models import data_set, recording
 
 _FILM = 2 / (1 / 20.0 - 0.254e-3 / 0.14)  # two films and the wall make 20 W/(m2 K)
 
@@ -75,23 +69,6 @@ def test_family_is_found_where_its_form_is_not_listed(tmp_path: Path, workers: i
     assert held and not any(e.determined for e in held)
 
 
-@pytest.mark.full
-def test_family_is_found_where_a_law_of_another_form_comes_near(
-    tmp_path: Path, workers: int | None
-) -> None:
-    """A lip that pressure presses shut: what a seal's law leaves of it passes as noise beside the general member."""
-    diagnosis = study.diagnose(
-        study.read(write_light_data(tmp_path / "d", [UNLISTED["pressed_lip"]], seed=1)),
-        workers=workers,
-        explain=False,
-    )
-    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), (
-        diagnosis.verdict
-    )
-    assert diagnosis.base.comparison.chi2_reduced("holdout") > 100
-    assert diagnosis.final.comparison.chi2_reduced("holdout") < 1.3
-
-
 @pytest.mark.parametrize("seed", but_first_in_full(range(3)))
 def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
     _nothing(
@@ -99,53 +76,7 @@ def test_muscle_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: in
     )
 
 
-@pytest.mark.full
-@pytest.mark.parametrize("seed", range(3, 10))
-def test_tank_that_lacks_nothing(tmp_path: Path, workers: int | None, seed: int) -> None:
-    _nothing(study.diagnose(_tank(seed), workers=workers))
-
-
 def _nothing(diagnosis: Diagnosis) -> None:
     assert diagnosis.verdict.kind == "none_missing", diagnosis.verdict
     assert (diagnosis.verdict.families, diagnosis.path, diagnosis.next_experiment) == ((), (), None)
     assert diagnosis.final is diagnosis.base
-
-
-def _tank(seed: int) -> DataSet:
-    """The 0.35 L tank, filled, held and emptied in parts; a second run from another supply to judge."""
-    times = np.arange(201) / 20
-    rng = np.random.default_rng([seed, 9])
-    runs = []
-    for role, supply in (("fit", 207e3), ("holdout", 138e3)):
-        schedule = Schedule.of(
-            [
-                Phase(2.5, u_in=0.35),
-                Phase(1.5),
-                Phase(2.0, u_in=0.3),
-                Phase(1.5),
-                Phase(2.5, u_out=0.3),
-            ]
-        )
-        simulated = simulate_vessel(
-            Vessel(0.35e-3), valve_ports(supply, 0.72), times, schedule=schedule
-        )
-        currents = np.array([schedule.at(t) for t in times.tolist()])
-        inputs = {
-            "u_in": currents[:, 0],
-            "u_out": currents[:, 1],
-            "p_supply": np.full(len(times), supply),
-        }
-        noisy = {
-            "p": simulated.p + 500.0 * rng.standard_normal(len(times)),
-            "T": simulated.temperature + 0.3 * rng.standard_normal(len(times)),
-        }
-        run = recording(times, noisy, role, inputs)
-        runs.append(replace(run, interpolation="previous", parameters={"tank.V": 0.35e-3}))
-    fit = [FreeParameter("valve.C_A", 0.5, 0.9), FreeParameter("tank.n", 1.0, 1.4)]
-    return data_set(
-        "PneumaticMuscle.Benches.TankFilling",
-        runs,
-        {"p": 500.0, "T": 0.3},
-        fit,
-        {"tank.V": 0.35e-3},
-    )

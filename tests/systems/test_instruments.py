@@ -19,11 +19,9 @@ from rig.instruments import (
     Lag,
     Offset,
     OffsetAndGain,
-    Quantisation,
     Saturation,
     TransducerSaturation,
 )
-from rig.named import effect_of
 from rig.short import write_light_data
 
 # fault of the rig: the effect of the same law, its parameter, bounds and true value
@@ -88,25 +86,3 @@ def test_a_fault_is_named_as_that_of_an_instrument(
     diagnosis = study.diagnose(faulty(tmp_path, *faults), workers=workers)
     assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", (NAMED[faults],))
     assert "An instrument, not physics:" in diagnosis_text(diagnosis)
-
-
-@pytest.mark.full
-def test_steps_of_a_record_are_no_effect(tmp_path: Path, workers: int | None) -> None:
-    diagnosis = study.diagnose(faulty(tmp_path, Quantisation("x", 1e-3)), workers=workers)
-    assert diagnosis.verdict.kind == "none_missing", diagnosis.verdict
-    assert "x is recorded in steps of 1 mm (quantisation, an instrument)" in diagnosis_text(
-        diagnosis
-    )
-
-
-@pytest.mark.full
-def test_late_readings_and_a_dead_time_of_the_valves_are_one_where_the_supply_is_steady(
-    tmp_path: Path, workers: int | None
-) -> None:
-    dead = write_light_data(
-        tmp_path / "dead", [effect_of("valve_dynamics:dead_time:dead_time=0.04")], seed=1
-    )
-    for data in (faulty(tmp_path, ClockOffset(0.04)), study.read(dead)):
-        verdict = study.diagnose(data, workers=workers).verdict
-        assert verdict.kind == "ambiguous", verdict
-        assert set(verdict.families) == {"clock_offset", "valve_dynamics"}

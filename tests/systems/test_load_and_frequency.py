@@ -9,12 +9,8 @@ from types import ModuleType
 
 import pytest
 
-import pam_cosim as pam
 from pam_cosim import Diagnosis, study
-from pam_cosim.reporting.account.printed import diagnosis_text
-from tests.documentation.pages import absent, other_numbers, other_pictures, unsaid
 
-STORY = "stories.md#A friction that depends on load and frequency"
 RUN = Path(__file__).parents[2] / "examples" / "dzahir-yamamoto" / "run.py"
 
 
@@ -65,56 +61,3 @@ def test_coefficients_come_back(example: ModuleType, diagnosis: Diagnosis) -> No
     assert (
         own["muscle.friction.c_v"] < 0.01 * 0.12 * 15 * 9.81
     )  # N.s, of the coefficient at 15 kg and 1 Hz
-
-
-@pytest.mark.full
-def test_example_draws_the_loops_and_tables_them_as_the_paper_does(
-    example: ModuleType, diagnosis: Diagnosis, tmp_path: Path
-) -> None:
-    example.draw(diagnosis, tmp_path / example.PICTURE.name)
-    assert other_pictures(tmp_path, by_processor=True) == []
-    table = example.tabled(diagnosis.final.comparison, "correlation").splitlines()
-    assert [line.split("|")[1].strip() for line in table[2:-1]] == [
-        "5 kg",
-        "10 kg",
-        "15 kg",
-        "20 kg",
-        "25 kg",
-        "30 kg",
-    ]
-    assert "nan" not in table[-1] and "±" in table[-1]
-
-
-@pytest.mark.full
-def test_story_says_what_the_diagnosis_does(example: ModuleType, diagnosis: Diagnosis) -> None:
-    assert unsaid(STORY, diagnosis_text(diagnosis), by_processor=True) == []
-    samples = sum(run.time.size for run in diagnosis.data.runs)
-    assert (
-        absent([f"The diagnosis sets {diagnosis.outliers['x']} samples of {samples} aside"], STORY)
-        == []
-    )
-    assert absent(example.rounded(diagnosis.base.comparison), STORY) == []
-    left = {
-        c.effect: c.fit.residuals["holdout"].chi2_reduced
-        for c in diagnosis.candidates
-        if len(c.effects) == 1
-    }
-    rivals = sorted(left, key=lambda e: left[e])[1:6]
-    assert other_numbers(STORY, {e: [left[e]] for e in rivals}) == []
-
-
-@pytest.mark.full
-def test_swarm_as_published_ends_where_the_page_says(example: ModuleType, tmp_path: Path) -> None:
-    pam.add(
-        ["LoadFrequencyFriction"],
-        to="Examples.ConstantFrictionLoad",
-        output=tmp_path / "Proposed.mo",
-    )
-    free = [f"muscle.braid.c_{i}" for i in (3, 4, 5)] + [
-        "muscle.friction.c_c",
-        "muscle.friction.c_v",
-        "damper.ab",
-    ]
-    data = study.read(example.rig.write_data_set(tmp_path / "data"))
-    found = pam.fit(data, str(tmp_path / "Proposed.mo"), method="particle-swarm", free=free)
-    assert unsaid("validation.md", str(found)) == []

@@ -5,22 +5,14 @@ from __future__ import annotations
 import json
 from pathlib import Path
 
-import numpy as np
 import pytest
 
-import pam_cosim as pam
 from pam_cosim.cli.app import main
 from rig.short import write_light_data
-from tests.library.rigs import held, rig, run
 
 COVERS = "by DP (48) they cover 177.448 cm2 of 150.796 cm2"
 VALUES = "muscle.L0 = 0.24 m, muscle.D0 = 0.02 m, muscle.turns = 2, muscle.fibres = 300"
 BENCH = "PneumaticMuscle.Benches.Isotonic"
-
-
-@pytest.fixture(scope="module")
-def fitting(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    return write_light_data(tmp_path_factory.mktemp("fitting") / "data", seed=1)
 
 
 @pytest.fixture(scope="module")
@@ -56,35 +48,6 @@ def test_a_comparison_and_a_fit_begin_with_the_warning(
     assert is_warned(said(capsys, "fit", covered)[1])
 
 
-def test_a_saved_comparison_keeps_the_warning(covered: Path, tmp_path: Path) -> None:
-    kept = pam.load(pam.save(pam.compare(pam.read(covered)), tmp_path / "compared.npz"))
-    assert kept.doubts[0].kind == "warning" and is_warned(str(kept).splitlines()[1])
-    assert all(COVERS in one.warnings[0] for one in kept.runs)
-
-
-@pytest.mark.full
-def test_a_diagnosis_is_headed_by_the_warning(
-    covered: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    page, kept = tmp_path / "diagnosed.html", tmp_path / "diagnosed.npz"
-    options = ("--simulation-limit", 5, "--workers", 0, "--report", page, "--save", kept)
-    lines = said(capsys, "diagnose", covered, *options)
-    assert lines[0].startswith("Verdict") and is_warned(lines[1])
-    assert page.read_text().count(COVERS) == 1
-    assert is_warned(str(pam.load(kept)).splitlines()[1])
-
-
-@pytest.mark.full
-def test_a_check_and_a_prediction_warn(
-    covered: Path, fitting: Path, capsys: pytest.CaptureFixture[str]
-) -> None:
-    assert is_warned(said(capsys, "check", covered, "--workers", 0)[1])
-    fit = pam.fit(pam.read(covered))
-    bands = pam.predict(fit, run="run-01", samples=2)
-    assert "LOOK FIRST: run-01: " in str(bands) and COVERS in bands.as_dict()["warnings"][0]
-    assert "warnings" not in pam.check(pam.read(fitting), workers=0).as_dict()
-
-
 def test_a_sweep_and_a_simulation_warn(tmp_path: Path, capsys: pytest.CaptureFixture[str]) -> None:
     swept = said(
         capsys, "sweep", BENCH, "--vary", "muscle.fibres=100,300,400", "--scalar", "max(p)",
@@ -93,33 +56,3 @@ def test_a_sweep_and_a_simulation_warn(tmp_path: Path, capsys: pytest.CaptureFix
     assert swept[1].startswith("  LOOK FIRST: run 1, run 2: ") and COVERS in swept[1]
     simulated = said(capsys, "simulate", BENCH, "--set", "muscle.fibres=300", "--stop-time", 1)
     assert simulated[0].startswith("LOOK FIRST: ") and COVERS in simulated[0]
-
-
-def test_where_nothing_is_warned_of_nothing_is_said(fitting: Path) -> None:
-    compared = pam.compare(pam.read(fitting))
-    assert compared.doubts == () and "LOOK FIRST" not in str(compared)
-
-
-@pytest.mark.parametrize("length, diameter", [(0.24, 0.02), (0.25, 0.012), (0.1, 0.04)])
-@pytest.mark.parametrize("angle", [10.0, 25.0, 45.0])
-def test_fibres_that_are_not_stated_fill_the_share_of_the_reference_muscle(
-    length: float, diameter: float, angle: float
-) -> None:
-    """N w/(2 pi D0 cos(alpha_0)) is that of 216 fibres of 0.254 mm on 20 mm, and they fit."""
-    sleeve = {"L0": length, "D0": diameter, "turns": 0.0, "alpha_0": np.radians(angle)}
-    own = {f"muscle.sleeve.{name}": value for name, value in sleeve.items()}
-    bench = rig("imposed-pressure", "imposed-length", "any-geometry", "F")
-    made = run(bench, np.linspace(0, 1, 3), own, held(1.0, p=2e5, s=0.0), ["muscle.N"])
-    reference = 216 / (0.02 * np.cos(np.arctan(2 * np.pi * 0.02 / 0.24)))
-    expected = reference * diameter * np.cos(np.radians(angle))
-    assert made.values["muscle.N"][0] == pytest.approx(expected, rel=1e-12)
-    assert made.warnings == ()
-
-
-def test_the_reference_muscle_has_exactly_its_216_fibres() -> None:
-    bench = rig("imposed-pressure", "imposed-length", "any-geometry", "F")
-    times, inputs, outputs = np.linspace(0, 1, 3), held(1.0, p=2e5, s=0.0), ["muscle.N"]
-    derived = run(bench, times, {}, inputs, outputs)
-    stated = run(bench, times, {"muscle.fibres": 216.0}, inputs, outputs)
-    assert derived.values["muscle.N"][0] == 216.0
-    assert np.array_equal(derived.values["F"], stated.values["F"])

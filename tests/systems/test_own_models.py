@@ -80,15 +80,6 @@ def test_own_effect_is_found_when_its_file_is_named(workers: int | None) -> None
 
 
 @pytest.mark.full
-def test_without_the_file_it_is_a_leak_of_a_form_that_is_not_listed(workers: int | None) -> None:
-    diagnosis = study.diagnose(_cracked(), workers=workers)
-    assert (diagnosis.verdict.kind, diagnosis.verdict.families) == ("identified", ("leak",)), (
-        diagnosis.verdict
-    )
-    assert diagnosis.verdict.effects == ("FlexibleLeak",)
-
-
-@pytest.mark.full
 def test_own_bench(workers: int | None) -> None:
     measured = _emptied(effect_of("gas_energy:film:h=12"), 1)
     run = recording(TIMES, {"pressure": measured["p"], "temperature": measured["T"]})

@@ -59,12 +59,6 @@ def test_tube_dead_time_and_dead_volume_explain_most_of_the_jump(
 
 
 @pytest.mark.full
-def test_what_is_left_of_the_jump_is_not_noise(robot: ModuleType, tmp_path: Path) -> None:
-    full = robot.fitted(robot.FINAL, tmp_path)
-    assert full.comparison.chi2_reduced("holdout") > 10
-
-
-@pytest.mark.full
 def test_droop_and_contraction_cannot_be_left_out(robot: ModuleType, tmp_path: Path) -> None:
     droop, held = (robot.fitted(replace(stage), tmp_path) for stage in robot.COUNTER[:2])
     assert kilopascals(droop, "holdout") > 15
@@ -118,44 +112,3 @@ def test_nitrogen_is_cooled_and_warmed_by_free_convection(
     assert c.low <= 0.13 <= c.high and c.value == pytest.approx(0.13, abs=0.01)
     assert c_d.low <= 0.80 <= c_d.high
     assert fit.comparison.scores["fit"]["T"].rmse < 3.0
-
-
-def raw(module: ModuleType, name: str) -> Path:
-    folder = module.raw_folder(name)
-    if folder is None:
-        pytest.skip(
-            "the raw recordings are not here: set PAM_COSIM_DATA to the folder that holds them"
-        )
-    return Path(folder)
-
-
-def same(made: Path, kept: Path) -> None:
-    files = sorted(p.relative_to(made) for p in made.rglob("*") if p.is_file())
-    assert files
-    for file in files:
-        assert (made / file).read_text(encoding="utf-8") == (kept / file).read_text(
-            encoding="utf-8"
-        ), file
-
-
-def test_tables_of_the_jump_are_made_from_the_recordings(robot: ModuleType, tmp_path: Path) -> None:
-    robot.jumps.write_runs(tmp_path, robot.jumps.read_recordings(raw(robot, "jumping-robot")))
-    same(tmp_path, EXAMPLES / "jumping-robot" / "recordings")
-
-
-def test_tables_of_the_chambers_are_made_from_the_recordings(
-    chamber: ModuleType, tmp_path: Path
-) -> None:
-    folder = raw(chamber, "leak-and-friction-cylinder")
-    chamber.leak_tests.write_chambers(folder, tmp_path)
-    same(tmp_path, EXAMPLES / "chamber-leak" / "chambers")
-    chamber.friction.write_strokes(folder, tmp_path / "friction.csv")
-    kept = EXAMPLES / "chamber-leak" / "friction.csv"
-    assert (tmp_path / "friction.csv").read_text(encoding="utf-8") == kept.read_text(
-        encoding="utf-8"
-    )
-
-
-def test_tables_of_the_vessels_are_made_from_the_points(vessel: ModuleType, tmp_path: Path) -> None:
-    vessel.published.write_tables(raw(vessel, "tank-dutton-coverdill"), tmp_path)
-    same(tmp_path, EXAMPLES / "tank-discharge" / "carried-on")

@@ -9,9 +9,7 @@ import numpy as np
 import pytest
 
 from pam_cosim import Diagnosis, study
-from tests.documentation.pages import other_numbers, text_of, unsaid
 
-STORY = "stories.md#A vessel that cools as it empties"
 FOLDER = Path(__file__).parents[2] / "examples" / "tank-discharge"
 
 
@@ -72,30 +70,3 @@ def test_a_manometer_that_nobody_owns_is_no_rival(workers: int | None) -> None:
         "FlexibleGauge would fit as well, but manometer.gain would have to be about 0."
     )
     assert said in str(diagnosis)
-
-
-@pytest.mark.full
-def test_pages_say_what_the_diagnoses_do(
-    diagnosis: Diagnosis, told: list[str], workers: int | None
-) -> None:
-    carried_on = study.diagnose(
-        study.read(FOLDER / "carried-on" / "both-ways"), workers=workers, explain=False
-    )
-    assert unsaid(STORY, "\n".join([*told, str(diagnosis), str(carried_on)])) == []
-    assert str(carried_on.verdict.kind) + ": " + " and ".join(
-        carried_on.verdict.families
-    ) in text_of("real-rigs.md")
-    assert f"probability {100 * diagnosis.verdict.probability:.0f} %" in text_of("results.md")
-    assert f"It is {100 * diagnosis.verdict.probability:.0f} % and not more" in text_of(STORY)
-    filling = carried_on.final.comparison.scores["holdout"]
-    met = f"it meets the filling to {filling['p'].rmse / 1e3:.2f} kPa and {filling['T'].rmse:.2f} K"
-    assert met in text_of(STORY)
-
-
-@pytest.mark.full
-def test_table_of_the_story_has_the_errors_of_the_models(diagnosis: Diagnosis) -> None:
-    errors = {c.effect: [c.fit.comparison.scores["fit"][n].rmse / unit for n, unit in (("p", 1e3), ("T", 1.0))]
-              for c in diagnosis.candidates}  # fmt: skip
-    page = text_of(STORY)
-    assert other_numbers(STORY, {e: errors[e] for e in errors if f"(`{e}`)" in page}) == []
-    assert {"EnergyGas", "FlexibleGauge"} <= {e for e in errors if f"(`{e}`)" in page}

@@ -44,11 +44,6 @@ class Remark(Event):
 
 
 @dataclass(frozen=True)
-class SearchRestarted(Remark):
-    """What was tried before no longer counts."""
-
-
-@dataclass(frozen=True)
 class BaseFitted(Event):
     """The model without effects is fitted: what candidates are compared with."""
 

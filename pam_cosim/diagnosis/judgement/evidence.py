@@ -55,22 +55,6 @@ def may_have_structure(s: ResidualStatistics) -> bool:
     return seen and s.chi2_reduced - known_variance > CRITERIA.residuals.slight_excess
 
 
-def contradicted_by_holdout(fit: Fit, base: Fit) -> bool:
-    """Whether a model leaves noise in runs that were fitted, and structure in others that speaks against it.
-
-    No values of its parameters excuse that, or it is more than the base model leaves there.
-
-    Args:
-        fit: of the model.
-        base: the model without effects, fitted.
-    """
-    beyond, held = fit.residuals_beyond_uncertainty, fit.residuals["holdout"]
-    if has_structure(beyond["fit"]):
-        return False
-    worse = has_structure(held) and held.chi2 > base.residuals["holdout"].chi2
-    return worse or has_structure(beyond["holdout"])
-
-
 class NoiseScale(NamedTuple):
     """Noise variance and samples per independent sample, both as the best model leaves them.
 

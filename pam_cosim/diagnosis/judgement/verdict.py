@@ -31,7 +31,7 @@ from pam_cosim.wording import Printed
 
 Kind = Literal["none_missing", "identified", "ambiguous", "unknown"]
 Doubt = Literal["", "noise", "limits"]
-Check = Literal["held_out", "weak", "none", "all_runs_searched"]
+Check = Literal["held_out", "weak", "none"]
 
 
 @dataclass(frozen=True)
@@ -93,8 +93,7 @@ class Verdict(Printed, Plain):
         noise_source: where the noise levels of the fitted signals come from; "": from several sources.
         general: the families whose general member is in the answer: their law is open.
         at_bound: parameters that ended at a bound, and are determined.
-        check: whether held-out runs check the answer; all_runs_searched: all were fitted, for the held-out ones
-            contradicted the model that was found without them.
+        check: whether held-out runs check the answer.
         folds: where the residual has structure: which effects are needed whichever runs are left out.
         limits: where no effect was added, the smallest errors that would have been found.
         doubt: why it is unknown although the residual is white: "noise", it is far above the noise level; "limits", no
@@ -163,9 +162,7 @@ class Verdict(Printed, Plain):
         return set(families) == set(self.families)
 
 
-def judge(
-    models: FittedModels, rivals: Sequence[Candidate] = (), *, all_runs_searched: bool = False
-) -> Verdict:
+def judge(models: FittedModels, rivals: Sequence[Candidate] = ()) -> Verdict:
     """The verdict on fitted models.
 
     What leaves structure is unknown, whatever its rivals: that two families fail alike does not make one of them the
@@ -174,7 +171,6 @@ def judge(
     Args:
         models: the answer is the last of their path.
         rivals: of the answer.
-        all_runs_searched: all runs were fitted, for those that were held out contradicted what the others came to.
     """
     fit, path = models.last, models.path
     effects, families = tuple(c.effect for c in path), tuple(c.family for c in path)
@@ -212,7 +208,7 @@ def judge(
         noise_source=_noise_source(fit),
         general=tuple(c.family for c in path if c.general),
         at_bound=tuple(n for n, e in fit.parameters.items() if e.at_bound and e.determined),
-        check="all_runs_searched" if all_runs_searched else _check(fit),
+        check=_check(fit),
         limits=limits,
         doubt=doubt,
     )

@@ -69,11 +69,6 @@ _CHECKS = {
     "weak": (
         "The held-out runs agree only within the parameter uncertainty of the fit, so they are a weak check."
     ),
-    "all_runs_searched": (
-        "The model found from the fitted runs failed on the held-out runs, so the search was repeated with all runs: "
-        "no run is left to check this verdict. The parameters are those of the fitted runs alone; fit all runs before "
-        "you use them."
-    ),
 }
 _NOISE = {
     "": "what was taken for noise",
@@ -180,8 +175,7 @@ def _reasons(v: Verdict) -> list[str]:
     if v.kind == "none_missing":
         return ["The residual is noise: nothing is missing that these data could show.", _limits(v)]
     if v.kind == "ambiguous":
-        checked = _CHECKS[v.check] if v.check == "all_runs_searched" else ""
-        return [f"These data cannot separate {apart}.", checked]
+        return [f"These data cannot separate {apart}."]
     if v.doubt == "noise":
         cause = "the noise level is wrong, or the samples do not belong to their times"
         return [f"The residuals are white, but {_noise_factor(v)}: {cause}."]

@@ -56,7 +56,15 @@ def needed_effects(
 
 
 def _remaining_squares(linear: Linear, fixed: Mapping[str, float]) -> float:
-    """The least sum of squares, priors among it, with some parameters at fixed values, to first order."""
+    """The least sum of squares with some parameters at fixed values, to first order."""
+    return fitted_with(linear, fixed)[1]
+
+
+def fitted_with(linear: Linear, fixed: Mapping[str, float]) -> tuple[dict[str, float], float]:
+    """All parameters, some of them at fixed values and the others fitted again, to first order.
+
+    Returns the values by name [SI], and the sum of squares that is left.
+    """
     moved = np.array([name not in fixed for name in linear.names])
     change = np.array(
         [fixed.get(n, v) - v for n, v in zip(linear.names, linear.values, strict=True)]
@@ -71,7 +79,9 @@ def _remaining_squares(linear: Linear, fixed: Mapping[str, float]) -> float:
         np.maximum(linear.high - linear.values, 0.0)[moved],
     )
     left = (wanted - rows[:, moved] @ step)[: len(linear.residual)]
-    return float(left @ left)
+    change[moved] = step
+    values = linear.values + change
+    return dict(zip(linear.names, values.tolist(), strict=True)), float(left @ left)
 
 
 def _samples_of_one(linear: Linear) -> float:

@@ -16,7 +16,6 @@ from typing import NamedTuple
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.fitting import Linear, bounded_minimum, prior_rows
 from pam_cosim.measurement import Prior
@@ -270,7 +269,7 @@ class LinearisedNeighbourhood:
         moved = own.slopes @ step[:k] + moves[:, slopes] @ step[k:] + moves[:, wholes].sum(axis=1)
         return PredictedFit(max(gained, 0.0), by_name, off, own.residual - moved)
 
-    def _single(self, own_family: bool) -> list[tuple[float, EffectDirections, Array]]:
+    def _single(self, own_family: bool) -> list[tuple[float, EffectDirections]]:
         taken = {self.family[e] for e in self.effects}
         some = [
             (a, at)
@@ -278,30 +277,13 @@ class LinearisedNeighbourhood:
             if (a.family in taken) is own_family and a.effect not in self.effects
         ]
         gains = self._gains([at for _, at in some])
-        return [(gain, a, at) for gain, (a, at) in zip(gains, some, strict=True)]
+        return [(gain, a) for gain, (a, _) in zip(gains, some, strict=True)]
 
     @cached_property
     def with_one(self) -> list[PredictedModel]:
         """One further effect of another family."""
         return [
-            PredictedModel(self.effects, (a,), gain, beside=self)
-            for gain, a, _ in self._single(False)
-        ]
-
-    @cached_property
-    def with_two(self) -> list[PredictedModel]:
-        """Two further effects of other families, one of them among those that do most by themselves."""
-        best = sorted(self._single(False), key=lambda entry: (-entry[0], entry[1].effect))
-        pairs = [
-            ((a, b), np.concatenate([at, bt]))
-            for n, (_, a, at) in enumerate(best[: CRITERIA.search.starts])
-            for _, b, bt in best[n + 1 :]
-            if b.family != a.family
-        ]
-        gains = self._gains([at for _, at in pairs])
-        return [
-            PredictedModel(self.effects, added, gain, beside=self)
-            for gain, (added, _) in zip(gains, pairs, strict=True)
+            PredictedModel(self.effects, (a,), gain, beside=self) for gain, a in self._single(False)
         ]
 
     @cached_property
@@ -309,6 +291,5 @@ class LinearisedNeighbourhood:
         """An effect exchanged for another of its family, as if that could do all that the first one does."""
         of = {self.family[e]: e for e in self.effects}
         return [
-            PredictedModel(self.effects, (a,), gain, of[a.family])
-            for gain, a, _ in self._single(True)
+            PredictedModel(self.effects, (a,), gain, of[a.family]) for gain, a in self._single(True)
         ]

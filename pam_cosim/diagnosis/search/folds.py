@@ -1,34 +1,73 @@
 """Which effects of a model are needed whichever runs are left out, and how good the model is on runs it never saw.
 
 Cross-validation over runs (Stone, Journal of the Royal Statistical Society B 36, 1974): runs are left out in turn, the
-model is fitted to the others with all its effects and without each of them, and judged on those that were left out. An
-effect that is needed in some folds only stands in for something else.
+model is fitted to the others, and judged on those that were left out; without each of its effects, the other
+parameters fitted again to first order. An effect that is needed in some folds only stands in for something else.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping, Sequence
-from contextlib import suppress
-from dataclasses import replace
+from dataclasses import dataclass, replace
+from functools import partial
 
 import numpy as np
 
+from pam_cosim.catalogue import EffectClass
+from pam_cosim.comparison import Comparison, compare
 from pam_cosim.criteria import CRITERIA
+from pam_cosim.diagnosis.judgement.candidate import FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.folds import Folds
+from pam_cosim.diagnosis.search.elimination import fitted_with
 from pam_cosim.diagnosis.search.search import FitRequest, Search
-from pam_cosim.diagnosis.search.subject import Subject
-from pam_cosim.errors import SimulationFailure
-from pam_cosim.fitting import Fit, FitOptions, fit
+from pam_cosim.diagnosis.search.trial import Trial, attempted, free_parameters, values_of_absence
+from pam_cosim.fitting import Fit, estimated_starts, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
+from pam_cosim.simulation import Simulator
 
 
-def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
+@dataclass(frozen=True)
+class FoldTrial:
+    """What a worker needs for one fold.
+
+    Attributes:
+        trial: the model, and the data with some runs held out.
+        members: its effects.
+    """
+
+    trial: Trial
+    members: tuple[EffectClass, ...]
+
+
+@dataclass(frozen=True)
+class FoldResult:
+    """What the runs that were left out say.
+
+    Attributes:
+        errors: rms error of each signal [its unit]; ``runs``: names of the runs.
+        excess: beyond the noise with all effects [noise variances].
+        without: the same without each of the effects of which it is known with which values they vanish.
+    """
+
+    errors: Mapping[str, float]
+    runs: tuple[str, ...]
+    excess: float
+    without: Mapping[str, float]
+
+    def needs(self, effect: str) -> bool:
+        """Whether the error beyond the noise is visibly less with an effect."""
+        if effect not in self.without:
+            return True
+        more = self.without[effect]
+        return more > 0 and more - self.excess >= CRITERIA.folds.visible * more
+
+
+def folds_of(search: Search, effects: Sequence[str], final: Fit) -> Folds | None:
     """Leaves out runs in turn, and asks for each effect whether it is needed then; None: too few runs.
 
     Args:
-        subject: the model and the measurement.
         search: with the data.
         effects: of the model.
         final: the model with them, fitted.
@@ -38,26 +77,37 @@ def folds_of(subject: Subject, search: Search, effects: Sequence[str], final: Fi
         return None
     text = f"leaving out runs in turn, in {len(data)} folds: which effects are needed in all?"
     search.say(Remark(text).message)
-    every = tuple(effects)
-    without = {e: tuple(other for other in every if other != e) for e in every}
-    fits = [
-        _refitted(subject, search, one, [every, *without.values()], final.values) for one in data
-    ]
-    needed = {e: sum(_is_needed(f.get(every), f.get(without[e])) for f in fits) for e in every}
-    ratios = {e: final.values[e] for e in every if is_ratio(e) and e in final.values}
+    results = fold_results(search, data, tuple(effects), final)
+    needed = {e: sum(one.needs(e) for one in results) for e in effects}
+    ratios = {e: final.values[e] for e in effects if is_ratio(e) and e in final.values}
     limit = CRITERIA.folds.believable
     unbelievable = {e: r for e, r in ratios.items() if not 1 / limit <= r <= limit}
     named = Folds(len(data), needed, unbelievable).named
-    if named != every:
-        fits = [_refitted(subject, search, one, [named], final.values) for one in data]
+    if named and named != tuple(effects):
+        results = fold_results(search, data, named, final)
     errors: dict[str, list[tuple[float, tuple[str, ...]]]] = {}
-    for comparison in (f[named].comparison for f in fits if named in f):
-        runs = tuple(r.run.name for r in comparison.runs if r.run.role == "holdout")
-        for name, score in comparison.scores["holdout"].items():
-            errors.setdefault(name, []).append((score.rmse, runs))
+    for one in results:
+        for name, rmse in one.errors.items():
+            errors.setdefault(name, []).append((rmse, one.runs))
     middle = {n: float(np.median([rmse for rmse, _ in each])) for n, each in errors.items()}
     worst = {name: max(each) for name, each in errors.items()}
     return Folds(len(data), needed, unbelievable, middle, worst)
+
+
+def fold_results(
+    search: Search, data: Sequence[DataSet], effects: tuple[str, ...], final: Fit
+) -> list[FoldResult]:
+    """A model with these effects in each fold, a few steps from the final model; without those that break down."""
+    members = tuple(map(search.effect, effects))
+    trials = [
+        FoldTrial(trial, members)
+        for one in data
+        for trial in replace(search, data=one).brief_trials([FitRequest(effects, final.values)])
+    ]
+    results = search.effort.run_tasks(
+        run_fold, trials, lambda fold: fold.trial.failed("crashed"), lambda _: None, search.workers
+    )
+    return [r for r in results if isinstance(r, FoldResult)]
 
 
 def _folds(data: DataSet) -> Iterator[DataSet]:
@@ -73,29 +123,38 @@ def _folds(data: DataSet) -> Iterator[DataSet]:
         yield replace(data, runs=tuple(runs))
 
 
-def _refitted(
-    subject: Subject,
-    search: Search,
-    data: DataSet,
-    models: Sequence[tuple[str, ...]],
-    values: Mapping[str, float],
-) -> dict[tuple[str, ...], Fit]:
-    """Models with these effects, fitted anew; without those that break down."""
-    wanted = [FitRequest(effects, values) for effects in models if effects]
-    fits = {c.effects: c.fit for c in replace(search, data=data, failed=[]).refit(wanted)}
-    if () in models:
-        with (
-            suppress(SimulationFailure),
-            search.effort.counting(),
-            subject.simulator() as simulator,
-        ):
-            fits[()] = fit(simulator, data, options=FitOptions(rules=False))
-    return fits
+def run_fold(fold: FoldTrial) -> FoldResult | FailedTrial:
+    """Builds the model, fits it to the runs of a fold, and judges it on the others."""
+    return attempted(fold.trial, partial(_left_out, fold), brief=True)
 
 
-def _is_needed(with_it: Fit | None, without: Fit | None) -> bool:
-    """Whether the error of the runs that were left out, beyond the noise, is visibly less with an effect."""
-    if with_it is None or without is None:
-        return with_it is not None
-    less, more = (max(f.comparison.chi2_reduced("holdout") - 1.0, 0.0) for f in (with_it, without))
-    return more > 0 and more - less >= CRITERIA.folds.visible * more
+def _left_out(fold: FoldTrial, trial: Trial, simulator: Simulator) -> FoldResult:
+    moved, _ = free_parameters(trial, simulator.interface)
+    best = fit(simulator, trial.data, moved, options=trial.options)
+    without = {}
+    own = trial.composition.parameters
+    for effect in fold.members:
+        absent = values_of_absence([effect], own)
+        if absent and best.linear is not None:
+            values, _ = fitted_with(best.linear, absent)
+            without[effect.name] = _excess(_judged(simulator, trial.data, best.values | values))
+    scores = best.comparison.scores["holdout"]
+    return FoldResult(
+        {name: score.rmse for name, score in scores.items()},
+        tuple(run.name for run in trial.data.holdout_runs),
+        _excess(best.comparison),
+        without,
+    )
+
+
+def _judged(simulator: Simulator, data: DataSet, values: Mapping[str, float]) -> Comparison:
+    """The runs that were left out, with given parameters [SI]."""
+    held = replace(data, runs=tuple(data.holdout_runs))
+    starts = estimated_starts(simulator, data, held.runs, values, second_look=False)
+    every = {**values, **{name: e.value for name, e in starts.items()}}
+    return compare(simulator, held, every, rules=False)
+
+
+def _excess(comparison: Comparison) -> float:
+    """Mean square of the error of held-out runs beyond the noise [noise variances]."""
+    return max(comparison.chi2_reduced("holdout") - 1.0, 0.0)

@@ -308,8 +308,6 @@ class PredictedEvidence:
         known = [*self.ranking.parents(), *self.ranking.models(count)[:first]]
         if unsolved:
             known += self.ranking.models(count, specific=True)[:first]
-        best = self.ranking.best()
-        further = unsolved or (best is not None and count > len(best.effects))
         lacking = self.ranking.with_one_less()
         starts: list[Candidate | None] = [
             None,
@@ -317,16 +315,14 @@ class PredictedEvidence:
         ]
         for c in starts:
             start, effects = self._start(c), c.effects if c else ()
-            if start.fit.linear is None or len(effects) + 2 < count:
+            if start.fit.linear is None or len(effects) + 1 < count:
                 continue
             beside = self._neighbourhood(effects, start.fit.linear)
             more = count - len(effects)
             if more == 0 and unsolved:
                 every = beside.with_another_form
-            elif more == 1 and (count == 1 or further or effects in lacking):
+            elif more == 1 and (count == 1 or unsolved or effects in lacking):
                 every = beside.with_one
-            elif more == 2 and further and effects:
-                every = beside.with_two
             else:
                 continue
             yield from (Proposal(start, e) for e in every)

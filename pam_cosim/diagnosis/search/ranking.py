@@ -35,8 +35,6 @@ class AcceptanceThreshold:
         fitted: at most, as a few steps of a fit make it expected.
         reference: the model that it has to leave much less than; None: it need not.
         specific: it is made of laws alone.
-        cost: of its effects, at most, where it is to replace a model that leaves noise with fewer effects; None: not
-            asked.
         rival_of: families of the answer that it is to rival: it has to lack one of them; None: it need not.
     """
 
@@ -44,7 +42,6 @@ class AcceptanceThreshold:
     fitted: float
     reference: Candidate | None = None
     specific: bool = False
-    cost: float | None = None
     rival_of: frozenset[str] | None = None
 
 
@@ -210,16 +207,9 @@ class Ranking:
     def parents(self) -> list[Candidate]:
         """The models that the search goes on from: the best, the best of laws, and the best of other families.
 
-        Of as many sets of families as lead; the right ones may leave more than a rich law of wrong ones. Once the best
-        leaves noise, what may replace it: the best of those that would cost less even with one more effect.
+        Of as many sets of families as lead; the right ones may leave more than a rich law of wrong ones.
         """
         best = self.leader()
-        if best is not None and not self.has_structure(best):
-            return [
-                c
-                for c in self.models(len(best.effects))
-                if self._with_one_more(c.effects) < self.cost(best.effects)
-            ][:1]
         leading = self.of_each_families(len(best.effects)) if best is not None else []
         every = (best, self.leader(specific=True), *leading[: CRITERIA.search.leading_families])
         return list({c.effects: c for c in every if c is not None}.values())
@@ -228,33 +218,10 @@ class Ranking:
         """Whether a threshold is for models with these effects."""
         if threshold.specific and not self.is_specific(effects):
             return False
-        if threshold.cost is not None and self.cost(effects) >= threshold.cost:
-            return False
         # asked of thousands of proposals, so that families are only looked up where they count
         return threshold.rival_of is None or not threshold.rival_of.issubset(
             self.search.family[name] for name in effects
         )
-
-    def cost(self, effects: Collection[str]) -> float:
-        """What effects are charged for what they are made of: their parameters, and the choice of them."""
-        return self._cost(effects, sum(self.search.cost[name] for name in effects))
-
-    def _cost(self, effects: Collection[str], parameters: int) -> float:
-        return parameters * self.scale.penalty(self.base) + self.search.model_space.cost(effects)
-
-    def _with_one_more(self, effects: Collection[str]) -> float:
-        """The same with one more effect, of one parameter."""
-        others = (name for name in self.search.likeliest_first if name not in effects)
-        return self._cost(
-            (*effects, next(others, "")), sum(self.search.cost[name] for name in effects) + 1
-        )
-
-    def more_effects_can_pay(self, count: int) -> bool:
-        """Whether so many effects, of one parameter each, would cost less than the best model, which leaves noise."""
-        best = self.best()
-        if best is None or self.has_structure(best):
-            return False
-        return self._cost(self.search.likeliest_first[:count], count) < self.cost(best.effects)
 
     def acceptance_thresholds(self, count: int, scale: NoiseScale) -> list[AcceptanceThreshold]:
         """What models with so many effects must come to: to beat one of the best, to rival the answer, to replace it.
@@ -270,16 +237,7 @@ class Ranking:
         reached, worth = self.information_criterion(best, scale), CRITERIA.evidence.very_strong
         if not self.has_structure(best):
             if count > len(best.effects):
-                # slopes of a model that is far off do not reach as far as it may come
-                return [
-                    AcceptanceThreshold(
-                        self.information_criterion(c, scale) - worth,
-                        reached - worth,
-                        c,
-                        cost=self.cost(best.effects),
-                    )
-                    for c in self.parents()
-                ]
+                return []
             # what has the same families can replace the answer, but not rival it: as good is not enough
             own = self.search.families_of(best.effects)
             rival = AcceptanceThreshold(reached + worth, reached + worth, rival_of=own)

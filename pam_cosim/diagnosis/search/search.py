@@ -22,13 +22,6 @@ from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.elimination import needed_effects
 from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, full_crashed, run_full
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
-from pam_cosim.diagnosis.search.step_times import (
-    Retimed,
-    Retiming,
-    nothing_found,
-    run_retiming,
-    steps_between,
-)
 from pam_cosim.diagnosis.search.trial import (
     Trial,
     crashed,
@@ -66,7 +59,7 @@ class Search:
         tree: the Modelica library with the user's classes.
         model: the base model.
         available_effects: the effects there are.
-        data: the measurement, with noise levels.
+        data: the measurement, with noise levels, without outliers.
         files: further Modelica files.
         say: told each step and each result, in a line.
         workers: number of processes; None: the processors at hand.
@@ -76,6 +69,7 @@ class Search:
         undetectable: names of effects that these cannot show, beside whatever else.
         inactive_parameters: by effect, full names of its parameters that no sample depends on; they are not fitted.
         effort: its limits, and what it took so far; this grows.
+        recorded: the measurement with outliers; None: there are none.
     """
 
     tree: ClassTree
@@ -91,6 +85,7 @@ class Search:
     undetectable: frozenset[str] = frozenset()
     inactive_parameters: Mapping[str, tuple[str, ...]] = field(default_factory=dict)
     effort: Effort = field(default_factory=Effort)
+    recorded: DataSet | None = None
 
     @cached_property
     def structure(self) -> Structure:
@@ -117,11 +112,6 @@ class Search:
         return ModelSpace(len(self.available_effects), self.expected & self.family.keys())
 
     @cached_property
-    def likeliest_first(self) -> list[str]:
-        """The effects, those that are expected first."""
-        return sorted(self.family, key=lambda name: name not in self.expected)
-
-    @cached_property
     def cost(self) -> dict[str, int]:
         """Number of parameters of each effect that are fitted."""
         return {
@@ -140,11 +130,6 @@ class Search:
     def general(self) -> frozenset[str]:
         """The effects that say whatever their families can."""
         return frozenset(e.name for e in self.available_effects if e.general)
-
-    @cached_property
-    def steps_between_samples(self) -> int:
-        """How many commands step between two samples, all runs together."""
-        return steps_between(self.data)
 
     def probe(self, fitted: Fit, has: Sequence[str], effects: Sequence[str]) -> list[EffectProbe]:
         """What each of some effects does to the samples beside a fitted model, which has others."""
@@ -190,36 +175,38 @@ class Search:
         self.failed.extend(c for c in results if isinstance(c, FailedTrial))
         return [c for c in results if not isinstance(c, FailedTrial)]
 
-    def without_outliers(self, fit: Fit) -> tuple[Search, dict[str, int]]:
-        """The search without samples that are outliers beside a fit, which shows more than worse ones; and how many."""
-        data, counts = without_outliers(
-            self.data, fit.comparison.runs, CRITERIA.noise.outliers_together
-        )
-        return (replace(self, data=data) if counts else self), counts
+    def without_outliers(self, fit: Fit) -> Search:
+        """The search without the samples that are outliers beside a fit, and with those that only seemed to be."""
+        recorded = self.recorded or self.data
+        runs = fit.comparison.against(recorded).runs
+        data, counts = without_outliers(recorded, runs, CRITERIA.noise.outliers_together)
+        return self if counts == self.outliers else replace(self, data=data)
 
-    def with_step_times(self, models: Sequence[tuple[tuple[str, ...], Fit]]) -> list[Retimed]:
-        """Models by their effects, fitted again, each step of a command where between two samples it serves best."""
-        made = [
-            (effects, fit, compose_on(self.tree, self.structure, effects))
-            for effects, fit in models
-        ]
-        tasks = [
-            Retiming(e, own, self.data, fit, self.files, self.library)
-            for e, fit, own in made
-            if own is not None
-        ]
-        results = self.effort.run_tasks(
-            run_retiming, tasks, nothing_found, lambda _: None, self.workers
-        )
-        return [r for r in results if r is not None]
+    @property
+    def outliers(self) -> dict[str, int]:
+        """How many single samples are set aside, by signal."""
+        recorded = self.recorded or self.data
+        counts = {
+            name: sum(
+                before.sample_count(name) - after.sample_count(name)
+                for before, after in zip(recorded.runs, self.data.runs, strict=True)
+                if name in before.measurements
+            )
+            for name in recorded.signals
+        }
+        return {name: count for name, count in counts.items() if count}
 
     def fit_briefly(self, models: Sequence[FitRequest]) -> list[Candidate]:
         """Models with these effects, a few steps from these values: enough to tell whether they promise anything."""
-        trials = [t.screening() for t in self._trials(models)]
+        trials = self.brief_trials(models)
         return self._run(
-            "in a few steps",
-            [t.fitted_with(rows=CRITERIA.search.rows, holdout_uncertainty=True) for t in trials],
+            "in a few steps", [t.fitted_with(holdout_uncertainty=True) for t in trials]
         )
+
+    def brief_trials(self, models: Sequence[FitRequest]) -> list[Trial]:
+        """Trials of a few steps, of those models whose effects find a place."""
+        trials = [t.screening() for t in self._trials(models)]
+        return [t.fitted_with(rows=CRITERIA.search.rows) for t in trials]
 
     def fit_completely(self, candidates: Sequence[Candidate], base: Fit) -> list[Candidate]:
         """Models that were fitted briefly, to the end: from where they stand, and from where they began."""
@@ -331,15 +318,6 @@ class Search:
     @cached_property
     def _effects(self) -> dict[str, EffectClass]:
         return {e.name: e for e in self.available_effects}
-
-    def refit(self, models: Sequence[FitRequest]) -> list[Candidate]:
-        """Models from where they stand to the end, on other samples; no line is printed of them."""
-        changes = {"screened_starts": 0, "rules": False, "precision": CRITERIA.search.precision}
-        trials = [t.fitted_with(**changes) for t in self._trials(models)]
-        results = self.effort.run_tasks(
-            run_trial_without_samples, trials, crashed, lambda _: None, self.workers
-        )
-        return [self._with_data(c) for c in results if isinstance(c, Candidate)]
 
     def _run(self, how: str, trials: Sequence[Trial]) -> list[Candidate]:
         if trials:

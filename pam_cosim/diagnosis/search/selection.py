@@ -9,8 +9,7 @@ their family, left out and added, until none of it pays.
 
 from __future__ import annotations
 
-from collections import Counter
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -18,10 +17,7 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import Candidate
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.evidence import (
-    information_criterion,
-    leaves_structure,
     may_have_structure,
-    noise_scale,
     rank,
 )
 from pam_cosim.diagnosis.search.imitation import likest_members
@@ -30,7 +26,6 @@ from pam_cosim.diagnosis.search.probing import EffectProbe
 from pam_cosim.diagnosis.search.ranking import Ranking
 from pam_cosim.diagnosis.search.search import FitRequest, Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
-from pam_cosim.diagnosis.search.step_times import Retimed
 from pam_cosim.errors import SimulationFailure
 from pam_cosim.fitting import Fit
 
@@ -38,16 +33,12 @@ from pam_cosim.fitting import Fit
 def select_effects(
     search: Search,
     base: Fit,
-    retime: bool = True,
-    earlier: Sequence[Candidate] = (),
 ) -> SearchResult:
     """The effects that are needed.
 
     Args:
         search: tries effects, and ends where its effort is spent; only what the answer needs is fitted then.
         base: the model without them, fitted, with its linear model.
-        retime: whether steps of commands may find their times between two samples.
-        earlier: models of the same runs in other roles; those that left least are tried besides.
 
     Raises:
         SimulationFailure: no effect could be tried at all.
@@ -59,18 +50,9 @@ def select_effects(
     models.probe()
     models.try_single(CRITERIA.search.first_tried)
     models.improve(1)
-    models.try_forms()
-    models.improve(1)
-    if models.ranking.unsolved() or models.ranking.more_effects_can_pay(2):
-        models.probe_again()
-        models.improve(2)
     if models.ranking.unsolved() or models.has_general_answer():
         models.try_full_models()
-    models.try_earlier(earlier)
     models.refine()
-    retimed = models.with_step_times() if retime and models.ranking.unsolved() else None
-    if retimed is not None:
-        return models.result(retimed=retimed)
     path = tuple(models.path())
     return models.result(
         path=path,
@@ -93,7 +75,6 @@ class _Models:
         self.untried: list[tuple[str, ...]] = []
         self.probes: list[EffectProbe] = []
         self.base_as_probed = base.linear
-        self.outliers: Counter[str] = Counter()
 
     @property
     def search(self) -> Search:
@@ -108,8 +89,7 @@ class _Models:
     def result(self, **found: Any) -> SearchResult:
         """The result with the fields that were found."""
         search = self.search
-        common: dict[str, Any] = {"search": search, "outliers": self.outliers}
-        return SearchResult(self.base, search.family, search.model_space, **common | found)
+        return SearchResult(self.base, search.family, search.model_space, search=search, **found)
 
     def probe(self) -> None:
         """What each effect does beside the base model; where the effort is limited, by families first."""
@@ -139,12 +119,6 @@ class _Models:
             },
         )
         self.predicted.note_probes(self.probes)
-
-    def probe_again(self) -> None:
-        """What further families do beside the models that the search goes on from."""
-        self._finish_within_effort([c for c in self.ranking.parents() if c.brief])
-        for best in (c for c in self.ranking.parents() if c.fit.linear is not None):
-            self._probe_further(best)
 
     def _probe_further(self, best: Candidate) -> None:
         """What further families do beside a model: beside the base model the same parameters may do something else.
@@ -182,85 +156,18 @@ class _Models:
         self.ranking.effort_spent = True
         return True
 
-    def with_step_times(self) -> Retimed | None:
-        """The model that leaves noise once each step of a command comes when it serves best within its interval.
-
-        If no model with steps as they are, each step counted as a parameter, is better.
-        """
-        if not self.search.steps_between_samples or self._is_effort_spent([]):
-            return None
-        text = "giving each step of a command its time between two samples"
-        self.search.say(Remark(text).message)
-        leading = self.ranking.models(CRITERIA.search.most_effects)
-        own = [(c.effects, c.fit) for c in leading[: CRITERIA.search.leading_families]]
-        retimed = self.search.with_step_times([((), self.base), *own])
-        retimed = [r for r in retimed if not leaves_structure(r.fit)]
-        if not retimed:
-            return None
-        scale = noise_scale([*self.ranking.fits, *(r.fit for r in retimed)])
-        as_they_are = min(
-            self.ranking.information_criterion(c, scale) for c in (None, *self.fitted.values())
-        )
-        costs = {
-            r.effects: information_criterion(r.fit, scale, r.effects, self.search.model_space)
-            + r.steps * scale.penalty(r.fit)
-            for r in retimed
-        }
-        best = min(retimed, key=lambda r: (len(r.effects), costs[r.effects], r.effects))
-        return best if costs[best.effects] < as_they_are else None
-
     def set_outliers_aside(self) -> None:
-        """Samples that the best model shows to be outliers, which worse ones hid: none is judged by them any more."""
+        """What is an outlier beside the best model does not count; what only was one beside a worse model does."""
         best = self.ranking.best()
         if best is None:
             return
-        self.ranking.search, counts = self.search.without_outliers(best.fit)
-        if counts:
-            self.outliers.update(counts)
+        before, self.ranking.search = self.search, self.search.without_outliers(best.fit)
+        if self.search is not before:
             data = self.search.data
             self.ranking.base = self.base.against(data)
             for names, c in self.fitted.items():
                 self.fitted[names] = replace(c, fit=c.fit.against(data))
             self.ranking.update_scale()
-
-    def try_forms(self) -> None:
-        """The other members of the families that came farthest, the general ones to the end.
-
-        Slopes, and a few steps, do not tell what a much richer law can do; and before two effects are looked for, it is
-        to be known what one family can say by itself. Where a law leaves noise, or no effect is needed, none is tried.
-        Where a general member leaves noise, the general members of the others: what one bends into, another may.
-        """
-        answer = self.ranking.best()
-        solved = not self.ranking.unsolved()
-        if solved and (answer is None or self.ranking.is_specific(answer.effects)):
-            return
-        best: dict[str, tuple[str, ...]] = {}
-        for c in self.ranking.models(1):
-            best.setdefault(self.search.family[c.effect], c.effects)
-        leading = dict(list(best.items())[: CRITERIA.search.leading_families])
-        self._try(
-            [
-                FitRequest((e,), self.fitted[leading[f]].fit.values)
-                for f in leading
-                for e in self._members(f)
-                if e in self.search.general or not solved
-            ]
-        )
-        general = [
-            c
-            for c in self.ranking.models(1)
-            if c.brief and c.general and self.search.family[c.effect] in leading
-        ]
-        self._finish_within_effort(general)
-
-    def try_earlier(self, earlier: Sequence[Candidate]) -> None:
-        """Models of an earlier search, those that left least of all runs."""
-        left = {c.effects: sum(s.chi2 for s in c.fit.residuals.values()) for c in earlier}
-        nearest = sorted(earlier, key=lambda c: (left[c.effects], c.effects))
-        first = nearest[: CRITERIA.search.together]
-        if first:
-            self._try([FitRequest(c.effects, c.fit.values) for c in first])
-            self.improve(max(len(c.effects) for c in first))
 
     def has_general_answer(self) -> bool:
         """Whether a general member leads, which may say what several laws say together."""
@@ -302,51 +209,44 @@ class _Models:
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
 
-        An effect is exchanged for another of its family, left out, exchanged for one that does nearly the same to the
-        samples, or added. What the search predicts of a set is computed from slopes; an effect may have been chosen
-        beside others that need it no more, or that need another one, once they are fitted together.
+        An effect is exchanged for another of its family or one that does nearly the same, left out, or added. What is
+        predicted of a set comes from slopes; an effect may have been chosen beside others that need it no more, or that
+        need another one, once they are fitted together. Of many effects a fit takes long: fewer moves have to do.
         """
-        refined = set[frozenset[str]]()
-        exchanged = False
+        refined, exchanged = set[frozenset[str]](), False
         while (best := self._leading()) is not None and frozenset(best.effects) not in refined:
             if self._is_effort_spent([]):
                 return
             refined.add(frozenset(best.effects))
             self.set_outliers_aside()
-            if len(best.effects) > _FEW:
-                self._refine_many(best, not exchanged)
-                exchanged = True
-                continue
-            self._exchange_members(best)
-            self._try(self._requests(best, self.search.simpler_laws(best)))
+            few = len(best.effects) <= _FEW
+            if few or not exchanged:
+                exchanged = not few
+                self._exchange_members(best)
+                self._try(self._requests(best, self.search.simpler_laws(best)))
             law = self.ranking.leader(specific=True)
-            if law is not None and law is not best:  # what a general member says, laws may say
+            if (
+                few and law is not None and law is not best
+            ):  # what a general member says, laws may say
                 self._exchange_members(law)
-            self.improve(len(best.effects))
+            self._finish_promising(best)
             self._leave_out(best)
-            if self._leading() is not best:
+            if not self._leads(best):
                 continue
-            self._try_imitations(best)
-            self.improve(len(best.effects))
-            if self.ranking.has_structure(best) and self._leading() is best:
-                self._add_one(best)
+            if few:
+                self._try_imitations(self.fitted[best.effects])
+                self.improve(len(best.effects))
+            if self._leads(best) and self.ranking.has_structure(self.fitted[best.effects]):
+                self._add_one(self.fitted[best.effects])
         if best is not None and len(best.effects) > _FEW:
-            self._try(self._requests(best, [_without(best.effects, n) for n in best.effects]))
+            self._try(self._requests(best, _each_left_out(best)))
 
-    def _refine_many(self, best: Candidate, exchange: bool) -> None:
-        """The moves from a model of many effects, of which a fit takes long: as few as may do."""
-        if exchange:
-            self._exchange_members(best)
-            self._try(self._requests(best, self.search.simpler_laws(best)))
+    def _finish_promising(self, best: Candidate) -> None:
+        """Fits to the end what may be better than a model after a few steps; of many effects what is best then."""
+        if len(best.effects) <= _FEW:
+            self.improve(len(best.effects))
+        else:
             self._finish_best()
-        fewer = self.search.needed(best, len(best.effects) - 1)
-        self._try(self._requests(best, [fewer]))
-        less = self.fitted.get(fewer)
-        if less is not None and less.brief and not self.ranking.matters(best, less, 2.0):
-            self._finish_within_effort([less])
-        self._finish_best()
-        if self._leading() is best and self.ranking.has_structure(best):
-            self._add_one(best)
 
     def _finish_best(self) -> None:
         """Fits to the end what is best after a few steps, if it may lead."""
@@ -359,13 +259,18 @@ class _Models:
             self._finish_within_effort([best])
 
     @staticmethod
-    def _requests(best: Candidate, sets: Sequence[tuple[str, ...]]) -> list[FitRequest]:
+    def _requests(best: Candidate, sets: Iterable[tuple[str, ...]]) -> list[FitRequest]:
         """Sets of effects, to be fitted from where a model stands."""
         return [FitRequest(effects, best.fit.values) for effects in sets]
 
     def _leading(self) -> Candidate | None:
         """The model to go on from: the answer, or what leaves least while nothing beats the base model."""
         return self.ranking.answer() or self.ranking.leader()
+
+    def _leads(self, c: Candidate) -> bool:
+        """Whether a model still is the one to go on from, perhaps after another fit."""
+        leading = self._leading()
+        return leading is not None and leading.effects == c.effects
 
     def _exchange_members(
         self, best: Candidate, leading: Collection[str] | None = None
@@ -415,17 +320,23 @@ class _Models:
         )
 
     def _leave_out(self, best: Candidate) -> None:
-        """The model without each of its effects; to the end where that decides whether the effect matters."""
-        sets = [rest for name in best.effects if (rest := _without(best.effects, name))]
+        """The model without each of its effects; to the end where that decides whether the effect matters.
+
+        Of many effects the one is left out that is needed least.
+        """
+        few = len(best.effects) <= _FEW
+        least = [self.search.needed(best, len(best.effects) - 1)]
+        sets = [rest for rest in (_each_left_out(best) if few else least) if rest]
         if not sets or self._is_effort_spent([]):
             return
         self._record(self.search.fit_briefly(self._requests(best, sets)))
-        less = [c for s in sets if (c := self.fitted.get(s)) is not None and c.brief]
-        self._finish_within_effort([c for c in less if not self.ranking.matters(best, c, 2.0)])
+        less = [c for s in sets if (c := self.fitted.get(s)) is not None]
+        small = [c for c in less if not self.ranking.matters(best, c, 2.0)]
+        self._finish_within_effort([c for c in small if c.brief])
         nearest = self._best_of(sets)
-        if nearest is not None:  # another member may say alone what two say together
+        if nearest is not None and (few or small):  # other members may say what they do not
             self._exchange_members(nearest)
-        self.improve(len(best.effects) - 1)
+        self._finish_promising(nearest or best)
 
     def _add_one(self, best: Candidate) -> None:
         """One more effect beside the model."""
@@ -582,6 +493,11 @@ class _Models:
             if old is None or to_the_end or c.fit.chi2_minimised <= old.fit.chi2_minimised:
                 self.fitted[c.effects] = c
         self.ranking.update_scale()
+
+
+def _each_left_out(c: Candidate) -> list[tuple[str, ...]]:
+    """The effects of a model without each of them."""
+    return [_without(c.effects, name) for name in c.effects]
 
 
 def _without(effects: Sequence[str], name: str) -> tuple[str, ...]:

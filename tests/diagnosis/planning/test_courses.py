@@ -5,17 +5,12 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
-from pam_cosim.diagnosis.planning import Limits, limits_of
-from pam_cosim.diagnosis.planning.course import Course
-from pam_cosim.diagnosis.planning.design import _Search
+from pam_cosim.diagnosis.planning import limits_of
 from pam_cosim.diagnosis.planning.moves import Moves
-from pam_cosim.diagnosis.planning.rivals import soft_minimum
-from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run, Signal
 
 TIME = np.linspace(0.0, 5.0, 51)
@@ -67,25 +62,6 @@ def test_stated_limits_come_first(data: DataSet) -> None:
     assert limits.outputs == {"x": (0.0, 0.005)} and limits.seconds == 2.0
 
 
-def test_what_never_moved_moves_where_limits_are_stated_for_it_and_may_be_held(
-    data: DataSet,
-) -> None:
-    wide = {"p_supply": (1e5, 4e5)}
-    free, held = limits_of(data, wide), limits_of(data, wide, held=["p_supply"])
-    assert free.moving == ("u", "s", "p_supply") and held.moving == ("u", "s")
-    assert np.isinf(free.rates["p_supply"])
-    rng = np.random.default_rng(1)
-    supplies = [Moves(free, data.runs).drawn(rng).table(free)[1]["p_supply"] for _ in range(30)]
-    assert any(np.ptp(values) > 1e4 for values in supplies)
-    assert all(values.min() >= 1e5 and values.max() <= 4e5 for values in supplies)
-    for _ in range(30):
-        values = Moves(held, data.runs).drawn(rng).table(held)[1]["p_supply"]
-        assert np.ptp(values) == 0 and 1e5 <= values[0] <= 4e5
-    assert limits_of(data, {"p_supply": (2e5, 2e5)}).constant == {"p_supply"}  # no choice is left
-    with pytest.raises(InputError, match="no input 'p_suply' to hold; did you mean 'p_supply'"):
-        limits_of(data, held=["p_suply"])
-
-
 @pytest.mark.parametrize(
     ("readings", "constant"),
     [
@@ -109,21 +85,6 @@ def test_the_noise_of_a_reading_is_no_range(
         assert np.ptp(drawn) == 0
 
 
-@pytest.mark.parametrize(
-    ("stated", "seconds", "message"),
-    [
-        ({"u_inn": (0.0, 1.0)}, None, "nothing 'u_inn' to limit"),
-        ({"u": (1.0, 0.0)}, None, "begin above their end"),
-        ({}, 0.0, "longer than nothing"),
-    ],
-)
-def test_limits_that_make_no_sense(
-    data: DataSet, stated: dict, seconds: float | None, message: str
-) -> None:
-    with pytest.raises(InputError, match=message):
-        limits_of(data, stated, seconds)
-
-
 def test_every_course_keeps_the_limits(data: DataSet) -> None:
     limits, rng = limits_of(data), np.random.default_rng(1)
     moves = Moves(limits, data.runs)
@@ -142,69 +103,3 @@ def test_every_course_keeps_the_limits(data: DataSet) -> None:
         assert np.abs(np.diff(table["s"])).max() <= limits.rates["s"] * 0.1 * (1 + 1e-9)
         assert 1.0 <= course.parameters["load.m"] <= 4.0
         assert np.array_equal(course.knots, np.sort(course.knots)) and course.knots[0] == 0
-
-
-def test_a_recorded_course_is_what_was_recorded(data: DataSet) -> None:
-    limits = limits_of(data)
-    first, second = Moves(limits, data.runs).recorded()
-    assert (first.parameters["load.m"], second.constants["p_supply"]) == (1.0, 3e5)
-    time, table = first.table(limits)
-    assert np.interp(time, TIME, VALVE) == pytest.approx(table["u"], abs=1e-12)
-    assert np.interp(time, TIME, STROKE) == pytest.approx(table["s"], abs=2e-4)
-
-
-def test_a_step_is_two_rows_at_one_time() -> None:
-    limits = Limits({"u": (0.0, 1.0)}, frozenset(), {"u": np.inf}, {"u": 0.0}, {}, {}, 1.0, 0.1)
-    course = Course(np.array([0.0, 0.5]), np.array([[0.2], [0.8]]), True, np.zeros((1, 4)), {}, {})
-    time, table = course.table(limits)
-    at = np.flatnonzero(time == 0.5)
-    assert len(at) == 2 and table["u"][at].tolist() == [0.2, 0.8]
-    joined = replace(course, is_stepped=False).table(limits)[1]["u"]
-    assert joined[:6] == pytest.approx(np.linspace(0.2, 0.8, 6))
-
-
-def test_the_soft_minimum_lies_above_the_least_pair_and_near_it() -> None:
-    assert soft_minimum(np.array([40.0, 40.0])) == pytest.approx(40.0)
-    far = soft_minimum(np.array([40.0, 4000.0]))
-    assert 40.0 < far < 40.0 + 8 * np.log(2) + 1e-9
-    assert soft_minimum(np.array([41.0, 4000.0])) > far  # the nearest pair counts most
-
-
-class _ThreeCourses:
-    """Moves and rivals of a rig that knows three courses: one that brings most, one that brings less and is simpler,
-    and one that is simplest and brings next to nothing."""
-
-    pairs = ((0, 1),)
-
-    def __init__(self) -> None:
-        kinds = ((100.0, 9), (90.0, 5), (0.1, 1))
-        self.courses = [SimpleNamespace(chi2=chi2, complexity=size) for chi2, size in kinds]
-        self.number = 0
-
-    def drawn(self, rng: object) -> SimpleNamespace:
-        self.number += 1
-        return self.courses[self.number % 3]
-
-    def recorded(self) -> list[SimpleNamespace]:
-        return []
-
-    def changed(self, rng: object, course: SimpleNamespace) -> SimpleNamespace:
-        return course
-
-    def joined(self, rng: object, one: SimpleNamespace, two: SimpleNamespace) -> SimpleNamespace:
-        return one
-
-    def thinned(self, course: SimpleNamespace) -> np.ndarray:
-        return np.array([course.chi2])
-
-
-@pytest.mark.parametrize("known", [0.0, 500.0])
-def test_a_later_run_is_chosen_by_what_it_adds(
-    known: float, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    """However much the runs before it have brought, the simplest course is no substitute for one that decides."""
-    rig, chosen = _ThreeCourses(), []
-    monkeypatch.setattr(_Search, "_planned", lambda self, course, *rest: chosen.append(course))
-    search = _Search(rig, rig, np.random.default_rng(0), known=np.array([known]))  # type: ignore[arg-type]
-    search.best(("a", "b"))
-    assert chosen[0].chi2 == 90.0

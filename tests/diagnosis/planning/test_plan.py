@@ -2,19 +2,15 @@
 
 from __future__ import annotations
 
-import math
 from dataclasses import replace
 from pathlib import Path
-from types import SimpleNamespace
 
 import pytest
 
 from pam_cosim import study
 from pam_cosim.cli.app import main
 from pam_cosim.diagnosis import Diagnosis
-from pam_cosim.diagnosis.planning import RunPlan, challengers, limits_of
-from pam_cosim.diagnosis.planning.identifiability import DetectableEffect
-from pam_cosim.diagnosis.planning.members import members
+from pam_cosim.diagnosis.planning import RunPlan, limits_of
 from pam_cosim.diagnosis.planning.rivals import Rivals
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, further_run, read_data_set, read_recording
@@ -64,24 +60,6 @@ def test_it_separates_the_rivals_better_than_chance(plan: RunPlan) -> None:
     }  # fmt: skip
 
 
-@pytest.mark.full
-def test_laws_that_fit_as_well_stand_for_their_family(diagnosis: Diagnosis) -> None:
-    """A second spring that fits as well is separated from the creep too, and from the first spring not at all."""
-    spring, creep = diagnosis.candidates
-    data = diagnosis.data
-    rubber = rival("YoungBladder", "elasticity", data, E=1e6)
-    cubic = rival(
-        "PolynomialBladder", "elasticity", data, k1=250.0, k2=0.0, k3=2e4
-    )  # bends: three parameters
-    more = replace(diagnosis, candidates=(spring, rubber, cubic, creep))
-    laws = [[c.effect for c in models] for models in members(more)]
-    assert laws == [["LinearBladder", "YoungBladder"], ["MaxwellCreep"]]
-    plan = study.plan(more, seconds="2 s")
-    assert "between LinearBladder (or YoungBladder), MaxwellCreep" in plan.expectation
-    pairs = {(one.first, one.second) for one in plan.separations}
-    assert pairs == {("LinearBladder", "MaxwellCreep"), ("YoungBladder", "MaxwellCreep")}
-
-
 def test_the_table_alone_gives_the_run(diagnosis: Diagnosis, plan: RunPlan) -> None:
     """What a rig plays from the table separates the rivals as was said."""
     limits = limits_of(diagnosis.data, {"load.m": (2.0, 4.0)}, 3.0)
@@ -98,25 +76,6 @@ def test_it_is_saved_as_the_table_that_a_rig_plays(plan: RunPlan, tmp_path: Path
     assert study.save(plan, tmp_path / "python.csv") == tmp_path / "python.csv"
     assert (tmp_path / "python.csv").read_bytes() == (tmp_path / "command.csv").read_bytes()
     assert str(study.load(study.save(plan, tmp_path / "plan.npz"))) == str(plan)
-
-
-def test_two_searches_with_one_seed_are_one(diagnosis: Diagnosis, plan: RunPlan) -> None:
-    again = study.plan(diagnosis, limits={"load.m": ("2 kg", "4 kg")}, seconds="3 s", seed=1)
-    assert again.as_dict() == plan.as_dict()
-
-
-@pytest.mark.full
-def test_a_second_run_adds_to_the_first(diagnosis: Diagnosis) -> None:
-    plan = study.plan(diagnosis, seconds="2 s", runs=2)
-    assert plan.chi2 == pytest.approx(sum(run.chi2 for run in plan.runs))
-    assert plan.chi2 > 1.5 * plan.runs[0].chi2
-
-
-@pytest.mark.full
-def test_predicted_signals_keep_their_limits(diagnosis: Diagnosis) -> None:
-    plan = study.plan(diagnosis, limits={"p": ("0 kPa", "120 kPa")}, seconds="3 s")
-    for signals in plan.runs[0].predicted.values():
-        assert signals["p"].max() < 121e3
 
 
 @pytest.mark.parametrize(
@@ -137,76 +96,6 @@ def test_what_cannot_be_planned(diagnosis: Diagnosis, options: dict, message: st
 def test_a_verdict_without_rivals_leaves_nothing_to_decide(diagnosis: Diagnosis) -> None:
     with pytest.raises(InputError, match="the verdict is ambiguous: there are no rivals"):
         study.plan(replace(diagnosis, rivals=diagnosis.rivals[:1]))
-
-
-@pytest.mark.full
-def test_an_identified_effect_is_tested_against_what_came_near(diagnosis: Diagnosis) -> None:
-    """What contains the verdict's family can say all that its law says: it is no challenger."""
-    spring, creep = diagnosis.candidates
-    both = replace(creep, effects=("LinearBladder", "MaxwellCreep"))
-    friction = rival("ViscousFriction", "rate_friction", diagnosis.data, c=300.0)
-    verdict = replace(
-        diagnosis.verdict, kind="identified", families=("elasticity",), effects=spring.effects
-    )
-    found = replace(
-        diagnosis,
-        verdict=verdict,
-        candidates=(spring, both, creep, friction),
-        path=(spring,),
-        rivals=(),
-    )
-    plan = study.plan(found, seconds="2 s")
-    assert plan.explanations == (("LinearBladder",), ("MaxwellCreep",), ("ViscousFriction",))
-    pairs = {(one.first, one.second) for one in plan.separations}
-    assert pairs == {("LinearBladder", "MaxwellCreep"), ("LinearBladder", "ViscousFriction")}
-    assert plan.tests and plan.decides and plan.chi2 > 2 * plan.runs[0].at_random
-    assert "should test LinearBladder against MaxwellCreep, ViscousFriction" in plan.expectation
-    assert "a run that would test this verdict" in str(plan)
-    with pytest.raises(InputError, match="the verdict is identified: there are no rivals"):
-        study.plan(replace(found, candidates=(spring, both)))
-
-
-@pytest.mark.full
-def test_nothing_missing_is_tested_against_effects_that_the_recordings_hardly_show(
-    diagnosis: Diagnosis, monkeypatch: pytest.MonkeyPatch
-) -> None:
-    def shown(effect: str, family: str, least: float, **values: float) -> DetectableEffect:
-        return DetectableEffect(effect, family, 10 / least, least, values, {}, {})
-
-    each = [
-        shown("LinearBladder", "elasticity", 0.02, **{"bladder.k": 5.0}),
-        shown("LaminarLeak", "leak", 0.1, **{"leak.G": 2e-11}),
-        shown("MaxwellCreep", "creep", 0.3, **{"creep.k": 50.0, "creep.tau": 1.0}),
-        shown("ViscousFriction", "rate_friction", 0.4, **{"damper.c": 20.0}),
-        shown("PositionOffset", "position_offset", math.inf),
-    ]
-    known = SimpleNamespace(families={one.family: one for one in each})
-    checked = SimpleNamespace(identifiability=known)
-    monkeypatch.setattr(challengers, "check", lambda *_, **__: checked)
-    base = replace(diagnosis.candidates[0].fit, parameters={})
-    sound = replace(
-        diagnosis,
-        verdict=replace(diagnosis.verdict, kind="none_missing", families=(), effects=()),
-        base=base,
-        candidates=(),
-        rivals=(),
-    )
-    (own, *others) = challengers.challenged(sound)
-    assert own[0].effects == () and [one.effects for (one,) in others] == [
-        ("ViscousFriction",),
-        ("MaxwellCreep",),
-        ("LaminarLeak",),
-    ]
-    creep = others[1][0].fit
-    assert (creep.values["creep.k"], creep.values["creep.tau"]) == (50.0, 1.0)
-    # all else is fitted beside it, which hides what it can of the effect
-    assert creep.values["muscle.mu_fb"] != others[0][0].fit.values["muscle.mu_fb"]
-    plan = study.plan(sound, seconds="2 s")
-    assert plan.rivals[0] == "no effect" and len(plan.separations) == 3
-    assert "no effect against ViscousFriction, MaxwellCreep, LaminarLeak" in plan.expectation
-    assert "each as weak as the recordings just show it" in plan.expectation
-    (run,) = plan.runs
-    assert run.chi2 > run.at_random > 0
 
 
 def test_the_command_writes_what_a_rig_can_play(

@@ -36,36 +36,33 @@ GROWING = "String s;"
 REFUSED: dict[str, str] = {
     # nested texts
     "5000 parentheses": _output("(" * 5000 + "1" + ")" * 5000),
-    "5000 signs": _output("-(" * 5000 + "1" + ")" * 5000),
+
     "5000 braces": _output("sum(" + "{" * 5000 + "1" + "}" * 5000 + ")"),
-    "3000 calls": _output("abs(" * 3000 + "1" + ")" * 3000),
+
     "500 nested modifications": model("A a(" + "b(" * 500 + "x=1" + ")" * 500 + ");", before="model A Real x; end A;"),
     "a modification of 5000 parts": model("A a(" + ".".join("b" * 5000) + "=1);", before="model A Real x; end A;"),
-    "a modification of 90 parts in 90": model(
-        "A a(" + (".".join("b" * 90) + "(") * 90 + "x=1" + ")" * 91 + ";", before="model A Real x; end A;"
-    ),
+
     "2000 classes in one another": "".join(f"model A{i} " for i in range(2000))
     + "".join(f"end A{i}; " for i in reversed(range(2000))),
     "if 2000 deep": _inputs("if u > 0 then 1 else " * 2000 + "2"),
     "if equations 500 deep": model(
         "input Real u; Real y;", "if u > 0 then " * 500 + "y = 1;" + " else y = 2; end if;" * 500
     ),
-    "for 500 deep": model("Real y;", "for i in 1:2 loop " * 500 + "y = 1;" + " end for;" * 500),
+
     "annotation 5000 deep": model("Real y = 1; annotation(" + "a(" * 5000 + ")" * 5000 + ");"),
-    "subscripts 2000 deep": model("parameter Integer n[1] = {1}; output Real y = n[" + "n[" * 2000 + "1" + "]" * 2001 + ";"),
+
     # classes without end
-    "two classes in each other": "model A B b; end A; model B A a; end B; model M A a; end M;",
+
     "a class in itself": "model M M m; end M;",
     "a class that extends itself": "model M extends M; end M;",
     "two classes that extend each other": "model A extends B; end A; model M extends A; end M; model B extends A; end B; "
     "model N extends A; end N;",
-    "short classes in a circle": "type A = B; type B = A; model M A x; end M;",
-    "packages that import each other": "package P import Q.*; end P; package Q import P.*; end Q; "
-    "model M import P.*; nothing x; end M;",
+
+
     "packages that extend each other": "package P extends Q; end P; package Q extends P; end Q; "
     "model M P.nothing x; end M;",
     "an import of what is imported": "package P import x = P.x; end P; model M P.x y; end M;",
-    "a class inside what it extends": "model M model N extends M; end N; N n; end M;",
+
     "redeclared by itself": "model A replaceable model B = C; B b; end A; model C Real x = 1; end C; "
     "model M A a(redeclare model B = A(redeclare model B = A)); end M;",
     "a record that holds itself": "record R R r; Real x; end R; model M R r; output Real y = r.x; end M;",
@@ -76,27 +73,26 @@ REFUSED: dict[str, str] = {
     + "package P3000 end P3000; model M P0.nothing x; end M;",
     # numbers of things
     "2^40 instances": _doubling(40),
-    "2^18 instances": _doubling(18),
-    "2^40 empty instances": _doubling(40, ""),
+
+
     "an array of 300000": model("Real z[300000];", "for i in 1:300000 loop der(z[i]) = -z[i]; end for;"),
-    "arrays of arrays": "model A Real x[100]; end A; model B A a[100]; end B; model C B b[100]; end C; "
-    "model M C c[100]; end M;",
+
     "a matrix of 10^5 by 10^5": model("Real z[100000, 100000];"),
-    "ten dimensions": model("Real z[50,50,50,50,50,50,50,50,50,50];"),
+
     "a negative size": model("Real z[-5] = ones(-5); output Real y = z[1];"),
     "a parameter array of 10^9": model("parameter Real z[1000000000] = fill(1, 1000000000); output Real y = z[1];"),
     "a range to 1e9": _output("sum(1:1000000000)"),
     "a range of tiny steps": _output("sum(0:1e-12:1)"),
     "a range to infinity": _output("sum(1:1e400)"),
-    "a range to 1e300": _output("sum(1:1e300)"),
+
     "linspace of 1e9": _output("sum(linspace(0, 1, 1000000000))"),
-    "linspace of one": _output("sum(linspace(0, 1, 1))"),
-    "linspace of a half": _output("sum(linspace(0, 1, 2.5))"),
+
+
     "fill of 1e9": _output("sum(fill(1.0, 1000000000))"),
-    "fill of 3000 by 3000": _output("sum(fill(1.0, 3000, 3000))"),
+
     "fill in 30 dimensions": _output("sum(fill(1.0, " + ", ".join("2" * 30) + "))"),
-    "zeros in nested arrays": _output("sum({zeros(1000) for i in 1:1000})"),
-    "a comprehension of 1e9": _output("sum({i*j for i in 1:100000, j in 1:100000})"),
+
+
     "a sum to 1e9": _output("sum(i for i in 1:1000000000)"),
     "a loop of 1e9 in a function": _output("f(1)", _function("f", "y := 0; for i in 1:1000000000 loop y := y + i; end for;")),
     "loops in loops": _output(
@@ -104,7 +100,7 @@ REFUSED: dict[str, str] = {
     ),
     "nested sums": _output(SUMS),
     "a function that calls itself twice": _output("f(45)", FIB),
-    "a function that calls itself": _output("f(1)", _function("f", "y := f(n + 1);")),
+
     "two functions that call each other": _output(
         "f(1)", _function("f", "y := g(n);") + _function("g", "y := f(n) + f(n);")
     ),
@@ -116,11 +112,7 @@ REFUSED: dict[str, str] = {
     "model M A a[1500]; equation for i in 1:1500, j in 1:1500 loop connect(a[i].c, a[j].c); end for; end M;",
     "equations in loops": model("Real x;", "for i in 1:3000, j in 1:3000 loop x = i; end for;"),
     # texts
-    "a string of 100 MB": model(
-        'parameter String s = f("' + "x" * 1000 + '"); Real y = 1;',
-        before="function f input String a; output String s; algorithm s := a; "
-        "for i in 1:17 loop s := s + s; end for; end f;",
-    ),
+
     "a string that grows": model(
         'parameter String s = f("x"); Real y = 1;',
         before="function f input String a; output String s; algorithm s := a; "
@@ -128,41 +120,41 @@ REFUSED: dict[str, str] = {
     ),
     # numbers
     "a number of 400 digits": _inputs("u*" + "9" * 400),
-    "a number of 5000 digits": _output("9" * 5000),
+
     "an exponent of a million digits": _output("1e" + "9" * 100000),
-    "2^2^2^2^2^2": _output("((((2^2)^2)^2)^200)^200"),
+
     "a product of huge integers": _output("product(i for i in 1:1000)"),
     "an integer that grows": _output("f(3)", _function("f", "y := n; for i in 1:40 loop y := y*y; end for;", "input Integer n;")),
-    "10^400": _output("10^400"),
+
     "division by zero": _output("1/0"),
-    "0^(-1)": _output("0^(-1)"),
+
     "exp(1000)": _output("exp(1000)"),
     "integer of infinity": _output("integer(1e308*10)"),
     "a subscript that is infinite": model("parameter Real z[2] = {1, 2}; output Real y = z[integer(1e308*10)];"),
-    "a size that is infinite": model("Real z[integer(1e308*10)];"),
-    "a size that is not a number": model("Real z[integer(1e308*10 - 1e308*10)];"),
+
+
     # wrong kinds
     "a text times a number": _output('product({"a", "b"})'),
-    "the sum of texts": _output('sum({"a", "b"})'),
-    "max of nothing": _output("max({i for i in 1:0})"),
+
+
     "scalar of nothing": _output("scalar({i for i in 1:0})"),
-    "transpose of a number": _output("sum(transpose(3))"),
+
     "transpose of ragged rows": _output("sum(transpose({{1, 2}, {3}}))"),
     "size of a text": _output('size("a", "b")'),
-    "size in a text's dimension": _output('size({1}, "b")'),
-    "integer of a text": _output('integer("a")'),
+
+
     "mod by zero": _output("mod(1, 0)"),
-    "div by zero": _output("div(1, 0)"),
-    "fill without a size": _output('fill(1, "a")'),
+
+
     "a delay of a text": _inputs('delay(u, "a")'),
-    "smooth with one argument": _inputs("smooth(u)"),
+
     "an operation of a record and a number": "record R Real x; end R; model M R r(x=1); output Real y = r + 1; end M;",
     "a comparison of a text and a number": model('parameter Boolean b = "a" < 1; output Real y = if b then 1 else 2;'),
-    "a comparison of arrays": model("parameter Boolean b = {1, 2} < {1}; output Real y = 1;"),
+
     "an if over a text": model('output Real y = if "a" then 1 else 2;'),
-    "a vector product of nothing": _output("{i for i in 1:0}*{{1}}"),
+
     "a matrix product that does not fit": _output("sum({{1, 2}, {3}}*{{1}, {2}})"),
-    "String of an array": model("parameter String s = String({1, 2}, significantDigits=1); Real y = 1;"),
+
     "16 nested derivatives": model(
         "Real x[16]; output Real y = x[16];",
         "x[1] = sin(time)*exp(time)*cos(time*time); for i in 2:16 loop x[i] = der(x[i-1]); end for;",
@@ -172,10 +164,8 @@ REFUSED: dict[str, str] = {
         "for i in 1:60, j in 1:60 loop A[i,j] = u*i*j; end for;",
     ),
     "equations that say the same": model("Real x, z; output Real y = x;", "x + z = 1; 2*x + 2*z = 2;"),
-    "parameters that say the same": model(
-        "parameter Real R = 3; Real x, z; output Real y = x;", "R*x + R*z = 1; 2*R*x + 2*R*z = 2;"
-    ),
-    "decimals that say the same": model("Real x, z; output Real y = x;", "0.1*x + 0.2*z = 0.3; 0.3*x + 0.6*z = 0.9;"),
+
+
     "a loop that is singular at the start": model(
         "parameter Real a = 1; Real x, z; output Real y = x;", "x + z = 1; a*x + z = 2;"
     ),

@@ -13,7 +13,7 @@ import pam_cosim as pam
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.planning.hypothetical_measurements import AS_MEASURED, Option
 from pam_cosim.diagnosis.planning.identifiability import Rows
-from pam_cosim.diagnosis.search.probing import StatedEffect, Strengths, detectable_strength
+from pam_cosim.diagnosis.search.probing import StatedEffect, Strengths
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free, Linear
 from tests.cli.conftest import EXPERIMENT, table
@@ -95,18 +95,6 @@ def test_what_begins_at_a_threshold_shows_where_it_was_seen_or_not_at_all() -> N
     assert [s.least for s in rows(weak).identifiability().effects] == [math.inf]
 
 
-def test_a_strength_is_extrapolated_from_the_weakest_look_that_shows() -> None:
-    assert detectable_strength([100.0, 10.0, 1.0], 5.0) == pytest.approx(0.05)  # in proportion
-    assert detectable_strength([100.0, 40.0, 4.0], 5.0) == pytest.approx(
-        0.1 * 5 / 40
-    )  # saturated where it is strong
-    assert detectable_strength([100.0, 10.0, 0.0], 5.0) == pytest.approx(
-        0.1
-    )  # a threshold lies between the last two
-    assert detectable_strength([1.0], 5.0) == pytest.approx(5.0)
-    assert detectable_strength([0.0], 5.0) == math.inf
-
-
 def test_families_that_do_the_same_are_told_apart_by_a_signal_in_which_they_differ() -> None:
     same, apart = 40 * unit(1), unit(COUNT + 1)
     told = rows(
@@ -119,54 +107,11 @@ def test_families_that_do_the_same_are_told_apart_by_a_signal_in_which_they_diff
     assert told.further == [MORE]
 
 
-def test_a_form_that_pays_for_many_parameters_is_not_taken_for_a_plain_one() -> None:
-    """That the price of four more parameters tells them apart needs no strength at all."""
-    plain, rich = stated("Spring", "elasticity", 40 * unit(1)), stated("Hole", "leak", 40 * unit(1))
-    names = [f"Hole.{i}" for i in range(4)]
-    further = tuple(Free(name, -1e6, 1e6, 1.0, "N") for name in names)
-    slopes = np.column_stack([rich.linear.slopes, *(5 * unit(2 + i) for i in range(4))])
-    limits = np.append(rich.linear.high, np.full(4, 1e6))
-    linear = replace(
-        rich.linear, names=(*rich.linear.names, *names), slopes=slopes, low=-limits, high=limits,
-        values=np.append(rich.linear.values, np.zeros(4)),
-    )  # fmt: skip
-    absent = {**rich.strengths.absent, **dict.fromkeys(names, 0.0)}
-    strengths = Strengths((*rich.strengths.own, *further), absent)
-    told = rows(plain, replace(rich, linear=linear, strengths=strengths)).identifiability()
-    assert not any(a.effect == "Spring" for a in told.alike)
-
-
 def vessel(folder: Path, text: str = EXPERIMENT) -> pam.Check:
     folder.mkdir()
     (folder / "experiment.toml").write_text(text)
     (folder / "one.csv").write_text(table())
     return pam.check(pam.read(folder), workers=0)
-
-
-@pytest.mark.full
-def test_the_deviations_of_a_vessel_are_those_of_its_fit(tmp_path: Path) -> None:
-    """The fit is asked at the optimum and the check at the start values, so that they are alike, not equal."""
-    told = vessel(tmp_path / "rig").identifiability
-    fit = pam.fit(pam.read(tmp_path / "rig"))
-    for known in told.parameters:
-        estimate = fit.parameters[known.name]
-        deviation = (estimate.high - estimate.low) / 2 / 1.96
-        assert known.determined
-        assert 0.5 < known.deviation / deviation < 2.0
-
-
-@pytest.mark.full
-def test_measuring_the_temperature_of_a_vessel_helps(tmp_path: Path) -> None:
-    """Pressure alone says little of heat, and nothing of what reads a temperature."""
-    check = vessel(tmp_path / "rig")
-    assert {"temperature_sensor", "thermocouple_lag"} <= set(check.identifiability.hidden) | set(
-        check.no_place
-    )
-    (temperature,) = [h for h in check.helps if h.option.text.startswith("T in every run")]
-    assert "temperature_sensor" in temperature.shows
-    assert temperature.sharper < 0.5
-    assert "elasticity" in check.no_place
-    assert "what would help most:" in str(check)
 
 
 def test_a_parameter_that_data_do_not_determine_is_named(tmp_path: Path) -> None:

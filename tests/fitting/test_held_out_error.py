@@ -66,17 +66,3 @@ def test_an_error_that_the_fitted_run_does_not_allow_stays(
     raw, tested = result.residuals["holdout"], result.residuals_beyond_uncertainty["holdout"]
     assert raw.chi2_reduced > 5.0
     assert tested.chi2_reduced > 3.0
-
-
-def test_without_being_asked_or_without_held_out_runs_there_is_none(
-    bench: Callable[[str], Path],
-) -> None:
-    data = _both(60.0, TRUE_C_D)
-    with Simulator(bench("VesselOrifice")) as simulator:
-        assert fit(simulator, data).holdout_uncertainty.shifts == {}
-        alone = replace(data, runs=data.runs[:1])
-        result = fit(simulator, alone, options=FitOptions(holdout_uncertainty=True))
-    assert (
-        result.holdout_uncertainty.shifts == {}
-        and result.residuals_beyond_uncertainty == result.residuals
-    )
