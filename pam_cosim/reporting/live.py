@@ -76,10 +76,8 @@ class Tried:
         """The same, the answer first, without those that add an effect to a better or equal model to no avail."""
         ranked, kept = [*reversed(self.path), *self.ranked()], dict[tuple[str, ...], Candidate]()
         for c in ranked:
-            gain = CRITERIA.evidence.very_strong
-            idle = any(
-                {*o.effects} < {*c.effects} and o.delta_bic < c.delta_bic + gain for o in ranked
-            )
+            most = c.delta_bic + CRITERIA.evidence.very_strong
+            idle = any({*o.effects} < {*c.effects} and o.delta_bic < most for o in ranked)
             if c in self.path or not idle:
                 kept.setdefault(c.effects, c)
         return list(kept.values())
@@ -125,8 +123,7 @@ class Live:
             verdict = self._tried.judged.verdict
             text = f"{kind_name(verdict.kind)}. {verdict.reason} {probability_sentence(verdict)}"
             parts.append(f"<p><strong>{escape(text.strip())}</strong></p>")
-            lines = "\n".join(table_lines(verdict))
-            parts.append(f"<pre>{escape(lines)}</pre>" * bool(lines))
+            parts += [f"<pre>{escape(line)}</pre>" for line in table_lines(verdict)]
         return "".join(parts)
 
     def _table(self, base: Fit) -> str:

@@ -39,7 +39,6 @@ from pam_cosim.sweeps import Sweep
 from pam_cosim.units import UnitError, parse_quantity
 from pam_cosim.wording import shown
 
-_NARROWEST, _WIDEST = 1.5, 40.0  # in
 _INCH = 0.0254  # m
 
 
@@ -81,10 +80,10 @@ def _inches(width: str | float | None) -> float | None:
     if width is None:
         return None
     try:
-        inches = parse_quantity(width, "m") / _INCH if isinstance(width, str) else width / _INCH
+        inches = (parse_quantity(width, "m") if isinstance(width, str) else width) / _INCH
     except UnitError as problem:
         raise InputError(f"the width of a picture: {problem}") from None
-    if not _NARROWEST <= inches <= _WIDEST:
+    if not 1.5 <= inches <= 40:
         raise InputError(f"a picture {shown(width)} wide cannot be drawn; a column is '88 mm' wide")
     return inches
 
@@ -113,9 +112,8 @@ def _(product: Fit) -> Figure:
 
 @figure_of.register
 def _(comparison: Comparison) -> Figure:
-    layers = (alone(comparison),)
+    layers, signals = (alone(comparison),), [*comparison.data.signals.values()]
     few = max(len(r.run.time) for r in comparison.runs) <= SPARSE
-    signals = list(comparison.data.signals.values())
     figure = panels(comparison.runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
     legend_outside(figure, legend(layers, few))
     return figure

@@ -15,7 +15,7 @@ import matplotlib
 from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
-from matplotlib.font_manager import FontProperties, findfont, get_font
+from matplotlib.font_manager import FontProperties, findfont, fontManager, get_font
 from matplotlib.text import Text
 
 from pam_cosim.reporting.account.wording import wrapped
@@ -48,8 +48,6 @@ _COLUMN = 5.0  # in, below which a figure is of one column of a journal: smaller
 _LETTER = 0.58  # mean width of a letter, of its size
 _FURTHER_FONTS = (
     "Noto Sans CJK JP",
-    "Noto Sans",
-    "IPAexGothic",
     "Yu Gothic",
     "Hiragino Sans",
     "Arial Unicode MS",
@@ -148,14 +146,8 @@ def is_narrow() -> bool:
 def _fonts() -> tuple[str, ...]:
     """The font, and after it those that are installed and have further letters."""
 
-    def is_there(name: str) -> bool:
-        try:
-            findfont(FontProperties(family=name), fallback_to_default=False)
-        except ValueError:
-            return False
-        return True
-
-    return (_SETTINGS["font.family"], *filter(is_there, _FURTHER_FONTS))
+    known = fontManager.get_font_names()
+    return (_SETTINGS["font.family"], *(name for name in _FURTHER_FONTS if name in known))
 
 
 @cache
@@ -188,8 +180,7 @@ def legend_outside(
     room = letters_in(figure.get_size_inches()[0])
     labels = [wrapped(str(handle.get_label()), room - 8, 3) for handle in handles]
     longest = max((len(line) for label in labels for line in label.split("\n")), default=1)
-    columns = min(len(handles), max(room // (longest + 7), 1)) or 1
-    figure.legend(handles, labels, loc=loc, ncols=columns)
+    figure.legend(handles, labels, loc=loc, ncols=max(room // (longest + 7), 1))
 
 
 def _finished(figure: Figure) -> Figure:
@@ -203,13 +194,8 @@ def _finished(figure: Figure) -> Figure:
 
 def picture(figure: Figure, alt: str, caption: str) -> Picture:
     """The figure as an embedded vector picture; call it inside ``drawing``."""
-    file = io.BytesIO()
-    _finished(figure).savefig(file, format="svg", dpi=160, metadata={"Date": None, "Creator": None})
-    return Picture(
-        "data:image/svg+xml;base64," + base64.b64encode(file.getvalue()).decode("ascii"),
-        alt,
-        caption,
-    )
+    content = base64.b64encode(image(figure, "svg", 160)).decode("ascii")
+    return Picture("data:image/svg+xml;base64," + content, alt, caption)
 
 
 _METADATA = {

@@ -144,7 +144,7 @@ function rig(draft, wishes, change, answer) {
   const line = (label, control, words) =>
     make("label", { class: "line" }, make("span", {}, label), control, make("span", { class: "soft" }, words));
   const muscle = wishes.muscle ? part("muscle").find((one) => one.name === wishes.muscle)?.description : "";
-  const shown = (p) => p.geometry || p.name in draft.stated || p.name in wishes.parameters;
+  const shown = (p) => p.geometry || p.unit === "rad" || p.name in draft.stated || p.name in wishes.parameters;
   return section(
     "The rig",
     line("title", field("title", "", wishes, change, { placeholder: draft.title }), ""),
