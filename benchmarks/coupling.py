@@ -155,7 +155,6 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
         VERMILLION,
         drawing,
         new_figure,
-        png,
     )
 
     target = Path(__file__).resolve().parents[1] / "docs" / "pictures" / "coupling.png"
@@ -188,7 +187,7 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
                 axis.set_minor_formatter("")
         left.set_xticks([1e3 * step for step in STEPS])
         right.set_ylim(bottom=2e-7)  # below the points is room for the legend
-        target.write_bytes(png(figure, 120))
+        target.write_bytes(image(figure, dpi=120))
     return str(target)
 
 

@@ -9,6 +9,7 @@ from pam_cosim.measurement.further_run import further_run, rows_of
 from pam_cosim.measurement.noise import complete_noise, record_step
 from pam_cosim.measurement.read import read_data_set
 from pam_cosim.measurement.recording import Recording, read_recording
+from pam_cosim.measurement.rig_columns import RigColumn, rig_columns
 from pam_cosim.measurement.signal import Signal, StatedSignal
 from pam_cosim.measurement.start import START_MODES, Start, StartMode
 from pam_cosim.measurement.text_file import any_text
@@ -24,6 +25,7 @@ __all__ = [
     "Prior",
     "ROLES",
     "Recording",
+    "RigColumn",
     "Role",
     "Run",
     "START_MODES",
@@ -42,6 +44,7 @@ __all__ = [
     "record_step",
     "read_data_set",
     "read_recording",
+    "rig_columns",
     "rows_of",
     "write_data_set",
 ]

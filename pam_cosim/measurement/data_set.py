@@ -19,7 +19,7 @@ from pam_cosim.model.domain import Domain
 from pam_cosim.model.references import START_VALUES, is_ratio, parameter_of
 from pam_cosim.simulation.inputs import Interpolation
 from pam_cosim.units import format_quantity
-from pam_cosim.wording import Printed, shown
+from pam_cosim.wording import Printed, did_you_mean, shown
 
 FILE_NAME = "experiment.toml"
 Role = Literal["fit", "holdout"]
@@ -227,6 +227,26 @@ class DataSet(Printed):
         if roles and not any(run.role == "fit" for run in runs):
             raise InputError("no run would be left to fit")
         return replace(self, runs=runs) if roles else self
+
+    def with_signals(self, sigmas: Mapping[str, float | None]) -> DataSet:
+        """The same where just these signals are fitted, and all others compared.
+
+        Args:
+            sigmas: noise levels [SI] by name of a signal; None: as it was stated or estimated.
+
+        Raises:
+            InputError: no such signal, or none would be left to fit.
+        """
+        stray = next((name for name in sigmas if name not in self.signals), None)
+        if stray is not None:
+            raise InputError(f"nothing measures '{stray}'; {did_you_mean(stray, self.signals)}")
+        if not sigmas:
+            raise InputError("no signal would be left to fit")
+        signals = {name: replace(s, fitted=name in sigmas) for name, s in self.signals.items()}
+        for name, sigma in sigmas.items():
+            if sigma is not None:
+                signals[name] = replace(signals[name], sigma=sigma, stated=sigma, estimated=False)
+        return replace(self, signals=signals)
 
     def parameters_of(
         self, run: Run, fitted: Mapping[str, float] | None = None

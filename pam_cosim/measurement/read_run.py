@@ -73,7 +73,7 @@ def read_points(
     words = WORDS
     if branch is not None and branch.words is not None:
         words = {cell.casefold(): WORDS[word] for cell, word in branch.words.items()}
-    layout = _layout(stated, columns, interface)
+    layout = layout_of(stated, columns, interface)
     layout = replace(layout, words={**layout.words, source: words})
     table = with_columns(read_table(file, layout), columns, interface.inputs)
     return points_of(with_zeros(table, columns), interface, run, held), (file,)
@@ -84,7 +84,7 @@ def _recording(
 ) -> Recording:
     """The recording in the file of a run, or of another of its loggers."""
     stated, columns = entry.recording, entry.columns
-    table = read_table(file, _layout(stated, columns, interface))
+    table = read_table(file, layout_of(stated, columns, interface))
     table = with_clocks_going_on(table, clock_of(columns))
     if stated.interval is not None:
         interval = stated.interval.above_zero("s")
@@ -123,7 +123,8 @@ def _offset(run: RunTable, logger: LoggerTable, reference: Recording, shifted: R
         raise logger.error(message, "match") from None
 
 
-def _layout(stated: RecordingTable, columns: Columns, interface: Interface) -> Layout:
+def layout_of(stated: RecordingTable, columns: Columns, interface: Interface) -> Layout:
+    """How the file of a run is read, so that the columns that it needs are kept."""
     needed = frozenset((TIME, *interface.inputs, *interface.outputs, *sources_of(columns)))
     headings = {n: one.column for n, one in columns.items() if isinstance(one.column, str)}
     layout = stated.layout(asked=needed, clock=clock_of(columns))

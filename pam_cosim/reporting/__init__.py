@@ -1,4 +1,4 @@
-"""Any product -> HTML, PNG. What is said of it, without a picture, is in ``pam_cosim.reporting.account``."""
+"""Any product -> HTML, PNG, SVG, PDF. What is said of it, without a picture, is in ``pam_cosim.reporting.account``."""
 
 from __future__ import annotations
 
@@ -10,14 +10,7 @@ if TYPE_CHECKING:
     from pam_cosim.reporting.comparison_page import comparison_report
     from pam_cosim.reporting.diagnosis_page import diagnosis_report
     from pam_cosim.reporting.live import Live
-    from pam_cosim.reporting.plots import (
-        draw,
-        error_ladder_figure,
-        plot_comparison,
-        plot_fit,
-        plot_tables,
-        plot_trajectory,
-    )
+    from pam_cosim.reporting.plots import draw, plot_fit, plot_tables
     from pam_cosim.reporting.writing import write_report
 
 __all__ = [
@@ -26,11 +19,8 @@ __all__ = [
     "diagnosis_report",
     "diagnosis_text",
     "draw",
-    "error_ladder_figure",
-    "plot_comparison",
     "plot_fit",
     "plot_tables",
-    "plot_trajectory",
     "write_report",
 ]
 

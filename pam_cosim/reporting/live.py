@@ -8,16 +8,22 @@ from html import escape
 from importlib import import_module
 from typing import Any
 
+from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis import (
     BaseFitted,
     Candidate,
     CandidateTried,
     EffectProbed,
     Event,
+    FailedTrial,
     Judged,
 )
 from pam_cosim.diagnosis.judgement.evidence import rank
-from pam_cosim.diagnosis.judgement.verdict_sentences import kind_name, probability_sentence
+from pam_cosim.diagnosis.judgement.verdict_sentences import (
+    kind_name,
+    probability_sentence,
+    table_lines,
+)
 from pam_cosim.fitting import Fit, FitProgress
 from pam_cosim.reporting.account.diagnosis_rows import candidate_row
 
@@ -32,6 +38,51 @@ _COLUMNS = {
 }
 
 
+class Tried:
+    """The models of a diagnosis that goes on, as its events tell them."""
+
+    def __init__(self) -> None:
+        self.base: Fit | None = None
+        self.judged: Judged | None = None
+        self.failed: list[FailedTrial] = []
+        self._tried: dict[tuple[str, ...], Candidate] = {}
+
+    def take(self, event: object) -> None:
+        """Takes an event; a whole fit takes the place of the first steps of one."""
+        match event:
+            case BaseFitted():
+                self.base = event.fit
+            case CandidateTried(attempt=FailedTrial() as failed):
+                self.failed.append(failed)
+            case CandidateTried(attempt=Candidate() as made):
+                before = self._tried.get(made.effects)
+                if before is None or before.brief or not made.brief:
+                    self._tried[made.effects] = made
+            case Judged():
+                self.judged, self.base = event, event.base
+
+    @property
+    def path(self) -> tuple[Candidate, ...]:
+        """What was added in the end."""
+        return self.judged.path if self.judged else ()
+
+    def ranked(self) -> list[Candidate]:
+        """The models, best first."""
+        if self.judged is not None:
+            return list(self.judged.candidates)
+        return [] if self.base is None else rank(self.base, list(self._tried.values()))
+
+    def telling(self) -> list[Candidate]:
+        """The same, the answer first, without those that add an effect to a better or equal model to no avail."""
+        ranked, kept = [*reversed(self.path), *self.ranked()], dict[tuple[str, ...], Candidate]()
+        for c in ranked:
+            most = c.delta_bic + CRITERIA.evidence.very_strong
+            idle = any({*o.effects} < {*c.effects} and o.delta_bic < most for o in ranked)
+            if c in self.path or not idle:
+                kept.setdefault(c.effects, c)
+        return list(kept.values())
+
+
 class Live:
     """Something to tell: ``pam.fit(data, progress=pam.live())``, ``pam.diagnose(data, progress=pam.live())``.
 
@@ -43,9 +94,7 @@ class Live:
         self._handle: Any = None
         self._drawn = 0.0
         self._line, self._headline = "", ""
-        self._base: Fit | None = None
-        self._tried: dict[tuple[str, ...], Candidate] = {}
-        self._judged: Judged | None = None
+        self._tried = Tried()
 
     def __call__(self, event: FitProgress | Event) -> None:
         """Takes a ``FitProgress`` of a fit, or an event of a diagnosis."""
@@ -62,30 +111,24 @@ class Live:
         self._line = event.status if isinstance(event, EffectProbed) else str(event) or self._line
         if isinstance(event, Event) and str(event) and not event.detail:
             self._headline = str(event)
-        if isinstance(event, BaseFitted):
-            self._base = event.fit
-        elif isinstance(event, CandidateTried) and isinstance(event.attempt, Candidate):
-            self._tried[event.attempt.effects] = event.attempt
-        elif isinstance(event, Judged):
-            self._judged = event
+        self._tried.take(event)
 
     def html(self) -> str:
         """How things stand."""
         parts = [f"<p>{escape(self._headline)}</p>"] if self._headline else []
         parts.append(f"<p>{escape(self._line)}</p>" * (self._line != self._headline))
-        if self._base is not None and self._tried:
-            parts.append(self._table(self._base))
-        if self._judged is not None:
-            verdict = self._judged.verdict
+        if self._tried.base is not None and self._tried.ranked():
+            parts.append(self._table(self._tried.base))
+        if self._tried.judged is not None:
+            verdict = self._tried.judged.verdict
             text = f"{kind_name(verdict.kind)}. {verdict.reason} {probability_sentence(verdict)}"
             parts.append(f"<p><strong>{escape(text.strip())}</strong></p>")
+            parts += [f"<pre>{escape(line)}</pre>" for line in table_lines(verdict)]
         return "".join(parts)
 
     def _table(self, base: Fit) -> str:
-        path = self._judged.path if self._judged else ()
         rows = [
-            candidate_row(base, c, path)
-            for c in rank(base, list(self._tried.values()))[:_MOST_ROWS]
+            candidate_row(base, c, self._tried.path) for c in self._tried.telling()[:_MOST_ROWS]
         ]
         head = "".join(f"<th>{escape(title)}</th>" for title in _COLUMNS.values())
         body = "".join(

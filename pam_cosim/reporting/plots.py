@@ -1,4 +1,4 @@
-"""Single pictures as PNG files."""
+"""Single pictures as files: PNG, SVG or PDF."""
 
 from __future__ import annotations
 
@@ -33,124 +33,117 @@ from pam_cosim.reporting.figures.showcase import showcase
 from pam_cosim.reporting.figures.sweep import sweep_figure
 from pam_cosim.reporting.figures.trajectory import trajectory_figure
 from pam_cosim.reporting.representative_run import most_telling
-from pam_cosim.reporting.style import drawing, png
+from pam_cosim.reporting.style import drawing, image, legend_outside
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps import Sweep
+from pam_cosim.units import UnitError, parse_quantity
+from pam_cosim.wording import shown
+
+_INCH = 0.0254  # m
 
 
-def _check(path: Path | str) -> None:
-    """Finds out before the work whether a picture can be written there."""
-    check_ending(Path(path), "pictures are drawn as PNG", PICTURE)
-    check_writable(Path(path))
+def draw(product: Any, path: Path | str, width: str | float | None = None) -> None:
+    """Draws a product of a study: its signals over time, or the error coming down.
+
+    Args:
+        product: of a study.
+        path: ends in .png, .svg or .pdf.
+        width: of the picture, such as "88 mm", the column of a journal [m]; default: that of a page.
+
+    Raises:
+        InputError: nothing to draw, another kind of thing, no such width, or the file cannot be written.
+    """
+    _drawn(lambda: figure_of(product), path, width)
+
+
+def plot_fit(fit: Fit, path: Path | str, width: str | float | None = None) -> None:
+    """Draws how a fit came down, where its descents ended and how its parameters hang together; as ``draw``."""
+    _drawn(lambda: fit_figure(fit), path, width)
+
+
+def plot_tables(
+    tables: Sequence[ConditionTable], path: Path | str, width: str | float | None = None
+) -> None:
+    """Draws tables over the same conditions, a row of maps for each signal; as ``draw``."""
+    _drawn(lambda: condition_maps(tables), path, width)
+
+
+def _drawn(figure: Callable[[], Figure], path: Path | str, width: str | float | None) -> None:
+    file = Path(path)
+    check_ending(file, "pictures are drawn as PNG, SVG or PDF", PICTURE)
+    check_writable(file)
+    with drawing(_inches(width)):
+        write_bytes(file, image(figure(), file.suffix.lower().removeprefix(".")))
+
+
+def _inches(width: str | float | None) -> float | None:
+    if width is None:
+        return None
+    try:
+        inches = (parse_quantity(width, "m") if isinstance(width, str) else width) / _INCH
+    except UnitError as problem:
+        raise InputError(f"the width of a picture: {problem}") from None
+    if not 1.5 <= inches <= 40:
+        raise InputError(f"a picture {shown(width)} wide cannot be drawn; a column is '88 mm' wide")
+    return inches
 
 
 @singledispatch
-def draw(product: Any, path: Path | str) -> None:
-    """Draws a product of a study as PNG: its signals over time, or the error coming down.
+def figure_of(product: Any) -> Figure:
+    """The figure of a product; called inside ``drawing``.
 
     Raises:
-        InputError: nothing to draw, another kind of thing, or the file cannot be written.
+        InputError: there is nothing to draw, or it is another kind of thing.
     """
-    raise InputError(f"a {type(product).__name__} cannot be drawn", Path(path))
+    raise InputError(f"a {type(product).__name__} cannot be drawn")
 
 
-@draw.register
-def plot_trajectory(trajectory: Trajectory, path: Path | str) -> None:
-    """Draws every signal of a simulation, one panel each, as PNG.
-
-    Raises:
-        InputError: there is nothing to draw, or the file cannot be written.
-    """
+@figure_of.register
+def _(trajectory: Trajectory) -> Figure:
     if not trajectory.values or not len(trajectory.time):
         raise InputError("the simulation has no output to draw")
-    _check(path)
-    with drawing():
-        write_bytes(Path(path), png(trajectory_figure(trajectory)))
+    return trajectory_figure(trajectory)
 
 
-@draw.register
-def _(product: Fit, path: Path | str) -> None:
-    plot_comparison(product.comparison, path)
+@figure_of.register
+def _(product: Fit) -> Figure:
+    return figure_of(product.comparison)
 
 
-@draw.register
-def plot_comparison(comparison: Comparison, path: Path | str) -> None:
-    """Draws measured and modelled signals of all runs, one column a run, as PNG.
-
-    Raises:
-        InputError: the file cannot be written.
-    """
-    _check(path)
-    layers = (alone(comparison),)
+@figure_of.register
+def _(comparison: Comparison) -> Figure:
+    layers, signals = (alone(comparison),), [*comparison.data.signals.values()]
     few = max(len(r.run.time) for r in comparison.runs) <= SPARSE
-    with drawing():
-        signals = list(comparison.data.signals.values())
-        figure = panels(comparison.runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
-        handles = legend(layers, few)
-        figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
-        write_bytes(Path(path), png(figure))
+    figure = panels(comparison.runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
+    legend_outside(figure, legend(layers, few))
+    return figure
 
 
-def plot_fit(fit: Fit, path: Path | str) -> None:
-    """Draws how a fit came down, where its descents ended and how its parameters hang together, as PNG.
-
-    Raises:
-        InputError: the file cannot be written.
-    """
-    _check(path)
-    with drawing():
-        write_bytes(Path(path), png(fit_figure(fit)))
+@figure_of.register
+def _(table: ConditionTable) -> Figure:
+    return condition_maps([table])
 
 
-@draw.register
-def _(product: ConditionTable, path: Path | str) -> None:
-    plot_tables([product], path)
-
-
-def plot_tables(tables: Sequence[ConditionTable], path: Path | str) -> None:
-    """Draws tables over the same conditions, a row of maps for each signal, as PNG.
-
-    Raises:
-        InputError: the file cannot be written.
-    """
-    _check(path)
-    with drawing():
-        write_bytes(Path(path), png(condition_maps(tables)))
-
-
-def _registered(kind: type[Any], figure: Callable[[Any], Figure]) -> None:
-    """``draw`` of such a product is this one figure."""
-
-    def draw_one(product: Any, path: Path | str) -> None:
-        _check(path)
-        with drawing():
-            write_bytes(Path(path), png(figure(product)))
-
-    draw.register(kind, draw_one)
-
-
-_registered(Sweep, sweep_figure)
-_registered(Profiles, profile_figure)
-_registered(Ledger, ledger_figure)
-_registered(LinearModel, bode)
-_registered(FrequencyResponse, frequency_figure)
-_registered(Observation, observation_figure)
-_registered(LinearModels, poles_along)
-_registered(RunPlan, plan_figure)
-_registered(PredictiveBands, bands_figure)
-
-
-@draw.register
-def error_ladder_figure(diagnosis: Diagnosis, path: Path | str) -> None:
-    """Draws the diagnosis in one picture, 1350 pixels wide: the most informative run and the falling error.
-
-    Raises:
-        InputError: the data hold no sample, or the file cannot be written.
-    """
-    _check(path)
+@figure_of.register
+def _(diagnosis: Diagnosis) -> Figure:
+    """In one picture, the most informative run and the falling error."""
     layers, rungs = layers_of(diagnosis), rungs_of(diagnosis)
     telling = most_telling(layers, list(diagnosis.data.signals.values()))
     if telling is None:
         raise InputError("the data hold no sample to draw", diagnosis.data.folder)
-    with drawing():
-        write_bytes(Path(path), png(showcase(layers, rungs, *telling)))
+    return showcase(layers, rungs, *telling)
+
+
+_FIGURES: dict[type[Any], Callable[[Any], Figure]] = {
+    Sweep: sweep_figure,
+    Profiles: profile_figure,
+    Ledger: ledger_figure,
+    LinearModel: bode,
+    FrequencyResponse: frequency_figure,
+    Observation: observation_figure,
+    LinearModels: poles_along,
+    RunPlan: plan_figure,
+    PredictiveBands: bands_figure,
+}
+for kind, of_kind in _FIGURES.items():
+    figure_of.register(kind, of_kind)

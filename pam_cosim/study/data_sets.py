@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import shutil
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from functools import cache
@@ -11,7 +12,7 @@ from pathlib import Path
 from pam_cosim.catalogue import known_domain
 from pam_cosim.compiler import read_library
 from pam_cosim.drafting import DraftRequests, NewDataSet, draft
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.measurement import DataSet, Moment, Overrides, overrides_of, read_data_set
 from pam_cosim.model.domain import Domain
 from pam_cosim.model.interface import Interface
@@ -170,9 +171,13 @@ def new(
         lambda data: _simulated(data, as_paths(files), described(data.model)),
         as_paths(files),
     )
-    written = _read(made.folder, described, files, Overrides())
-    beyond = inputs_beyond(written, described(written.model))
-    begun = data_with_starts(problem(written, files=files))
+    try:
+        written = _read(made.folder, described, files, Overrides())
+        beyond = inputs_beyond(written, described(written.model))
+        begun = data_with_starts(problem(written, files=files))
+    except (InputError, SimulationFailure):
+        shutil.rmtree(made.folder)
+        raise
     return replace(made, data=written, starts=begun.starts, to_check=(*beyond, *made.to_check))
 
 

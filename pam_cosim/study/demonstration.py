@@ -11,7 +11,7 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis, Listener, Message
 from pam_cosim.errors import InputError
 from pam_cosim.files import make_folder, write_bytes, write_json
-from pam_cosim.reporting import diagnosis_report, error_ladder_figure, write_report
+from pam_cosim.reporting import diagnosis_report, draw, write_report
 from pam_cosim.resources import demonstration_data
 
 DATA = "data"  # folder of the recordings within that of the demonstration
@@ -76,7 +76,7 @@ def demonstrate(
     diagnosis = study.diagnose(read, say=say, progress=progress, workers=workers)
     write_report(page, diagnosis_report(diagnosis))
     write_json(numbers, diagnosis.as_dict())
-    error_ladder_figure(diagnosis, picture)
+    draw(diagnosis, picture)
     study.add(diagnosis, output=better)
     before, after = study.compare(read), study.compare(read, str(better))
     return Demonstration(diagnosis, before, after, page, picture, numbers, better)

@@ -74,6 +74,7 @@ def check(
     free: Sequence[str] | None = None,
     files: Paths = (),
     say: Callable[[Message], None] = lambda message: None,
+    progress: Listener | None = None,
     workers: int | None = None,
 ) -> Check:
     """What ``data`` can and cannot tell about ``model`` (default: its bench) before any fit; see ``diagnosis.check``.
@@ -84,21 +85,31 @@ def check(
     """
     problem = as_problem(data, model, files, values=parameters, free=free)
     return _check(
-        problem.data, problem.model, files=problem.files, say=say, workers=checked_workers(workers)
+        problem.data,
+        problem.model,
+        files=problem.files,
+        say=say,
+        progress=progress,
+        workers=checked_workers(workers),
     )
 
 
-def draw(product: Product | Sweep, path: Path | str) -> None:
-    """Draws a product of a study as PNG: its signals over time, its ledger, or the error coming down.
+def draw(product: Product | Sweep, path: Path | str, width: str | float | None = None) -> None:
+    """Draws a product of a study: its signals over time, its ledger, or the error coming down.
+
+    Args:
+        product: of a study.
+        path: ends in .png, .svg or .pdf.
+        width: of the picture, such as "88 mm", the column of a journal [m]; default: that of a page.
 
     Raises:
-        InputError: there is nothing to draw, or the file cannot be written.
+        InputError: there is nothing to draw, no such width, or the file cannot be written.
     """
     from pam_cosim.reporting import (
         draw as _draw,
     )  # half a second for matplotlib, which no worker needs
 
-    _draw(product, path)
+    _draw(product, path, width)
 
 
 def live() -> Callable[[Any], None]:

@@ -7,21 +7,23 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
+
 from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import NextExperiment
-from pam_cosim.diagnosis.planning import RunPlan
+from pam_cosim.diagnosis.planning import PlannedRun, RunPlan
 from pam_cosim.errors import InputError
 from pam_cosim.exports import table_text
 from pam_cosim.files import check_writable, read_json, write_text
+from pam_cosim.measurement import RigColumn
 from pam_cosim.units import format_quantity, readable_factor, readable_unit
 from pam_cosim.wording import shown
 
+_MOST_ROWS = 30  # of a planned run that are printed
+
 
 def write_next_run(path: Path, plan: NextExperiment) -> None:
-    """Writes the inputs of a next experiment as a run's CSV; what else to set stands in comments above.
-
-    Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
-    it is read as straight lines or as steps.
+    """Writes the inputs of a next experiment as a run's CSV.
 
     Args:
         path: the file.
@@ -30,6 +32,15 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
     Raises:
         InputError: the file cannot be written.
     """
+    write_text(path, next_run_text(plan))
+
+
+def next_run_text(plan: NextExperiment) -> str:
+    """The inputs of a next experiment as a run's CSV; what else to set stands in comments above.
+
+    Where inputs are held between the points, a step is two rows at one time, so that the file says the same whether
+    it is read as straight lines or as steps.
+    """
     rows = list(zip(*plan.table.values(), strict=True))
     if plan.interpolation == "previous":
         rows = _with_steps(rows)
@@ -37,10 +48,12 @@ def write_next_run(path: Path, plan: NextExperiment) -> None:
         f"run {_line(plan.run)}, {_line(plan.change)}",
         *_settings(plan.parameters, plan.units),
     ]
-    write_text(path, _text_of_run(remarks, list(plan.table), rows, plan.units))
+    return _text_of_run(remarks, list(plan.table), rows, plan.units)
 
 
-def write_planned_runs(path: Path, plan: RunPlan) -> list[Path]:
+def write_planned_runs(
+    path: Path, plan: RunPlan, columns: Mapping[str, RigColumn] | None = None
+) -> list[Path]:
     """Writes the inputs of planned runs as CSV, the second one with "-2" after the name; the files.
 
     What each is expected to decide and what else to set stands in comments above.
@@ -48,6 +61,8 @@ def write_planned_runs(path: Path, plan: RunPlan) -> list[Path]:
     Args:
         path: the file of the first run.
         plan: the runs.
+        columns: as ``rig_columns`` gives them: what the rig's logger calls the inputs, and in which units; default:
+            as the model does.
 
     Raises:
         InputError: a file cannot be written.
@@ -57,9 +72,42 @@ def write_planned_runs(path: Path, plan: RunPlan) -> list[Path]:
         check_writable(file)
     for file, run in zip(files, plan.runs, strict=True):
         remarks = [plan.expectation, *_settings(run.parameters, plan.units)]
-        rows = list(zip(*run.table.values(), strict=True))
-        write_text(file, _text_of_run(remarks, list(run.table), rows, plan.units))
+        heads, cells = rig_table(run, plan.units, columns or {})
+        comments = "".join(f"# {_line(line)}\n" for line in remarks)
+        write_text(file, comments + table_text((heads, cells)))
     return files
+
+
+def rig_table(
+    run: PlannedRun, units: Mapping[str, str], columns: Mapping[str, RigColumn]
+) -> tuple[list[str], list[list[str]]]:
+    """Headings and rows of what to drive, by the columns and in the units of the rig where they are known."""
+    heads, values = [], []
+    for name, series in run.table.items():
+        unit = "s" if name == "time" else units[name]
+        column = columns.get(name)
+        if column is None:
+            heads.append(f"{name} [{_file_unit(unit) or '1'}]")
+            values.append([_cell(value, unit) for value in series])
+        else:
+            heads.append(f"{column.name} [{column.unit}]" if column.unit else column.name)
+            numbers = column.numbers(np.array(series)).round(9)
+            values.append([f"{number:.9g}" for number in numbers + 0.0])
+    return heads, [list(row) for row in zip(*values, strict=True)]
+
+
+def rig_lines(plan: RunPlan, columns: Mapping[str, RigColumn]) -> list[str]:
+    """What to drive in each run, as lines of a table."""
+    lines = []
+    for number, run in enumerate(plan.runs, 1):
+        heads, cells = rig_table(run, plan.units, columns)
+        shown = [heads, *([f"{float(cell):.4g}" for cell in row] for row in cells[:_MOST_ROWS])]
+        widths = [max(len(row[i]) for row in shown) for i in range(len(heads))]
+        lines.append(f"run {number}, to drive (lines join the rows):")
+        lines += ["  " + "  ".join(map(str.rjust, row, widths)) for row in shown]
+        if len(cells) > _MOST_ROWS:
+            lines.append(f"  and {len(cells) - _MOST_ROWS} more rows, which -o FILE.csv writes")
+    return lines
 
 
 def planned_files(path: Path, count: int) -> list[Path]:

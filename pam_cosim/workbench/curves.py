@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 
 import numpy as np
 
@@ -84,17 +84,6 @@ def thinned(values: Array) -> Array:
         np.array(first)[:, None], np.stack([bottom, top], 1), np.stack([top, bottom], 1)
     )
     return np.where(np.isfinite(pairs), pairs, np.nan).ravel()
-
-
-def shown_instants(time: Array) -> list[float]:
-    """Times as numbers of few digits, as many from the first one on, whatever clock they are of."""
-    first = float(time[0]) if len(time) else 0.0
-    return [first + passed for passed in rounded(time - first, 6)]
-
-
-def rounded(values: Iterable[float], digits: int) -> list[float]:
-    """Values with so many significant digits."""
-    return [float(f"{value:.{digits}g}") for value in values]
 
 
 def _parts(count: int) -> np.ndarray | None:

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 import numpy as np
 
 from pam_cosim.diagnosis import (
-    BaseFitted,
     Candidate,
     CandidateTried,
     Diagnosis,
@@ -16,8 +15,8 @@ from pam_cosim.diagnosis import (
     Judged,
     LedgerKept,
 )
-from pam_cosim.diagnosis.judgement.evidence import rank
 from pam_cosim.diagnosis.judgement.verdict import explained
+from pam_cosim.diagnosis.judgement.verdict_sentences import family_cells, small_effects
 from pam_cosim.fitting import Fit
 from pam_cosim.ledger import BalanceEntry, Ledger, binned
 from pam_cosim.model.domain import Domain
@@ -36,7 +35,6 @@ from pam_cosim.reporting.account import (
     next_run,
     not_tried_sentence,
     parameter_rows,
-    percent,
     probability_rows,
     probability_sentence,
     summary_rows,
@@ -44,58 +42,28 @@ from pam_cosim.reporting.account import (
     unit_text,
     words,
 )
+from pam_cosim.reporting.live import Tried
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.curves import rounded
 from pam_cosim.workbench.protocol import Json, event, selected
+from pam_cosim.workbench.state import label_of
+from pam_cosim.workbench.state_events import rung_of
 
 MOST_POINTS = 800  # of a missing term over a variable
 _AGAINST = 2  # variables that a missing term is drawn over
 
 
-class Following:
-    """Follows a diagnosis: keeps the models that were tried, and ranks them as they come.
-
-    Args:
-        domain: of the model.
-    """
-
-    def __init__(self, domain: Domain) -> None:
-        self.domain = domain
-        self.base: Fit | None = None
-        self.tried: dict[tuple[str, ...], Candidate] = {}
-        self.failed: list[FailedTrial] = []
-
-    def events(self, happening: object) -> list[Json]:
-        """The events of what a diagnosis reports."""
-        match happening:
-            case BaseFitted():
-                self.base = happening.fit
-            case CandidateTried():
-                self._keep(happening.attempt)
-                return [event("candidate", effects=happening.attempt.effects), self.ranking()]
-            case Judged():
-                return [
-                    ranking(
-                        happening.base, happening.candidates, happening.path, self.failed, True
-                    ),
-                    _judged(happening, self.domain),
-                ]
-            case LedgerKept():
-                return [ledger_event(happening.ledger)]
+def events_of(happening: object, tried: Tried, domain: Domain) -> list[Json]:
+    """The events of what a diagnosis reports; the models that were ``tried`` are ranked as they come."""
+    tried.take(happening)
+    if isinstance(happening, LedgerKept):
+        return [ledger_event(happening.ledger)]
+    if tried.base is None or not isinstance(happening, CandidateTried | Judged):
         return []
-
-    def ranking(self) -> Json:
-        """The models that were fitted so far, best first."""
-        assert self.base is not None
-        return ranking(self.base, rank(self.base, list(self.tried.values())), (), self.failed)
-
-    def _keep(self, attempt: Candidate | FailedTrial) -> None:
-        if isinstance(attempt, FailedTrial):
-            self.failed.append(attempt)
-            return
-        before = self.tried.get(attempt.effects)
-        if before is None or before.brief or not attempt.brief:
-            self.tried[attempt.effects] = attempt
+    final = isinstance(happening, Judged)
+    ranked = ranking(tried.base, tried.ranked(), tried.path, tried.failed, final)
+    if isinstance(happening, Judged):
+        return [ranked, _judged(happening, domain)]
+    return [event("candidate", effects=happening.attempt.effects), ranked]
 
 
 def ranking(
@@ -108,28 +76,26 @@ def ranking(
     """The event of all models that were fitted, as rows."""
     rows = [
         candidate_row(base, c, path)
-        | selected(c, "effects brief", share=explained(base, c.fit), number=number)
-        for number, c in enumerate(candidates)
+        | selected(c, "effects brief probability", share=explained(base, c.fit))
+        for c in candidates
     ]
-    reasons = {
-        c.effects: {"effect": " + ".join(c.effects), "family": words(c.family), "reason": c.failure}
+    reasons = [
+        selected(c, "reason=failure", effect=" + ".join(c.effects), family=words(c.family))
         for c in failed
-    }
-    return event("ranking", candidates=rows, failed=list(reasons.values()), final=final)
+    ]
+    return event("ranking", candidates=rows, failed=reasons, final=final)
 
 
 def _judged(judged: Judged, domain: Domain, **more: object) -> Json:
     verdict = judged.verdict
-    rows = [
-        selected(row, "what named share=probability", percent=percent(row.probability))
-        for row in probability_rows(verdict)
-    ]
     return event(
         "verdict",
         **selected(verdict, "kind reason"),
         kind_name=kind_name(verdict.kind),
         probability=probability_sentence(verdict),
-        probabilities=rows,
+        probabilities=[row._asdict() for row in probability_rows(verdict)],
+        table=[row._asdict() for row in family_cells(verdict)],
+        small=small_effects(verdict),
         meaning=meaning(verdict, domain),
         families=[words(f) for f in verdict.families],
         effects=[c.effect for c in judged.path],
@@ -155,11 +121,17 @@ def diagnosis_events(d: Diagnosis) -> list[Json]:
         next=next_run(d.next_experiment),
         learned=learned_part(d),
         missing=missing_rows(d),
+        found=rung_of(found_label(d), d.final.comparison) if d.path else None,
     )
     events = [ranking(d.base, d.candidates, d.path, d.failed, True), verdict]
     if d.ledger is not None:
         events.append(ledger_event(d.ledger))
     return events
+
+
+def found_label(d: Diagnosis) -> str:
+    """What the model that a diagnosis found is called on the ladder."""
+    return f"found: {label_of(d.path[-1].effects)}"
 
 
 def ledger_event(ledger: Ledger) -> Json:
@@ -188,7 +160,7 @@ def _against(entry: BalanceEntry, name: str) -> Json:
     return {
         "name": name,
         "unit": unit_text(unit),
-        "points": [rounded(x[kept], 5), rounded(y[kept], 5)],
+        "points": [x[kept], y[kept]],
         "at": [(b.low + b.high) / 2 * across for b in bands],
         "mean": mean * factor,
         "low": (mean - 2 * reach) * factor,

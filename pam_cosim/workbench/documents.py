@@ -2,11 +2,8 @@
 
 from __future__ import annotations
 
-from pathlib import Path
-from tempfile import TemporaryDirectory
-
 from pam_cosim.errors import InputError
-from pam_cosim.study.tables import write_next_run
+from pam_cosim.study.tables import next_run_text
 from pam_cosim.workbench.script import python_of
 from pam_cosim.workbench.session import Session
 
@@ -47,8 +44,5 @@ def document(session: Session, name: str) -> str:
     if name == "learned.mo" and diagnosis is not None and diagnosis.learned is not None:
         return diagnosis.learned.term.modelica_source
     if name == "next.csv" and diagnosis is not None and diagnosis.next_experiment is not None:
-        with TemporaryDirectory(prefix="pam-cosim-") as folder:
-            file = Path(folder) / name
-            write_next_run(file, diagnosis.next_experiment)
-            return file.read_text(encoding="utf-8")
+        return next_run_text(diagnosis.next_experiment)
     raise InputError(f"there is no {name}: the last diagnosis, if there was one, has none")

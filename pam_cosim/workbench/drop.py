@@ -3,30 +3,32 @@
 from __future__ import annotations
 
 import codecs
-import csv
 import shutil
 import tempfile
-from collections import Counter
+import tomllib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
+from pydantic import ValidationError
 
 from pam_cosim import study
 from pam_cosim.drafting import NewDataSet
+from pam_cosim.drafting.values import is_geometry
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_bytes
 from pam_cosim.measurement import any_text
+from pam_cosim.measurement.experiment_tables import CheckedTable
 from pam_cosim.model.interface import Interface, Variable
 from pam_cosim.reporting.account import unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
-from pam_cosim.workbench.checks import names_of, text_of
-from pam_cosim.workbench.curves import rounded, shown_instants
+from pam_cosim.workbench.checks import names_of
 from pam_cosim.workbench.paths import free_name, inside, safe_name
 from pam_cosim.workbench.protocol import Json, event, failure, selected
+from pam_cosim.workbench.saved import Name, Text, complaint
 from pam_cosim.workbench.state_events import short_name
 
 MOST_BYTES = 200_000_000  # of one file
@@ -102,28 +104,32 @@ class Drop:
             try:
                 made = self._new(Path(scratch) / self.folder.resolve().name, wishes)
             except InputError as problem:
-                failed = {"failed": failure(problem), "excerpt": self._excerpt(problem)}
-                return self._fields(wishes) | failed
-            self._last = _drafted(made)
+                return self.failed(wishes, problem)
+            self._last = self._drafted(made)
             return self._last
 
-    def _fields(self, wishes: Mapping[str, Any]) -> Json:
-        """What can be said of the files though nothing could be made of them: of the bench that is asked for, or as
-        it was when something could."""
-        bench = str(wishes.get("model"))
+    def failed(self, wishes: Mapping[str, Any], problem: Exception) -> Json:
+        """What is wrong, and what can be said of the files though nothing could be made of them: of the bench that is
+        asked for, or as it was when something could."""
         last = self._last or event(
             "draft",
             title=self.folder.resolve().name,
             model="",
             benches=study.benches(),
+            parts=self._parts(),
             **dict.fromkeys(("runs", "names", "parameters"), ()),
+            **dict.fromkeys(("columns", "stated"), {}),
         )
-        fields = (
-            last | dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
-        )
+        gone = dict.fromkeys(("guesses", "starts", "to_check", "curves"), ()) | {"toml": ""}
+        fields = last | gone | {"failed": failure(problem), "excerpt": self._excerpt(problem)}
+        bench = str(wishes.get("model"))
         if bench in last["benches"] and bench != short_name(last["model"]):
             fields |= {"model": bench, **_quantities(study.describe(bench))}
         return fields
+
+    def _parts(self) -> list[Json]:
+        """What a bench can be put together from."""
+        return [selected(part, "role name description") for part in study.rig_parts(self.files)]
 
     def create(self, wishes: Mapping[str, Any]) -> None:
         """Writes the data set.
@@ -138,66 +144,64 @@ class Drop:
             raise InputError("drop at least one recording")
         return study.new(folder, self.recordings, files=self.files, **_checked(wishes))
 
-    def _excerpt(self, problem: InputError) -> Json | None:
+    def _excerpt(self, problem: Exception) -> Json | None:
         """The place in a file that is wrong."""
-        file = None if problem.file is None else inside(self.place, Path(str(problem.file)).name)
-        if file not in self.recordings or problem.line is None:
+        line, file = getattr(problem, "line", None), getattr(problem, "file", None)
+        place = inside(self.place, Path(str(file)).name) if file else None
+        if place not in self.recordings or line is None:
             return None
-        lines = _lines(file)
-        first = max(problem.line - _AROUND, 1)
-        header = _header(lines)
-        cells = [_cells(line, lines) for line in lines[first - 1 : problem.line + _AROUND]]
-        column = next((i for i, name in enumerate(header) if _is_named(name, problem.column)), None)
-        return {
-            "first": first,
-            "line": problem.line,
-            "column": column,
-            "header": header,
-            "rows": cells,
-        }
+        lines = _lines(place)
+        first = max(line - _AROUND, 1)
+        shown_lines = [one[:_LONGEST] for one in lines[first - 1 : line + _AROUND]]
+        return {"first": first, "line": line, "header": lines[:1], "lines": shown_lines}
+
+    def _drafted(self, made: NewDataSet) -> Json:
+        toml = (made.folder / "experiment.toml").read_text(encoding="utf-8")
+        written = tomllib.loads(toml)
+        own = [run.get("parameters", {}) for run in written["runs"]]
+        return event(
+            "draft",
+            failed=None,
+            excerpt=None,
+            title=made.data.title,
+            **selected(made, "model starts to_check"),
+            guesses=[selected(guess, "what taken_as why") for guess in made.guesses],
+            runs=[
+                selected(run, "name role describe", own=stated)
+                for run, stated in zip(made.data.runs, own, strict=True)
+            ],
+            **_quantities(study.describe(made.data.model, self.files)),
+            benches=study.benches(),
+            parts=self._parts(),
+            columns=written.get("columns", {}),
+            stated=written.get("parameters", {}),
+            toml=toml,
+            curves=_curves(made),
+        )
+
+
+class Wishes(CheckedTable):
+    """What a page may say, by the options of ``study.new``."""
+
+    title: Text = ""
+    model: Text = ""
+    muscle: Text = ""
+    columns: dict[Name, Text] = {}
+    parameters: dict[Name, Text] = {}
+    recording: dict[Name, Text] = {}
+    roles: dict[Name, Text] = {}
 
 
 def _checked(wishes: Mapping[str, Any]) -> Json:
-    """What a page may say, checked: texts, and texts by name."""
-    stray = next((key for key in wishes if key not in (*_TEXTS, *_BY_NAME)), None)
-    if stray is not None:
-        raise InputError(f"a draft knows no {shown(stray)}")
-    said = {key: value for key, value in wishes.items() if value not in (None, "", {})}
-    made: Json = {key: text_of(said[key], key) for key in _TEXTS if key in said}
-    made |= {key: _texts_by_name(said[key], key) for key in _BY_NAME if key in said}
-    if "model" in made and any(c in made["model"] for c in "/\\"):
+    try:
+        said = Wishes.model_validate(dict(wishes))
+    except ValidationError as error:
+        raise InputError(complaint(error)) from None
+    if any(c in said.model for c in "/\\"):
         raise InputError(
             "a bench is named, or a Modelica class; files are given where the workbench is started"
         )
-    return made
-
-
-_TEXTS = ("title", "model", "muscle")
-_BY_NAME = ("columns", "parameters", "recording", "roles")
-
-
-def _texts_by_name(value: Any, key: str) -> dict[str, str]:
-    said = [*value, *value.values()] if isinstance(value, Mapping) else [value]
-    if not isinstance(value, Mapping) or not all(isinstance(one, str) for one in said):
-        raise InputError(f"{key} wants texts by name")
-    return {name: text for name, text in value.items() if text}
-
-
-def _drafted(made: NewDataSet) -> Json:
-    data = made.data
-    return event(
-        "draft",
-        failed=None,
-        excerpt=None,
-        title=data.title,
-        **selected(made, "model starts to_check"),
-        guesses=[selected(guess, "what taken_as why") for guess in made.guesses],
-        runs=[selected(run, "name role describe") for run in data.runs],
-        **_quantities(study.describe(data.model)),
-        benches=study.benches(),
-        toml=(made.folder / "experiment.toml").read_text(encoding="utf-8"),
-        curves=_curves(made),
-    )
+    return said.model_dump(exclude_defaults=True)
 
 
 def _quantities(interface: Interface) -> Json:
@@ -206,7 +210,7 @@ def _quantities(interface: Interface) -> Json:
     return {
         "names": [_quantity(v, input=v.name in interface.inputs) for v in quantities],
         "parameters": [
-            _quantity(v, **selected(v, "value=start", v.unit))
+            _quantity(v, geometry=is_geometry(v), **selected(v, "value=start", v.unit))
             for v in interface.parameters.values()
         ],
     }
@@ -218,33 +222,21 @@ def _quantity(variable: Variable, **others: object) -> Json:
 
 def _curves(made: NewDataSet) -> list[Json]:
     """Signals of the runs, as they are read, few points each."""
-    curves = []
+    signals, curves = made.data.signals, list[Json]()
     for run in made.data.runs:
         kept = np.unique(np.linspace(0, len(run.time) - 1, min(len(run.time), _POINTS)).astype(int))
         for name, values in run.measurements.items():
-            unit = made.data.signals[name].unit
-            curves.append(
-                {
-                    "run": run.name,
-                    "signal": name,
-                    "unit": unit_text(unit),
-                    "time": shown_instants(run.time[kept]),
-                    "values": rounded(values[kept] * readable_factor(unit), 6),
-                }
-            )
+            shown_values = values[kept] * readable_factor(signals[name].unit)
+            curve = {"signal": name, "time": run.time[kept], "values": shown_values}
+            curves.append(curve | {"unit": unit_text(signals[name].unit)})
     return curves
 
 
 def _shown(file: Path) -> Json:
-    """A file's first lines, in cells where it is a text."""
+    """A file with its first lines, where it is a text."""
     text = file.suffix.casefold() in (".csv", ".txt", ".dat", ".tsv", ".asc", "")
-    lines = _lines(file) if text else []
-    return {
-        "name": file.name,
-        "bytes": file.stat().st_size,
-        "header": _header(lines),
-        "rows": [_cells(line, lines) for line in lines[1 : 1 + _ROWS]],
-    }
+    lines = [line[:_LONGEST] for line in _lines(file)[: 1 + _ROWS]] if text else []
+    return {"name": file.name, "bytes": file.stat().st_size, "lines": lines}
 
 
 def _lines(file: Path) -> list[str]:
@@ -263,30 +255,3 @@ def _lines(file: Path) -> list[str]:
     except InputError:  # the page shows what there is; whoever reads the file says what is wrong
         text = head.decode("utf-8", errors="replace")
     return text.splitlines()
-
-
-def _separator(lines: Sequence[str]) -> str:
-    counts: Counter[str] = Counter()
-    for line in lines[:50]:
-        counts.update({one: line.count(one) for one in "\t;,"})
-    return max("\t;,", key=lambda one: counts[one]) if any(counts.values()) else ","
-
-
-def _cells(line: str, lines: Sequence[str]) -> list[str]:
-    text, separator = line[:_LONGEST], _separator(lines)
-    try:
-        cells = next(csv.reader([text], delimiter=separator, skipinitialspace=True), [])
-    except csv.Error:
-        cells = text.split(separator)
-    return [cell.strip() for cell in cells]
-
-
-def _header(lines: Sequence[str]) -> list[str]:
-    return _cells(lines[0], lines) if lines else []
-
-
-def _is_named(cell: str, column: int | str | None) -> bool:
-    if not isinstance(column, str) or not column:
-        return False
-    bare = cell.strip().strip('"')
-    return column in (bare, *(bare.partition(mark)[0].strip() for mark in "[("))

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import shutil
 from collections.abc import Callable, Mapping, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 from typing import Any
 
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.wording import shown
 from pam_cosim.workbench.drop import Drop
 from pam_cosim.workbench.job_process import Worker
@@ -114,12 +115,22 @@ class Workbench:
         elif name == "draft":
             self.windows.tell(drop.draft(wishes))
         else:
-            drop.create(wishes)
-            self._open(drop)
+            self._open(drop, wishes)
         return {}
 
-    def _open(self, drop: Drop) -> None:
-        self.session, self.drop = self._session(), None
+    def _open(self, drop: Drop, wishes: Mapping[str, Any]) -> None:
+        """Makes the data set and opens it, or leaves nothing of it.
+
+        Raises:
+            InputError: what cannot be used, or simulated; the page is told too, with the fields that answer it.
+        """
+        drop.create(wishes)
+        try:
+            self.session, self.drop = self._session(), None
+        except (InputError, SimulationFailure) as problem:
+            shutil.rmtree(self.folder)
+            self.windows.tell(drop.failed(wishes, problem))
+            raise
         self.windows.forget("dropped", "draft")
         drop.close()
         self.wake()

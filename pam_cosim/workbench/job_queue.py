@@ -11,8 +11,9 @@ from typing import Any
 from pam_cosim.diagnosis import EffectProbed, Message
 from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.fitting import FitProgress
+from pam_cosim.reporting.live import Tried
 from pam_cosim.units import readable_factor
-from pam_cosim.workbench.diagnosis_events import Following, diagnosis_events
+from pam_cosim.workbench.diagnosis_events import diagnosis_events, events_of, found_label
 from pam_cosim.workbench.job_process import Worker
 from pam_cosim.workbench.open_study import OpenStudy
 from pam_cosim.workbench.protocol import DIAGNOSIS, Json, event, selected
@@ -32,7 +33,7 @@ class Job:
         what: "fit", "diagnose" or "check".
         text: the last headline.
         finish: called with the result, in the study's thread.
-        following: the diagnosis so far.
+        tried: by the diagnosis so far.
         values: of the study when it began [SI]: sliders may be moved while it is stopped.
         began: seconds since the epoch.
     """
@@ -40,8 +41,8 @@ class Job:
     what: str
     text: str
     finish: Callable[[Any], object]
-    following: Following
     values: Mapping[str, float]
+    tried: Tried = field(default_factory=Tried)
     began: float = field(default_factory=time.time)
     held: bool = False
     drawn: float = 0.0
@@ -118,7 +119,7 @@ class StudyWithJobs(OpenStudy):
         self.make_room()
         self.windows.forget(lines=True)
         data, opened = self.state.data, self.opened
-        self.job = job = Job(what, text, finish, Following(data.domain), dict(self.state.values))
+        self.job = job = Job(what, text, finish, dict(self.state.values))
         self._tell_busy(job)
         further = {} if what == "fit" else {"workers": self.workers}
         self.worker.run(
@@ -176,13 +177,16 @@ class StudyWithJobs(OpenStudy):
         """Sends that the events of a diagnosis are no longer those of the study."""
         self.windows.forget(*DIAGNOSIS)
         self.windows.tell(event("no_diagnosis"))
+        self.draw_beside("found", None)
 
     def tell_diagnosis(self) -> None:
         """Sends the verdict of the standing study, or that there is none."""
-        diagnosis = self.state.diagnosis
+        state, diagnosis = self.state, self.state.diagnosis
         self.clear_diagnosis()
         for told in [] if diagnosis is None else diagnosis_events(diagnosis):
             self.windows.tell(told)
+        if diagnosis and diagnosis.path and len(state.effects) == len(state.diagnosed):
+            self.draw_beside("found", diagnosis.final.comparison, found_label(diagnosis))
 
     def _over(self, job: Job, end: str) -> None:
         self.job = None
@@ -208,7 +212,7 @@ class StudyWithJobs(OpenStudy):
         if isinstance(happening, EffectProbed):
             job.text = happening.status
             self._tell_busy(job)
-        for told in job.following.events(happening):
+        for told in events_of(happening, job.tried, self.state.data.domain):
             if self._is_due(job, told):
                 self.windows.tell(told)
 

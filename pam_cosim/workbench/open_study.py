@@ -78,9 +78,9 @@ class OpenStudy:
             raise
 
     def _begin(self, model: str | None) -> None:
-        data = self.source.read(model)
+        data, known = self.source.read(model)
         self.benches = self.catalogue.benches(data.model)
-        self.first = self.state = State(data, data.model_for(model))
+        self.first = self.state = State(data, data.model_for(model), known=known)
         self.back(self.state)
 
     def close(self) -> None:
@@ -90,6 +90,11 @@ class OpenStudy:
             self._open.close()
             self._open = None
         shutil.rmtree(self.scratch, ignore_errors=True)
+
+    @property
+    def bench(self) -> str:
+        """The base model, as the data set is read for it."""
+        return self.state.data.unmapped or self.state.data.model
 
     @property
     def opened(self) -> Opened:
@@ -222,12 +227,15 @@ class OpenStudy:
         """Sends what changes seldom."""
         self.windows.tell(self.shown_study())
         self.tell_starts()
-        before = self.state.before
-        if before is not None:
-            curves = model_curves(before.runs, self.source.whole(self.state.data))
-            self.windows.send(frame("reference", self.version, curves, "before"), "reference")
-        elif self.windows.forget("reference"):
-            self.windows.send(frame("reference", self.version, []))
+        self.draw_beside("reference", self.state.before, "before")
+
+    def draw_beside(self, kind: str, comparison: Comparison | None, label: str = "") -> None:
+        """Draws another model beside the standing one; None: it is there no longer."""
+        if comparison is not None:
+            curves = model_curves(comparison.runs, self.source.whole(self.state.data))
+            self.windows.send(frame(kind, self.version, curves, label), kind)
+        elif self.windows.forget(kind):
+            self.windows.send(frame(kind, self.version, []))
 
     def tell_starts(self) -> None:
         """Sends where runs begin."""

@@ -7,8 +7,8 @@ change is sent to all windows. An event is a JSON object whose key ``event`` is 
 products (``selected``).
 
 study: state ("open", or "drop" before there is a data set), title, folder; where it is open also model, short (its last
-    name), with_effects, file (that the model was written to), runs, signals, parameters, effects, families, notes,
-    benches, methods (of a fit).
+    name), with_effects, file (that the model was written to), runs, signals, parameters (free), held (all others, with
+    source), effects, families, notes, benches, methods (of a fit).
 steps: steps, a line ``{"text"}`` each; saved: whether the study was saved as it is.
 scores: version, scores (levels by role and signal), runs (rms by run and signal), ladder (rungs; the last is the
     standing model), values (of parameters), warnings (of the model, each with its runs).
@@ -21,20 +21,23 @@ message: text, kind ("headline", or "detail" below the last headline): a line of
 progress: values, text: the lowest point of a fit so far.
 failed: text, file, line, column, during (a command or job).
 candidate: effects, of the model of a diagnosis that was tried last.
-ranking: candidates (rows as the report has them, with effects, number, share, brief), failed, final.
-verdict: kind, kind_name, families, effects, reason, probability, meaning, instrument, and probabilities as rows of
-    what, named, share, percent; complete: whether the diagnosis has ended, with headline, error, compared,
-    disagreement, not_tried, doubts, summary, parameters, next, learned, missing as the report has them.
+ranking: candidates (rows as the report has them, with effects, share, brief, probability), failed, final.
+verdict: kind, kind_name, families, effects, reason, probability, meaning, instrument, probabilities as rows of
+    what, probability, named, and the table of families, small; complete: whether the diagnosis has ended,
+    with headline, error, compared, disagreement, not_tried, doubts, summary, parameters, next, learned, missing as the
+    report has
+    them, and found, a rung.
 ledger: sentence, rows, meanings, readings, notes as the report has them; courses: missing terms over their variables.
 no_diagnosis: ranking, verdict and ledger are no longer those of the study.
 checked: text, what the data can determine before any fit.
 added: file, text, of the Modelica file that was written.
 saved: file.
-dropped: files: name, bytes, header, rows (their first cells; none where a file is no text).
-draft: failed and excerpt (the cells around the wrong one), or both null; title, model, guesses, starts, to_check, runs,
-    names, parameters, benches, toml, curves: the data set that the files make, or what can be said of it.
+dropped: files: name, bytes, lines (the first; none where a file is no text).
+draft: failed and excerpt (the lines around the wrong one), or both null; title, model, guesses, starts, to_check, runs,
+    names, parameters, columns and stated (of experiment.toml), benches, parts (of a bench), toml, curves: the data set
+    that the files make, or what can be said of it.
 
-A level of a signal has rms, noise, chi2 (reduced), text and noise_text; a rung of the ladder has label, fit, holdout
+A level of a signal has rms and text; a rung of the ladder has label, fit, holdout
 (levels by signal), chi2_fit and chi2_holdout.
 
 A frame of curves is one binary message: the length of a header (unsigned, 4 bytes, little-endian), the header (JSON,
@@ -42,9 +45,10 @@ padded with spaces so that what follows begins at a multiple of 4 bytes), then 3
 ``{"event": "curves", "kind": kind, "version": n, "label": text, "runs": [{"name": run, "from": time, "signals":
 [{"name": signal, "n": count, "values_at": place, ...}]}]}``, places in floats. In a frame of kind "measured" a signal
 has ``time_at`` too, of all that was recorded, counted from the time that its run has as ``from``: 32 bits hold the time
-since 1970 to two minutes only. In a frame of kind "model", or "reference" (the model before the last step), it has
-``residual_at``; "reference" without runs: there is no such model any more. The values are those at the times of the
-measured ones; missing samples, and the model where a run was cut, are NaN.
+since 1970 to two minutes only. In a frame of kind "model", "reference" (the model before the last step) or
+"found" (by a diagnosis), it has ``residual_at``; one of the last two without runs: there is no such model any more. The
+values are those
+at the times of the measured ones; missing samples, and the model where a run was cut, are NaN.
 """
 
 from __future__ import annotations

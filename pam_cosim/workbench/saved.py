@@ -26,7 +26,6 @@ from pydantic import (
     ValidationError,
     model_validator,
 )
-from pydantic_core import ErrorDetails
 
 from pam_cosim.diagnosis import Candidate, Diagnosis
 from pam_cosim.errors import InputError
@@ -46,7 +45,7 @@ FILE = "workbench.json"
 LONGEST_NAME = 5000  # letters; quoted names of Modelica may be long
 MOST = 10_000  # steps, names or values in one list
 _FORMAT = "pam-cosim workbench 1"
-_SAME = "model effects values diagnosed milestone file cuts starts"  # in a file and in a state
+_SAME = "model effects values diagnosed milestone file"  # in a file and in a state
 _CLASS = re.compile(r"\.?(?:[^\W\d]\w*|'(?:[^'\\]|\\.)+')(?:\.(?:[^\W\d]\w*|'(?:[^'\\]|\\.)+'))*")
 _PRODUCT = re.compile(
     r"workbench-(fit|diagnosis)-[0-9a-f]{12}\.npz"
@@ -121,10 +120,19 @@ Product = Annotated[Name, AfterValidator(partial(_file, ending=".npz", kind="pro
 
 
 class SetStep(CheckedTable):
-    """Values were set by hand [SI]."""
+    """Values were set by hand [SI]; of start values those that ``moved``, and the others of their runs stayed."""
 
-    do: Literal["set"]
+    do: Literal["set", "start"]
     values: Values
+    moved: Names = []
+    dragged: bool = False
+
+    @model_validator(mode="after")
+    def _has_its_values(self) -> SetStep:
+        stray = next((name for name in self.moved if name not in self.values), None)
+        if stray is not None:
+            raise ValueError(f"values lacks {shown(stray)}")
+        return self
 
 
 class SwitchStep(CheckedTable):
@@ -182,59 +190,28 @@ class AddStep(CheckedTable):
     file: ModelicaFile
 
 
-class RolesStep(CheckedTable):
-    """Runs were fitted or held out."""
+class Chosen(CheckedTable):
+    """What is chosen in place of what the data set says; see ``MeasurementSource.read``."""
 
-    do: Literal["roles"]
-    roles: Roles
+    roles: Roles = {}
+    cuts: Cuts = {}
+    starts: Starts = {}
+    signals: Annotated[dict[Name, Number | None], _Many] = {}
+    values: Values = {}
+    free: Names = []
 
 
-class BeginStep(CheckedTable):
-    """How a run begins was chosen; how all runs begin since then, and the values that were kept [SI]."""
+class ChosenStep(CheckedTable):
+    """Something was chosen; all that is chosen since then, and the values that were kept [SI]."""
 
-    do: Literal["begin"]
-    run: Name
-    starts: Starts
+    do: Literal["roles", "cut", "begin", "signal", "free", "state"]
+    text: Text
+    chosen: Chosen
     values: Values
-
-
-class CutStep(CheckedTable):
-    """A run was cut; how all runs are cut and begin since then, and the values that were kept [SI]."""
-
-    do: Literal["cut"]
-    run: Name
-    cuts: Cuts
-    starts: Starts
-    values: Values
-
-    @model_validator(mode="after")
-    def _has_its_run(self) -> CutStep:
-        _check_names([self.run], self.cuts, "cuts")
-        return self
-
-
-class StartStep(CheckedTable):
-    """Start values were set by hand [SI]; ``moved``: these, and the others of their runs stayed where they were."""
-
-    do: Literal["start"]
-    values: Values
-    moved: Names
-
-    @model_validator(mode="after")
-    def _has_its_values(self) -> StartStep:
-        _check_names(self.moved, self.values, "values")
-        return self
-
-
-def _check_names(names: Collection[str], table: Mapping[str, object], what: str) -> None:
-    stray = next((name for name in names if name not in table), None)
-    if stray is not None:
-        raise ValueError(f"{what} lacks {shown(stray)}")
 
 
 AnyStep = Annotated[
-    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | RolesStep
-    | BeginStep | CutStep | StartStep,
+    SetStep | SwitchStep | ChooseStep | FitStep | DiagnoseStep | TakeStep | AddStep | ChosenStep,
     Field(discriminator="do"),
 ]  # fmt: skip
 
@@ -243,10 +220,7 @@ class SavedLevel(CheckedTable):
     """One signal on a rung of the ladder."""
 
     rms: Number | None
-    noise: Number | None
-    chi2: Number | None
     text: Text
-    noise_text: Text
 
 
 class SavedRung(CheckedTable):
@@ -269,9 +243,8 @@ class SavedContent(CheckedTable):
     diagnosed: Effects
     milestone: Text
     file: ModelicaFile | None
-    roles: Roles
-    cuts: Cuts = {}
-    starts: Starts = {}
+    runs: Names
+    chosen: Chosen = Chosen()
     ladder: Annotated[list[SavedRung], _Many]
     steps: Annotated[list[AnyStep], _Many]
     fit: Product | None
@@ -288,7 +261,7 @@ def checked_content(content: Any, models: Collection[str]) -> SavedContent:
     try:
         made = SavedContent.model_validate(content)
     except ValidationError as error:
-        raise ValueError(_complaint(error)) from None
+        raise ValueError(complaint(error)) from None
     if made.model not in models:
         try:
             _bench(made.model)
@@ -297,25 +270,12 @@ def checked_content(content: Any, models: Collection[str]) -> SavedContent:
     return made
 
 
-def _complaint(error: ValidationError) -> str:
+def complaint(error: ValidationError) -> str:
+    """What is wrong, and where."""
     worst = min(error.errors(include_url=False), key=lambda one: one["type"] != "extra_forbidden")
     place = ".".join(part if isinstance(part, str) else str(part + 1) for part in worst["loc"])
-    return f"{shown(place)[1:-1]}: {_words(worst)}" if place else _words(worst)
-
-
-def _words(error: ErrorDetails) -> str:
-    match error["type"]:
-        case "extra_forbidden":
-            return "unknown key"
-        case "missing":
-            return "is missing"
-        case "value_error":
-            return str(error["ctx"]["error"])
-        case "literal_error" | "union_tag_invalid":
-            expected = error["ctx"].get("expected") or error["ctx"].get("expected_tags")
-            found = error["ctx"].get("tag", error["input"])
-            return f"{shown(found)} is not possible; it is one of {expected}"
-    return f"{shown(error['input'])}: {error['msg']}"
+    words = str(worst.get("ctx", {}).get("error", worst["msg"]))
+    return f"{shown(place)[1:-1]}: {words}" if place else words
 
 
 def lean(diagnosis: Diagnosis) -> Diagnosis:
@@ -350,7 +310,8 @@ def save_state(state: State, folder: Path) -> str:
     products = {what: _kept(getattr(state, what), folder, what) for what in ("fit", "diagnosis")}
     content = {
         "format": _FORMAT,
-        "roles": {run.name: run.role for run in state.data.runs},
+        "runs": [run.name for run in state.data.runs],
+        "chosen": state.chosen,
         "ladder": state.rungs,
         "steps": state.steps,
         "time": time.time(),
@@ -404,26 +365,21 @@ def load_state(folder: Path, first: State) -> State:
 
 
 def _state(content: SavedContent, folder: Path, first: State) -> State:
-    roles = {run.name: run.role for run in first.data.runs}
-    if content.roles.keys() != roles.keys():
+    if content.runs != [run.name for run in first.data.runs]:
         raise InputError(
             "the saved study is of other runs than the data set has now", folder / FILE
         )
-    runs = tuple(replace(run, role=content.roles[run.name]) for run in first.data.runs)
-    same = selected(content, _SAME)
     return State(
-        data=first.data if content.roles == roles else replace(first.data, runs=runs),
+        data=first.data,
+        known=first.known,
+        chosen=content.chosen.model_dump(exclude_unset=True),
         fit=_product(content.fit, folder, Fit),
         diagnosis=_product(content.diagnosis, folder, Diagnosis),
         rungs=tuple(one.model_dump() for one in content.ladder),
         steps=tuple(_step(one) for one in content.steps),
         loaded=len(content.steps),
-        **same
-        | {
-            "effects": tuple(content.effects),
-            "diagnosed": tuple(content.diagnosed),
-            "cuts": {run: tuple(ends) for run, ends in content.cuts.items()},
-        },
+        **selected(content, _SAME)
+        | {"effects": tuple(content.effects), "diagnosed": tuple(content.diagnosed)},
     )
 
 

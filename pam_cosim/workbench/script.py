@@ -11,6 +11,7 @@ from pam_cosim.model.references import is_modelica
 from pam_cosim.wording import printable
 from pam_cosim.workbench.catalogue import Catalogue
 from pam_cosim.workbench.opened_model import without_ratios
+from pam_cosim.workbench.source import OF_RUNS
 from pam_cosim.workbench.state import State
 from pam_cosim.workbench.steps import Step
 
@@ -44,7 +45,7 @@ class _Script:
     catalogue: Catalogue
     effects: tuple[str, ...] = ()
     diagnosed: tuple[str, ...] = ()
-    stated: dict[str, Any] = field(default_factory=dict)
+    chosen: Mapping[str, Any] = field(default_factory=dict)
 
     @property
     def files(self) -> list[str]:
@@ -62,13 +63,8 @@ class _Script:
                 lines = [*self._composing(a["effects"]), f"values = {_numbers(a['values'])}"]
             case "choose":
                 self.base = a["model"]
+                self.chosen = {key: self.chosen[key] for key in OF_RUNS if key in self.chosen}
                 lines = [*self._composing(()), self.reading(), "values = {}"]
-            case "roles":
-                self.stated["roles"] = self.stated.get("roles", {}) | a["roles"]
-                lines = [self.reading()]
-            case "cut" | "begin":
-                self.stated |= {name: a[name] for name in ("cuts", "starts") if name in a}
-                lines = [self.reading(), f"values = {_numbers(a['values'])}"]
             case "fit":
                 options = f"method={a['method']!r}, free={a['free']!r}, {_stated(a, 'start')}"
                 kept = f"= {_numbers(a['kept'])} |" if "kept" in a else "|="
@@ -78,7 +74,7 @@ class _Script:
                 ]
             case "diagnose":
                 self.diagnosed = self.effects
-                options = _stated(a, *(name for name in _DIAGNOSED if a.get(name) not in _NOTHING))
+                options = _stated(a, *(name for name in _DIAGNOSED if a.get(name)))
                 return [
                     f"diagnosis = pam.diagnose(data, model, {options}files=files, say=print)",
                     "print(diagnosis)",
@@ -96,15 +92,24 @@ class _Script:
                     f"pam.add({a['effects']!r}, to={self.base!r}, output={a['file']!r}, "
                     f"values={values}, files=files)"
                 ]
+        if "chosen" in a:
+            self.chosen = a["chosen"]
+            lines = [self.reading(), f"values = {_numbers(a['values'])}"]
         return [*lines, _COMPARED]
 
     def reading(self) -> str:
-        """The line that reads the data set."""
-        stated = {name: value for name, value in self.stated.items() if value}
-        options = "".join(
-            f", {name}={stated[name]!r}" for name in ("roles", "cuts", "starts") if name in stated
-        )
-        return f"data = pam.read(folder, model={self.base!r}, files=files{options})"
+        """The lines that read the data set."""
+        said = {n: value for n, value in self.chosen.items() if value or n == "free"}
+        options = "".join(f", {name}={said[name]!r}" for name in OF_RUNS if name in said)
+        lines = [f"data = pam.read(folder, model={self.base!r}, files=files{options})"]
+        if "signals" in said:
+            lines.append(f"data = data.with_signals({said['signals']!r})")
+        stated: dict[str, Any] = {name: said[name] for name in ("values", "free") if name in said}
+        if stated:
+            lines.append(
+                f"data = pam.problem(data, {self.base!r}, {_stated(stated, *stated)}files=files).data"
+            )
+        return "\n".join(lines)
 
     def _composing(self, effects: Sequence[str]) -> list[str]:
         self.effects = tuple(effects)
@@ -121,7 +126,6 @@ class _Script:
 
 
 _DIAGNOSED = ("time_limit", "exclude", "expect", "free", "start")  # if they were stated
-_NOTHING: tuple[Any, ...] = (None, [], (), {}, "")
 
 
 def _stated(arguments: Mapping[str, Any], *names: str) -> str:

@@ -44,7 +44,7 @@ class Session(StudyWithJobs):
         """
 
         def begin() -> Callable[[], None]:
-            self.windows.keep(self.shown_study())
+            self.windows.tell(self.shown_study())
             return self.windows.subscribe(listener)
 
         return self._thread.submit(begin)
@@ -58,11 +58,11 @@ class Session(StudyWithJobs):
         try:
             name = one_of(command.get("do"), COMMANDS, "command")
             inspect.signature(COMMANDS[name]).bind(self, **arguments)
-            if name != "set":
-                return self._thread.submit(self._done_as, name, arguments)
-            values = arguments["values"]
+            values = arguments.get("values", {})
             if not isinstance(values, Mapping):
-                raise InputError("set wants numbers by name")
+                raise InputError("set wants values by name")
+            if name != "set" or not arguments.get("dragged"):
+                return self._thread.submit(self._done_as, name, arguments)
         except (TypeError, InputError) as problem:
             refused: Future[Json] = Future()
             if isinstance(problem, TypeError):
@@ -76,7 +76,9 @@ class Session(StudyWithJobs):
     def _set_waiting(self) -> Json:
         with self._lock:
             values, self._waiting = self._waiting, {}
-        return self._done_as("set", {"values": values}) if values else {"version": self.version}
+        if not values:
+            return {"version": self.version}
+        return self._done_as("set", {"values": values, "dragged": True})
 
     def _done_as(self, name: str, arguments: Json) -> Json:
         result = COMMANDS[name](self, **arguments)

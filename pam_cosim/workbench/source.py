@@ -1,15 +1,19 @@
-"""The measurement of a study: its folder, read anew after runs are cut or begin otherwise."""
+"""The measurement of a study: its folder, read anew after something is chosen in place of what the data set says."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from pam_cosim import study
 from pam_cosim.measurement import DataSet
+from pam_cosim.problems import ParameterValue
 from pam_cosim.study.problems import data_with_starts, problem
-from pam_cosim.workbench.state import Ends
+
+OF_RUNS = ("roles", "cuts", "starts")
+"""What is chosen of runs, which holds for every model; of values, free parameters and signals it may not."""
 
 
 @dataclass
@@ -25,41 +29,27 @@ class MeasurementSource:
     files: tuple[Path, ...] = ()
     _whole: dict[str, DataSet] = field(default_factory=dict)
 
-    def read(self, model: str | None) -> DataSet:
-        """The measurement for a model, with its noise and the start of every run; as ``study.read``.
-
-        Raises:
-            InputError: the data set cannot be read.
-        """
-        return self._complete(study.read(self.folder, model=model, files=self.files), model)
-
-    def read_again(
-        self,
-        data: DataSet,
-        cuts: Mapping[str, Ends],
-        starts: Mapping[str, str],
-        model: str | None = None,
-    ) -> DataSet:
-        """The measurement with the roles that runs have now, cut and begun as chosen.
+    def read(
+        self, model: str | None, chosen: Mapping[str, Any] | None = None
+    ) -> tuple[DataSet, tuple[ParameterValue, ...]]:
+        """The measurement for a model, with its noise and the start of every run, and every value with its source.
 
         Args:
-            data: as it is now.
-            cuts: first and last time [s] of runs, by name.
-            starts: how runs begin, by name.
-            model: default: that of the data.
+            model: default: the bench of the data set.
+            chosen: roles, cuts and starts of runs, as ``study.read`` takes them; "signals", as
+                ``DataSet.with_signals``; "values" [SI] and "free" parameters, as ``study.problem``.
 
         Raises:
             InputError: the data set cannot be read with these.
         """
-        model = model or data.unmapped or data.model
-        roles = {run.name: run.role for run in data.runs}
-        read = study.read(
-            self.folder, model=model, files=self.files, roles=roles, cuts=cuts, starts=starts
-        )
-        return self._complete(read, model)
-
-    def _complete(self, data: DataSet, model: str | None) -> DataSet:
-        return data_with_starts(problem(data, model, files=self.files))
+        said = chosen or {}
+        of_runs = {key: said[key] for key in OF_RUNS if key in said}
+        data = study.read(self.folder, model=model, files=self.files, **of_runs)
+        if "signals" in said:
+            data = data.with_signals(said["signals"])
+        values, free = said.get("values"), said.get("free")
+        resolved = problem(data, model, files=self.files, values=values, free=free)
+        return data_with_starts(resolved), resolved.values
 
     def whole(self, data: DataSet) -> DataSet:
         """The same with all recorded rows; starts and noise are not completed."""

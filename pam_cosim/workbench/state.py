@@ -9,11 +9,11 @@ from pam_cosim.comparison import Comparison
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.fitting import Fit
 from pam_cosim.measurement import DataSet
+from pam_cosim.problems import ParameterValue
 from pam_cosim.workbench.protocol import Json
 from pam_cosim.workbench.steps import Step, with_step
 
 AS_STATED = "as stated"
-Ends = tuple[float | None, float | None]
 
 
 @dataclass(frozen=True)
@@ -29,8 +29,8 @@ class State:
         diagnosis: the last one; ``diagnosed``: the effects that the model had then.
         rungs: of the error ladder, the standing model not among them.
         milestone: what the standing model is called on the ladder, as long as nothing is changed; "": it has no place.
-        cuts: first and last time [s] of runs that were cut here, by name; None: as it was recorded.
-        starts: how runs begin, where that was chosen here, by name.
+        chosen: here, in place of what the data set says; see ``source.MeasurementSource.read``.
+        known: every value of the base model, with where it comes from.
         steps: done so far; ``loaded``: how many of them were done when the study was loaded, which stay as they are.
         file: that the model with its effects was written to, by its name in the folder of the study.
         before: the model before the last change of its effects, to be drawn beside.
@@ -45,8 +45,8 @@ class State:
     diagnosed: tuple[str, ...] = ()
     rungs: tuple[Json, ...] = ()
     milestone: str = AS_STATED
-    cuts: Mapping[str, Ends] = field(default_factory=dict)
-    starts: Mapping[str, str] = field(default_factory=dict)
+    chosen: Json = field(default_factory=dict)
+    known: tuple[ParameterValue, ...] = field(default=(), compare=False)
     steps: tuple[Step, ...] = ()
     loaded: int = 0
     file: str | None = None

@@ -12,6 +12,7 @@ from pam_cosim.files import plain
 from pam_cosim.fitting import METHODS, Estimate, Free
 from pam_cosim.measurement import ROLES, DataSet, Run
 from pam_cosim.model.references import is_file
+from pam_cosim.problems import ParameterValue
 from pam_cosim.reporting.account import quantity_text, remark, unit_text
 from pam_cosim.units import readable_factor
 from pam_cosim.workbench.opened_model import Opened
@@ -46,6 +47,7 @@ def study_event(
             for name, s in data.signals.items()
         ],
         parameters=[_parameter(free, state, opened) for free in opened.parameters.values()],
+        held=[_held(row, opened) for row in state.known if row.free is None],
         effects=effects,
         families=list(dict.fromkeys(e["family"] for e in effects)),
         benches=benches,
@@ -96,6 +98,19 @@ def _parameter(free: Free, state: State, opened: Opened) -> Json:
     }
 
 
+def _held(row: ParameterValue, opened: Opened) -> Json:
+    """A value that no fit moves."""
+    variable = opened.simulator.interface.settable.get(row.name)
+    return {
+        **selected(row, "name"),
+        **selected(row, "value", row.unit),
+        "unit": unit_text(row.unit),
+        "source": row.source.replace("by the caller", "here"),
+        "description": variable.description if variable else "",
+        "bounded": variable is not None and None not in (variable.min, variable.max),
+    }
+
+
 def interval(estimate: Estimate | None, unit: str) -> Json:
     """The 95 % interval of an estimate in the shown unit; None where the data do not determine it."""
     if estimate is None or not (
@@ -117,17 +132,11 @@ def rung_of(label: str, comparison: Comparison) -> Json:
 
 
 def _levels(scores: Mapping[str, SignalScore], data: DataSet) -> Json:
-    levels = {}
-    for name, s in scores.items():
-        unit = data.signals[name].unit
-        levels[name] = {
-            "rms": s.rmse * readable_factor(unit),
-            "noise": s.noise_rmse * readable_factor(unit),
-            "chi2": s.chi2_reduced,
-            "text": quantity_text(s.rmse, unit),
-            "noise_text": quantity_text(s.noise_rmse, unit),
-        }
-    return levels
+    units = {name: data.signals[name].unit for name in scores}
+    return {
+        name: selected(s, "rms=rmse", units[name], text=quantity_text(s.rmse, units[name]))
+        for name, s in scores.items()
+    }
 
 
 def scores_event(state: State, opened: Opened, comparison: Comparison, version: int) -> Json:

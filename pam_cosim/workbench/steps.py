@@ -40,13 +40,7 @@ class Step:
                 return f"took {_sum(a)} from the ranking"
             case "add":
                 return f"added {_sum(a)}: {a['file']}"
-            case "roles":
-                return "roles: " + ", ".join(f"{run} {role}" for run, role in a["roles"].items())
-            case "cut":
-                return f"cut {a['run']}: {_ends(*a['cuts'][a['run']])}"
-            case "begin":
-                return f"begin {a['run']}: {a['starts'].get(a['run']) or 'as the data set says'}"
-        return self.do
+        return str(a.get("text", self.do))
 
 
 def _sum(arguments: Mapping[str, Any]) -> str:
@@ -57,22 +51,11 @@ def _numbers(values: Mapping[str, float]) -> str:
     return ", ".join(f"{name} = {value:.4g}" for name, value in values.items())
 
 
-def _ends(begin: float | None, end: float | None) -> str:
-    if begin is None and end is None:
-        return "all of it"
-    first = "its beginning" if begin is None else f"{begin:.13g} s"
-    last = "its end" if end is None else f"{end:.13g} s"
-    return f"{first} to {last}"
-
-
 def with_step(steps: Sequence[Step], step: Step, closed: int = 0) -> tuple[Step, ...]:
-    """The steps and one more; values set one after another are one step, but for the first ``closed`` steps."""
-    last = steps[-1] if len(steps) > closed else None
-    if last is None or step.do != last.do or step.do not in ("set", "start", "switch"):
-        return (*steps, step)
-    arguments = dict(step.arguments)
-    if step.do != "switch":
-        arguments["values"] = {**last.arguments["values"], **arguments["values"]}
-    if step.do == "start":
-        arguments["moved"] = [*dict.fromkeys([*last.arguments["moved"], *arguments["moved"]])]
-    return (*steps[:-1], Step(step.do, arguments))
+    """The steps and one more; values of the same names that are dragged are one step, but for the first ``closed``."""
+    last = steps[-1] if len(steps) > closed else step
+    told, names = last.arguments, step.arguments.get("moved", step.arguments.get("values", ()))
+    dragged = step.arguments.get("dragged") and told.get("dragged") and last is not step
+    if dragged and {*told.get("moved", told["values"])} == {*names}:
+        return (*steps[:-1], step)
+    return (*steps, step)

@@ -35,11 +35,6 @@ class Windows:
 
         return end
 
-    def keep(self, event: Json) -> None:
-        """Replaces the event of this kind that a window is sent when it opens."""
-        with self._lock:
-            self._kept[event["event"]] = text_of_message(event)
-
     def tell(self, event: Json, *, line: bool = False) -> None:
         """Sends an event to all; ``line``: to later windows too, as a line of progress."""
         kind = event["event"]

@@ -49,17 +49,17 @@ def fit(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
 
 def diagnose(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
     """``study.diagnose``, telling each line, and each event that no line is about."""
-
-    def progress(event: Event) -> None:
-        if not str(event):
-            tell(event)
-
-    return study.diagnose(data, model, say=tell, progress=progress, **options)
+    return study.diagnose(data, model, say=tell, progress=_unsaid(tell), **options)
 
 
 def check(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> Any:
-    """``study.check``, telling each line."""
-    return study.check(data, model, say=tell, **options)
+    """``study.check``, likewise."""
+    return study.check(data, model, say=tell, progress=_unsaid(tell), **options)
+
+
+def _unsaid(tell: Tell) -> Callable[[Event], object]:
+    """Tells events that no line is about."""
+    return lambda event: None if str(event) else tell(event)
 
 
 def prepare(tell: Tell, data: Any, model: str, options: dict[str, Any]) -> None:

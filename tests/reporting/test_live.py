@@ -13,6 +13,7 @@ from pam_cosim.diagnosis import BaseFitted, CandidateTried, Judged
 from pam_cosim.fitting import FitProgress
 from pam_cosim.reporting import Live
 from pam_cosim.reporting import live as room
+from pam_cosim.reporting.live import Tried
 from tests.reporting.synthetic import make_diagnosis
 
 STANDING = FitProgress(3, 1.5, {"p": 500.0}, {"p": "Pa"})
@@ -42,6 +43,21 @@ def test_ranking_and_verdict_are_drawn_as_text(monkeypatch: pytest.MonkeyPatch) 
     assert "base model refitted" in drawn[0]
     assert drawn[-1].count("<tr>") == 1 + len(diagnosis.candidates) and "Identified" in drawn[-1]
     assert "<script>" not in drawn[-1] and "&lt;script&gt;" in drawn[-1]
+
+
+def test_the_answer_leads_and_effects_added_to_no_avail_are_not_listed() -> None:
+    diagnosis, tried = make_diagnosis("identified"), Tried()
+    (answer,) = diagnosis.path
+    idle = replace(answer, effects=(*answer.effects, "Idle"), effect="Idle")
+    idle = replace(idle, delta_bic=answer.delta_bic - 1.0)
+    useful = replace(idle, effects=(*answer.effects, "Useful"), delta_bic=answer.delta_bic - 500.0)
+    tried.take(BaseFitted(diagnosis.base))
+    every = (useful, idle, *diagnosis.candidates)
+    tried.take(Judged(diagnosis.verdict, diagnosis.base, every, diagnosis.path))
+    shown = [c.effects for c in tried.telling()]
+    assert shown[0] == answer.effects and useful.effects in shown and idle.effects not in shown
+    assert len(repr(Judged(diagnosis.verdict, diagnosis.base, every, diagnosis.path))) < 200
+    assert len(repr(BaseFitted(diagnosis.base))) < 200
 
 
 @pytest.mark.full

@@ -8,8 +8,7 @@ import pytest
 
 from pam_cosim.errors import InputError
 from pam_cosim.reporting import (
-    error_ladder_figure,
-    plot_trajectory,
+    draw,
     write_report,
 )
 from pam_cosim.reporting.diagnosis_page import rungs_of
@@ -40,8 +39,8 @@ def test_a_trajectory_has_one_panel_each_in_readable_units(tmp_path):
     figure = trajectory_figure(trajectory())
     assert [a.get_ylabel() for a in figure.axes] == ["p [kPa]", "x [mm]", "eps"]
     assert figure.axes[0].lines[0].get_ydata()[-1] == pytest.approx(500)
-    plot_trajectory(trajectory(), tmp_path / "a.png")
-    plot_trajectory(trajectory(), tmp_path / "b.png")
+    draw(trajectory(), tmp_path / "a.png")
+    draw(trajectory(), tmp_path / "b.png")
     assert (tmp_path / "a.png").read_bytes() == (tmp_path / "b.png").read_bytes()
     assert size(tmp_path / "a.png")[0] == 1200
 
@@ -50,7 +49,7 @@ def test_the_ladder_shows_the_errors_as_scored():
     diagnosis = make_diagnosis("identified")
     with drawing():
         axes = new_figure(4, 3).subplots()
-        draw_ladder(axes, rungs_of(diagnosis), SIGNALS["x"])
+        draw_ladder(axes, rungs_of(diagnosis), SIGNALS["x"], 4.0)
     heights = [bar.get_height() for bar in axes.patches]
     expected = [
         fit.comparison.scores[role]["x"].rmse * 1e3
@@ -65,7 +64,7 @@ def test_the_ladder_shows_the_errors_as_scored():
 @pytest.mark.parametrize("kind", quick(["identified", "none_missing"], "identified"))
 @pytest.mark.parametrize("samples", [15, 1000])
 def test_the_ladder_figure_is_a_png_of_1350_pixels(tmp_path, kind, samples):
-    error_ladder_figure(make_diagnosis(kind, make_data(samples=samples)), tmp_path / "ladder.png")
+    draw(make_diagnosis(kind, make_data(samples=samples)), tmp_path / "ladder.png")
     assert size(tmp_path / "ladder.png")[0] == 1350
 
 
@@ -82,7 +81,7 @@ def test_files_that_cannot_be_written_are_named(tmp_path):
     with pytest.raises(InputError, match="name a file"):
         write_report(tmp_path, "x")
     with pytest.raises(InputError, match="folder does not exist"):
-        plot_trajectory(trajectory(), tmp_path / "missing" / "r.png")
+        draw(trajectory(), tmp_path / "missing" / "r.png")
     with pytest.raises(InputError, match="no output to draw"):
-        plot_trajectory(Trajectory(np.zeros(0), {}, {}), tmp_path / "r.png")
+        draw(Trajectory(np.zeros(0), {}, {}), tmp_path / "r.png")
     assert os.listdir(tmp_path) == []

@@ -7,13 +7,11 @@ import math
 from collections.abc import Iterator
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 import pam_cosim as pam
-from pam_cosim.errors import InputError
+from pam_cosim.errors import InputError, SimulationFailure
 from pam_cosim.workbench import Workbench, drop
-from pam_cosim.workbench.curves import shown_instants
 from pam_cosim.workbench.paths import free_name, inside, is_name_here, safe_name
 from tests.workbench.conftest import PATIENCE, Window
 
@@ -34,11 +32,7 @@ def test_a_folder_that_is_not_there_is_where_recordings_are_dropped(
     assert window.last("study")["state"] == "drop" and window.last("dropped")["files"] == []
     put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
     (file,) = window.last("dropped")["files"]
-    assert (
-        file["name"] == "run-01.csv"
-        and file["header"][0].startswith("time")
-        and len(file["rows"][0]) > 3
-    )
+    assert file["name"] == "run-01.csv" and file["lines"][0].startswith("time")
     with pytest.raises(InputError, match="drop recordings first"):
         window.do(do="fit")
     window.do(do="remove", names=["run-01.csv"])
@@ -61,8 +55,8 @@ def test_what_is_wrong_is_shown_at_its_cell(window: Window, recorded: Path) -> N
         and failed["line"] == 21
         and failed["file"] == "run-01.csv"
     )
-    assert excerpt["line"] == 21 and excerpt["column"] == 4
-    assert excerpt["rows"][excerpt["line"] - excerpt["first"]][excerpt["column"]] == "soft"
+    assert excerpt["line"] == 21
+    assert excerpt["lines"][excerpt["line"] - excerpt["first"]].split(",")[4] == "soft"
     with pytest.raises(InputError, match="soft"):
         window.do(do="create")
     assert not window.session.folder.exists()
@@ -160,7 +154,7 @@ def test_letters_are_shown_as_the_file_has_them(window: Window, encoding: str) -
     mark = codecs.BOM_UTF16_BE if encoding == "utf-16-be" else b""
     put(window, "Messung.csv", mark + "Zeit [s];Länge [mm];T [°C]\n0;1;20\n".encode(encoding))
     (file,) = window.last("dropped")["files"]
-    assert file["header"] == ["Zeit [s]", "Länge [mm]", "T [°C]"]
+    assert file["lines"][0].split(";") == ["Zeit [s]", "Länge [mm]", "T [°C]"]
 
 
 def test_no_letter_is_cut_where_a_file_is_long(
@@ -224,8 +218,8 @@ def test_names_that_become_alike_are_numbered(window: Window) -> None:
     put(window, "F↑.csv", b"a [mm]\n1\n")
     put(window, "F↓.csv", b"b [mm]\n1\n")
     put(window, "F↑.csv", b"c [mm]\n1\n")  # the same once more replaces
-    files = {f["name"]: f["header"] for f in window.last("dropped")["files"]}
-    assert files == {"F_.csv": ["c [mm]"], "F_-2.csv": ["b [mm]"]}
+    files = {f["name"]: f["lines"][0] for f in window.last("dropped")["files"]}
+    assert files == {"F_.csv": "c [mm]", "F_-2.csv": "b [mm]"}
     window.do(do="remove", names=["F_.csv"])
     put(window, "f_.CSV", b"d [mm]\n1\n")
     assert {f["name"] for f in window.last("dropped")["files"]} == {"f_.CSV", "F_-2.csv"}
@@ -236,6 +230,34 @@ def test_a_numbered_name_is_one_that_a_file_here_may_have() -> None:
     assert is_name_here(free_name(long, [long])) and free_name("b", ["B", "b-2"]) == "b-3"
 
 
-def test_a_preview_shows_the_course_of_any_clock() -> None:
-    time = 1.7e9 + np.arange(5) * 0.02
-    np.testing.assert_allclose(shown_instants(time), time, rtol=0, atol=1e-6)
+def test_each_question_has_a_field_with_what_is_taken_until_it_is_answered(
+    window: Window, recorded: Path
+) -> None:
+    text = (recorded / "run-01.csv").read_text()
+    put(window, "run-01.csv", text.replace("p [kPa]", "Druck [kPa]", 1).encode())
+    window.do(do="draft", wishes={"parameters": {"muscle.L0": "250 mm"}})
+    draft = window.last("draft")
+    assert draft["columns"]["p"] == {"column": "Druck"}
+    assert draft["stated"]["muscle.L0"] == "250 mm"
+    by_name = {p["name"]: p for p in draft["parameters"]}
+    assert by_name["muscle.L0"]["geometry"] and not by_name["ambient.T"]["geometry"]
+    assert {part["role"] for part in draft["parts"]} >= {"muscle", "pneumatics", "mechanics"}
+
+
+def test_what_cannot_be_opened_leaves_nothing_that_blocks_the_next_try(
+    window: Window, recorded: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    put(window, "run-01.csv", (recorded / "run-01.csv").read_bytes())
+    window.do(do="draft")
+    monkeypatch.setattr(window.session, "_session", _fails)
+    with pytest.raises(SimulationFailure, match="too small"):
+        window.do(do="create")
+    assert "too small" in window.last("draft")["failed"]["text"]
+    assert window.last("draft")["names"] and not window.session.folder.exists()
+    monkeypatch.undo()
+    window.do(do="create")
+    assert window.last("study")["state"] == "open"
+
+
+def _fails() -> None:
+    raise SimulationFailure("the solver's step became too small")

@@ -93,9 +93,9 @@ def test_cuts_and_starts_are_steps_that_can_be_taken_back(window: Window) -> Non
 def test_a_start_value_moves_the_curve_at_once(window: Window, recorded: Path) -> None:
     still = value(window, "load.s")
     window.forget()
-    window.do(do="set", values={"muscle.gas.p@run-01": 180.0})
+    window.do(do="set", values={"muscle.gas.p@run-01": 180.0}, dragged=True)
     assert curve(window, "model")[0] == pytest.approx(180.0 - 101.325, abs=1e-3)
-    window.do(do="set", values={"muscle.gas.p@run-01": 170.0})
+    window.do(do="set", values={"muscle.gas.p@run-01": 170.0}, dragged=True)
     assert curve(window, "model")[0] == pytest.approx(170.0 - 101.325, abs=1e-3)
     assert [step["text"] for step in window.last("steps")["steps"]] == [
         "start muscle.gas.p@run-01 = 1.7e+05"
@@ -162,3 +162,54 @@ def test_a_study_with_cuts_and_starts_is_saved_printed_and_repeated(
             "estimated",
             "by hand",
         ]
+
+
+def test_a_signal_that_is_not_fitted_is_switched_on(window: Window) -> None:
+    fitted = {s["name"] for s in window.last("study")["signals"] if s["use"] == "fitted"}
+    window.do(
+        do="signal",
+        name="T",
+        fitted="T" not in fitted,
+        sigma="0.5 K" if "T" not in fitted else None,
+    )
+    now = {s["name"]: s for s in window.last("study")["signals"]}
+    assert (now["T"]["use"] == "fitted") is ("T" not in fitted)
+    window.do(do="signal", name="p", sigma=2)
+    now = {s["name"]: s for s in window.last("study")["signals"]}
+    assert now["p"]["use"] == "fitted" and now["p"]["noise"] == pytest.approx(2.0)
+    for wrong in ({"name": "q"}, {"name": "p", "sigma": "2"}, {"name": "p", "sigma": -1.0}):
+        with pytest.raises(InputError):
+            window.do(do="signal", **wrong)
+
+
+def test_a_parameter_is_freed_held_and_stated_with_its_unit(window: Window, recorded: Path) -> None:
+    names = [p["name"] for p in window.last("study")["parameters"]]
+    window.do(do="set", values={"muscle.L0": "25 cm", "valve.C_A": "0.8"})
+    held = {one["name"]: one for one in window.last("study")["held"]}
+    assert held["muscle.L0"]["value"] == pytest.approx(250.0)
+    assert "stated here" in held["muscle.L0"]["source"]
+    window.do(do="free", names=[*names, "muscle.L0"])
+    free = {p["name"]: p for p in window.last("study")["parameters"]}
+    assert free["muscle.L0"]["value"] == pytest.approx(250.0) and free["muscle.L0"]["low"] < 250
+    window.do(do="free", names=["muscle.L0"])
+    held = {one["name"]: one["value"] for one in window.last("study")["held"]}
+    assert held["valve.C_A"] == pytest.approx(0.8)
+    stood = chi2(window)
+    data = pam.problem(pam.read(recorded), values={"valve.C_A": 0.8}, free=["muscle.L0"]).data
+    again = pam.compare(data, parameters={"muscle.L0": 0.25})
+    assert stood == pytest.approx(again.chi2_reduced("fit"), rel=1e-6)
+    with pytest.raises(InputError):
+        window.do(do="free", names=["no.such"])
+    with pytest.raises(InputError):
+        window.do(do="set", values={"muscle.L0": "3 kg"})
+
+
+def test_values_typed_one_after_another_are_taken_back_one_by_one(window: Window) -> None:
+    for value in (0.61, 0.62, 0.63):
+        window.do(do="set", values={"valve.C_A": value})
+    for value in (0.64, 0.65):
+        window.do(do="set", values={"valve.C_A": value}, dragged=True)
+    window.do(do="undo")
+    assert window.last("scores")["values"]["valve.C_A"] == pytest.approx(0.63)
+    window.do(do="undo", count=3)
+    assert window.last("steps")["steps"] == []

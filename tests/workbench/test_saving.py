@@ -117,7 +117,7 @@ def test_a_damaged_file_is_refused(folder: Path, shared: Session, damage: str) -
     content = json.loads((folder / FILE).read_text())
     changes: dict[str, Any] = {
         "steps": {"steps": [{"do": "rm -rf"}]}, "effects": {"effects": [1]}, "values": {"values": {"valve.C_A": "x"}},
-        "file": {"file": "../../etc/passwd"}, "runs": {"roles": {"another": "fit"}}, "fit": {"fit": "../fit.npz"},
+        "file": {"file": "../../etc/passwd"}, "runs": {"runs": ["another"]}, "fit": {"fit": "../fit.npz"},
     }  # fmt: skip
     text = json.dumps(content | changes[damage]) if damage in changes else damage
     (folder / FILE).write_text(text)
@@ -230,7 +230,8 @@ def test_a_whole_study_is_saved_and_repeated(
     window.work(do="fit")
     assert window.work(do="diagnose", exclude=["creep"])["end"] == "done"
     verdict = window.last("verdict")
-    window.do(do="add", effects=verdict["effects"])
+    window.do(do="take", candidate=verdict["effects"])
+    window.do(do="add")
     window.do(do="save")
     with Session(folder) as again:
         fresh = Window(again)
@@ -284,8 +285,8 @@ def test_one_step_back_leaves_a_study_that_was_loaded(window: Window, folder: Pa
     window.do(do="save")
     with Session(folder) as again:
         fresh, loaded = Window(again), again.state.steps
-        fresh.do(do="set", values={"muscle.mu_fb": 0.02})
-        fresh.do(do="set", values={"muscle.mu_fb": 0.03})
+        fresh.do(do="set", values={"muscle.mu_fb": 0.02}, dragged=True)
+        fresh.do(do="set", values={"muscle.mu_fb": 0.03}, dragged=True)
         assert len(again.state.steps) == 2  # of its own they are one
         fresh.do(do="undo")
         assert again.state.steps == loaded and again.state.values == {"valve.C_A": 0.71}

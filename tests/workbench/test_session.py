@@ -72,7 +72,8 @@ def test_dragging_never_makes_a_queue(window: Window) -> None:
     session, gate = window.session, threading.Event()
     window.forget()
     session.submit(gate.wait)
-    moves = [session.do({"do": "set", "values": {"valve.C_A": 0.6 + 0.001 * i}}) for i in range(50)]
+    values = ({"valve.C_A": 0.6 + 0.001 * i} for i in range(50))
+    moves = [session.do({"do": "set", "values": one, "dragged": True}) for one in values]
     gate.set()
     for move in moves:
         move.result(60)
@@ -85,7 +86,7 @@ def test_dragging_never_makes_a_queue(window: Window) -> None:
     ("values", "said"),
     [
         ({"valve.C_B": 0.7}, "did you mean 'valve.C_A'"),
-        ({"valve.C_A": "0.7"}, "must be a number"),
+        ({"valve.C_A": "0.7 kg"}, "valve.C_A"),
         ({"valve.C_A": float("nan")}, "finite"),
         ({"valve.C_A": 1e308}, "must be between"),
         ({"valve.C_A": 2.5}, "lowest to its highest"),
@@ -108,7 +109,7 @@ def test_what_cannot_be_set_is_refused_in_words(window: Window, values: object, 
      {"do": "choose", "model": "/etc/passwd.mo"}, {"do": "choose", "model": "NoSuchBench"},
      {"do": "choose", "model": "Isometric"}, {"do": "choose", "model": "LumpedLinear"},
      {"do": "fit", "method": "magic"}, {"do": "fit", "free": ["valve.nothing"]}, {"do": "fit", "free": []},
-     {"do": "take", "candidate": 0}, {"do": "add"}, {"do": "add", "effects": ["LinearBladder"]},
+     {"do": "take", "candidate": 0}, {"do": "take", "candidate": ["LinearBladder"]}, {"do": "add"},
      {"do": "undo"}, {"do": "stop"}, {"do": "resume"},
      {"do": "roles", "roles": {"run-01": "judge"}}, {"do": "roles", "roles": {"run-01": "holdout"}},
      {"do": "load"}, {"do": "diagnose", "time_limit": "soon"}, {"do": "diagnose", "exclude": "leak"}],

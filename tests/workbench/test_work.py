@@ -161,7 +161,8 @@ def test_a_hidden_effect_is_found_added_and_the_error_at_the_noise(
         verdict = window.last("verdict")
         assert verdict["kind"] == "identified" and verdict["families"] == ["elasticity"]
         assert window.last("ledger")["courses"] and window.last("ledger")["sentence"]
-        added = window.do(do="add", effects=verdict["effects"])
+        window.do(do="take", candidate=verdict["effects"])
+        added = window.do(do="add")
         assert (folder / added["file"]).read_text() == added["text"]
         for level in window.last("scores")["scores"]["holdout"].values():
             assert level["rms"] < 1.3 * level["noise"]

@@ -14,6 +14,7 @@ from pam_cosim.cli.commands.common import (
     ModelArgument,
     SetOption,
     TimeoutOption,
+    WidthOption,
     check_results,
     progress_bar,
     tell_and_write,
@@ -46,7 +47,8 @@ def bode(
         Path | None, typer.Option("--output", "-o", help="Write the response as CSV.")
     ] = None,
     json: JsonOption = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw it over the linear model as PNG.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw it over the linear model.")] = None,
+    width: WidthOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -72,4 +74,4 @@ def bode(
             timeout=timeout,
             progress=progress,
         )
-    tell_and_write(response, output, json, plot)
+    tell_and_write(response, output, json, plot, width)

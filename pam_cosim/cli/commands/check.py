@@ -20,6 +20,7 @@ from pam_cosim.cli.commands.common import (
     WorkersOption,
     check_results,
     console,
+    follower,
     problem_of,
     read_data,
     say_written,
@@ -47,7 +48,9 @@ def check(
     read = read_data(data, model, files, roles, cuts, begins)
     problem = problem_of(read, model, files, settings, free, None, params, values)
     with console().status("simulating what could be measured") as status:
-        checked = study.check(problem, say=teller(status), workers=workers)
+        checked = study.check(
+            problem, say=teller(status), progress=follower(status), workers=workers
+        )
     typer.echo(str(checked))
     if json:
         write_json(json, checked.as_dict())

@@ -131,6 +131,12 @@ TimeoutOption = Annotated[
         min=0.0,
     ),
 ]
+WidthOption = Annotated[
+    str | None,
+    typer.Option(
+        "--width", help='Of the picture: "88mm" is a column of a journal; default: a page.'
+    ),
+]
 KeepOption = Annotated[
     list[str] | None,
     typer.Option("--keep", help="Also record this variable; may be repeated."),
@@ -184,7 +190,7 @@ def check_results(
         ([json], "this is written as JSON", JSON),
         ([report], "reports are written as HTML", PAGE),
         (list(tables), "this is written as CSV", TABLE),
-        (list(pictures), "pictures are drawn as PNG", PICTURE),
+        (list(pictures), "pictures are drawn as PNG, SVG or PDF", PICTURE),
     )
     named = [path for path in outputs if path is not None]
     for paths, what, endings in kinds:
@@ -286,6 +292,7 @@ def tell_and_write(
     output: Path | None,
     json: Path | None,
     plot: Path | None,
+    width: str | None,
 ) -> None:
     """Prints a product and writes it where that was asked for: as CSV, as JSON and as a picture."""
     from pam_cosim import study
@@ -296,7 +303,7 @@ def tell_and_write(
     if json:
         product.to_json(json)
     if plot:
-        study.draw(product, plot)
+        study.draw(product, plot, width)
     say_written(output, json, plot)
 
 

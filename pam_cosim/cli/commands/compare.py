@@ -22,6 +22,7 @@ from pam_cosim.cli.commands.common import (
     SetOption,
     TimeoutOption,
     ValuesOption,
+    WidthOption,
     check_results,
     problem_of,
     read_data,
@@ -53,7 +54,8 @@ def compare(
     table_csv: Annotated[
         Path | None, typer.Option(help="Write that table as CSV, SI units.")
     ] = None,
-    table_plot: Annotated[Path | None, typer.Option(help="Draw that table as PNG.")] = None,
+    table_plot: Annotated[Path | None, typer.Option(help="Draw that table.")] = None,
+    width: WidthOption = None,
     json: JsonOption = None,
     report: ReportOption = None,
     settings: SetOption = None,
@@ -82,7 +84,7 @@ def compare(
         typer.echo(line)
     tables = _tables(comparison, table) if table else []
     _write(comparison, tables, json, report)
-    _write_tables(tables, table_csv, table_plot)
+    _write_tables(tables, table_csv, table_plot, width)
 
 
 def _tables(comparison: Comparison, parameters: tuple[str, str]) -> list[ConditionTable]:
@@ -104,11 +106,13 @@ def _write(
     say_written(json, report)
 
 
-def _write_tables(tables: Sequence[ConditionTable], csv: Path | None, picture: Path | None) -> None:
+def _write_tables(
+    tables: Sequence[ConditionTable], csv: Path | None, picture: Path | None, width: str | None
+) -> None:
     if csv:
         write_tables(csv, tables)
     if picture:
-        reporting.plot_tables(tables, picture)
+        reporting.plot_tables(tables, picture, width)
     say_written(csv, picture)
 
 

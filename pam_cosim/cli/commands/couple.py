@@ -15,6 +15,7 @@ from pam_cosim.cli.commands.common import (
     KeepOption,
     SetOption,
     TimeoutOption,
+    WidthOption,
     check_results,
     progress_bar,
     say_written,
@@ -73,7 +74,8 @@ def couple(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write the trajectory as CSV.")
     ] = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the trajectory as PNG.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the trajectory.")] = None,
+    width: WidthOption = None,
     ssp: Annotated[Path | None, typer.Option(help="Write the system as an SSP archive.")] = None,
     ssp_version: Annotated[
         str | None,
@@ -121,9 +123,9 @@ def couple(
             )
         except (CouplingFailure, ControllerError) as error:
             if error.run is not None:
-                _write(error.run, output, plot)
+                _write(error.run, output, plot, width)
             raise
-    _write(run, output, plot)
+    _write(run, output, plot, width)
     _tell(run)
 
 
@@ -140,12 +142,12 @@ def _tell(run: CoupledRun) -> None:
     typer.echo(str(run))
 
 
-def _write(run: CoupledRun, output: Path | None, plot: Path | None) -> None:
+def _write(run: CoupledRun, output: Path | None, plot: Path | None, width: str | None) -> None:
     """What was reached, also where it is not the end."""
     if output:
         run.trajectory.to_csv(output)
     if plot and run.trajectory.time.size > 1:
-        reporting.plot_trajectory(run.trajectory, plot)
+        reporting.draw(run.trajectory, plot, width)
     say_written(output, plot)
 
 

@@ -24,6 +24,7 @@ from pam_cosim.cli.commands.common import (
     StartOption,
     TimeoutOption,
     ValuesOption,
+    WidthOption,
     check_results,
     console,
     problem_of,
@@ -55,15 +56,12 @@ def fit(
     json: JsonOption = None,
     plot: Annotated[
         Path | None,
-        typer.Option(
-            help="Draw how the fit came down, where descents ended, and correlations as PNG."
-        ),
+        typer.Option(help="Draw how the fit came down, where descents ended, and correlations."),
     ] = None,
+    width: WidthOption = None,
     profile: Annotated[
         Path | None,
-        typer.Option(
-            help="Find how well each parameter is determined, and draw the profiles as PNG."
-        ),
+        typer.Option(help="Find how well each parameter is determined, and draw the profiles."),
     ] = None,
     resume: Annotated[
         Path | None,
@@ -118,7 +116,7 @@ def fit(
     if json:
         write_json(json, fitted.as_dict() | ({"profiles": made.as_dict()} if made else {}))
     if plot:
-        reporting.plot_fit(fitted, plot)
+        reporting.plot_fit(fitted, plot, width)
     if profile and made:
-        study.draw(made, profile)
+        study.draw(made, profile, width)
     say_written(output, json, plot, profile, resume)

@@ -16,6 +16,7 @@ from pam_cosim.cli.commands.common import (
     ModelArgument,
     SetOption,
     TimeoutOption,
+    WidthOption,
     check_results,
     say_written,
     tell_and_write,
@@ -58,7 +59,8 @@ def linearise(
         Path | None, typer.Option("--output", "-o", help="Write the matrices as CSV.")
     ] = None,
     json: JsonOption = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw gain, phase and steps as PNG.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw gain, phase and steps.")] = None,
+    width: WidthOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -79,7 +81,7 @@ def linearise(
         along = dynamics.linearise_along(
             model, parameters, inputs, times=point, outputs=of, files=files or [], timeout=timeout
         )
-        _tell(along, json, plot)
+        _tell(along, json, plot, width)
     else:
         linear = dynamics.linearise(
             model,
@@ -91,14 +93,14 @@ def linearise(
             files=files or [],
             timeout=timeout,
         ).select(by, None, states)
-        tell_and_write(linear, output, json, plot)
+        tell_and_write(linear, output, json, plot, width)
 
 
-def _tell(along: LinearModels, json: Path | None, plot: Path | None) -> None:
+def _tell(along: LinearModels, json: Path | None, plot: Path | None, width: str | None) -> None:
     """Prints the models along a run, and writes them as JSON and as a picture where a file is given."""
     typer.echo(str(along))
     if json:
         write_json(json, along.as_dict())
     if plot:
-        study.draw(along, plot)
+        study.draw(along, plot, width)
     say_written(json, plot)

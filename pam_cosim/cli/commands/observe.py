@@ -14,6 +14,7 @@ from pam_cosim.cli.commands.common import (
     ModelArgument,
     SetOption,
     TimeoutOption,
+    WidthOption,
     check_results,
     tell_and_write,
 )
@@ -61,7 +62,8 @@ def observe(
         Path | None, typer.Option("--output", "-o", help="Write the estimates as CSV.")
     ] = None,
     json: JsonOption = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the estimates as PNG.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the estimates.")] = None,
+    width: WidthOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -86,7 +88,7 @@ def observe(
         files=files or [],
         timeout=timeout,
     )
-    tell_and_write(observation, output, json, plot)
+    tell_and_write(observation, output, json, plot, width)
 
 
 def _two(name: str, text: str) -> tuple[str, str]:

@@ -14,6 +14,7 @@ from pam_cosim.cli.commands.common import (
     FilesOption,
     JsonOption,
     ModelOption,
+    WidthOption,
     check_results,
     console,
     follower,
@@ -24,9 +25,9 @@ from pam_cosim.cli.commands.common import (
 from pam_cosim.diagnosis import Diagnosis
 from pam_cosim.errors import InputError
 from pam_cosim.files import write_json
-from pam_cosim.measurement import DataSet
+from pam_cosim.measurement import DataSet, rig_columns
 from pam_cosim.study.plans import run_limits
-from pam_cosim.study.tables import planned_files, write_planned_runs
+from pam_cosim.study.tables import planned_files, rig_lines, write_planned_runs
 
 
 def plan(
@@ -64,8 +65,9 @@ def plan(
         ),
     ] = None,
     plot: Annotated[
-        Path | None, typer.Option(help="Draw inputs and what each model predicts as PNG.")
+        Path | None, typer.Option(help="Draw inputs and what each model predicts.")
     ] = None,
+    width: WidthOption = None,
     json: JsonOption = None,
     seed: Annotated[int, typer.Option(help="Of the search.", min=0)] = 0,
     model: ModelOption = None,
@@ -99,11 +101,13 @@ def plan(
             seed=seed,
             say=teller(status),
         )
-    typer.echo(str(planned))
+    interface = study.describe(diagnosis.model, files or [])
+    columns = rig_columns(diagnosis.data.folder, interface, [*planned.runs[0].table])
+    typer.echo("\n".join([str(planned), *rig_lines(planned, columns)]))
     if output:
-        write_planned_runs(output, planned)
+        write_planned_runs(output, planned, columns)
     if plot:
-        study.draw(planned, plot)
+        study.draw(planned, plot, width)
     if json:
         write_json(json, planned.as_dict())
     say_written(*written, plot, json)

@@ -15,6 +15,7 @@ from pam_cosim.cli.commands.common import (
     JsonOption,
     ModelOption,
     SetOption,
+    WidthOption,
     check_results,
     console,
     read_data,
@@ -62,9 +63,8 @@ def predict(
     output: Annotated[
         Path | None, typer.Option("--output", "-o", help="Write values and bands as CSV, SI.")
     ] = None,
-    plot: Annotated[
-        Path | None, typer.Option(help="Draw the signals with their bands as PNG.")
-    ] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the signals with their bands.")] = None,
+    width: WidthOption = None,
     json: JsonOption = None,
     model: ModelOption = None,
     files: FilesOption = None,
@@ -87,7 +87,7 @@ def predict(
             discrepancy=discrepancy,
             files=files or [],
         )
-    tell_and_write(bands, output, json, plot)
+    tell_and_write(bands, output, json, plot, width)
 
 
 def _fitted(source: Path, model: str | None, files: list[Path] | None) -> Fit | Diagnosis:

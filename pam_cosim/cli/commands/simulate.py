@@ -16,6 +16,7 @@ from pam_cosim.cli.commands.common import (
     ModelArgument,
     SetOption,
     TimeoutOption,
+    WidthOption,
     check_results,
     say_written,
 )
@@ -43,7 +44,8 @@ def simulate(
         ),
     ] = None,
     keep: KeepOption = None,
-    plot: Annotated[Path | None, typer.Option(help="Draw the outputs as PNG.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the outputs.")] = None,
+    width: WidthOption = None,
     files: FilesOption = None,
     timeout: TimeoutOption = None,
 ) -> None:
@@ -66,7 +68,7 @@ def simulate(
     if output:
         trajectory.save(output)
     if plot:
-        reporting.plot_trajectory(trajectory, plot)
+        reporting.draw(trajectory, plot, width)
     for line in [*look_first(trajectory.warnings), *str(trajectory).splitlines()[1:]]:
         typer.echo(line.strip())
     say_written(output, plot)

@@ -20,6 +20,7 @@ from pam_cosim.cli.commands.common import (
     ModelArgument,
     SetOption,
     TimeoutOption,
+    WidthOption,
     check_results,
     progress_bar,
     remarks,
@@ -75,9 +76,8 @@ def sweep(
     interval: Annotated[
         str | None, typer.Option(help="Time between two values that are kept, such as '1 ms'.")
     ] = None,
-    plot: Annotated[
-        Path | None, typer.Option(help="Draw the scalars over what is varied as PNG.")
-    ] = None,
+    plot: Annotated[Path | None, typer.Option(help="Draw the scalars over what is varied.")] = None,
+    width: WidthOption = None,
     workers: Annotated[
         int | None,
         typer.Option(
@@ -123,7 +123,7 @@ def sweep(
             progress=progress,
         )
     if plot:
-        study.draw(made, plot)
+        study.draw(made, plot, width)
     _tell(made)
     say_written(output, plot)
     if len(made.failed) == len(made):

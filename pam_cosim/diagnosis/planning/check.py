@@ -13,7 +13,7 @@ import numpy as np
 from pam_cosim.comparison import warnings_of
 from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
-from pam_cosim.diagnosis.judgement.events import Remark, listened
+from pam_cosim.diagnosis.judgement.events import Listener, Remark, listened
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.planning.hypothetical_measurements import Option, with_all_outputs
 from pam_cosim.diagnosis.planning.identifiability import (
@@ -223,6 +223,7 @@ def check(
     *,
     files: Sequence[Path] = (),
     say: Callable[[Message], None] = lambda message: None,
+    progress: Listener | None = None,
     workers: int | None = None,
 ) -> Check:
     """What the fitted runs of a data set can tell about its model, and which measurement would help most.
@@ -233,14 +234,14 @@ def check(
         data: the measurement.
         model: the base model; default the bench of the data set.
         files: further Modelica files, whose effects are looked at too.
-        say: told what happens, line by line.
+        say: told what happens, line by line; ``progress``: as events, also those that have no line.
         workers: number of processes; 0: this one alone.
 
     Raises:
         InputError: the model cannot be compiled, or lacks a parameter that is to be fitted.
         SimulationFailure: the model cannot be simulated at its start values.
     """
-    say = listened(say, None)
+    say = listened(say, progress)
     subject = subject_of(data, model, files, workers, say)
     data, name = subject.data, subject.name
     with subject.simulator() as simulator:

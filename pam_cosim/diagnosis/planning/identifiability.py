@@ -24,6 +24,7 @@ from pam_cosim.fitting import Linear
 from pam_cosim.fitting.fit import STRONG_CORRELATION
 
 Confused = tuple[str, str, float]
+WEAKEST = 1e-3  # stated strengths; what is weaker does not matter, whether the data show it or not
 
 
 @dataclass(frozen=True)
@@ -59,8 +60,8 @@ class DetectableEffect:
         effect, family: as its class declares them.
         size: what it does at its stated strength beyond what the free parameters could, in standard deviations of the
             noise: root of the sum of squares.
-        least: the strength from which the data show it, in stated strengths; infinite: they do not, as strong as its
-            bounds allow.
+        least: the strength from which the data show it, in stated strengths, ``WEAKEST`` at least; infinite: they do
+            not, as strong as its bounds allow.
         values: of its parameters at that strength, within their bounds; absent: where they do nothing; units: theirs.
     """
 
@@ -248,7 +249,7 @@ def _sizes(courses: Array) -> list[float]:
 def _detectability(probe: StatedEffect, sizes: Sequence[float], price: float) -> DetectableEffect:
     """How well an effect is shown that has these sizes, as ``probing.detectable_strength`` takes them."""
     needed = math.sqrt(CRITERIA.evidence.very_strong + price * len(probe.strengths.own))
-    least = detectable_strength(sizes, needed)
+    least = max(detectable_strength(sizes, needed), WEAKEST)
     if not probe.strengths.within_bounds(least):
         least = math.inf
     values, absent = _strength_parameters(probe.strengths, least), probe.strengths.at(0.0)

@@ -7,10 +7,14 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet, Run
 from pam_cosim.model.references import BRANCH
 from pam_cosim.wording import did_you_mean
+
+_STILL = 0.02  # of its largest value, within which an input that is held may vary
+_WHITE = 1.5  # standard deviations of its noise, within which an input is nothing but noise
 
 Range = tuple[float, float]
 
@@ -58,8 +62,9 @@ def limits_of(
 ) -> Limits:
     """The limits of the recordings, but for those that are stated.
 
-    An input has the steepest slope that was recorded. An input that was constant in every run stays constant, unless
-    limits are stated for it: then it moves within them, and can step. A parameter that differs between runs can be set.
+    An input has the steepest slope that was recorded. An input that was constant in every run, but for its noise, stays
+    constant, unless limits are stated for it: then it moves within them, and can step. A parameter that differs between
+    runs can be set.
 
     Args:
         data: the measurement; not of points at rest.
@@ -79,10 +84,12 @@ def limits_of(
     if not length > 0:
         raise InputError("a run must last longer than nothing")
     inputs, parameters, outputs = _ranges(data, runs, stated or {})
+    constant = _constant_inputs(runs, inputs, stated or {}, held)
+    inputs |= {n: _levels(runs, n) for n in constant if n not in (stated or {})}
     interval = float(np.median(np.concatenate([_steps(run) for run in runs])))
     return Limits(
         inputs,
-        _constant_inputs(runs, inputs, stated or {}, held),
+        constant,
         {name: _rate(runs, name, span, interval) for name, span in inputs.items()},
         {name: float(runs[0].inputs[name][0]) for name in inputs},
         parameters,
@@ -148,8 +155,24 @@ def _varied_parameters(runs: Sequence[Run]) -> dict[str, Range]:
 
 
 def _is_constant(runs: Sequence[Run], name: str) -> bool:
-    """Whether an input keeps one value through every run."""
-    return all(np.ptp(run.inputs[name]) == 0 for run in runs if name in run.inputs)
+    """Whether an input keeps one value through every run, but for the noise of its reading."""
+    return all(_is_still(run.inputs[name]) for run in runs if name in run.inputs)
+
+
+def _is_still(values: Array) -> bool:
+    """Whether readings are of one value: they differ little, or as neighbours do."""
+    if np.ptp(values) <= _STILL * np.abs(values).max(initial=0.0):
+        return True
+    noise = np.sqrt(np.mean(np.diff(values) ** 2) / 2) if len(values) > 2 else 0.0
+    return bool(np.std(values) <= _WHITE * noise and len(np.unique(values)) > len(values) / 2)
+
+
+def _levels(runs: Sequence[Run], name: str) -> Range:
+    """The lowest and the highest mean of an input in a run; one value where they are as alike as its readings."""
+    means = np.array([run.inputs[name].mean() for run in runs if name in run.inputs])
+    if np.ptp(means) <= _STILL * np.abs(means).max():
+        means = np.array([float(f"{np.median(means):.3g}")])
+    return float(means.min()), float(means.max())
 
 
 def _span(runs: Sequence[Run], name: str) -> Range:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import math
 import re
-import textwrap
 
 from pam_cosim.fitting import Estimate
 from pam_cosim.units import readable_factor, readable_unit
@@ -105,14 +104,16 @@ def remark(estimate: Estimate) -> str:
     return ", ".join(remarks)
 
 
-def wrapped(text: str, longest: int = 28) -> str:
-    """A label in two lines at most, broken between words: what tells it from others often stands at its end."""
-    lines = textwrap.wrap(text, longest, break_on_hyphens=False)
-    return (
-        "\n".join(lines)
-        if len(lines) <= 2
-        else f"{lines[0]}\n{shortened(' '.join(lines[1:]), longest)}"
-    )
+def wrapped(text: str, longest: int = 28, lines: int = 2) -> str:
+    """A label in some lines at most, broken between words and the parts of a name: its end tells it from others."""
+    broken = [""]
+    for part in re.findall(r"\s+|[^\s./+,]*[./+,]*", text):
+        if broken[-1] and len(broken[-1]) + len(part.rstrip()) > longest:
+            broken.append("")
+        broken[-1] += part if broken[-1] else part.lstrip()
+    rows = [row.rstrip() for row in broken if row.strip()]
+    head, rest = rows[: lines - 1], "".join(broken[lines - 1 :]) if len(rows) >= lines else ""
+    return "\n".join(shortened(row, longest) for row in [*head, rest.strip()] if row)
 
 
 def shortened(text: str, longest: int = 28) -> str:

@@ -27,6 +27,7 @@ from pam_cosim.reporting.style import (
     WIDTH,
     Picture,
     drawing,
+    legend_outside,
     new_figure,
     picture,
 )
@@ -83,7 +84,7 @@ def where_picture(rules: Sequence[Rule]) -> Picture:
             Patch(color=BEFORE, label="share of the signal's error"),
             Patch(color=LINE, label="share of the samples"),
         ]
-        figure.legend(handles=handles, loc="outside upper right", ncols=2)
+        legend_outside(figure, handles, "outside upper right")
         return picture(
             figure,
             "Share of the error and of the samples in each part of the measurement",
@@ -117,7 +118,7 @@ def ranking_picture(
         axes.grid(True, axis="x")
         used = [b for b in palette if any(bar.balance == b for bar in bars)]
         handles = [Patch(color=palette[b], label=place_text(b)) for b in used]
-        figure.legend(handles=handles, loc="outside upper right", ncols=len(handles))
+        legend_outside(figure, handles, "outside upper right")
         more = (
             f" The best {len(bars)} are drawn; the table holds {left_out} more." if left_out else ""
         )
@@ -156,7 +157,7 @@ def balance_picture(balance: Mapping[str, float], palette: Mapping[str, str]) ->
         handles = [
             Patch(color=palette[n], label=f"{words(n)} {percent(s)}") for n, s in balance.items()
         ]
-        figure.legend(handles=handles, loc="outside lower center", ncols=max(len(handles), 1))
+        legend_outside(figure, handles, "outside lower center")
         return picture(
             figure,
             "Share of each balance in the error that can be explained",

@@ -12,7 +12,7 @@ from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
 from pam_cosim.reporting.figures.panels import drawn_over, panels, places
-from pam_cosim.reporting.style import HALO, INK, Picture, drawing, picture
+from pam_cosim.reporting.style import HALO, INK, Picture, drawing, legend_outside, picture
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import enumeration
 
@@ -73,8 +73,7 @@ def curve_pictures(layers: Sequence[Layer]) -> list[Picture]:
     for runs in pages(comparison.runs):
         with drawing():
             figure = panels(runs, signals, lambda a, r, s: draw_curves(a, r, s, layers))
-            handles = legend(layers, few)
-            figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+            legend_outside(figure, legend(layers, few))
             drawn = enumeration(list(dict.fromkeys(drawn_over(r) for r in runs)))
             alt = f"Measured and modelled {enumeration([s.name for s in signals])} over {drawn}"
             holdout = bool(np.any([r.run.role == "holdout" for r in runs]))

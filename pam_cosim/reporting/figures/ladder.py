@@ -21,6 +21,9 @@ from pam_cosim.reporting.style import (
     WIDTH,
     Picture,
     drawing,
+    is_narrow,
+    legend_outside,
+    letters_in,
     new_figure,
     picture,
 )
@@ -42,8 +45,15 @@ class Rung:
     scores: Mapping[str, Mapping[str, SignalScore]]
 
 
-def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float = 7.5) -> None:
-    """Bars of the rms error of one signal, a group for each rung, one bar for each role that has runs."""
+def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, room: float) -> None:
+    """Bars of the rms error of one signal, a group for each rung, one bar for each role that has runs.
+
+    Args:
+        axes: to draw on.
+        rungs: the models.
+        signal: of which the error is.
+        room: width of the axes [in].
+    """
     factor = readable_factor(signal.unit)
     roles = [r for r in ROLES if any(signal.name in rung.scores.get(r, {}) for rung in rungs)]
     width = min(0.38, 0.76 / max(len(roles), 1))
@@ -64,15 +74,16 @@ def draw_ladder(axes: Axes, rungs: Sequence[Rung], signal: Signal, size: float =
                 textcoords="offset points",
                 ha="center",
                 va="bottom",
-                fontsize=size,
+                fontsize="small",
                 color=INK,
                 zorder=6,
             )
     axes.axhline(noise, color=INK, lw=1.1, dashes=(3, 2), zorder=5)
     axes.set_ylim(0, 1.16 * highest or 1)
     space = 1.2 if len(rungs) == 1 else 0.6
+    each = letters_in(0.85 * room / max(len(rungs), 2))
     axes.set_xlim(-space, len(rungs) - 1 + space)
-    axes.set_xticks(range(len(rungs)), [wrapped(r.label, 24) for r in rungs])
+    axes.set_xticks(range(len(rungs)), [wrapped(r.label, each, 4) for r in rungs])
     axes.tick_params(axis="x", length=0, labelcolor=INK)
     axes.grid(True, axis="y")
     unit = unit_text(signal.unit)
@@ -107,13 +118,13 @@ def roles_of(rungs: Sequence[Rung]) -> list[str]:
 
 def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
     """The ladder of every signal."""
-    columns = max(1, min(len(signals), _WIDEST if len(rungs) <= 3 else 2))
+    columns = 1 if is_narrow() else max(1, min(len(signals), _WIDEST if len(rungs) <= 3 else 2))
     rows = -(-len(signals) // columns)
     with drawing():
         figure = new_figure(WIDTH if columns > 1 else 0.7 * WIDTH, 0.5 + 2.5 * rows)
         grid = figure.subplots(rows, columns, squeeze=False).ravel()
         for axes, signal in zip(grid, signals, strict=False):
-            draw_ladder(axes, rungs, signal)
+            draw_ladder(axes, rungs, signal, figure.get_size_inches()[0] / columns)
             axes.set_title(
                 signal.name if signal.fitted else f"{signal.name} (not fitted)",
                 loc="left",
@@ -121,8 +132,7 @@ def ladder_picture(rungs: Sequence[Rung], signals: Sequence[Signal]) -> Picture:
             )
         for axes in grid[len(signals) :]:
             axes.set_visible(False)
-        handles = ladder_legend(roles_of(rungs))
-        figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+        legend_outside(figure, ladder_legend(roles_of(rungs)))
         return picture(
             figure, "Root mean square error of each signal, model by model", _caption(rungs)
         )

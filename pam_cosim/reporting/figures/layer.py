@@ -45,8 +45,8 @@ def alone(comparison: Comparison) -> Layer:
     return Layer(short_model(comparison.model), comparison, AFTER)
 
 
-def pages(runs: Sequence[RunComparison]) -> list[Sequence[RunComparison]]:
+def pages(runs: Sequence[RunComparison], most: int = COLUMNS) -> list[Sequence[RunComparison]]:
     """Runs in groups of nearly equal size that fit side by side."""
-    count = -(-len(runs) // COLUMNS)
+    count = -(-len(runs) // most)
     size = -(-len(runs) // count) if count else 0
     return [runs[i * size : (i + 1) * size] for i in range(count)]

@@ -6,13 +6,14 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
+from matplotlib.figure import Figure, SubFigure
 
 from pam_cosim.arrays import Array
 from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.account.wording import unit_text, wrapped
-from pam_cosim.reporting.style import LINE, WIDTH, message, new_figure
+from pam_cosim.reporting.figures.layer import COLUMNS, pages
+from pam_cosim.reporting.style import LINE, WIDTH, is_narrow, message, new_figure
 from pam_cosim.units import readable_factor
 
 _NARROW = 4  # columns up to which a figure need not be as wide as the page
@@ -31,9 +32,27 @@ def panels(
         draw: draws one panel.
         what: the label of a row, ``{}`` stands for the signal.
     """
-    columns = len(runs)
-    height = _MARGIN + _HEIGHT * len(signals) * (1.25 if columns <= 2 else 1.0)
+    narrow = is_narrow()
+    columns = max(min(len(runs), COLUMNS // 2 if narrow else COLUMNS), 1)
+    blocks = pages(runs, columns)
+    row = _HEIGHT * (0.75 if narrow else 1.25 if columns <= 2 else 1.0)
+    height = len(blocks) * (_MARGIN + row * len(signals))
     figure = new_figure(WIDTH if columns > 1 else 0.75 * WIDTH, height)
+    parts = figure.subfigures(len(blocks), 1, squeeze=False)[:, 0]
+    for part, block in zip(parts, blocks, strict=True):
+        _block(part, block, signals, draw, what)
+    return figure
+
+
+def _block(
+    figure: SubFigure,
+    runs: Sequence[RunComparison],
+    signals: Sequence[Signal],
+    draw: Panel,
+    what: str,
+) -> None:
+    """The panels of runs side by side."""
+    columns = len(runs)
     grid = figure.subplots(len(signals), columns, sharex="col", sharey="row", squeeze=False)
     for i, signal in enumerate(signals):
         for j, run in enumerate(runs):
@@ -46,7 +65,7 @@ def panels(
                 axes.tick_params(left=False, bottom=False)
                 for spine in axes.spines.values():
                     spine.set_color(LINE)
-        grid[i, 0].set_ylabel(_label(what.format(signal.name), signal.unit))
+        grid[i, 0].set_ylabel(wrapped(_label(what.format(signal.name), signal.unit), 22))
     for j, run in enumerate(runs):
         grid[0, j].set_title(
             _title(run, columns), fontweight="bold" if run.run.role == "holdout" else "normal"
@@ -54,7 +73,6 @@ def panels(
         grid[-1, j].set_xlabel(over(run))
         _limits(grid[-1, j], run)
     figure.align_ylabels(grid[:, 0])
-    return figure
 
 
 def drawn_over(run: RunComparison) -> str:

@@ -2,20 +2,27 @@
 
 from __future__ import annotations
 
-from itertools import cycle
 from textwrap import fill
 
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+from matplotlib.patches import Patch
 
 from pam_cosim.diagnosis.planning import PlannedRun, RunPlan
-from pam_cosim.reporting.account.wording import unit_text
-from pam_cosim.reporting.style import BALANCES, BAND, FURTHER, INK, new_figure
+from pam_cosim.reporting.account.wording import unit_text, wrapped
+from pam_cosim.reporting.style import (
+    BALANCES,
+    BAND,
+    FURTHER,
+    INK,
+    is_narrow,
+    legend_outside,
+    letters_in,
+    new_figure,
+)
 from pam_cosim.units import format_quantity, readable_factor
-
-_LETTERS = 110  # of a line of the title
-_STYLES = ("-", "--", ":", "-.")
 
 
 def plan_figure(plan: RunPlan) -> Figure:
@@ -23,24 +30,35 @@ def plan_figure(plan: RunPlan) -> Figure:
     inputs = [name for name in plan.runs[0].table if name != "time"]
     moving = [name for name in inputs if any(len(set(run.table[name])) > 1 for run in plan.runs)]
     signals = list(plan.sigma)
-    rows = len(moving) + len(signals) + 1
-    figure = new_figure(8.0 if len(plan.runs) == 1 else 11.0, 1.2 + 1.5 * rows)
-    grid = figure.subplots(rows, len(plan.runs), sharex="col", sharey="row", squeeze=False)
+    rows = len(moving) + 2 * len(signals)
+    columns = len(plan.runs)
+    figure = new_figure(8.0 if columns == 1 else 11.0, 1.6 + 1.25 * rows)
+    grid = figure.subplots(rows, columns, sharex="col", sharey="row", squeeze=False)
+    room = letters_in(float(figure.get_size_inches()[0]) / columns) - 8
     for j, run in enumerate(plan.runs):
-        for i, name in enumerate(moving):
-            _input(grid[i, j], plan, run, name)
-        for i, name in enumerate(signals, len(moving)):
-            _signal(grid[i, j], plan, run, name)
-        _differences(grid[-1, j], plan, run)
-        grid[-1, j].set_xlabel("time [s]")
-        grid[0, j].set_title(_title(plan, run, inputs, moving))
-    for i, name in enumerate([*moving, *signals]):
-        unit = unit_text(plan.units[name])
-        grid[i, 0].set_ylabel(f"{name} [{unit}]" if unit else name)
-    grid[len(moving), 0].legend(loc="best")
-    grid[-1, 0].set_ylabel("difference [sd of the noise]")
-    grid[-1, 0].legend(loc="best", ncols=len(signals))
-    figure.suptitle(fill(plan.expectation, _LETTERS), fontsize=8.5)
+        column = grid[:, j]
+        for axes, name in zip(column, moving, strict=False):
+            _input(axes, plan, run, name)
+        for i, name in enumerate(signals):
+            _signal(column[len(moving) + 2 * i], plan, run, name)
+            _differences(column[len(moving) + 2 * i + 1], plan, run, name)
+        column[-1].set_xlabel("time [s]")
+        column[0].set_title(fill(_title(plan, run, inputs, moving), room))
+    labels = [(name, plan.units[name]) for name in moving]
+    for name in signals:
+        labels += [(name, plan.units[name]), (f"Δ{name}", "σ")]
+    for axes, (name, unit) in zip(grid[:, 0], labels, strict=True):
+        text = unit_text(unit) if unit != "σ" else unit
+        axes.set_ylabel(f"{wrapped(name, 16)}\n[{text}]" if text else wrapped(name, 16))
+    lines = [
+        Line2D([], [], color=_colour(k), ls="--" if k else "-", lw=1.4, label=rival)
+        for k, rival in enumerate(plan.rivals)
+    ]
+    note = Patch(color=BAND, label="Δ: difference to the first; band: ±2 σ of the noise")
+    legend_outside(figure, [*lines, note], "outside lower center")
+    if not is_narrow():  # the caption of a paper says it
+        title = fill(plan.expectation, letters_in(float(figure.get_size_inches()[0])))
+        figure.suptitle(title, fontsize="medium")
     figure.align_ylabels()
     return figure
 
@@ -61,19 +79,17 @@ def _signal(axes: Axes, plan: RunPlan, run: PlannedRun, name: str) -> None:
             color=_colour(k),
             lw=1.2,
             ls=style,
-            label=rival,
         )
     axes.grid(True)
 
 
-def _differences(axes: Axes, plan: RunPlan, run: PlannedRun) -> None:
-    """Each rival minus the first one, a line style for each signal."""
-    reference, *competitors = plan.rivals
+def _differences(axes: Axes, plan: RunPlan, run: PlannedRun, name: str) -> None:
+    """Each rival minus the first one [standard deviations of the noise]."""
+    reference, *competitors = (run.predicted[rival][name] for rival in plan.rivals)
     axes.axhspan(-2, 2, color=BAND, lw=0)
-    for k, rival in enumerate(competitors, 1):
-        for style, (name, sigma) in zip(cycle(_STYLES), plan.sigma.items()):
-            apart = (run.predicted[rival][name] - run.predicted[reference][name]) / sigma
-            axes.plot(run.time, apart, color=_colour(k), lw=1.2, ls=style, label=f"{name}, {rival}")
+    for k, predicted in enumerate(competitors, 1):
+        apart = (predicted - reference) / plan.sigma[name]
+        axes.plot(run.time, apart, color=_colour(k), lw=1.2, ls="--")
     axes.grid(True)
 
 

@@ -13,7 +13,7 @@ from pam_cosim.comparison import RunComparison
 from pam_cosim.measurement import Signal
 from pam_cosim.reporting.figures.layer import SPARSE, Layer, pages
 from pam_cosim.reporting.figures.panels import drawn_over, panels, places
-from pam_cosim.reporting.style import BAND, SOFT, Picture, drawing, picture
+from pam_cosim.reporting.style import BAND, SOFT, Picture, drawing, legend_outside, picture
 from pam_cosim.units import readable_factor
 from pam_cosim.wording import enumeration
 
@@ -80,7 +80,7 @@ def residual_pictures(layers: Sequence[Layer]) -> list[Picture]:
             figure = panels(
                 runs, signals, lambda a, r, s: draw_residuals(a, r, s, layers), "{} error"
             )
-            figure.legend(handles=handles, loc="outside upper center", ncols=len(handles))
+            legend_outside(figure, handles)
             drawn = enumeration(list(dict.fromkeys(drawn_over(r) for r in runs)))
             what = enumeration([s.name for s in signals])
             alt = f"Measured minus modelled {what} over {drawn}, with the band of the noise"

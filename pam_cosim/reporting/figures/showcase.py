@@ -13,7 +13,7 @@ from pam_cosim.reporting.figures.curves import draw_curves, legend
 from pam_cosim.reporting.figures.ladder import Rung, draw_ladder, ladder_legend, roles_of
 from pam_cosim.reporting.figures.layer import SPARSE, Layer
 from pam_cosim.reporting.figures.panels import over
-from pam_cosim.reporting.style import new_figure
+from pam_cosim.reporting.style import is_narrow, legend_outside, letters_in, new_figure
 
 _DOTS = SPARSE  # more would hide under the line
 
@@ -21,36 +21,26 @@ _DOTS = SPARSE  # more would hide under the line
 def showcase(
     layers: Sequence[Layer], rungs: Sequence[Rung], run: RunComparison, signal: Signal
 ) -> Figure:
-    """Left: measured and modelled signal of one run. Right: the ladder of that signal."""
-    figure = new_figure(9.0, 3.9)
-    left, right = figure.subplots(1, 2, width_ratios=[1.75, 1.0] if len(rungs) < 3 else [1.35, 1.0])
-    left.grid(True)
+    """Measured and modelled signal of one run, and the ladder of that signal, beside it or below."""
+    narrow = is_narrow()
+    figure = new_figure(9.0, 9.0 if narrow else 3.9 + 0.25 * max(len(rungs) - 2, 0))
+    share = 0.5 if len(rungs) > 3 else 0.42 if len(rungs) > 2 else 0.36
+    shape = {"height_ratios": [1, 1]} if narrow else {"width_ratios": [1 - share, share]}
+    above, below = figure.subplots(*((2, 1) if narrow else (1, 2)), **shape)
+    above.grid(True)
     every = -(-run.run.sample_count(signal.name) // _DOTS)
-    draw_curves(left, run, signal, layers, every)
+    draw_curves(above, run, signal, layers, every)
     unit = unit_text(signal.unit)
-    left.set_ylabel(f"{signal.name} [{unit}]" if unit else signal.name)
-    left.set_xlabel(over(run))
+    above.set_ylabel(f"{signal.name} [{unit}]" if unit else signal.name)
+    above.set_xlabel(over(run))
     kind = "a holdout run, never fitted" if run.run.role == "holdout" else "a fitted run"
-    left.set_title(
-        wrapped(f"{run.run.name}, {kind}", 40), loc="left", fontweight="bold", fontsize=9.5
-    )
-    handles = legend(layers, True, every)
-    left.legend(
-        handles=handles,
-        loc="upper center",
-        bbox_to_anchor=(0.5, -0.16),
-        ncols=len(handles),
-        columnspacing=1.4,
-    )
-    draw_ladder(right, rungs, signal, size=8.5)
-    right.set_title(f"error of {signal.name}", loc="left", fontweight="bold", fontsize=9.5)
-    below = ladder_legend(roles_of(rungs))
-    right.legend(
-        handles=below,
-        loc="upper center",
-        bbox_to_anchor=(0.45, -0.16),
-        ncols=len(below),
-        columnspacing=1.2,
-        handlelength=1.5,
-    )
+    width = float(figure.get_size_inches()[0])
+    rooms = (width, width) if narrow else ((1 - share) * width, share * width)
+    titles = f"{run.run.name}, {kind}", f"error of {signal.name}"
+    for axes, title, room in zip((above, below), titles, rooms, strict=True):
+        text = wrapped(title, int(0.8 * letters_in(room)))
+        axes.set_title(text, loc="left", fontweight="bold")
+    draw_ladder(below, rungs, signal, rooms[1])
+    handles = [*legend(layers, True, every), *ladder_legend(roles_of(rungs))]
+    legend_outside(figure, handles, "outside lower center")
     return figure

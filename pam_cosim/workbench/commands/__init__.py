@@ -5,15 +5,15 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
+from pam_cosim.workbench.commands.choices import begin, cut, free, roles, signal
 from pam_cosim.workbench.commands.files import add, load, save, script
 from pam_cosim.workbench.commands.jobs import check, diagnose, fit
 from pam_cosim.workbench.commands.models import choose, switch, take, undo
 from pam_cosim.workbench.commands.parameters import reset, set_values
-from pam_cosim.workbench.commands.runs import begin, cut, roles
 from pam_cosim.workbench.job_queue import StudyWithJobs
 
 _FUNCTIONS: tuple[Callable[..., Any], ...] = (
-    add, begin, check, choose, cut, diagnose, fit, load, reset, roles, save, script, switch, take, undo,
+    add, begin, check, choose, cut, diagnose, fit, free, load, reset, roles, save, script, signal, switch, take, undo,
     StudyWithJobs.stop, StudyWithJobs.resume, StudyWithJobs.discard,
 )  # fmt: skip
 COMMANDS = dict(

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import replace
 
 from pam_cosim.catalogue import qualified
@@ -12,8 +11,7 @@ from pam_cosim.model.references import is_file
 from pam_cosim.problems import corrections_of
 from pam_cosim.study.fitted_model import FittedModel
 from pam_cosim.wording import shown
-from pam_cosim.workbench.checks import names_of, text_of
-from pam_cosim.workbench.commands.models import candidate_of, take_candidate
+from pam_cosim.workbench.checks import text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
 from pam_cosim.workbench.opened_model import without_ratios
 from pam_cosim.workbench.paths import inside
@@ -26,14 +24,12 @@ from pam_cosim.workbench.steps import Step
 
 def add(
     study: StudyWithJobs,
-    effects: Sequence[str] | None = None,
     file: str | None = None,
     learned: bool = False,
 ) -> Json:
-    """Writes the model with effects and its values as Modelica into the study's folder; default: those that are on.
+    """Writes the model with its effects and values as Modelica into the study's folder.
 
-    Effects of the ranking are taken with the values that were fitted. ``learned``: the formula that the last diagnosis
-    found is written instead.
+    ``learned``: the formula that the last diagnosis found is written instead.
     """
     study.make_room()
     if learned:
@@ -42,8 +38,6 @@ def add(
             raise InputError("nothing was learned that could be written")
         term = diagnosis.learned.term
         return _written(study, _target(study, file, term.name), term.modelica_source)
-    if effects is not None:
-        _have(study, names_of(effects, "add"))
     state = study.state
     on = without_ratios(state.effects)
     if not state.effects:
@@ -63,26 +57,6 @@ def add(
     study.back(state.after(step, file=name))
     study.remember(state)
     return added
-
-
-def _have(study: StudyWithJobs, effects: list[str]) -> None:
-    """Makes the model with these effects, with those that the diagnosed one had, the standing one.
-
-    Raises:
-        InputError: neither the standing model nor one of the ranking has them: they would be written with values that
-            nobody has fitted or set.
-    """
-    state = study.state
-    if set(effects) == set(state.effects):
-        return
-    candidate = candidate_of(study, effects)
-    if candidate is None:
-        raise InputError(
-            f"no model with {', '.join(effects) or 'no effect'} stands or was fitted by the last diagnosis: "
-            "switch the effects on, or diagnose first"
-        )
-    if (*state.diagnosed, *effects) != state.effects:
-        take_candidate(study, candidate)
 
 
 def _target(study: StudyWithJobs, file: str | None, default: str) -> str:
@@ -132,10 +106,10 @@ def load(study: StudyWithJobs) -> None:
         # it can be repeated from the first state, though it began with another model
         steps = (Step("choose", {"model": state.model}), *state.steps)
         state = replace(state, steps=steps, loaded=len(steps))
-    if state.cuts or state.starts or state.model != first.model:
+    if state.chosen or state.model != first.model:
         model = first.data.unmapped if state.model == first.model else ""
-        data = study.source.read_again(state.data, state.cuts, state.starts, model or state.model)
-        state = replace(state, data=data)
+        data, known = study.source.read(model or state.model, state.chosen)
+        state = replace(state, data=data, known=known)
     before = study.state
     study.back(state)
     study.remember(before)

@@ -11,7 +11,7 @@ from pam_cosim.fitting import METHODS, Fit
 from pam_cosim.units import UnitError, seconds
 from pam_cosim.wording import shown
 from pam_cosim.workbench.checks import names_of, one_of
-from pam_cosim.workbench.commands.runs import release_estimated
+from pam_cosim.workbench.commands.choices import release_estimated
 from pam_cosim.workbench.job_queue import StudyWithJobs
 from pam_cosim.workbench.protocol import event
 from pam_cosim.workbench.saved import lean

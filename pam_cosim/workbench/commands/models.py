@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from pam_cosim.diagnosis import Candidate
 from pam_cosim.errors import InputError
-from pam_cosim.workbench.checks import names_of, text_of
+from pam_cosim.workbench.checks import is_number, names_of, text_of
 from pam_cosim.workbench.job_queue import StudyWithJobs
+from pam_cosim.workbench.source import OF_RUNS
 from pam_cosim.workbench.state import label_of
 from pam_cosim.workbench.steps import Step
 
@@ -50,12 +50,15 @@ def choose(study: StudyWithJobs, model: str) -> None:
     if "/" in name or "\\" in name or name.startswith("."):
         raise InputError("choose wants the name of a bench or of a Modelica class")
     state = study.state
-    data = study.source.read_again(state.data, state.cuts, state.starts, name)
+    chosen = {key: value for key, value in state.chosen.items() if key in OF_RUNS}
+    data, known = study.source.read(name, chosen)
     same = data.signals.keys() == state.data.signals.keys()
     study.enter(
         state.after(
             Step("choose", {"model": name}),
             data=data,
+            known=known,
+            chosen=chosen,
             model=name,
             effects=(),
             values={},
@@ -71,31 +74,14 @@ def choose(study: StudyWithJobs, model: str) -> None:
     study.tell_diagnosis()
 
 
-def candidate_of(study: StudyWithJobs, effects: Sequence[str]) -> Candidate | None:
-    """The model of the last ranking with just these effects."""
-    diagnosis = study.state.diagnosis
-    candidates = diagnosis.candidates if diagnosis else ()
-    return next((c for c in candidates if c.effects == tuple(effects)), None)
-
-
-def take(study: StudyWithJobs, candidate: Sequence[str] | int) -> None:
-    """Makes a model of the ranking the standing one, at the values that were fitted: its effects, or its number."""
+def take(study: StudyWithJobs, candidate: Sequence[str]) -> None:
+    """Makes a model of the ranking, named by its effects, the standing one, at the values that were fitted."""
     study.make_room()
-    diagnosis = study.state.diagnosis
-    if diagnosis is None:
-        raise InputError("there is no ranking to take a model from: diagnose first")
-    if isinstance(candidate, int) and not isinstance(candidate, bool):
-        chosen = dict(enumerate(diagnosis.candidates)).get(candidate)
-    else:
-        chosen = candidate_of(study, names_of(candidate, "take"))
+    state, wanted = study.state, tuple(names_of(candidate, "take"))
+    candidates = state.diagnosis.candidates if state.diagnosis else ()
+    chosen = next((c for c in candidates if c.effects == wanted), None)
     if chosen is None:
-        raise InputError("the ranking has no such model")
-    take_candidate(study, chosen)
-
-
-def take_candidate(study: StudyWithJobs, chosen: Candidate) -> None:
-    """Makes a model of the ranking the standing one."""
-    state = study.state
+        raise InputError("the ranking of the last diagnosis has no such model")
     effects = (*state.diagnosed, *chosen.effects)
     kept, fitted = _kept(study, ()), chosen.fit.values
     study.enter(
@@ -109,12 +95,14 @@ def take_candidate(study: StudyWithJobs, chosen: Candidate) -> None:
             before=study.comparison,
         )
     )
+    study.draw_beside("found", None)
 
 
-def undo(study: StudyWithJobs) -> None:
-    """Takes the last step back."""
+def undo(study: StudyWithJobs, count: int = 1) -> None:
+    """Takes the last steps back."""
     study.make_room()
-    if not study.past:
+    if not is_number(count) or not 0 < count <= len(study.past):
         raise InputError("there is no step to take back")
-    study.back(study.past.pop())
+    study.back(study.past[-int(count)])
+    del study.past[-int(count) :]
     study.tell_diagnosis()

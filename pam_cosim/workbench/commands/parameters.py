@@ -8,38 +8,54 @@ from typing import Any
 from pam_cosim.errors import InputError
 from pam_cosim.fitting import Free
 from pam_cosim.model.settings import value_of
-from pam_cosim.units import readable_factor
 from pam_cosim.wording import shown
-from pam_cosim.workbench.checks import is_number, names_of, one_of
+from pam_cosim.workbench.checks import names_of, one_of
+from pam_cosim.workbench.commands.choices import in_si, state_values
 from pam_cosim.workbench.job_queue import StudyWithJobs
 from pam_cosim.workbench.steps import Step
 
 
-def set_values(study: StudyWithJobs, values: Mapping[str, Any]) -> None:
-    """Sets parameters and start values, numbers in their shown units."""
+def set_values(study: StudyWithJobs, values: Mapping[str, Any], dragged: bool = False) -> None:
+    """Sets parameters and start values: numbers in their shown units, or texts with a unit.
+
+    A parameter that is not free is stated anew; null: as the data set says. ``dragged``: a step with those before.
+    """
     study.check_free()
-    states = study.opened.simulator.interface.start_values
-    set_by_hand, starts = dict[str, float](), dict[str, float]()
-    for name, number in values.items():
-        state = states.get(name.rpartition("@")[0])
-        if state is None or name in study.opened.parameters:
-            set_by_hand[name] = _number(study, _parameter(study, name), number)
+    interface = study.opened.simulator.interface
+    settable = {**interface.parameters, **interface.inputs}
+    moved, stated, starts = dict[str, float](), dict[str, float | None](), dict[str, float]()
+    for name, value in values.items():
+        if name in study.opened.parameters:
+            moved[name] = _number(study, study.opened.parameters[name], value)
+            continue
+        owner = name.rpartition("@")[0]
+        state, held = interface.start_values.get(owner), settable.get(owner or name)
+        if state is not None:
+            starts[name] = value_of(in_si(name, value, state.unit), state)
+        elif held is None:
+            one_of(name, {**study.opened.parameters, **settable}, "parameter", " to set")
         else:
-            starts[name] = value_of(_plain(name, number) / readable_factor(state.unit), state)
-    if set_by_hand:
-        _move(study, Step("set", {"values": set_by_hand}))
+            stated[name] = None if value is None else value_of(in_si(name, value, held.unit), held)
+    hand = {"dragged": True} if dragged else {}
+    if moved:
+        _move(study, Step("set", {"values": moved} | hand))
     if starts:  # the other states of these runs begin where they did
         begins = dict[str, float]()
         for run in dict.fromkeys(name.rpartition("@")[2] for name in starts):
             begins |= study.start_values_of(run)
-        _move(study, Step("start", {"values": begins | starts, "moved": list(starts)}))
+        _move(study, Step("start", {"values": begins | starts, "moved": list(starts)} | hand))
+    if stated:
+        study.make_room()
+        state_values(study, stated)
 
 
 def reset(study: StudyWithJobs, names: Sequence[str] | None = None) -> None:
     """Sets parameters to where they began; all, or those named."""
     study.check_free()
-    chosen = study.opened.parameters if names is None else names_of(names, "reset")
-    _move(study, Step("set", {"values": {n: _parameter(study, n).start for n in chosen}}))
+    parameters = study.opened.parameters
+    chosen = parameters if names is None else names_of(names, "reset")
+    starts = {n: parameters[one_of(n, parameters, "parameter", " to set")].start for n in chosen}
+    _move(study, Step("set", {"values": starts}))
 
 
 def _move(study: StudyWithJobs, step: Step) -> None:
@@ -47,13 +63,8 @@ def _move(study: StudyWithJobs, step: Step) -> None:
     study.enter(study.state.after(step, values=values, milestone=""), moved=True)
 
 
-def _parameter(study: StudyWithJobs, name: str) -> Free:
-    parameters = study.opened.parameters
-    return parameters[one_of(name, parameters, "parameter", " to set")]
-
-
 def _number(study: StudyWithJobs, free: Free, value: Any) -> float:
-    number = _plain(free.name, value) / readable_factor(free.unit)
+    number = in_si(free.name, value, free.unit)
     variable = study.opened.simulator.interface.settable.get(free.parameter)
     if variable is not None and free.name != f"{variable.name}/stated":
         number = value_of(number, variable)
@@ -62,12 +73,3 @@ def _number(study: StudyWithJobs, free: Free, value: Any) -> float:
             f"{shown(f'{free.name}={value}')}: a slider goes from its lowest to its highest value"
         )
     return number
-
-
-def _plain(name: str, value: Any) -> float:
-    if not is_number(value):
-        raise InputError(f"{shown(f'{name}={value}')}: the value must be a number")
-    try:
-        return float(value)
-    except OverflowError:
-        return float("inf")

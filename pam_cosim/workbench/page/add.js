@@ -37,7 +37,7 @@ export class AddDialog {
     });
     const form = make(
       "form",
-      { onsubmit: (event) => this.write(event, effects) },
+      { onsubmit: (event) => this.write(event, on.length ? null : effects) },
       make(
         "p",
         {},
@@ -52,10 +52,12 @@ export class AddDialog {
     this.dialog.showModal();
   }
 
-  async write(event, effects) {
+  /** `taken`: effects of the verdict that the model is given first. */
+  async write(event, taken) {
     event.preventDefault();
     const failed = (problem) => Object.assign(this.problem, { hidden: false, textContent: problem.text });
-    await this.ask("add", { effects, file: this.name.value.trim() }, failed);
+    if (taken && !(await this.ask("take", { candidate: taken }, failed))) return;
+    await this.ask("add", { file: this.name.value.trim() }, failed);
   }
 
   /** The file that was written. */

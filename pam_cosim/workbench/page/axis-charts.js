@@ -14,7 +14,7 @@ export function drawNames(canvas, view, colours) {
   for (const run of view.visible()) {
     const [a, b] = [Math.max(across.to(run.start), LEFT), Math.min(across.to(run.start + run.span), width - RIGHT)];
     const role = run.role === "holdout" ? "held out" : "";
-    for (const words of [[run.name, role].filter(Boolean).join(", "), run.name, run.name.replace(/^.*?(\d+)$/, "$1")]) {
+    for (const words of [[run.name, role].filter(Boolean).join(", "), run.name, run.short, run.short.slice(0, 3)]) {
       g.font = "600 11px system-ui, sans-serif";
       if (b - a < Math.min(NARROWEST, g.measureText(words).width + 4) || g.measureText(words).width > b - a) continue;
       text(g, words, a + 2, height - 5, role ? colours.soft : colours.ink, { bold: true });

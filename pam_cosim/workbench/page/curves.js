@@ -16,15 +16,17 @@ const SCREEN = 16; // ms between two pictures of a screen: what comes later than
 const KEYS = "Curves. Arrows move, plus and minus zoom, Home shows all runs, Shift and arrows read values.";
 
 export class Curves {
-  /** `cut(run, {begin, end})` is told the end of a run that was dragged. */
-  constructor(host, view, cut) {
+  /** `cut(run, {begin, end})` is told the end of a run that was dragged; `ask` sends commands. */
+  constructor(host, view, cut, ask) {
     Object.assign(this, {
       host,
       view,
       cut,
+      ask,
       signals: [],
       rows: [],
       frames: {},
+      labels: {},
       asked: 0,
       drawn: 0,
       colours: palette(),
@@ -58,7 +60,7 @@ export class Curves {
     if (frame.kind === "model" && frame.version < this.version) return;
     if (frame.kind === "model") this.version = frame.version;
     this.frames[frame.kind] = frame.runs.size ? frame.runs : null;
-    if (frame.kind === "reference") this.label = frame.label;
+    this.labels[frame.kind] = frame.label;
     if (frame.kind === "measured") this.lay();
     if (frame.kind === "model" && performance.now() - this.drawn > SCREEN) this.draw();
     else this.later();
@@ -95,7 +97,17 @@ export class Curves {
     });
     const readout = make("span", { class: "readout" });
     const unit = signal.unit ? ` [${signal.unit}]` : "";
-    const use = signal.use === "compared" ? "compared, not fitted" : "";
+    const use =
+      signal.use === "compared"
+        ? [
+            "compared, not fitted ",
+            make(
+              "button",
+              { type: "button", class: "link", onclick: () => this.ask("signal", { name: signal.name }) },
+              "fit it",
+            ),
+          ]
+        : "";
     const head = make(
       "div",
       { class: "row-head" },
@@ -189,6 +201,8 @@ export class Curves {
       part("measured", there.measured),
       part("model", there.model),
       part("difference", there.residual),
+      part("before", there.before),
+      part("found", there.found),
     ]
       .filter(Boolean)
       .join(" · ");

@@ -103,7 +103,7 @@ export class Diagnosis {
         running: this.running,
         latest: this.latest,
         busy: this.busy,
-        take: (number) => this.ask("take", { candidate: number }),
+        take: (effects) => this.ask("take", { candidate: effects }),
       }),
     );
   }

@@ -1,6 +1,7 @@
 // Recordings dropped on the page become a data set: what was recognised, what is asked, what is wrong and where.
 
-import { draftParts, problemParts } from "./draft.js";
+import { cells } from "./advice.js";
+import { draftParts } from "./draft.js";
 import { make, say, table } from "./element.js";
 
 const PAUSE = 600; // ms after the last change, when what becomes of the files is asked for again
@@ -8,7 +9,7 @@ const PAUSE = 600; // ms after the last change, when what becomes of the files i
 export class DropPage {
   /** `ask` sends commands; `alert` says what is wrong. */
   constructor(host, ask, alert) {
-    Object.assign(this, { host, ask, alert, wishes: { columns: {}, parameters: {}, roles: {} } });
+    Object.assign(this, { host, ask, alert, wishes: { columns: {}, parameters: {}, recording: {}, roles: {} } });
     this.input = make("input", {
       type: "file",
       multiple: true,
@@ -76,8 +77,8 @@ export class DropPage {
             "details",
             {},
             make("summary", {}, file.name, make("small", {}, ` ${size(file.bytes)}`), " ", remove(file.name)),
-            file.header.length
-              ? table(file.header, file.rows)
+            file.lines.length
+              ? table(cells(file.lines)[0], cells(file.lines).slice(1))
               : make("p", { class: "soft" }, "no text: it is read whole"),
           ),
         ),
@@ -109,24 +110,24 @@ export class DropPage {
     this.found.classList.remove("waiting");
     const focus = document.activeElement?.dataset?.wish;
     const change = (group, name, value) => this.wish(group, name, value);
-    const parts = draft.failed
-      ? problemParts(draft, this.wishes, change, this.files ?? [])
-      : draftParts(draft, this.wishes, change, this.files ?? []);
+    const open = new Set([...this.found.querySelectorAll("details[open] > summary")].map((one) => one.textContent));
+    const parts = draftParts(draft, this.wishes, change, this.files ?? []);
     this.create = make(
       "button",
       { type: "button", class: "main", disabled: Boolean(draft.failed), onclick: () => this.make() },
       "Make the data set",
     );
     this.found.replaceChildren(...parts, make("p", { class: "buttons" }, this.create));
+    for (const summary of this.found.querySelectorAll("details > summary"))
+      summary.parentElement.open = open.has(summary.textContent);
     if (focus) this.found.querySelector(`[data-wish="${CSS.escape(focus)}"]`)?.focus();
   }
 
-  /** What a person says goes beside what was recognised. */
+  /** What a person says goes before what was recognised; "" takes it back. */
   wish(group, name, value) {
-    if (group === "title" || group === "model") this.wishes[group] = value;
+    if (!name) this.wishes[group] = value;
     else if (value) this.wishes[group][name] = value;
     else delete this.wishes[group][name];
-    if (group === "model") Object.assign(this.wishes, { columns: {}, parameters: {} });
     this.later();
   }
 

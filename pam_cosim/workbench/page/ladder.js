@@ -33,6 +33,12 @@ export class Ladder {
     this.write();
   }
 
+  /** The model that a diagnosis found, as a rung beyond the standing one; null: none. */
+  found(rung) {
+    this.beyond = rung ?? null;
+    this.later();
+  }
+
   theme() {
     this.later();
   }
@@ -59,7 +65,8 @@ export class Ladder {
   }
 
   draw(colours) {
-    this.panels.forEach(({ canvas }, i) => drawRungs(canvas, this.scores.ladder ?? [], this.signals[i], colours));
+    const rungs = [...(this.scores.ladder ?? []), ...(this.beyond ? [this.beyond] : [])];
+    this.panels.forEach(({ canvas }, i) => drawRungs(canvas, rungs, this.signals[i], colours, this.beyond));
   }
 }
 
@@ -73,7 +80,7 @@ function panel(signal) {
 }
 
 /** The rungs on a logarithmic scale, so that a fall to the noise is seen from however far it comes. */
-function drawRungs(canvas, rungs, signal, colours) {
+function drawRungs(canvas, rungs, signal, colours, beyond) {
   const { g, width, height } = begin(canvas);
   const known = rungs.flatMap((rung) => ROLES.map((role) => error(rung, role, signal))).filter((value) => value > 0);
   if (!known.length) return;
@@ -86,7 +93,7 @@ function drawRungs(canvas, rungs, signal, colours) {
   const step = Math.floor(Math.min(width / rungs.length, WIDEST)),
     long = Math.floor(Math.min(LONGEST, (step - 14) / 2));
   rungs.forEach((rung, i) => {
-    const colour = i === 0 && rungs.length > 1 ? colours.before : colours.model;
+    const colour = rungs[i] === beyond ? colours.found : i === 0 && rungs.length > 1 ? colours.before : colours.model;
     ROLES.forEach((role, k) => {
       const value = error(rung, role, signal),
         x = i * step + k * (long + 5);

@@ -7,6 +7,7 @@ import { Curves } from "./curves.js";
 import { Diagnosis } from "./diagnosis.js";
 import { DropPage } from "./drop.js";
 import { Effects } from "./effects.js";
+import { download } from "./export.js";
 import { byId, make, say } from "./element.js";
 import { Ladder } from "./ladder.js";
 import { clock, lasted } from "./numbers.js";
@@ -17,6 +18,7 @@ import { StudyPage } from "./study.js";
 import { tabs } from "./tabs.js";
 import { theme } from "./theme.js";
 import { View } from "./view.js";
+import { Whole } from "./whole.js";
 
 const view = new View();
 const NAMES = { fit: "The fit", diagnose: "The diagnosis", check: "The check" };
@@ -25,6 +27,7 @@ const done = new Set(); // what was done in this study: it says what comes next
 let study = null,
   busy = null,
   verdict = null,
+  told = null, // the last step
   warned = "", // of runs that the model cannot begin as they do
   connected = false;
 
@@ -40,11 +43,11 @@ async function ask(what, values = {}, failed = alert) {
   }
 }
 
-const newest = new Newest((values) => ask("set", { values }));
-const set = (values) => newest.give(values);
+const newest = new Newest((values) => ask("set", { values, dragged: true }));
+const set = (values, typed = false) => (typed ? ask("set", { values }) : newest.give(values));
 
 const parts = {
-  curves: new Curves(byId("curves"), view, (run, ends) => parts.starts.cut(run, ends)),
+  curves: new Curves(byId("curves"), view, (run, ends) => parts.starts.cut(run, ends), ask),
   ladder: new Ladder(byId("ladder")),
   runs: new Runs(byId("run-list"), view, ask),
   starts: new Starts(byId("starts"), view, set, ask),
@@ -53,13 +56,14 @@ const parts = {
   effects: new Effects(byId("effects"), ask),
   diagnosis: new Diagnosis(byId("diagnosis"), ask),
   balances: new Balances(byId("balances")),
+  whole: new Whole(byId("study"), set, ask),
   study: new StudyPage(byId("study"), ask),
   add: new AddDialog(byId("add-dialog"), ask),
   drop: new DropPage(byId("drop"), ask, alert),
 };
 
 const showTab = tabs(byId("tabs"), (id) => {
-  byId("whole").hidden = byId("legend").hidden = id !== "curves";
+  byId("whole").hidden = byId("legend").hidden = byId("download").hidden = id !== "curves";
   if (id === "curves") parts.curves.later();
   if (id === "balances") parts.balances.draw();
 });
@@ -84,6 +88,7 @@ const hear = {
         parts.parameters,
         parts.effects,
         parts.diagnosis,
+        parts.whole,
         parts.study,
       ])
         part.study(event);
@@ -95,8 +100,6 @@ const hear = {
     parts.parameters.values(event.values);
     const warnings = (event.warnings ?? []).map((text) => make("p", { class: "caution" }, `LOOK FIRST: ${text}`));
     byId("look-first").replaceChildren(...warnings);
-    for (const { run, text } of event.failed ?? []) alert({ text: `${run}: ${text}`, run });
-    if (!event.failed?.length && byId("alert").dataset.of === "run") byId("alert").hidden = true;
   },
   starts(event) {
     parts.starts.show(event);
@@ -137,6 +140,7 @@ const hear = {
   no_diagnosis() {
     verdict = null;
     parts.diagnosis.forget();
+    parts.ladder.found(null);
     parts.balances.empty();
     lock();
   },
@@ -145,6 +149,7 @@ const hear = {
   verdict(event) {
     verdict = event;
     parts.diagnosis.show(event);
+    parts.ladder.found(event.found);
     lock();
   },
   checked(event) {
@@ -159,6 +164,9 @@ const hear = {
   },
   saved: (event) => status(`Saved as ${event.file}`),
   steps(event) {
+    const last = event.steps.at(-1)?.text ?? "";
+    if (!busy && told !== null && last !== told) status(last || "Ready");
+    told = last;
     done.clear();
     parts.study.did(event.steps);
     for (const { text } of event.steps) done.add(text.split(" ")[0]);
@@ -189,7 +197,7 @@ const connection = new Connection(
 function forget() {
   busy = null;
   parts.diagnosis.restart();
-  parts.curves.frames.reference = null;
+  parts.curves.frames.reference = parts.curves.frames.found = null;
   hear.no_diagnosis();
 }
 
@@ -202,7 +210,7 @@ function alert(problem) {
     .filter(Boolean)
     .join(", ");
   say(byId("alert-text"), [place, problem.text].filter(Boolean).join(": "));
-  Object.assign(byId("alert"), { hidden: false }).dataset.of = problem.run ? "run" : "command";
+  Object.assign(byId("alert"), { hidden: false }).dataset.of = "command";
 }
 
 function status(text) {
@@ -216,19 +224,20 @@ function lock() {
   say(byId("stop"), busy?.held ? "Resume" : "Stop");
   byId("stop").disabled = !busy || !connected;
   byId("discard").hidden = !busy?.held;
-  for (const part of [parts.parameters, parts.starts, parts.effects, parts.diagnosis]) part.lock(held);
+  for (const part of [parts.parameters, parts.starts, parts.effects, parts.diagnosis, parts.whole]) part.lock(held);
   document.body.classList.toggle("busy", Boolean(busy));
   const next = verdict?.kind === "identified" ? "add" : done.has("fit") || done.has("diagnose") ? "diagnose" : "fit";
   for (const id of ["fit", "diagnose", "add"]) byId(id).classList.toggle("main", id === next);
 }
 
 function legend() {
-  const before = parts.curves.frames.reference;
+  const { reference: before, found } = parts.curves.frames;
   const entry = (name, words) => make("span", { class: `key ${name}` }, words);
   byId("legend").replaceChildren(
     entry("measured", "measured"),
     entry("model", "model"),
-    before ? entry("before", parts.curves.label || "before") : "",
+    before ? entry("before", parts.curves.labels.reference || "before") : "",
+    found ? entry("found", parts.curves.labels.found) : "",
   );
 }
 
@@ -244,6 +253,10 @@ byId("add").addEventListener("click", () =>
 byId("undo").addEventListener("click", () => ask("undo"));
 byId("save").addEventListener("click", () => ask("save"));
 byId("whole").addEventListener("click", () => view.whole());
+byId("download").addEventListener("change", ({ target }) => {
+  if (target.value) download(parts.curves, target.value, study?.title ?? "");
+  target.value = "";
+});
 byId("alert-close").addEventListener("click", () => (byId("alert").hidden = true));
 theme(byId("theme"), () => {
   parts.curves.theme();

@@ -11,6 +11,7 @@ const NAMES = [
   "measured",
   "model",
   "before",
+  "found",
   "lit",
   "cold",
   "warm",

@@ -2,6 +2,7 @@
 
 import { make } from "./element.js";
 import { number, plain } from "./numbers.js";
+import { typed } from "./whole.js";
 
 const STEPS = 1000; // of a slider
 const DIGITS = 4; // of a value that is dragged
@@ -106,8 +107,8 @@ export class Row {
         "aria-label": `A fit may move ${p.name}`,
       });
     this.number = make("input", {
-      type: "number",
-      step: "any",
+      type: "text",
+      inputmode: "decimal",
       "aria-label": label,
       onchange: () => this.typed(),
       onblur: () => this.move(this.current),
@@ -182,9 +183,7 @@ export class Row {
   }
 
   typed() {
-    const value = Number(this.number.value);
-    if (this.number.value.trim() === "" || !Number.isFinite(value)) return;
-    this.set({ [this.p.name]: value });
+    if (this.number.value.trim()) this.set({ [this.p.name]: typed(this.number.value) }, true);
   }
 
   share(value) {

@@ -4,11 +4,11 @@ import { make, table } from "./element.js";
 
 const SHOWN = 12; // rows before the rest is folded
 
-/** Elements of the ranking; `how`: whether it is `running`, the `latest` model, `busy`, and `take(number)`. */
+/** Elements of the ranking; `how`: whether it is `running`, the `latest` model, `busy`, and `take(effects)`. */
 export function ranking(ranked, how) {
   const rows = ranked.candidates.map((c) => row(c, how));
   const rest = rows.slice(SHOWN);
-  const body = (part) => make("table", { class: "ranking" }, heads(), make("tbody", {}, part));
+  const body = (part) => make("div", { class: "scroll" }, make("table", { class: "ranking" }, heads(), make("tbody", {}, part)));
   return [
     make("h2", {}, how.running ? "Effects as they are tried" : "Which effects explain it"),
     how.running && !rows.length
@@ -18,6 +18,7 @@ export function ranking(ranked, how) {
           "The base model is fitted first, and every balance is asked for what it lacks; then effects are tried.",
         )
       : "",
+    how.running ? marginals(ranked.candidates) : "",
     rows.length ? body(rows.slice(0, SHOWN)) : "",
     rest.length ? make("details", {}, make("summary", {}, `${rest.length} more, with less evidence`), body(rest)) : "",
     rows.length
@@ -57,7 +58,7 @@ function row(c, { running, latest, busy, take }) {
         {
           type: "button",
           disabled: busy,
-          onclick: () => take(c.number),
+          onclick: () => take(c.effects),
           "aria-label": `Take ${c.effect} into the model`,
         },
         "Take",
@@ -89,6 +90,39 @@ function failed(rows) {
     table(
       ["effects in the model", "family", "reason"],
       rows.map((r) => [r.effect, r.family, r.reason]),
+    ),
+  );
+}
+
+/** How probable each family is by the models that were tried so far, whatever else is missing. */
+function marginals(candidates) {
+  const family = new Map(candidates.filter((c) => c.effects.length === 1).map((c) => [c.effects[0], c.family]));
+  const sums = new Map();
+  for (const c of candidates)
+    for (const name of new Set(c.effects.map((effect) => family.get(effect) ?? c.family)))
+      sums.set(name, (sums.get(name) ?? 0) + (c.probability ?? 0));
+  const rows = [...sums].filter(([, share]) => share >= 0.005).sort((a, b) => b[1] - a[1]);
+  if (!rows.length) return "";
+  const bar = (share) => {
+    const whole = make("div", { class: "share-bar" }, make("div", {}));
+    whole.firstChild.style.width = `${100 * Math.min(1, share)}%`;
+    return whole;
+  };
+  return make(
+    "table",
+    { class: "probabilities", "aria-label": "Probability of each family by the models that were tried so far" },
+    make(
+      "tbody",
+      {},
+      rows.map(([name, share]) =>
+        make(
+          "tr",
+          {},
+          make("th", { scope: "row" }, `${name}, so far`),
+          make("td", {}, bar(share)),
+          make("td", { class: "n" }, `${Math.round(100 * Math.min(1, share))} %`),
+        ),
+      ),
     ),
   );
 }

@@ -51,8 +51,10 @@ export function drawSignal(canvas, view, signal, curves, colours) {
     const toX = (t) => across.to(t + s.run.shift);
     measured(g, s, toX, value, colours);
     if (s.reference?.values) line(g, s, s.reference.values, toX, value, colours.before, 1.2, [4, 3]);
+    if (s.found?.values) line(g, s, s.found.values, toX, value, colours.found, 1.3, [6, 3]);
     if (s.model?.values) line(g, s, s.model.values, toX, value, colours.model, 1.7, [], s.run.points);
     if (s.reference?.residual) line(g, s, s.reference.residual, toX, left, colours.before, 0.8, []);
+    if (s.found?.residual) line(g, s, s.found.residual, toX, left, colours.found, 0.9, []);
     if (s.model?.residual)
       line(g, s, s.model.residual, toX, left, colours.model, 1.1, [], s.run.points || areApart(s, toX));
   }
@@ -98,7 +100,7 @@ function cuts(g, view, across, height, colours) {
 export function readOut(view, signal, curves) {
   const there = view.cursor === null ? null : view.at(view.cursor);
   if (!there) return null;
-  const { measured: m, model } = ofRun(curves, there.run.name, signal.name);
+  const { measured: m, model, reference, found } = ofRun(curves, there.run.name, signal.name);
   if (!m?.time?.length) return null;
   const i = there.run.points ? nearest(m.time, there.value) : nearestSorted(m.time, there.value);
   return {
@@ -107,6 +109,8 @@ export function readOut(view, signal, curves) {
     measured: m.values[i],
     model: model?.values?.[i],
     residual: model?.residual?.[i],
+    before: reference?.values?.[i],
+    found: found?.values?.[i],
   };
 }
 
@@ -122,11 +126,11 @@ function nearest(places, value) {
 
 function ofRun(curves, run, signal) {
   const of = (kind) => curves[kind]?.get(run)?.get(signal);
-  return { measured: of("measured"), model: of("model"), reference: of("reference") };
+  return { measured: of("measured"), model: of("model"), reference: of("reference"), found: of("found") };
 }
 
-const upperArrays = (s) => [s.measured.values, s.model?.values, s.reference?.values];
-const residualArrays = (s) => [s.model?.residual, s.reference?.residual];
+const upperArrays = (s) => [s.measured.values, s.model?.values, s.reference?.values, s.found?.values];
+const residualArrays = (s) => [s.model?.residual, s.reference?.residual, s.found?.residual];
 
 function limits(shapes, arrays) {
   let [low, high] = [Infinity, -Infinity];

@@ -12,7 +12,7 @@ export class StudyPage {
     const load = make("button", { type: "button", onclick: () => ask("load") }, "Load what was saved");
     const print = make("button", { type: "button", onclick: () => this.print() }, "Show as script");
     host.append(
-      make("h2", {}, "What was done"),
+      make("h2", { id: "done" }, "What was done"),
       this.steps,
       make("p", {}, load, print),
       this.added,
@@ -28,7 +28,12 @@ export class StudyPage {
 
   did(steps) {
     const words = steps.map((step) => (typeof step === "string" ? step : step.text));
-    this.steps.replaceChildren(...words.map((text) => make("li", {}, make("code", {}, text))));
+    const back = (i) => words.length - 1 - i;
+    const button = (i) =>
+      make("button", { type: "button", class: "link", onclick: () => this.ask("undo", { count: back(i) }) }, "back to here");
+    this.steps.replaceChildren(
+      ...words.map((text, i) => make("li", {}, make("code", {}, text), " ", back(i) ? button(i) : "")),
+    );
     if (!words.length)
       this.steps.replaceChildren(make("li", { class: "soft" }, "Nothing yet: the model has its start values."));
   }

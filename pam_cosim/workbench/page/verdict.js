@@ -14,6 +14,8 @@ export function verdictParts(v, take, addLearned) {
     said(v.instrument),
     said(v.error),
     said(v.probability),
+    families(v.table),
+    said(v.small, "p", { class: "soft" }),
     probabilities(v.probabilities),
     said([v.reason, v.compared, v.disagreement].filter(Boolean).join(" ")),
     ...(v.doubts ?? []).map((doubt) => said(`LOOK FIRST: ${doubt}`, "p", { class: "caution" })),
@@ -33,6 +35,15 @@ export function verdictParts(v, take, addLearned) {
   };
 }
 
+/** The families that may be missing, each whatever else is: as in the terminal and in the report. */
+function families(rows) {
+  if (!rows?.length) return "";
+  const heads = ["may be missing", "#probability", "worth"];
+  return table(heads, rows.map((row) => [row.families, row.probability, row.worth]), { class: "family-table" });
+}
+
+const percent = (share) => `${share > 0 && share < 0.005 ? "< 1" : Math.round(100 * share)} %`;
+
 /** A bar for each thing that may be missing; what the verdict names stands out. */
 function probabilities(rows) {
   if (!rows?.length) return "";
@@ -46,8 +57,8 @@ function probabilities(rows) {
       "tr",
       { class: row.named ? "named" : "" },
       make("th", { scope: "row" }, row.what),
-      make("td", {}, bar(row.share)),
-      make("td", { class: "n" }, row.percent),
+      make("td", {}, bar(row.probability)),
+      make("td", { class: "n" }, percent(row.probability)),
     );
   return make(
     "table",

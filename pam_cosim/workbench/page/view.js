@@ -19,6 +19,8 @@ export class View {
       start += spans[i] + gap;
       return laid;
     });
+    const short = shortened(this.runs.map((run) => run.name));
+    this.runs.forEach((run, i) => (run.short = short[i]));
     this.end = Math.max(start - gap, 1e-9);
     if (before !== this.runs.map((run) => `${run.name} ${run.low} ${run.high}`).join()) this.whole();
   }
@@ -85,4 +87,17 @@ export class View {
   tell(onlyCursor = false) {
     for (const listener of this.listeners) listener(onlyCursor);
   }
+}
+
+/** Names without what all of them begin and end with, up to a sign between words. */
+function shortened(names) {
+  if (names.length < 2) return names;
+  const [first, ...others] = names;
+  const alike = (from) => {
+    let count = 0;
+    while (count < first.length && others.every((name) => from(name, count) === from(first, count))) count++;
+    return count;
+  };
+  const begin = first.slice(0, alike((name, i) => name[i])).replace(/[\p{L}\p{N}]*$/u, "").length;
+  return names.map((name) => name.slice(begin) || name);
 }

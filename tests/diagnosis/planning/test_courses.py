@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import replace
 from pathlib import Path
 
@@ -59,6 +60,29 @@ def test_stated_limits_come_first(data: DataSet) -> None:
     )
     assert limits.inputs["u"] == (0.1, 0.4) and limits.parameters["muscle.L0"] == (0.1, 0.2)
     assert limits.outputs == {"x": (0.0, 0.005)} and limits.seconds == 2.0
+
+
+@pytest.mark.parametrize(
+    ("readings", "constant"),
+    [
+        (lambda rng: 5e5 + 300 * rng.standard_normal(51), {"p_supply"}),
+        (lambda rng: 1e3 * rng.standard_normal(51), {"p_supply"}),  # about zero
+        (lambda rng: 5e5 - 8e3 * TIME + 300 * rng.standard_normal(51), set()),  # it droops
+        (lambda rng: np.where(TIME < 2, 5e5, 4e5), set()),
+    ],
+)
+def test_the_noise_of_a_reading_is_no_range(
+    data: DataSet, readings: Callable[[np.random.Generator], np.ndarray], constant: set[str]
+) -> None:
+    rng = np.random.default_rng(3)
+    runs = [replace(r, inputs={**r.inputs, "p_supply": readings(rng)}) for r in data.runs]
+    limits = limits_of(replace(data, runs=tuple(runs)))
+    assert limits.constant == constant
+    low, high = limits.inputs["p_supply"]
+    if constant:
+        assert low <= high <= low + 0.02 * max(abs(low), 1e5)
+        drawn = Moves(limits, runs).drawn(rng).table(limits)[1]["p_supply"]
+        assert np.ptp(drawn) == 0
 
 
 def test_every_course_keeps_the_limits(data: DataSet) -> None:

@@ -45,6 +45,8 @@ def test_a_study_from_the_first_look_to_the_saved_file(
         assert "elasticity" in page.locator(".verdict h2").inner_text()
         assert "Probability" in page.locator(".verdict").inner_text()
         assert page.locator(".ranking tbody tr").count() >= 3
+        assert "elasticity" in page.locator(".family-table").inner_text()
+        assert "LinearBladder" in page.locator("#legend .key.found").text_content()
         page.locator("#tab-balances").click()
         assert "force balance" in page.locator("#balances").inner_text()
 
@@ -52,6 +54,7 @@ def test_a_study_from_the_first_look_to_the_saved_file(
         page.locator(".verdict button").click()
         until(page, lambda: page.locator(".effect.on").count() == 1)
         until(page, lambda: error(page, "x", "holdout") < 1.15 * noise(page, "x"))
+        until(page, lambda: page.locator("#legend .key.found").count() == 0)
         page.locator("#add").click()
         page.locator("#add-dialog").get_by_role("button", name="Write").click()
         page.locator("#add-dialog pre").wait_for()

@@ -28,7 +28,7 @@ def test_a_slider_moves_curve_and_error(opened: Open, address: str) -> None:
     until(page, lambda: error(page, "p") > 1.5 * before)
     assert picture(page) != curve
     assert float(
-        page.locator('input[type=number][aria-label="valve.C_A"]').input_value()
+        page.locator('input[inputmode=decimal][aria-label="valve.C_A"]').input_value()
     ) == pytest.approx(0.88, abs=0.005)
 
 

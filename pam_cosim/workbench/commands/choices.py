@@ -1,0 +1,181 @@
+"""What is chosen in place of what the data set says: of runs, signals and parameters."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+import numpy as np
+
+from pam_cosim.errors import InputError
+from pam_cosim.measurement import DataSet, Run
+from pam_cosim.measurement.run_names import stated_of
+from pam_cosim.units import UnitError, parse_quantity, readable_factor
+from pam_cosim.wording import listed, shown
+from pam_cosim.workbench.checks import is_number, names_of, one_of, text_of
+from pam_cosim.workbench.job_queue import StudyWithJobs
+from pam_cosim.workbench.state_events import value_of
+from pam_cosim.workbench.steps import Step
+
+
+def roles(study: StudyWithJobs, roles: Mapping[str, str]) -> None:
+    """Sets whether runs are fitted or held out."""
+    study.make_room()
+    if not isinstance(roles, Mapping):
+        raise InputError("roles wants fit or holdout by run")
+    data = study.state.data.with_roles(roles)
+    now = {run.name: run.role for run in data.runs}
+    text = listed(f"{run} {role}" for run, role in now.items() if stated_of(run, roles) is not None)
+    _choose(study, "roles", f"roles: {text}", {"roles": now})
+
+
+def cut(
+    study: StudyWithJobs, run: str, begin: float | None = None, end: float | None = None
+) -> None:
+    """Keeps of a run what lies between two times [s]; None: its beginning, or its end, as it was recorded.
+
+    Where it begins elsewhere than before, its start is chosen anew.
+    """
+    study.make_room()
+    old, chosen = _run(study.state.data, run), study.state.chosen
+    first, last = _time(begin, "begin"), _time(end, "end")
+    cuts = {**chosen.get("cuts", {}), old.name: [first, last]}
+    starts = dict(chosen.get("starts", {}))
+    data, _ = study.source.read(study.bench, chosen | {"cuts": cuts})
+    moved = _run(data, run).time[0] != old.time[0]
+    if moved:
+        starts.pop(old.name, None)
+    ends = ["its beginning" if first is None else f"{first:.13g} s"]
+    ends.append("its end" if last is None else f"{last:.13g} s")
+    text = f"cut {old.name}: {'all of it' if first is last is None else ' to '.join(ends)}"
+    values = _without_start(study, old.name) if moved else dict(study.state.values)
+    _choose(study, "cut", text, {"cuts": cuts, "starts": starts}, values)
+
+
+def begin(study: StudyWithJobs, run: str, mode: str | None = None) -> None:
+    """Sets how a run begins; None: as the data set says, or its first samples. Start values that were set by hand are
+    given up."""
+    study.make_room()
+    chosen = _run(study.state.data, run)
+    if chosen.is_static:
+        raise InputError(f"{chosen.name} holds points at rest, which have no start")
+    starts = {n: s for n, s in study.state.chosen.get("starts", {}).items() if n != chosen.name}
+    if mode is not None:
+        starts[chosen.name] = text_of(mode, "begin")
+    text = f"begin {chosen.name}: {mode or 'as the data set says'}"
+    _choose(study, "begin", text, {"starts": starts}, _without_start(study, chosen.name))
+
+
+def signal(
+    study: StudyWithJobs, name: str, fitted: bool = True, sigma: str | float | None = None
+) -> None:
+    """Fits a signal, or only compares it; ``sigma``: its noise, with a unit or in the shown one; None: as it is."""
+    study.make_room()
+    data = study.state.data
+    one_of(name, data.signals, "signal")
+    signals = dict(study.state.chosen.get("signals") or dict.fromkeys(data.fitted_signals))
+    text = f"{name} is compared"
+    if not fitted:
+        signals.pop(name, None)
+    elif sigma is None:
+        signals.setdefault(name, None)
+        text = f"{name} is fitted"
+    else:
+        signals[name] = level = in_si(name, sigma, data.signals[name].unit, difference=True)
+        if not level > 0:
+            raise InputError(f"the noise of {name} must be larger than zero")
+        text = f"{name} is fitted, sigma {sigma}"
+    _choose(study, "signal", text, {"signals": signals})
+
+
+def free(study: StudyWithJobs, names: Sequence[str]) -> None:
+    """Leaves just these parameters of the base model free for a fit; the others keep the values that they have."""
+    study.make_room()
+    state, chosen = study.state, study.state.chosen
+    wanted = names_of(names, "free")
+    before = {n: f for n, f in study.opened.parameters.items() if n not in study.opened.origin}
+    stated = dict(chosen.get("values", {}))
+    held = {n: value_of(f, state) for n, f in before.items() if n not in wanted}
+    released = {n: v for n, v in stated.items() if n in wanted}
+    stated = {n: v for n, v in (stated | held).items() if n not in wanted}
+    values = {n: v for n, v in state.values.items() if n not in stated} | released
+    _choose(study, "free", f"free: {listed(wanted)}", {"free": wanted, "values": stated}, values)
+
+
+def state_values(study: StudyWithJobs, values: Mapping[str, float | None]) -> None:
+    """States values of parameters that are not free [SI]; None: as the data set says."""
+    stated = {**study.state.chosen.get("values", {}), **values}
+    text = ", ".join(
+        f"{name} as the data set says" if value is None else f"{name} = {value:.4g}"
+        for name, value in values.items()
+    )
+    kept = {name: value for name, value in stated.items() if value is not None}
+    _choose(study, "state", f"state {text}", {"values": kept})
+
+
+def in_si(name: str, value: Any, unit: str, *, difference: bool = False) -> float:
+    """A number in the shown unit, or a text with a unit, in the SI unit.
+
+    Raises:
+        InputError: it is neither.
+    """
+    if isinstance(value, str):
+        try:
+            return parse_quantity(value, unit, difference=difference)
+        except UnitError as problem:
+            raise InputError(f"{name}: {problem}") from None
+    if not is_number(value):
+        raise InputError(f"{shown(f'{name}={value}')}: the value must be a number")
+    try:
+        return float(value) / readable_factor(unit)
+    except OverflowError:
+        return float("inf")
+
+
+def _choose(
+    study: StudyWithJobs,
+    do: str,
+    text: str,
+    more: Mapping[str, Any],
+    values: Mapping[str, float] | None = None,
+) -> None:
+    """Reads the data set anew with more that is chosen; the ladder begins anew where it would compare other samples."""
+    state = study.state
+    chosen, kept = {**state.chosen, **more}, dict(state.values if values is None else values)
+    data, known = study.source.read(study.bench, chosen)
+    step = Step(do, {"text": text, "chosen": chosen, "values": kept})
+    rungs = state.rungs if do in ("free", "state") else ()
+    changes: dict[str, Any] = {"data": data, "known": known, "chosen": chosen, "values": kept}
+    study.enter(state.after(step, rungs=rungs, before=None, milestone="", **changes))
+
+
+def release_estimated(study: StudyWithJobs) -> None:
+    """Gives up start values that were set by hand where a fit estimates them, a step for each run."""
+    for run in study.state.data.runs:
+        if run.start.mode == "estimated" and len(_without_start(study, run.name)) < len(
+            study.state.values
+        ):
+            begin(study, run.name, "estimated")
+
+
+def _without_start(study: StudyWithJobs, run: str) -> dict[str, float]:
+    """The values of the study [SI] but for where a run begins."""
+    starts = study.opened.start_values_in(study.state.values)
+    return {
+        name: value
+        for name, value in study.state.values.items()
+        if name not in starts or not name.endswith(f"@{run}")
+    }
+
+
+def _run(data: DataSet, name: Any) -> Run:
+    runs = {run.name: run for run in data.runs}
+    return runs[one_of(name, runs, "run")]
+
+
+def _time(value: Any, which: str) -> float | None:
+    if value is None:
+        return None
+    if not is_number(value) or not np.isfinite(value):
+        raise InputError(f"{which} wants a time in seconds, not {shown(value)}")
+    return float(value)
