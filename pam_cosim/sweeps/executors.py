@@ -10,6 +10,7 @@ from typing import Any
 
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.libraries import library
 from pam_cosim.processes.interrupts import sigint_blocked
 from pam_cosim.processes.workers import local_pool, processors, running_tasks
 from pam_cosim.sweeps.records import RunResult
@@ -88,14 +89,9 @@ def _executor(executor: Any) -> Iterator[tuple[Executor, int]]:
 
 
 def _client(address: str) -> Any:
+    client = library("distributed").Client
     try:
-        from distributed import Client
-    except ImportError:
-        raise InputError(
-            "runs on a Dask cluster need Dask: pip install 'pam-cosim[dask]'"
-        ) from None
-    try:
-        return Client(address, timeout="10s")  # type: ignore[no-untyped-call]
+        return client(address, timeout="10s")
     except (OSError, ValueError, TimeoutError) as problem:
         raise InputError(f"there is no Dask scheduler at '{address}': {problem}") from None
 
