@@ -7,14 +7,13 @@ import io
 import re
 from abc import ABC, abstractmethod
 from collections.abc import Iterable, Mapping, Sequence
-from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pam_cosim.errors import InputError
 from pam_cosim.files import TABLE, Plain, check_ending, write_json, write_text
+from pam_cosim.libraries import library
 
 if TYPE_CHECKING:
     import pandas
@@ -24,16 +23,19 @@ _HEADING = re.compile(r"(?P<name>.*?)(?: \[(?P<unit>[^\[\]]*)\])?")
 Table = tuple[Sequence[str], Iterable[Sequence[object]]]
 """Headings, and rows of as many cells."""
 
-TABLES = (".csv", ".nc", ".parquet")  # endings of tables over time
+TABLES = {".csv": (), ".nc": ("h5netcdf", "xarray"), ".parquet": ("pyarrow.parquet",)}
+"""The endings of tables over time, and which libraries write them."""
 
 
 def check_table_ending(path: Path) -> None:
     """A trajectory or a sweep is written as one of ``TABLES``; without an ending it is CSV.
 
     Raises:
-        InputError: the name ends otherwise.
+        InputError: the name ends otherwise, or what writes such a file is not installed.
     """
-    check_ending(path, "the result is written as CSV, NetCDF or Parquet", TABLES)
+    check_ending(path, "the result is written as CSV, NetCDF or Parquet", tuple(TABLES))
+    for name in TABLES.get(path.suffix.lower(), ()):
+        library(name, path)
 
 
 def headed(name: str, unit: str) -> str:
@@ -108,20 +110,6 @@ class Tabular(Plain, ABC):
             for name, (column, unit) in columns.items()
         }
         return library("xarray").Dataset(variables)  # type: ignore[no-any-return]
-
-
-def library(name: str) -> Any:
-    """The module of an installed library.
-
-    Raises:
-        InputError: it is not installed.
-    """
-    try:
-        return import_module(name)
-    except ImportError:
-        raise InputError(
-            f"{name} is not installed, which makes this table: pip install {name}"
-        ) from None
 
 
 class Exported(Tabular):

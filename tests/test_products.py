@@ -15,6 +15,7 @@ import pytest
 import pam_cosim as pam
 from pam_cosim.exports import Tabular
 from pam_cosim.fitting import HoldoutUncertainty
+from pam_cosim.simulation import Trajectory
 from pam_cosim.study.products import _KINDS
 from pam_cosim.sweeps import Sweep
 from pam_cosim.wording import Printed
@@ -119,17 +120,30 @@ def test_every_product_with_rows_becomes_a_frame() -> None:
     assert data["delta_bic"].attrs == {"units": "1"} and data["family"].attrs == {}
 
 
-@pytest.mark.parametrize(("method", "library"), [("to_frame", "pandas"), ("to_xarray", "xarray")])
-@pytest.mark.parametrize("name", ["fit", "sweep"])
+@pytest.mark.parametrize(
+    ("use", "library", "extra"),
+    [
+        (lambda run, place: run.to_frame(), "pandas", "tables"),
+        (lambda run, place: run.to_xarray(), "xarray", "tables"),
+        (lambda run, place: run.save(place / "run.nc"), "h5netcdf", "tables"),
+        (lambda run, place: run.save(place / "run.parquet"), "pyarrow", "tables"),
+        (lambda run, place: Sweep.__new__(Sweep).to_frame(), "pandas", "tables"),
+        (lambda run, place: Sweep.__new__(Sweep).to_xarray(), "xarray", "tables"),
+        (lambda run, place: Sweep.__new__(Sweep).save(place / "sweep.nc"), "h5netcdf", "tables"),
+        (lambda run, place: pam.sweep("VesselOrifice", {"tank.V": [0.01]}, stop_time=0.1, executor="tcp://here:1"),
+         "distributed", "dask"),
+        (lambda run, place: pam.linearise("VesselOrifice", at=0.5).to_control(), "control", "control"),
+    ],
+)  # fmt: skip
 def test_a_missing_library_is_named_with_what_to_type(
-    name: str, method: str, library: str, monkeypatch: pytest.MonkeyPatch
+    use: Any, library: str, extra: str, monkeypatch: pytest.MonkeyPatch, tmp_path: Path
 ) -> None:
-    product = PRODUCTS["fit"] if name == "fit" else Sweep.__new__(Sweep)
+    run = Trajectory(np.arange(3.0), {"x": np.ones(3)}, {"x": "m"})
     monkeypatch.setitem(sys.modules, library, None)
-    with pytest.raises(
-        pam.InputError, match=f"{library} is not installed.*: pip install {library}"
-    ):
-        getattr(product, method)()
+    message = f"{library} is needed and is not installed: pip install 'pam-cosim.{extra}.'"
+    with pytest.raises(pam.InputError, match=message):
+        use(run, tmp_path)
+    assert not list(tmp_path.iterdir())
 
 
 @pytest.mark.parametrize(

@@ -14,6 +14,7 @@ from pam_cosim.analysis.operating_point import OperatingPoint
 from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Exported, Table
+from pam_cosim.libraries import library
 from pam_cosim.units import is_dimensionless, quotient
 from pam_cosim.wording import Printed, did_you_mean
 
@@ -228,18 +229,12 @@ class LinearModel(Printed, Exported):
         Raises:
             InputError: python-control is not installed.
         """
-        try:
-            import control
-        except ImportError as error:
-            raise InputError(
-                "python-control is not installed: pip install 'pam-cosim[control]'"
-            ) from error
         # its names must not contain a dot
         plain = [
             [name.replace(".", "_") for name in names]
             for names in (self.states, self.inputs, self.outputs)
         ]
-        return control.ss(
+        return library("control").ss(
             self.A,
             self.B,
             self.C,

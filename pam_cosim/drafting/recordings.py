@@ -203,7 +203,7 @@ def _remarks(file: Path, layout: Layout, table: Table) -> tuple[str, ...]:
         )
     if not is_text(file):
         return ()
-    text, _ = read_any_text(file, layout.encoding)
+    text, _ = read_any_text(file, layout.encoding, layout.table)
     lines = text.splitlines()[:_MOST_REMARKS]
     marked = [line for line in lines if line.lstrip()[:1] in ("#", "%")]
     above = lines[: table.header_line - 1] if table.header_line else []

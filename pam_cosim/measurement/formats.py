@@ -12,6 +12,7 @@ from pam_cosim.measurement.parquet_table import read_parquet
 from pam_cosim.measurement.table import Layout, Table, without_empty_end
 from pam_cosim.measurement.tdms_table import read_tdms
 from pam_cosim.measurement.text_table import read_text_table
+from pam_cosim.measurement.workbook import WORKBOOKS
 
 _READERS: dict[str, Callable[[Path, Layout], Table]] = {
     ".mat": read_matlab,
@@ -22,7 +23,7 @@ _READERS: dict[str, Callable[[Path, Layout], Table]] = {
     ".parquet": read_parquet,
     ".pq": read_parquet,
 }
-_OF_SEVERAL_TABLES = (".mat", ".h5", ".hdf5", ".hdf", ".tdms")
+_OF_SEVERAL_TABLES = (".mat", ".h5", ".hdf5", ".hdf", ".tdms", *WORKBOOKS)
 
 
 def read_table(file: Path, stated: Layout | None = None) -> Table:

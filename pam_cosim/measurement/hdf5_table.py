@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from pam_cosim.errors import InputError
+from pam_cosim.libraries import library
 from pam_cosim.measurement.table import Layout, Table, check_count, check_names, reading, table_of
 from pam_cosim.wording import did_you_mean, shown
 
@@ -22,18 +23,17 @@ def read_hdf5(file: Path, stated: Layout) -> Table:
     Raises:
         InputError: not such a file, several groups, vectors of unlike length.
     """
-    import h5py
-
+    h5py = library("h5py", file)
     errors = OSError, RuntimeError, KeyError, ValueError, TypeError
     with reading(file, "HDF5", *errors), h5py.File(file, "r") as opened:
         return table_of(_vectors(_place(opened, stated.table, file), stated, file), stated, file)
 
 
 def is_hdf5(file: Path) -> bool:
-    """Whether the file is of this format, whatever its ending."""
-    import h5py
-
-    return bool(h5py.is_hdf5(file))
+    """Whether the file is of this format, whatever its ending: it begins so, or behind a block of 512 bytes."""
+    with file.open("rb") as content:
+        beginning = content.read(520)
+    return b"\x89HDF\r\n\x1a\n" in (beginning[:8], beginning[512:])
 
 
 def _place(opened: Any, name: str | None, file: Path) -> Any:

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from pam_cosim.libraries import library
 from pam_cosim.measurement.table import Layout, Table, check_count, reading, table_of
 
 
@@ -15,9 +16,7 @@ def read_parquet(file: Path, stated: Layout) -> Table:
     Raises:
         InputError: not such a file, or a column of something else that is not left out.
     """
-    import pyarrow as arrow
-    from pyarrow import parquet
-
+    arrow, parquet = library("pyarrow", file), library("pyarrow.parquet", file)
     with reading(file, "Parquet", arrow.ArrowException, OSError):
         opened = parquet.ParquetFile(file)
         _check_declared(opened.metadata, file)

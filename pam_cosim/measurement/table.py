@@ -22,6 +22,7 @@ TIME = "time"
 LEFT_OUT = "left out:"
 """How a note on rows that are not read begins."""
 _BYTES = 8  # of a number
+_POINTER = b"version https://git-lfs.github.com/spec/"
 LONGEST_HEADING = 500  # letters; what is longer is no name
 _BRACKETS = re.compile(r"([^\[\]]+?)\s*(?:\[([^\[\]]*)\])?")
 _ROUND = re.compile(r"(.+?)\s*\(((?:[^()]|\([^()]*\))+)\)")
@@ -175,6 +176,9 @@ def without_empty_end(table: Table) -> Table:
 @contextmanager
 def reading(file: Path, kind: str, *errors: type[Exception]) -> Iterator[None]:
     """Turns errors of the reader of a format into InputError."""
+    if file.is_file():
+        with file.open("rb") as content:
+            check_content(content.read(len(_POINTER)), file)
     try:
         yield
     except InputError:
@@ -183,6 +187,13 @@ def reading(file: Path, kind: str, *errors: type[Exception]) -> Iterator[None]:
         raise InputError("the file does not exist", file) from None
     except errors as error:
         raise InputError(f"this file cannot be read as {kind}: {error}", file) from None
+
+
+def check_content(beginning: bytes, file: Path) -> None:
+    """Raises InputError where Git has left a pointer in the place of a large file."""
+    if beginning.startswith(_POINTER):
+        message = "this is a pointer of Git LFS, and not the recording: git lfs pull"
+        raise InputError(message, file)
 
 
 def check_count(values: int, file: Path, unpacked: int = 0) -> None:

@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from pam_cosim.errors import InputError
+from pam_cosim.libraries import library
 from pam_cosim.measurement.table import TIME, Layout, Table, check_count, reading, table_of
 from pam_cosim.wording import listed, shown
 
@@ -16,16 +17,12 @@ def read_tdms(file: Path, stated: Layout) -> Table:
     Raises:
         InputError: the library is not installed, not such a file, several groups, channels of unlike length.
     """
-    try:
-        from nptdms import TdmsFile
-    except ImportError:
-        message = "reading TDMS needs npTDMS: pip install 'pam-cosim[tdms]', or export the recording as CSV"
-        raise InputError(message, file) from None
+    reader = library("nptdms", file).TdmsFile
     # The reader lets out whatever a broken file makes of it.
     with reading(file, "TDMS", Exception):
-        declared = TdmsFile.read_metadata(file).groups()
+        declared = reader.read_metadata(file).groups()
         check_count(sum(len(channel) for group in declared for channel in group.channels()), file)
-        groups = {group.name: group for group in TdmsFile.read(file).groups() if group.channels()}
+        groups = {group.name: group for group in reader.read(file).groups() if group.channels()}
     wanted = [stated.table] if stated.table is not None else list(groups)
     if len(wanted) != 1 or wanted[0] not in groups:
         reason = "" if stated.table is None else f"there is no group {shown(stated.table)}; "

@@ -8,6 +8,8 @@ from pathlib import Path
 
 from pam_cosim.errors import InputError
 from pam_cosim.files import MOST_BYTES, read_file
+from pam_cosim.measurement.table import check_content
+from pam_cosim.measurement.workbook import WORKBOOKS, sheet_text
 from pam_cosim.wording import shown
 
 _MARKS = (
@@ -34,16 +36,24 @@ def read_text(path: Path) -> str:
     return _decoded(read_bytes(path, _MOST), "utf-8-sig", path)
 
 
-def read_any_text(path: Path, encoding: str | None = None) -> tuple[str, str]:
+def read_any_text(
+    path: Path, encoding: str | None = None, sheet: str | None = None
+) -> tuple[str, str]:
     """The file's text and its encoding: the stated one, that of a byte order mark, UTF-8, or Western European.
+
+    The text of a workbook is that of one ``sheet``.
 
     What is not UTF-8 is read as Windows-1252, of which Latin-1 is a part. Were it another encoding, only letters of
     names and units would be wrong, which then fit nothing.
 
     Raises:
-        InputError: as ``read_text``; an unknown encoding; no text.
+        InputError: as ``read_text``; an unknown encoding; no text; as ``sheet_text``.
     """
-    return any_text(read_bytes(path, _MOST_OF_TABLE), path, encoding)
+    data = read_bytes(path, _MOST_OF_TABLE)
+    check_content(data, path)
+    if path.suffix.lower() in WORKBOOKS:
+        return sheet_text(path, sheet), "utf-8"
+    return any_text(data, path, encoding)
 
 
 def any_text(data: bytes, path: Path, encoding: str | None = None) -> tuple[str, str]:

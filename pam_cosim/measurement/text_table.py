@@ -7,6 +7,7 @@ import re
 from collections import Counter
 from collections.abc import Container, Iterator, Sequence
 from contextlib import suppress
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -33,6 +34,7 @@ from pam_cosim.measurement.text_file import WESTERN, read_any_text
 from pam_cosim.measurement.text_header import other_line
 from pam_cosim.measurement.text_layout import WORDS, TextLayout, decimal_sign, find_layout
 from pam_cosim.measurement.text_rows import LOOKED_AT, Line, is_comment, split_cells
+from pam_cosim.measurement.workbook import WORKBOOKS
 from pam_cosim.model.interface import SWITCH_WORDS
 from pam_cosim.wording import shown
 
@@ -55,7 +57,7 @@ def read_text_table(file: Path, stated: Layout) -> Table:
         InputError: not readable, empty, ambiguous, a heading twice, a row of the wrong length, a cell that is no
             finite number; with line and column.
     """
-    text, encoding = read_any_text(file, stated.encoding)
+    text, encoding, stated = _opened(file, stated)
     lines = _filled_lines(text, file)
     is_ended = _is_ended(text)
     del text
@@ -103,6 +105,14 @@ def read_text_table(file: Path, stated: Layout) -> Table:
     numbers = np.array([number for number, _ in body], dtype=np.int64)
     notes = tuple(_notes(layout, encoding, reader.decimal, cut))
     return Table(file, columns, layout.header_line or None, numbers, notes, tuple(reader.met))
+
+
+def _opened(file: Path, stated: Layout) -> tuple[str, str, Layout]:
+    """The text, its encoding and what is stated of it; of a workbook, numbers are written in one way."""
+    text, encoding = read_any_text(file, stated.encoding, stated.table)
+    if file.suffix.lower() in WORKBOOKS:
+        stated = replace(stated, separator=",", decimal=".")
+    return text, encoding, stated
 
 
 def _is_ended(text: str) -> bool:
@@ -155,7 +165,7 @@ def text_columns(file: Path, stated: Layout) -> dict[str, tuple[str, ...]]:
     Raises:
         InputError: as ``read_text_table``, where the file has no rows or its separator is ambiguous.
     """
-    text, _ = read_any_text(file, stated.encoding)
+    text, _, stated = _opened(file, stated)
     lines = _filled_lines(text, file)
     if not lines:
         return {}

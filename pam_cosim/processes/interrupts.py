@@ -44,10 +44,12 @@ def sigint_blocked() -> Iterator[None]:
 def sigint_unblocked() -> Iterator[None]:
     """In the main thread of a deaf process: what is inside can be interrupted, once; earlier interrupts do not count.
 
+    Another thread, such as one of a process of Dask, hears no interrupts.
+
     Raises:
         KeyboardInterrupt: it was.
     """
-    if not _MASKS:
+    if not _MASKS or current_thread() is not main_thread():
         yield
         return
     while signal.SIGINT in signal.sigpending():

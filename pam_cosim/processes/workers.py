@@ -13,6 +13,7 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, Executor, Future, wait
 from concurrent.futures.process import BrokenProcessPool
 from contextlib import contextmanager, suppress
+from contextvars import ContextVar
 from functools import partial, wraps
 from importlib import import_module
 from multiprocessing import active_children
@@ -20,12 +21,13 @@ from multiprocessing.process import BaseProcess
 from typing import Any, ParamSpec, TypeVar
 
 from loky import (
-    ProcessPoolExecutor,
     get_reusable_executor,
 )  # its processes do not run the user's script again, as the standard ones do
 from loky.backend import resource_tracker as loky_tracker
 from threadpoolctl import threadpool_limits
 
+from pam_cosim.errors import InputError
+from pam_cosim.libraries import library
 from pam_cosim.processes.interrupts import sigint_blocked, sigint_unblocked
 from pam_cosim.processes.safe_path import SAFE, safe_path
 
@@ -80,15 +82,18 @@ threading.Thread(target=watch, daemon=True).start()
 """
 
 
-def _pool(count: int) -> ProcessPoolExecutor:
+def _pool(count: int) -> Executor:
+    if (elsewhere := _elsewhere.get()) is not None:
+        return elsewhere
     known = {"parent": os.getpid(), "pause": _LOOK}
-    return get_reusable_executor(
+    pool: Executor = get_reusable_executor(
         count,
         timeout=_IDLE,
         env=_ALONE | SAFE,
         initializer=exec,
         initargs=(_END_WITH_PARENT, known),
     )
+    return pool
 
 
 def _start_helpers() -> None:
@@ -153,10 +158,82 @@ def local_pool(count: int) -> Iterator[Executor]:
         _running.clear()
 
 
+@contextmanager
+def executor_of(executor: Any) -> Iterator[tuple[Executor, int]]:
+    """An executor and the number of its processes, as far as it tells.
+
+    Args:
+        executor: of ``concurrent.futures``; a Dask client or the address of a Dask scheduler.
+
+    Raises:
+        InputError: no such executor.
+    """
+    if isinstance(executor, Executor):
+        yield executor, getattr(executor, "_max_workers", None) or processors()
+        return
+    client, own = executor, False
+    if isinstance(executor, str):
+        client, own = _client(executor), True
+    if not hasattr(client, "get_executor"):
+        raise InputError(
+            "an executor of concurrent.futures is needed, a Dask client, or the address of a Dask scheduler"
+        )
+    try:
+        with client.get_executor(pure=False) as pool:
+            yield pool, max(1, sum(client.nthreads().values()))
+    finally:
+        if own:
+            client.close()
+
+
+def _client(address: str) -> Any:
+    client = library("distributed").Client
+    try:
+        return client(address, timeout="10s")
+    except (OSError, ValueError, TimeoutError) as problem:
+        raise InputError(f"there is no Dask scheduler at '{address}': {problem}") from None
+
+
+_elsewhere: ContextVar[Executor | None] = ContextVar("elsewhere", default=None)
+
+
+@contextmanager
+def working_on(executor: Any) -> Iterator[None]:
+    """Meanwhile ``run_tasks`` takes an executor (``executor_of``) for processes of this machine; None: these.
+
+    Raises:
+        InputError: no such executor.
+    """
+    if executor is None:
+        yield
+        return
+    with executor_of(executor) as (pool, _):
+        token = _elsewhere.set(_OnOneThread(pool))
+        try:
+            yield
+        finally:
+            _elsewhere.reset(token)
+
+
+class _OnOneThread(Executor):
+    """Processes of elsewhere, whose linear algebra is as that of the processes of this machine."""
+
+    def __init__(self, pool: Executor) -> None:
+        self._pool = pool
+
+    def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
+        return self._pool.submit(_alone, partial(fn, *args, **kwargs))
+
+
+def _alone(task: Callable[[], Result]) -> Result:
+    with threadpool_limits(limits=1):
+        return task()
+
+
 class _Interruptible(Executor):
     """Processes whose tasks can be interrupted and clean up."""
 
-    def __init__(self, pool: ProcessPoolExecutor) -> None:
+    def __init__(self, pool: Executor) -> None:
         self._pool = pool
 
     def submit(self, fn: Callable[..., Any], /, *args: Any, **kwargs: Any) -> Future[Any]:
@@ -174,7 +251,7 @@ def running_tasks(futures: Iterable[Future[Any]]) -> None:
 
 def wake(workers: int | None = None, module: str = __name__) -> None:
     """Starts the processes and lets them load a module, so that they are ready when the first tasks come."""
-    if workers == 0:
+    if workers == 0 or _elsewhere.get() is not None:
         return
     count = workers or processors()
     _start_helpers()
@@ -245,10 +322,10 @@ def _attempt(
     folder = _folder()
     _start_helpers()
     with sigint_blocked():
-        pool = _pool(count)
+        submit: Callable[..., Future[Result]] = _pool(count).submit
         for i in chosen:
             try:
-                running[pool.submit(_interruptibly, folder, function, tasks[i])] = i
+                running[submit(_interruptibly, folder, function, tasks[i])] = i
             except BrokenProcessPool:
                 lost.append(i)
     try:

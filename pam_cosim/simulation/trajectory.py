@@ -16,6 +16,7 @@ from pam_cosim.arrays import Array
 from pam_cosim.errors import InputError
 from pam_cosim.exports import Columns, Tabular, check_table_ending, write_table
 from pam_cosim.files import read_file, written_whole
+from pam_cosim.libraries import library
 from pam_cosim.simulation.netcdf import with_netcdf_names
 from pam_cosim.units import format_quantity
 from pam_cosim.wording import Printed
@@ -81,12 +82,13 @@ class Trajectory(Printed, Tabular):
             with written_whole(path) as name:
                 with_netcdf_names(self.to_xarray()).to_netcdf(name, engine="h5netcdf")
         elif path.suffix.lower() == ".parquet":
-            frame = self.to_frame().reset_index()
-            units = frame.attrs.pop("units")
+            parquet, arrow = library("pyarrow.parquet"), library("pyarrow")
+            columns = {
+                f"{name} [{unit or '1'}]": values
+                for name, (values, unit) in self.frame_columns().items()
+            }
             with written_whole(path) as name:
-                frame.rename(
-                    columns={n: f"{n} [{units[n] or '1'}]" for n in frame.columns}
-                ).to_parquet(name)
+                parquet.write_table(arrow.table(columns), name)
         else:
             self.to_csv(path)
         return path

@@ -14,6 +14,7 @@ from pam_cosim.errors import InputError
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.settings import Setting
 from pam_cosim.problems import Problem
+from pam_cosim.processes.workers import working_on
 from pam_cosim.simulation.models import Paths
 from pam_cosim.study.problems import as_problem
 from pam_cosim.study.products import Product
@@ -29,6 +30,7 @@ def diagnose(
     say: Callable[[Message], None] = lambda message: None,
     progress: Listener | None = None,
     workers: int | None = None,
+    executor: Any = None,
     explain: bool = True,
     time_limit: Setting | None = None,
     simulation_limit: int | None = None,
@@ -45,25 +47,28 @@ def diagnose(
     ``time_limit`` ([s], or with a unit) ends the search with the best verdict so far, which says what was not tried;
     so does ``simulation_limit``, a number of simulated runs, with the same verdict however quick the machine is.
     ``exclude`` and ``expect`` name families or effects that are known not to be missing, or that are likely, with those
-    of the data set. ``data``, ``free``, ``start`` and ``parameters`` are as for ``fit``.
+    of the data set. ``executor`` fits the models elsewhere, as that of ``sweep`` makes runs; a process of it needs this
+    package, the files at the same paths, and one thread. ``data``, ``free``, ``start`` and ``parameters`` are as for
+    ``fit``.
     """
     limit = _seconds(time_limit, "time limit")
     if limit is not None and not limit > 0:
         raise InputError(f"the time limit must be above zero: {time_limit}")
     problem = as_problem(data, model, files, values=parameters, free=free, start=start)
-    return _diagnose(
-        problem.data,
-        problem.model,
-        files=problem.files,
-        say=say,
-        progress=progress,
-        workers=checked_workers(workers),
-        explain=explain,
-        time_limit=limit,
-        simulation_limit=checked_simulations(simulation_limit),
-        exclude=tuple(exclude),
-        expect=tuple(expect),
-    )
+    with working_on(executor):
+        return _diagnose(
+            problem.data,
+            problem.model,
+            files=problem.files,
+            say=say,
+            progress=progress,
+            workers=checked_workers(workers),
+            explain=explain,
+            time_limit=limit,
+            simulation_limit=checked_simulations(simulation_limit),
+            exclude=tuple(exclude),
+            expect=tuple(expect),
+        )
 
 
 def check(

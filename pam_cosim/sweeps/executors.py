@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import FIRST_COMPLETED, BrokenExecutor, Executor, Future, wait
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import Any
 
 from pam_cosim.arrays import Array
-from pam_cosim.errors import InputError, SimulationFailure
+from pam_cosim.errors import SimulationFailure
 from pam_cosim.processes.interrupts import sigint_blocked
-from pam_cosim.processes.workers import local_pool, processors, running_tasks
+from pam_cosim.processes.workers import executor_of, local_pool, processors, running_tasks
 from pam_cosim.sweeps.records import RunResult
 from pam_cosim.sweeps.task import Batch, SweepJob, forget_foreign, make_runs
 
@@ -46,7 +45,7 @@ def run_all(
         finally:
             forget_foreign()
         return
-    with _executor(executor) as (pool, count):
+    with executor_of(executor) as (pool, count):
         _feed(replace(job, content=job.fmu.read_bytes()), runs, points, pool, count, say, None)
 
 
@@ -64,40 +63,6 @@ def _run_here(job: SweepJob, left: list[int], points: Array, workers: int | None
         count = min(workers or processors(), len(left))
         with local_pool(count) as pool:
             _feed(job, left, points, pool, count, say, first)
-
-
-@contextmanager
-def _executor(executor: Any) -> Iterator[tuple[Executor, int]]:
-    """An executor and the number of its processes, as far as it tells."""
-    if isinstance(executor, Executor):
-        yield executor, getattr(executor, "_max_workers", None) or processors()
-        return
-    client, own = executor, False
-    if isinstance(executor, str):
-        client, own = _client(executor), True
-    if not hasattr(client, "get_executor"):
-        raise InputError(
-            "an executor of concurrent.futures is needed, a Dask client, or the address of a Dask scheduler"
-        )
-    try:
-        with client.get_executor(pure=False) as pool:
-            yield pool, max(1, sum(client.nthreads().values()))
-    finally:
-        if own:
-            client.close()
-
-
-def _client(address: str) -> Any:
-    try:
-        from distributed import Client
-    except ImportError:
-        raise InputError(
-            "runs on a Dask cluster need Dask: pip install 'pam-cosim[dask]'"
-        ) from None
-    try:
-        return Client(address, timeout="10s")  # type: ignore[no-untyped-call]
-    except (OSError, ValueError, TimeoutError) as problem:
-        raise InputError(f"there is no Dask scheduler at '{address}': {problem}") from None
 
 
 def _parts(runs: Sequence[int], size: int) -> Iterator[list[int]]:

@@ -6,12 +6,14 @@ import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import pandas
-import xarray
 
+from pam_cosim.libraries import library
 from pam_cosim.sweeps.names import FAILURE, RUN, TIME
 
 if TYPE_CHECKING:
+    import pandas
+    import xarray
+
     from pam_cosim.sweeps.result import Sweep
 
 
@@ -20,20 +22,29 @@ def axis_name(sweep: Sweep, name: str) -> str:
     return f"start of {name}" if name in sweep.outputs else name
 
 
-def frame(sweep: Sweep) -> pandas.DataFrame:
-    """A row for each run."""
+def columns_of(sweep: Sweep) -> dict[str, Any]:
+    """What was varied, the scalars and the failures of all runs, by name."""
     design = sweep.design
     columns: dict[str, Any] = {
         axis_name(sweep, n): design.labels(n, design.points[:, i])
         for i, n in enumerate(design.names)
     }
     columns |= {scalar.name: sweep.column(scalar.name) for scalar in sweep.scalars}
-    columns[FAILURE] = sweep.table.failures()
-    table = pandas.DataFrame(columns, index=pandas.RangeIndex(len(sweep), name=RUN))
-    table.attrs["units"] = {
+    return {**columns, FAILURE: sweep.table.failures()}
+
+
+def units_of(sweep: Sweep) -> dict[str, str]:
+    """The units of ``columns_of``, and of the outputs."""
+    return {
         axis_name(sweep, name) if name in sweep.design.units else name: unit
         for name, unit in sweep.units.items()
     }
+
+
+def frame(sweep: Sweep) -> pandas.DataFrame:
+    """A row for each run."""
+    table: pandas.DataFrame = library("pandas").DataFrame(columns_of(sweep)).rename_axis(RUN)
+    table.attrs["units"] = units_of(sweep)
     return table
 
 
@@ -47,6 +58,7 @@ def dataset(sweep: Sweep) -> xarray.Dataset:
 
 def skeleton(sweep: Sweep) -> xarray.Dataset:
     """Everything but the values over time."""
+    xarray = library("xarray")
     dims, shape, coordinates = _axes(sweep)
     variables = {
         s.name: (dims, sweep.column(s.name).reshape(shape), {"units": s.unit, "long_name": s.name})
@@ -55,13 +67,13 @@ def skeleton(sweep: Sweep) -> xarray.Dataset:
     failures = np.array(sweep.table.failures(), dtype=object).reshape(shape)
     if sweep.outputs:
         coordinates[TIME] = (TIME, sweep.time, {"units": "s"})
-    made = xarray.Dataset({**variables, FAILURE: (dims, failures)}, coordinates)
-    made.attrs = {
+    attributes = {
         "model": sweep.interface.model,
         "settings": json.dumps(sweep.fixed),
         "design": sweep.design.kind,
     }
-    return made
+    variables[FAILURE] = (dims, failures, {})
+    return xarray.Dataset(variables, coordinates, attributes)  # type: ignore[no-any-return]
 
 
 def output(sweep: Sweep, name: str) -> xarray.DataArray:
@@ -70,7 +82,9 @@ def output(sweep: Sweep, name: str) -> xarray.DataArray:
     variable = sweep.interface.variables[name]
     values = sweep.table.output(sweep.outputs.index(name)).reshape(*shape, sweep.time.size)
     attributes = {"units": variable.unit or "1", "long_name": variable.description or name}
-    return xarray.DataArray(values, dims=(*dims, TIME), attrs=attributes, name=name)
+    return library("xarray").DataArray(  # type: ignore[no-any-return]
+        values, dims=(*dims, TIME), attrs=attributes, name=name
+    )
 
 
 def _axes(sweep: Sweep) -> tuple[tuple[str, ...], tuple[int, ...], dict[str, Any]]:

@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING, Any, overload
 import numpy as np
 
 from pam_cosim.arrays import Array
-from pam_cosim.exports import library
 from pam_cosim.model.interface import Interface
 from pam_cosim.simulation import Trajectory
 from pam_cosim.sweeps.design import Design
@@ -133,14 +132,12 @@ class Sweep(Printed):
 
     def to_xarray(self) -> xarray.Dataset:
         """All of it, labelled and with units: what was varied are the axes of a grid, or coordinates along "run"."""
-        library("xarray")
         from pam_cosim.sweeps.labelled import dataset
 
         return dataset(self)
 
     def to_frame(self) -> pandas.DataFrame:
         """A row for each run: what was varied, scalars, and why a run failed; ``attrs["units"]`` has the units."""
-        library("pandas")
         from pam_cosim.sweeps.labelled import frame
 
         return frame(self)

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 import csv
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import chain
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -11,15 +12,16 @@ import numpy as np
 
 from pam_cosim.exports import check_table_ending
 from pam_cosim.files import written_whole
+from pam_cosim.libraries import library
 from pam_cosim.simulation.netcdf import with_netcdf_names
-from pam_cosim.sweeps.labelled import axis_name, frame, output, skeleton
-from pam_cosim.sweeps.names import FAILURE
+from pam_cosim.sweeps.labelled import axis_name, columns_of, output, skeleton, units_of
+from pam_cosim.sweeps.names import FAILURE, TIME
 
 if TYPE_CHECKING:
-    import pandas
-
     from pam_cosim.sweeps.result import Sweep
 
+Columns = Mapping[str, Any]
+"""Values of some rows, by heading."""
 _ROWS = 200_000  # of a table, in memory at once
 
 
@@ -44,16 +46,12 @@ def _netcdf(sweep: Sweep, path: Path) -> None:
 
 
 def _parquet(sweep: Sweep, path: Path) -> None:
-    import pyarrow
-    from pyarrow import parquet
-
-    writer = None
-    for part in _tables(sweep):
-        table = pyarrow.Table.from_pandas(part, preserve_index=False)
-        writer = writer or parquet.ParquetWriter(path, table.schema)
-        writer.write_table(table)
-    if writer is not None:
-        writer.close()
+    parquet, arrow = library("pyarrow.parquet"), library("pyarrow")
+    tables = (arrow.table(dict(part)) for part in _tables(sweep))
+    first = next(tables)
+    with parquet.ParquetWriter(path, first.schema) as writer:
+        for table in chain([first], tables):
+            writer.write_table(table)
 
 
 def _csv(sweep: Sweep, path: Path) -> None:
@@ -61,65 +59,48 @@ def _csv(sweep: Sweep, path: Path) -> None:
         table = csv.writer(file, lineterminator="\n")
         for i, part in enumerate(_tables(sweep)):
             if i == 0:
-                table.writerow(part.columns)
-            columns = [_cells(name, part[name].to_numpy().tolist()) for name in part.columns]
-            table.writerows(zip(*columns, strict=True))
+                table.writerow(part)
+            table.writerows(zip(*map(_cells, part.values()), strict=True))
 
 
-def _cells(name: str, values: list[Any]) -> list[Any]:
-    return values if name == FAILURE else [_cell(value) for value in values]
+def _cells(values: Sequence[Any]) -> list[str]:
+    """Texts as they are, numbers so that they read back, and nothing where there is none."""
+    return [
+        v if isinstance(v, str) else "" if v != v else repr(v) for v in np.asarray(values).tolist()
+    ]
 
 
-def _cell(value: float | str) -> str:
-    return value if isinstance(value, str) else "" if value != value else repr(value)
-
-
-def _tables(sweep: Sweep) -> Iterator[pandas.DataFrame]:
-    """The rows a few at a time, columns headed ``name [unit]``."""
+def _tables(sweep: Sweep) -> Iterator[Columns]:
+    """The rows a few at a time, columns headed ``name [unit]``: of each run, or of each time of each run."""
+    units = units_of(sweep) | {TIME: "s"}
     if sweep.scalars or not sweep.outputs:
-        whole = frame(sweep)
-        units = whole.attrs["units"]
-        yield whole.rename(
-            columns={n: f"{n} [{units[n] or '1'}]" for n in whole.columns if n != FAILURE}
+        parts: Iterable[Columns] = [columns_of(sweep)]
+    else:
+        runs = max(1, _ROWS // sweep.time.size)
+        starts = range(0, len(sweep), runs)
+        parts = (_long(sweep, range(i, min(i + runs, len(sweep)))) for i in starts)
+    for part in parts:
+        yield {n if n == FAILURE else f"{n} [{units[n] or '1'}]": v for n, v in part.items()}
+
+
+def _long(sweep: Sweep, runs: range) -> Columns:
+    parts = [_of_run(sweep, run) for run in runs]
+    return {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
+
+
+def _of_run(sweep: Sweep, run: int) -> Columns:
+    """A row for each time of a run; a run that failed has one row without a time."""
+    design, failure = sweep.design, sweep.table.failure(run)
+    values = (
+        np.full((1 + len(sweep.outputs), 1), np.nan)
+        if failure
+        else np.vstack([sweep.time, *sweep.table.values(run)])
+    )
+    varied = {
+        axis_name(sweep, n): np.repeat(
+            design.labels(n, design.points[run, i : i + 1]), values.shape[1]
         )
-        return
-    runs = max(1, _ROWS // sweep.time.size)
-    for first in range(0, len(sweep), runs):
-        yield _long(sweep, range(first, min(first + runs, len(sweep))))
-
-
-def _long(sweep: Sweep, runs: range) -> pandas.DataFrame:
-    """A row for each time of each run; a run that failed has one row without a time."""
-    import pandas
-
-    parts = []
-    for run in runs:
-        failure = sweep.table.failure(run)
-        varied = {
-            f"{axis_name(sweep, n)} [{u or '1'}]": sweep.design.labels(
-                n, sweep.design.points[run, i : i + 1]
-            )[0]
-            for i, (n, u) in enumerate(sweep.design.units.items())
-        }
-        names = {n: f"{n} [{sweep.units[n] or '1'}]" for n in sweep.outputs}
-        if failure:
-            columns = {
-                "time [s]": np.array([np.nan]),
-                **{head: np.array([np.nan]) for head in names.values()},
-            }
-        else:
-            values = sweep.table.values(run)
-            columns = {
-                "time [s]": sweep.time,
-                **{head: values[i] for i, head in enumerate(names.values())},
-            }
-        parts.append(
-            pandas.DataFrame(
-                {
-                    **{n: [v] * len(columns["time [s]"]) for n, v in varied.items()},
-                    **columns,
-                    FAILURE: failure,
-                }
-            )
-        )
-    return pandas.concat(parts, ignore_index=True)
+        for i, n in enumerate(design.names)
+    }
+    failures = np.full(values.shape[1], failure, dtype=object)
+    return {**varied, **dict(zip((TIME, *sweep.outputs), values, strict=True)), FAILURE: failures}

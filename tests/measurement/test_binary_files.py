@@ -110,7 +110,28 @@ def parquet_times(file: Path) -> Layout:
     return Layout()
 
 
+def workbook(file: Path) -> Layout:
+    """Above the table a title; beside its sheet another one."""
+    with pandas.ExcelWriter(file) as out:
+        for sheet, rows in (("rig", MATRIX), ("notes", MATRIX[:2])):
+            pandas.DataFrame(rows, columns=NAMES).to_excel(
+                out, sheet_name=sheet, index=False, startrow=2
+            )
+        out.sheets["rig"]["A1"] = "Filling of a muscle, 7 bar"
+    return Layout(table="rig", separator=";", decimal=",")
+
+
+def workbook_times(file: Path) -> Layout:
+    dates = pandas.to_datetime(TIME, unit="s", origin="2024-03-12 14:05:00")
+    columns = {"time": dates, "p [kPa]": P, "x [mm]": X}
+    with pandas.ExcelWriter(file, datetime_format="yyyy-mm-dd hh:mm:ss.000") as out:
+        pandas.DataFrame().to_excel(out, sheet_name="empty")
+        pandas.DataFrame(columns).to_excel(out, sheet_name="rig", index=False)
+    return Layout()
+
+
 FILES = [
+    ("run.xlsx", workbook), ("run.XLSX", workbook_times),
     ("run.mat", matlab), ("run.mat", matlab_structure), ("run.mat", matlab_matrix), ("run.mat", matlab_73),
     ("run.h5", hdf5), ("run.hdf5", hdf5_fields), ("run.h5", hdf5_matrix), ("run.tdms", tdms),
     ("run.TDMS", tdms_groups), ("run.parquet", parquet_headings), ("run.parquet", parquet_times),
@@ -156,7 +177,7 @@ def refusal(file: Path, stated: Layout | None = None) -> InputError:
 @pytest.mark.parametrize(
     "content", [b"", b"time,p\n0,1\n", b"\x89HDF\r\n\x1a\n" + bytes(40), b"TDSm" + b"\xff" * 60]
 )
-@pytest.mark.parametrize("name", ["run.mat", "run.h5", "run.tdms", "run.parquet"])
+@pytest.mark.parametrize("name", ["run.mat", "run.h5", "run.tdms", "run.parquet", "run.xlsx"])
 def test_what_is_no_such_file(tmp_path, name, content):
     (tmp_path / name).write_bytes(content)
     assert (
@@ -165,10 +186,42 @@ def test_what_is_no_such_file(tmp_path, name, content):
     )
 
 
-def test_a_missing_library_names_the_extra(tmp_path, monkeypatch):
-    tdms(tmp_path / "run.tdms")
-    monkeypatch.setitem(sys.modules, "nptdms", None)
-    assert "pip install 'pam-cosim[tdms]'" in refusal(tmp_path / "run.tdms").message
+@pytest.mark.parametrize(
+    ("name", "library", "extra"),
+    [
+        ("run.tdms", "nptdms", "lab"),
+        ("run.xlsx", "python_calamine", "lab"),
+        ("run.h5", "h5py", "tables"),
+        ("run.parquet", "pyarrow", "tables"),
+    ],
+)
+def test_a_missing_library_names_the_extra(tmp_path, monkeypatch, name, library, extra):
+    (tmp_path / name).touch()
+    monkeypatch.setitem(sys.modules, library, None)
+    message = f"{library} is needed and is not installed: pip install 'pam-cosim[{extra}]'"
+    assert refusal(tmp_path / name).message == message
+
+
+def test_a_sheet_is_named_or_numbered(tmp_path):
+    file = tmp_path / "run.xlsx"
+    workbook(file)
+    message = 'state one of rig, notes under [recording], as table = "rig"'
+    assert refusal(file).message == f"the workbook has several sheets; {message}"
+    assert refusal(file, Layout(table="3")).message == f"there is no sheet '3'; {message}"
+    assert len(read_table(file, Layout(table="2")).columns["time"].values) == 2
+    table = read_table(file, Layout(table="rig"))
+    assert table.header_line == 3 and table.lines.tolist() == [4, 5, 6]
+
+
+@pytest.mark.parametrize(
+    "name", ["run.csv", "run.xlsx", "run.h5", "run.mat", "run.parquet", "run.tdms"]
+)
+def test_a_pointer_of_git_is_named(tmp_path, name):
+    text = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a2146\nsize 12345\n"
+    (tmp_path / name).write_text(text)
+    assert refusal(tmp_path / name).message.endswith(
+        "pointer of Git LFS, and not the recording: git lfs pull"
+    )
 
 
 def test_what_must_be_stated_is_named(tmp_path):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from concurrent.futures import Future, ThreadPoolExecutor
 from pathlib import Path
 from threading import Event
@@ -16,6 +16,7 @@ import xarray
 
 import pam_cosim as pam
 from pam_cosim.sweeps import executors, partial_of, same
+from tests.documentation.pages import ROOT
 from tests.fmu import models
 
 VARY: dict[str, Any] = {"u_in": np.linspace(0.25, 0.35, 4), "p_supply": ["138 kPa", "207 kPa"]}
@@ -30,6 +31,18 @@ def swept(**more: Any) -> pam.Sweep:
 @pytest.fixture(scope="module")
 def reference() -> pam.Sweep:
     return swept(scalars=SCALARS, trajectories=True)
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """The address of a Dask scheduler with two processes."""
+    from distributed import LocalCluster
+
+    folder = tmp_path_factory.mktemp("cluster")
+    with LocalCluster(  # type: ignore[no-untyped-call]
+        n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=folder
+    ) as started:
+        yield started.scheduler_address
 
 
 def test_every_run_is_what_simulate_makes(reference: pam.Sweep) -> None:
@@ -63,20 +76,20 @@ def test_processes_make_the_same_numbers(reference: pam.Sweep, workers: int | No
     assert same(reference, swept(scalars=SCALARS, trajectories=True, workers=workers))
 
 
-@pytest.mark.full
-def test_a_dask_cluster_makes_the_same_numbers(reference: pam.Sweep, tmp_path: Path) -> None:
-    from distributed import Client, LocalCluster
+def test_a_dask_cluster_makes_the_same_numbers(reference: pam.Sweep, cluster: str) -> None:
+    assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=cluster))
 
-    with (
-        LocalCluster(
-            n_workers=2, threads_per_worker=1, dashboard_address=None, local_directory=tmp_path
-        ) as cluster,  # type: ignore[no-untyped-call]
-        Client(cluster) as client,  # type: ignore[no-untyped-call]
-    ):
-        assert same(reference, swept(scalars=SCALARS, trajectories=True, executor=client))
-        assert same(
-            reference, swept(scalars=SCALARS, trajectories=True, executor=cluster.scheduler_address)
-        )
+
+def test_a_dask_cluster_makes_the_same_diagnosis(cluster: str) -> None:
+    """A muscle without its bladder's stiffness in the model, of which three candidates are fitted."""
+    data = pam.read(ROOT / "examples" / "hidden-spring")
+    families = {effect.family for effect in pam.effects()} - {"elasticity", "dry_friction", "leak"}
+    here, there = (
+        pam.diagnose(data, exclude=sorted(families), explain=False, **where).as_dict()
+        for where in ({"workers": 2}, {"executor": cluster})
+    )
+    assert json.dumps(here) == json.dumps(there)
+    assert here["verdict"]["families"] == ["elasticity"]
 
 
 def test_labelled_by_what_was_varied(reference: pam.Sweep) -> None:

@@ -81,6 +81,9 @@ def diagnose(
     values: ValuesOption = False,
     files: FilesOption = None,
     workers: WorkersOption = None,
+    dask: Annotated[
+        str | None, typer.Option(help="Address of a Dask scheduler that fits the models.")
+    ] = None,
     time_limit: Annotated[
         str | None,
         typer.Option(help="End the search after so long ('30 s') with the best verdict so far."),
@@ -120,6 +123,7 @@ def diagnose(
             say=say,
             progress=follower(status),
             workers=workers,
+            executor=dask,
             time_limit=time_limit,
             simulation_limit=simulation_limit,
             exclude=exclude or [],

@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from pam_cosim.cli.commands.common import FilesOption, ModelOption
-from pam_cosim.errors import InputError
+from pam_cosim.libraries import library
 
 
 def workbench(
@@ -24,12 +24,7 @@ def workbench(
     files: FilesOption = None,
 ) -> None:
     """Open a study in the browser: drag parameters, fit, diagnose, add, and see the error fall."""
-    try:
-        from pam_cosim.workbench.server import serve
-    except ImportError as problem:
-        hint = "the workbench needs some further packages: pip install 'pam-cosim[workbench]'"
-        raise InputError(f"{hint} ({problem.name} is missing)") from None
-    serve(
+    library("pam_cosim.workbench.server").serve(
         data,
         model=model,
         files=files or [],
