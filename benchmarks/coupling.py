@@ -154,6 +154,7 @@ def draw(order: dict[str, Points], cost: dict[str, dict[str, Points]]) -> str:
         SOFT,
         VERMILLION,
         drawing,
+        image,
         new_figure,
     )
 
