@@ -70,6 +70,7 @@ def _diagnosed(rig: Path, workers: int, limit: float | None) -> dict[str, Any]:
         "named": verdict["families"],
         "effects": verdict["effects"],
         "families": verdict["posterior"]["families"],
+        "table": verdict["family_table"],
         "base": _holdout(diagnosis.base.comparison),
         "final": _holdout(diagnosis.final.comparison),
         "simulations": diagnosis.simulations,
