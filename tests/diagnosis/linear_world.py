@@ -143,10 +143,11 @@ class LinearWorld(Search):
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         return []
 
-    def needed(self, c: Candidate, most: int) -> tuple[str, ...]:
+    def reduced(self, c: Candidate, most: int) -> FitRequest:
         strengths = {e: abs(c.fit.values[f"{e}.strength"]) for e in c.effects}
         strongest = sorted(c.effects, key=lambda e: -strengths[e])[:most]
-        return tuple(e for e in c.effects if e in strongest and strengths[e] > _NEEDED)
+        needed = tuple(e for e in c.effects if e in strongest and strengths[e] > _NEEDED)
+        return FitRequest(needed, c.fit.values)
 
     def without_outliers(self, fit: Fit) -> LinearWorld:
         return self

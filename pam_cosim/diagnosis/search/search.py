@@ -19,7 +19,7 @@ from pam_cosim.diagnosis.judgement.events import CandidateTried, EffectProbed, R
 from pam_cosim.diagnosis.judgement.message import Message
 from pam_cosim.diagnosis.judgement.model_space import ModelSpace
 from pam_cosim.diagnosis.search.effort import Effort
-from pam_cosim.diagnosis.search.elimination import needed_effects
+from pam_cosim.diagnosis.search.elimination import fitted_with, needed_effects
 from pam_cosim.diagnosis.search.full_model import FullModel, FullTrial, full_crashed, run_full
 from pam_cosim.diagnosis.search.probing import EffectProbe, StatedEffect
 from pam_cosim.diagnosis.search.trial import (
@@ -258,15 +258,18 @@ class Search:
         """What the choice of one more effect costs, about."""
         return 2 * math.log(max(len(self.available_effects), 1))
 
-    def needed(self, c: Candidate, most: int) -> tuple[str, ...]:
-        """The effects of a fitted model that the data need, so many at most, to first order."""
+    def reduced(self, c: Candidate, most: int) -> FitRequest:
+        """A fitted model with the effects that the data need, so many at most, and its values, to first order."""
         composition = compose_on(self.tree, self.structure, c.effects)
         if c.fit.linear is None or composition is None:
-            return c.effects
+            return FitRequest(c.effects, c.fit.values)
         own = {e: composition.parameters[e] for e in c.effects}
         absent = values_of_absence([*map(self.effect, c.effects)], own)
         misfit = max(c.fit.residuals["fit"].chi2_reduced, 1.0)
-        return needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
+        needed = needed_effects(c.fit.linear, own, absent, misfit, self.price, most)
+        values = c.fit.values
+        gone = {n: absent.get(n, values[n]) for e in c.effects if e not in needed for n in own[e]}
+        return FitRequest(needed, values, fitted_with(c.fit.linear, gone)[0])
 
     def simpler_laws(self, c: Candidate) -> list[tuple[str, ...]]:
         """A fitted model with the law that one of its effects turns into where a parameter ended at a bound."""

@@ -9,7 +9,7 @@ their family, left out and added, until none of it pays.
 
 from __future__ import annotations
 
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -187,24 +187,17 @@ class _Models:
             self._reduce(full.effects)
 
     def _reduce(self, effects: tuple[str, ...]) -> None:
-        """From a model of very many effects to one of as many as an explanation may have.
-
-        Other members are tried in the place of each effect before any is left out: what a wrong member leaves is taken
-        up by others.
-        """
-        first = self.fitted.get(effects)
-        if first is None or self._is_effort_spent([]):
-            return
-        leading = self.search.needed(first, CRITERIA.search.together)
-        best = self._best_of([effects, *self._exchange_members(first, leading)])
+        """From a model of very many effects to one of as many as an explanation may have."""
+        best = self.fitted.get(effects)
         while best is not None and len(best.effects) > CRITERIA.search.most_effects:
             some = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
-            fewer = self.search.needed(best, some)
-            self._try(self._requests(best, [fewer]))
-            best = self.fitted.get(fewer)
+            fewer = self.search.reduced(best, some)
+            self._try([fewer])
+            best = self.fitted.get(fewer.effects)
         for names in [n for n in self.fitted if len(n) > CRITERIA.search.most_effects]:
             del self.fitted[names]  # they only led the way
         self.ranking.update_scale()
+        self._finish_best()
 
     def refine(self) -> None:
         """Small moves from the leading model, until none of them pays.
@@ -272,19 +265,10 @@ class _Models:
         leading = self._leading()
         return leading is not None and leading.effects == c.effects
 
-    def _exchange_members(
-        self, best: Candidate, leading: Collection[str] | None = None
-    ) -> list[tuple[str, ...]]:
+    def _exchange_members(self, best: Candidate) -> None:
         """Tries other members of its family in the place of each effect, and the best of all of them together.
 
         Where the model leaves noise, only members with fewer parameters; beside many effects, only plain ones.
-
-        Args:
-            best: the model.
-            leading: the effects that are exchanged; None: all.
-
-        Returns:
-            the sets of effects.
         """
         cost, structured = self.search.cost, self.ranking.has_structure(best)
         plain = CRITERIA.search.combined_parameters if len(best.effects) > 2 else max(cost.values())
@@ -296,7 +280,7 @@ class _Models:
                 and cost[e] <= plain
                 and (structured or cost[e] < cost[name])
             ]
-            for name in (best.effects if leading is None else leading)
+            for name in best.effects
         }
         every = [effects for sets in forms.values() for effects in sets]
         self._try(self._requests(best, every))
@@ -309,8 +293,6 @@ class _Models:
             values = {n: v for c in better.values() for n, v in c.fit.values.items()}
             together = tuple(member.get(name, name) for name in best.effects)
             self._try([FitRequest(together, values | best.fit.values)])
-            every.append(together)
-        return every
 
     def _best_of(self, sets: Sequence[tuple[str, ...]]) -> Candidate | None:
         """The best of some sets of effects that were fitted."""
@@ -325,11 +307,12 @@ class _Models:
         Of many effects the one is left out that is needed least.
         """
         few = len(best.effects) <= _FEW
-        least = [self.search.needed(best, len(best.effects) - 1)]
-        sets = [rest for rest in (_each_left_out(best) if few else least) if rest]
-        if not sets or self._is_effort_spent([]):
+        each = self._requests(best, filter(None, _each_left_out(best)))
+        requests = each if few else [self.search.reduced(best, len(best.effects) - 1)]
+        if not requests or self._is_effort_spent([]):
             return
-        self._record(self.search.fit_briefly(self._requests(best, sets)))
+        self._record(self.search.fit_briefly(requests))
+        sets = [one.effects for one in requests]
         less = [c for s in sets if (c := self.fitted.get(s)) is not None]
         small = [c for c in less if not self.ranking.matters(best, c, 2.0)]
         self._finish_within_effort([c for c in small if c.brief])
