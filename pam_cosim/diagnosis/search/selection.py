@@ -187,8 +187,16 @@ class _Models:
             self._reduce(full.effects)
 
     def _reduce(self, effects: tuple[str, ...]) -> None:
-        """From a model of very many effects to one of as many as an explanation may have."""
-        best = self.fitted.get(effects)
+        """From a model of very many effects to one of as many as an explanation may have.
+
+        Other members are tried in the place of each leading effect before any is left out: what a wrong member leaves
+        is taken up by others.
+        """
+        first = self.fitted.get(effects)
+        if first is None or self._is_effort_spent([]):
+            return
+        leading = self.search.reduced(first, CRITERIA.search.together).effects
+        best = self._best_of([effects, *self._exchange_members(first, leading)])
         while best is not None and len(best.effects) > CRITERIA.search.most_effects:
             some = max(CRITERIA.search.most_effects, len(best.effects) - CRITERIA.search.together)
             fewer = self.search.reduced(best, some)
@@ -265,10 +273,19 @@ class _Models:
         leading = self._leading()
         return leading is not None and leading.effects == c.effects
 
-    def _exchange_members(self, best: Candidate) -> None:
+    def _exchange_members(
+        self, best: Candidate, leading: Sequence[str] | None = None
+    ) -> list[tuple[str, ...]]:
         """Tries other members of its family in the place of each effect, and the best of all of them together.
 
         Where the model leaves noise, only members with fewer parameters; beside many effects, only plain ones.
+
+        Args:
+            best: the model.
+            leading: the effects that are exchanged; None: all.
+
+        Returns:
+            the sets of effects.
         """
         cost, structured = self.search.cost, self.ranking.has_structure(best)
         plain = CRITERIA.search.combined_parameters if len(best.effects) > 2 else max(cost.values())
@@ -280,7 +297,7 @@ class _Models:
                 and cost[e] <= plain
                 and (structured or cost[e] < cost[name])
             ]
-            for name in best.effects
+            for name in (best.effects if leading is None else leading)
         }
         every = [effects for sets in forms.values() for effects in sets]
         self._try(self._requests(best, every))
@@ -293,6 +310,8 @@ class _Models:
             values = {n: v for c in better.values() for n, v in c.fit.values.items()}
             together = tuple(member.get(name, name) for name in best.effects)
             self._try([FitRequest(together, values | best.fit.values)])
+            every.append(together)
+        return every
 
     def _best_of(self, sets: Sequence[tuple[str, ...]]) -> Candidate | None:
         """The best of some sets of effects that were fitted."""
