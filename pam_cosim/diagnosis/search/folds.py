@@ -19,9 +19,15 @@ from pam_cosim.criteria import CRITERIA
 from pam_cosim.diagnosis.judgement.candidate import FailedTrial
 from pam_cosim.diagnosis.judgement.events import Remark
 from pam_cosim.diagnosis.judgement.folds import Folds
-from pam_cosim.diagnosis.search.elimination import fitted_with
+from pam_cosim.diagnosis.search.elimination import fitted_with, left_out
 from pam_cosim.diagnosis.search.search import FitRequest, Search
-from pam_cosim.diagnosis.search.trial import Trial, attempted, free_parameters, values_of_absence
+from pam_cosim.diagnosis.search.trial import (
+    Trial,
+    attempted,
+    crashed,
+    free_parameters,
+    values_of_absence,
+)
 from pam_cosim.fitting import Fit, estimated_starts, fit
 from pam_cosim.measurement import DataSet
 from pam_cosim.model.references import is_ratio
@@ -105,7 +111,7 @@ def fold_results(
         for trial in replace(search, data=one).brief_trials([FitRequest(effects, final.values)])
     ]
     results = search.effort.run_tasks(
-        run_fold, trials, lambda fold: fold.trial.failed("crashed"), lambda _: None, search.workers
+        run_fold, trials, lambda fold: crashed(fold.trial), lambda _: None, search.workers
     )
     return [r for r in results if isinstance(r, FoldResult)]
 
@@ -136,7 +142,8 @@ def _left_out(fold: FoldTrial, trial: Trial, simulator: Simulator) -> FoldResult
     for effect in fold.members:
         absent = values_of_absence([effect], own)
         if absent and best.linear is not None:
-            values, _ = fitted_with(best.linear, absent)
+            others = own.keys() - {effect.name}
+            values, _ = fitted_with(best.linear, left_out(others, own, best.values, absent))
             without[effect.name] = _excess(_judged(simulator, trial.data, best.values | values))
     scores = best.comparison.scores["holdout"]
     return FoldResult(
