@@ -303,7 +303,7 @@ def diagnose(
     result = select_effects(search, base)
     verdict, plans = _verdict(result, subject.sources)
     if verdict.leaves_structure and result.path and not effort.spent:
-        folds = folds_of(result.search, result.path[-1].effects, result.last)
+        folds = folds_of(subject, result.search, result.path[-1].effects, result.last)
         if folds is not None:
             result = with_effects(result, folds.named)
             verdict, plans = _verdict(result, subject.sources)
