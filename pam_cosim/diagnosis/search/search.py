@@ -10,6 +10,8 @@ from functools import cached_property
 from pathlib import Path
 from typing import TypeVar
 
+import numpy as np
+
 from pam_cosim.catalogue import EffectClass, compose_on, qualified
 from pam_cosim.comparison import without_outliers
 from pam_cosim.compiler import ClassTree, Structure, library_hash, read_structure
@@ -179,8 +181,8 @@ class Search:
         """The search without the samples that are outliers beside a fit, and with those that only seemed to be."""
         recorded = self.recorded or self.data
         runs = fit.comparison.against(recorded).runs
-        data, counts = without_outliers(recorded, runs, CRITERIA.noise.outliers_together)
-        return self if counts == self.outliers else replace(self, data=data)
+        data, _ = without_outliers(recorded, runs, CRITERIA.noise.outliers_together)
+        return self if _has_same_samples(data, self.data) else replace(self, data=data)
 
     @property
     def outliers(self) -> dict[str, int]:
@@ -366,6 +368,14 @@ class Search:
                     )
                 )
         return trials
+
+
+def _has_same_samples(one: DataSet, other: DataSet) -> bool:
+    return all(
+        np.array_equal(samples, b.measurements[name], equal_nan=True)
+        for a, b in zip(one.runs, other.runs, strict=True)
+        for name, samples in a.measurements.items()
+    )
 
 
 def result_message(c: Candidate | FailedTrial) -> Message:
