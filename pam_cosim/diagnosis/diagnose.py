@@ -41,10 +41,7 @@ from pam_cosim.diagnosis.search.effort import Effort
 from pam_cosim.diagnosis.search.folds import folds_of
 from pam_cosim.diagnosis.search.search import Search
 from pam_cosim.diagnosis.search.search_result import SearchResult
-from pam_cosim.diagnosis.search.searches import (
-    fit_base_model,
-    with_effects,
-)
+from pam_cosim.diagnosis.search.searches import fit_base_model, with_effects
 from pam_cosim.diagnosis.search.selection import select_effects
 from pam_cosim.diagnosis.search.subject import subject_of
 from pam_cosim.errors import InputError
